@@ -1,0 +1,37 @@
+#pragma once
+
+#include "dat/File.h"
+
+namespace limen::dat {
+
+/// The files of one world: `client_portal.dat` and `client_cell_1.dat`, and when present `client_highres.dat` and
+/// `client_local_English.dat`. Safe to read from several threads.
+class Archive {
+public:
+    /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that has another
+    /// role than its name says.
+    [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
+
+    [[nodiscard]] const File& portal() const { return portal_; }
+    [[nodiscard]] const File& cell() const { return cell_; }
+    [[nodiscard]] const File* highres() const { return highres_ ? &*highres_ : nullptr; }
+    [[nodiscard]] const File* local() const { return local_ ? &*local_ : nullptr; }
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+
+    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its type.
+    template <class Record>
+    [[nodiscard]] Result<Record> load(RecordId id) const;
+    /// True if the file that holds records of this type has `id`.
+    template <class Record>
+    [[nodiscard]] bool contains(RecordId id) const;
+
+private:
+    Archive(std::filesystem::path directory, File portal, File cell) : directory_(std::move(directory)), portal_(std::move(portal)), cell_(std::move(cell)) {}
+    std::filesystem::path directory_;
+    File portal_;
+    File cell_;
+    std::optional<File> highres_;
+    std::optional<File> local_;
+};
+
+} // namespace limen::dat

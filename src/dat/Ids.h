@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+
+namespace limen::dat {
+
+/// A record's key in a dat's B-tree. The high byte (portal files) or the low word (cell files) tells the type:
+/// see formats/ids.md.
+using RecordId = std::uint32_t;
+
+inline constexpr RecordId kIterationId = 0xFFFF0001u;
+inline constexpr RecordId kRegionId = 0x13000000u;
+
+/// Kinds of record that Limen decodes; `Other` is carried as bytes.
+enum class RecordKind {
+    GfxObj,
+    Setup,
+    Palette,
+    SurfaceTexture,
+    RenderSurface,
+    Surface,
+    Environment,
+    Scene,
+    Region,
+    LandBlock,
+    LandBlockInfo,
+    EnvCell,
+    Iteration,
+    Other
+};
+
+/// Which file an id is looked up in decides its meaning: a portal (or highres, local) file or a cell file.
+enum class FileRole { Portal, Cell, Highres, Local };
+
+[[nodiscard]] RecordKind kindOf(FileRole role, RecordId id);
+[[nodiscard]] const char* nameOf(RecordKind kind);
+
+/// A landblock's place on the map, 0..254 each way: x grows to the east, y to the north.
+struct BlockCoord {
+    int x = 0;
+    int y = 0;
+    friend bool operator==(const BlockCoord&, const BlockCoord&) = default;
+};
+
+[[nodiscard]] constexpr RecordId blockWord(BlockCoord b) {
+    return (static_cast<RecordId>(b.x) << 24) | (static_cast<RecordId>(b.y) << 16);
+}
+[[nodiscard]] constexpr BlockCoord blockOf(RecordId cellFileId) {
+    return {static_cast<int>(cellFileId >> 24), static_cast<int>((cellFileId >> 16) & 0xFF)};
+}
+[[nodiscard]] constexpr RecordId landBlockId(BlockCoord b) { return blockWord(b) | 0xFFFFu; }
+[[nodiscard]] constexpr RecordId landBlockInfoId(BlockCoord b) { return blockWord(b) | 0xFFFEu; }
+
+/// Low words of cell ids.
+inline constexpr std::uint16_t kFirstCell = 0x0100;
+inline constexpr std::uint16_t kLastCell = 0xFFFD;
+inline constexpr std::uint16_t kOutdoors = 0xFFFF; ///< in a portal's otherCellId: it leads outside
+inline constexpr std::uint16_t kNoPortal = 0xFFFF; ///< in otherPortalId: one-way
+
+} // namespace limen::dat

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "dat/Codec.h"
+
+#include <filesystem>
+#include <map>
+
+namespace limen::dat {
+
+/// What a new file says of itself.
+struct FileTraits {
+    std::uint32_t blockSize = 1024;
+    std::uint32_t type = 1; ///< 1 portal, 2 cell, 3 local
+    std::uint32_t subset = 0;
+    std::uint32_t engineVersion = 110, gameVersion = 0, minorVersion = 6657;
+
+    [[nodiscard]] static FileTraits portal();
+    [[nodiscard]] static FileTraits cell();
+    [[nodiscard]] static FileTraits highres();
+    [[nodiscard]] static FileTraits local();
+};
+
+/// Collects records and writes a complete dat file (formats/container.md §8). The bytes depend on the records only:
+/// dates and iterations are fixed unless given.
+class Writer {
+public:
+    explicit Writer(FileTraits traits) : traits_(traits) {}
+
+    /// Adds or replaces a record. `compressed` stores it as a zlib stream with flag bit 0.
+    void add(RecordId id, Bytes payload, bool compressed = false);
+    template <class Record>
+    void add(const Record& record) { add(record.id, encode(record)); }
+    void add(RecordId id, const Surface& surface) { add(id, encode(surface)); }
+
+    /// The whole file. The iteration record is added if it is missing.
+    [[nodiscard]] Bytes build() const;
+    /// Writes the file beside its name and renames it into place, so that no half-written file is ever seen.
+    [[nodiscard]] Result<void> write(const std::filesystem::path& path) const;
+
+private:
+    struct Stored {
+        Bytes bytes;
+        bool compressed = false;
+    };
+    FileTraits traits_;
+    std::map<RecordId, Stored> records_;
+};
+
+} // namespace limen::dat

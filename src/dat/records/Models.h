@@ -1,0 +1,83 @@
+#pragma once
+
+#include "dat/records/Mesh.h"
+
+// GfxObj (0x01), Setup (0x02), Environment (0x0D): formats/geometry.md.
+namespace limen::dat {
+
+struct GfxObj {
+    static constexpr std::uint32_t kPhysics = 1, kDrawing = 2, kHasDegrade = 8;
+    std::uint32_t id = 0;
+    std::uint32_t flags = 0;
+    std::vector<std::uint32_t> surfaces; ///< Surface (0x08) ids
+    VertexArray vertexArray;
+    PolygonList physicsPolygons; ///< flags & kPhysics
+    BspTree physicsBsp;          ///< flags & kPhysics
+    Vec3f sortCenter{0.0f};
+    PolygonList polygons; ///< flags & kDrawing
+    BspTree drawingBsp;   ///< flags & kDrawing; its PORT nodes name the portal polygons
+    std::uint32_t degradeId = 0; ///< flags & kHasDegrade
+};
+
+/// An animation hook; the payload is kept as bytes, its length follows from the type (formats/effects_anim.md).
+struct AnimationHook {
+    std::uint32_t type = 0;
+    std::int32_t direction = 0;
+    std::vector<std::uint8_t> payload;
+};
+
+struct AnimationFrame {
+    std::vector<Frame> parts; ///< one per part, relative to the object
+    std::vector<AnimationHook> hooks;
+};
+
+struct Location {
+    std::int32_t key = 0;
+    std::int32_t part = 0;
+    Frame frame;
+};
+
+struct LightInfo {
+    Frame frame; ///< relative to the object
+    Colour colour;
+    float intensity = 0.0f;
+    float falloff = 0.0f; ///< range, metres
+    float coneAngle = 0.0f;
+};
+
+struct Setup {
+    static constexpr std::uint32_t kParents = 1, kScales = 2, kFreeHeading = 4, kPhysicsBsp = 8;
+    static constexpr std::uint32_t kPlacementDefault = 0, kPlacementResting = 0x65;
+    std::uint32_t id = 0;
+    std::uint32_t flags = 0;
+    std::vector<std::uint32_t> parts;   ///< GfxObj ids
+    std::vector<std::uint32_t> parents; ///< flags & kParents; 0xFFFFFFFF none
+    std::vector<Vec3f> scales;          ///< flags & kScales
+    std::vector<Location> holdingLocations;
+    std::vector<Location> connectionPoints;
+    std::vector<std::pair<std::uint32_t, AnimationFrame>> placementFrames;
+    std::vector<CylSphere> cylSpheres;
+    std::vector<SphereF> spheres;
+    float height = 0.0f, radius = 0.0f, stepUp = 0.0f, stepDown = 0.0f;
+    SphereF sortingSphere, selectionSphere;
+    std::vector<std::pair<std::int32_t, LightInfo>> lights;
+    std::uint32_t animation = 0, script = 0, motionTable = 0, soundTable = 0, scriptTable = 0;
+};
+
+/// The shape of a cell, shared by every EnvCell that names it.
+struct CellStruct {
+    VertexArray vertexArray;
+    PolygonList polygons;                       ///< drawing polygons, portal polygons included
+    std::vector<std::uint16_t> portalPolygons;  ///< entry i belongs to EnvCell portal i
+    BspTree cellBsp;
+    PolygonList physicsPolygons;
+    BspTree physicsBsp;
+    std::optional<BspTree> drawingBsp;
+};
+
+struct Environment {
+    std::uint32_t id = 0;
+    std::vector<std::pair<std::uint32_t, CellStruct>> cells; ///< (key, shape)
+};
+
+} // namespace limen::dat

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "geometry/Vec.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Values shared by several records, as the file stores them (formats/primitives.md). Floats stay floats so that a
+// record encodes back to the same bytes, NaNs and odd values included.
+namespace limen::dat {
+
+/// Position and orientation: p_parent = origin + rotate(orientation, p).
+struct Frame {
+    Vec3f origin{0.0f};
+    Quatf orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< w,x,y,z in the file
+};
+
+/// n·p + d, positive in front.
+struct PlaneF {
+    Vec3f n{0.0f};
+    float d = 0.0f;
+};
+
+struct SphereF {
+    Vec3f centre{0.0f};
+    float radius = 0.0f;
+};
+
+struct CylSphere {
+    Vec3f low{0.0f};
+    float radius = 0.0f;
+    float height = 0.0f;
+};
+
+/// 0xAARRGGBB.
+struct Colour {
+    std::uint32_t argb = 0;
+};
+
+/// A model placed in a landblock: `model` is a GfxObj (0x01) or a Setup (0x02); the frame is landblock-relative.
+struct Stab {
+    std::uint32_t model = 0;
+    Frame frame;
+};
+
+} // namespace limen::dat

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "geometry/Vec.h"
+
+#include <span>
+
+namespace limen {
+
+/// The plane n·p + d = 0; a point with n·p + d > 0 lies in front of it. n has unit length.
+struct Plane {
+    Vec3 n{0.0, 0.0, 1.0};
+    double d = 0.0;
+
+    [[nodiscard]] double signedDistance(const Vec3& p) const { return glm::dot(n, p) + d; }
+    [[nodiscard]] Plane flipped() const { return {-n, -d}; }
+    /// The same plane for points given relative to `origin`.
+    [[nodiscard]] Plane relativeTo(const Vec3& origin) const { return {n, signedDistance(origin)}; }
+};
+
+/// The plane through a polygon by Newell's sum, normal towards the side from which the vertices run
+/// counter-clockwise. Exact for planar polygons, a mean for others. A polygon without area (fewer than three
+/// distinct directions) gives n = (0,0,0), d = 0: callers check `glm::dot(n, n) > 0`.
+[[nodiscard]] Plane planeOf(std::span<const Vec3> polygon);
+
+} // namespace limen
