@@ -4,12 +4,12 @@
 
 namespace limen::dat {
 
-/// The files of one world: `client_portal.dat` and `client_cell_1.dat`, and when present `client_highres.dat` and
-/// `client_local_English.dat`. Safe to read from several threads.
+/// The files of one world: `client_portal.dat` and `client_cell_1.dat`, and when present `client_highres.dat`
+/// and `client_local_English.dat`. Safe to read from several threads.
 class Archive {
 public:
-    /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that has another
-    /// role than its name says.
+    /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that
+    /// has another role than its name says.
     [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
 
     [[nodiscard]] const File& portal() const { return portal_; }
@@ -18,7 +18,8 @@ public:
     [[nodiscard]] const File* local() const { return local_ ? &*local_ : nullptr; }
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
-    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its type.
+    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its
+    /// type.
     template <class Record>
     [[nodiscard]] Result<Record> load(RecordId id) const;
     /// True if the file that holds records of this type has `id`.
@@ -26,7 +27,8 @@ public:
     [[nodiscard]] bool contains(RecordId id) const;
 
 private:
-    Archive(std::filesystem::path directory, File portal, File cell) : directory_(std::move(directory)), portal_(std::move(portal)), cell_(std::move(cell)) {}
+    Archive(std::filesystem::path directory, File portal, File cell)
+        : directory_(std::move(directory)), portal_(std::move(portal)), cell_(std::move(cell)) {}
     std::filesystem::path directory_;
     File portal_;
     File cell_;

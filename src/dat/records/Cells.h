@@ -58,7 +58,8 @@ struct LandBlockInfo {
     std::vector<Building> buildings;
     std::uint16_t hasRestrictions = 0;
     std::uint16_t restrictionBuckets = 8;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> restrictions; ///< (cell, object); stored iff hasRestrictions
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>
+        restrictions; ///< (cell, object); stored iff hasRestrictions
 };
 
 } // namespace limen::dat

@@ -14,12 +14,13 @@ struct GfxObj {
     PolygonList physicsPolygons; ///< flags & kPhysics
     BspTree physicsBsp;          ///< flags & kPhysics
     Vec3f sortCenter{0.0f};
-    PolygonList polygons; ///< flags & kDrawing
-    BspTree drawingBsp;   ///< flags & kDrawing; its PORT nodes name the portal polygons
+    PolygonList polygons;        ///< flags & kDrawing
+    BspTree drawingBsp;          ///< flags & kDrawing; its PORT nodes name the portal polygons
     std::uint32_t degradeId = 0; ///< flags & kHasDegrade
 };
 
-/// An animation hook; the payload is kept as bytes, its length follows from the type (formats/effects_anim.md).
+/// An animation hook; the payload is kept as bytes, its length follows from the type
+/// (formats/effects_anim.md).
 struct AnimationHook {
     std::uint32_t type = 0;
     std::int32_t direction = 0;
@@ -67,8 +68,8 @@ struct Setup {
 /// The shape of a cell, shared by every EnvCell that names it.
 struct CellStruct {
     VertexArray vertexArray;
-    PolygonList polygons;                       ///< drawing polygons, portal polygons included
-    std::vector<std::uint16_t> portalPolygons;  ///< entry i belongs to EnvCell portal i
+    PolygonList polygons;                      ///< drawing polygons, portal polygons included
+    std::vector<std::uint16_t> portalPolygons; ///< entry i belongs to EnvCell portal i
     BspTree cellBsp;
     PolygonList physicsPolygons;
     BspTree physicsBsp;

@@ -13,7 +13,7 @@ struct Palette {
 struct SurfaceTexture {
     std::uint32_t id = 0;
     std::uint32_t category = 0;
-    std::uint8_t type = 2; ///< 2 = two-dimensional
+    std::uint8_t type = 2;             ///< 2 = two-dimensional
     std::vector<std::uint32_t> images; ///< RenderSurface ids, largest first
 };
 
@@ -46,9 +46,10 @@ struct RenderSurface {
 };
 
 struct Surface {
-    static constexpr std::uint32_t kBase1Solid = 1, kBase1Image = 2, kBase1ClipMap = 4, kTranslucent = 0x10, kDiffuse = 0x20,
-                                   kLuminous = 0x40, kAlpha = 0x100, kInvAlpha = 0x200, kAdditive = 0x10000, kDetail = 0x20000,
-                                   kGouraud = 0x10000000, kStippled = 0x40000000, kPerspective = 0x80000000;
+    static constexpr std::uint32_t kBase1Solid = 1, kBase1Image = 2, kBase1ClipMap = 4, kTranslucent = 0x10,
+                                   kDiffuse = 0x20, kLuminous = 0x40, kAlpha = 0x100, kInvAlpha = 0x200,
+                                   kAdditive = 0x10000, kDetail = 0x20000, kGouraud = 0x10000000,
+                                   kStippled = 0x40000000, kPerspective = 0x80000000;
     std::uint32_t type = 0;
     std::uint32_t texture = 0; ///< SurfaceTexture id; stored iff type & (kBase1Image | kBase1ClipMap)
     std::uint32_t palette = 0; ///< likewise
