@@ -14,11 +14,10 @@ namespace limen {
 
 /// A vector that keeps up to `N` elements inside itself and goes to the heap only beyond. For the many short
 /// lists of file records, where one allocation a list would cost more than reading it. The interface is
-/// std::vector's, as far as it goes; elements are trivially copyable, so moves and growth are plain copies of
-/// bytes.
+/// std::vector's, as far as it goes; elements are plain values (numbers, glm vectors, small structs).
 template <class T, std::uint32_t N>
 class SmallVec {
-    static_assert(std::is_trivially_copyable_v<T> && N > 0);
+    static_assert(std::is_trivially_destructible_v<T> && std::is_standard_layout_v<T> && N > 0);
 
 public:
     using value_type = T;
@@ -142,7 +141,10 @@ private:
     }
     /// Takes over another's content and leaves it empty; ours must have been released.
     void take(SmallVec& other) noexcept {
-        storage_ = other.storage_;
+        if (other.onHeap())
+            storage_.heap = other.storage_.heap;
+        else
+            std::uninitialized_copy(other.storage_.items, other.storage_.items + other.size_, storage_.items);
         size_ = std::exchange(other.size_, 0);
         capacity_ = std::exchange(other.capacity_, N);
     }

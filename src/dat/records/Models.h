@@ -2,6 +2,8 @@
 
 #include "dat/records/Mesh.h"
 
+#include <array>
+
 // GfxObj (0x01), Setup (0x02), Environment (0x0D): formats/geometry.md.
 namespace limen::dat {
 
@@ -74,6 +76,9 @@ struct CellStruct {
     PolygonList physicsPolygons;
     BspTree physicsBsp;
     std::optional<BspTree> drawingBsp;
+    /// Bytes up to a multiple of four behind portalPolygons and at the end; zero in files of ours.
+    std::array<std::uint8_t, 3> portalPadding{};
+    std::array<std::uint8_t, 3> padding{};
 };
 
 struct Environment {

@@ -22,6 +22,8 @@ enum class PixelFormat : std::uint32_t {
     A8R8G8B8 = 0x15,
     X8R8G8B8 = 0x16,
     R5G6B5 = 0x17,
+    X1R5G5B5 = 0x18,
+    A1R5G5B5 = 0x19,
     A4R4G4B4 = 0x1A,
     A8 = 0x1C,
     P8 = 0x29,
