@@ -1,0 +1,175 @@
+// What C++ and GLSL must agree on to the byte: binding numbers, flag bits and the structs of every storage buffer
+// (std430). Read by both: C++ sees glm types in namespace limen::frame::gpu, GLSL sees its own. Sizes and offsets are
+// checked by static_assert in src/frame/GpuLayout.h.
+//
+// Space: "eye-relative" is world axes with the origin at the eye, metres.
+#ifdef __cplusplus
+#define LIMEN_STRUCT(name) struct alignas(16) name
+#define LIMEN_ZERO {}
+namespace limen::frame::gpu {
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+using vec4 = glm::vec4;
+using uvec2 = glm::uvec2;
+using uvec4 = glm::uvec4;
+using mat4 = glm::mat4;
+using uint = std::uint32_t;
+#define LIMEN_CONST inline constexpr uint
+#else
+#define LIMEN_STRUCT(name) struct name
+#define LIMEN_ZERO
+#define LIMEN_CONST const uint
+#endif
+
+// Storage buffer bindings.
+LIMEN_CONST kBindFrame = 0;        // FrameConstants, one
+LIMEN_CONST kBindBlocks = 1;       // vec4 per resident block
+LIMEN_CONST kBindVisits = 2;       // Visit
+LIMEN_CONST kBindInstances = 3;    // Instance (static)
+LIMEN_CONST kBindMembers = 4;      // Member (static)
+LIMEN_CONST kBindMaterials = 5;    // Material (static)
+LIMEN_CONST kBindMaterialRefs = 6; // uint (static)
+LIMEN_CONST kBindTerrain = 7;      // TerrainCell (static)
+LIMEN_CONST kBindLightSets = 8;    // LightSet (static)
+LIMEN_CONST kBindLights = 9;       // Light (static)
+LIMEN_CONST kBindTextures = 10;    // TextureRef (static)
+LIMEN_CONST kBindOwnership = 11;   // OwnershipVertex
+LIMEN_CONST kBindClipSets = 12;    // ClipSet
+LIMEN_CONST kBindSky = 13;         // SkyInstance
+
+LIMEN_CONST kNoVisit = 0xFFFFFFFFu;
+LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
+LIMEN_CONST kSkyId = 1u;
+LIMEN_CONST kVoidId = 0u;
+
+// FrameConstants.flags
+LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs tested at mip 0, nearest texel (ids and depth)
+
+// Material.flags
+LIMEN_CONST kMaterialClamp = 1u;
+LIMEN_CONST kMaterialAdditive = 2u;
+LIMEN_CONST kMaterialInvAlpha = 4u;
+LIMEN_CONST kMaterialAlpha = 8u;
+
+LIMEN_STRUCT(FrameConstants) {
+    mat4 clipFromEye LIMEN_ZERO;   // clip from eye-relative; reversed depth, infinite far plane
+    vec4 eyeHigh LIMEN_ZERO;       // xyz: the eye relative to the eye's block, rounded to float
+    vec4 eyeLow LIMEN_ZERO;        // xyz: what the rounding left
+    vec4 sunDirection LIMEN_ZERO;  // xyz towards the sun
+    vec4 sunColour LIMEN_ZERO;
+    vec4 skyAmbient LIMEN_ZERO;
+    vec4 fogColour LIMEN_ZERO;     // rgb
+    vec4 fogRange LIMEN_ZERO;      // near, far in metres
+    vec4 voidColour LIMEN_ZERO;
+    vec4 skyZenith LIMEN_ZERO;     // rgb: plain sky overhead; the horizon is fogColour
+    vec4 viewport LIMEN_ZERO;      // width, height, 1/width, 1/height
+    uint rootZone LIMEN_ZERO;
+    uint visitCount LIMEN_ZERO;
+    uint flags LIMEN_ZERO;
+    float nearPlane LIMEN_ZERO;
+};
+
+LIMEN_STRUCT(Visit) {
+    vec4 entryPlane LIMEN_ZERO; // eye-relative; beyond = positive; the root's is (0,0,0,1): everything is beyond it
+    uint zone LIMEN_ZERO;
+    uint parent LIMEN_ZERO;     // kNoVisit for the root
+    uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
+};
+
+LIMEN_STRUCT(Instance) {
+    vec4 row0 LIMEN_ZERO; // block-local from model, rows; w: origin
+    vec4 row1 LIMEN_ZERO;
+    vec4 row2 LIMEN_ZERO;
+    uint block LIMEN_ZERO;
+    uint idBase LIMEN_ZERO;
+    uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
+    uint firstMember LIMEN_ZERO;
+    uint memberCount LIMEN_ZERO;
+    uint kind LIMEN_ZERO;
+    uint highlight LIMEN_ZERO;     // RGBA8, alpha = strength; 0 none
+    uint reserved0 LIMEN_ZERO;
+};
+
+// A zone an instance belongs to, and the light it has there.
+struct Member {
+    uint zone LIMEN_ZERO;
+    uint lightSet LIMEN_ZERO;
+};
+
+LIMEN_STRUCT(Material) {
+    vec4 colour LIMEN_ZERO;
+    uint texture LIMEN_ZERO; // index into textures, kNoTexture
+    uint flags LIMEN_ZERO;
+    float luminosity LIMEN_ZERO;
+    float diffuse LIMEN_ZERO;
+};
+
+// Where a texture lives: array pages: x = page, y = layer; bindless: the 64-bit handle. z,w: width and height.
+LIMEN_STRUCT(TextureRef) {
+    uvec4 place LIMEN_ZERO;
+};
+
+struct TerrainLayer {
+    uint texture LIMEN_ZERO;
+    uint alpha LIMEN_ZERO;
+    uint rotation LIMEN_ZERO;
+    float tiling LIMEN_ZERO;
+};
+
+struct TerrainCell {
+    TerrainLayer base LIMEN_ZERO;
+    TerrainLayer overlays[3] LIMEN_ZERO;
+    TerrainLayer roads[2] LIMEN_ZERO;
+};
+
+LIMEN_STRUCT(LightSet) {
+    vec4 ambient LIMEN_ZERO; // rgb; w: share of the sky's ambient
+    float sun LIMEN_ZERO;    // share of the sun
+    uint firstLight LIMEN_ZERO;
+    uint lightCount LIMEN_ZERO; // at most 8
+    uint reserved0 LIMEN_ZERO;
+};
+
+LIMEN_STRUCT(Light) {
+    vec4 position LIMEN_ZERO; // xyz block-local, w range in metres
+    vec4 colour LIMEN_ZERO;   // rgb; w: bits of the block slot (uint)
+};
+
+// One corner of the ownership stage's triangles, in tree order. Either a block-local point that goes through the same
+// transform as the walls, or (block == kNoVisit) a point of the screen given as clip x, y, w.
+LIMEN_STRUCT(OwnershipVertex) {
+    vec3 position LIMEN_ZERO;
+    uint block LIMEN_ZERO;
+    uint visit LIMEN_ZERO;
+    uint clipSet LIMEN_ZERO;
+    uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
+};
+
+// Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. Unused ones are (0,0,0,1).
+LIMEN_STRUCT(ClipSet) {
+    vec4 planes[8] LIMEN_ZERO;
+};
+
+// A sky object of this frame.
+LIMEN_STRUCT(SkyInstance) {
+    vec4 row0 LIMEN_ZERO; // world from model, rows
+    vec4 row1 LIMEN_ZERO;
+    vec4 row2 LIMEN_ZERO;
+    uint firstMaterial LIMEN_ZERO;
+    float opacity LIMEN_ZERO;
+    float luminosity LIMEN_ZERO;
+    float uvOffsetX LIMEN_ZERO;
+    float uvOffsetY LIMEN_ZERO;
+    uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
+    uint reserved2 LIMEN_ZERO;
+};
+
+#ifdef __cplusplus
+} // namespace limen::frame::gpu
+#undef LIMEN_CONST
+#endif
+#undef LIMEN_STRUCT
+#undef LIMEN_ZERO

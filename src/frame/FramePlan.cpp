@@ -1,0 +1,18 @@
+#include "frame/FramePlan.h"
+
+namespace limen::frame {
+
+void FramePlan::clear() {
+    constants = {};
+    blocks.clear();
+    visits.clear();
+    ownershipVertices.clear();
+    clipSets.clear();
+    skyInstances.clear();
+    commands.clear();
+    batches.clear();
+    stages.clear();
+    counts = {};
+}
+
+} // namespace limen::frame

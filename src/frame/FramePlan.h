@@ -1,0 +1,68 @@
+#pragma once
+
+#include "frame/GpuLayout.h"
+
+#include <array>
+#include <vector>
+
+// What a frame draws, as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null
+// device).
+namespace limen::frame {
+
+/// The stages of every frame, whatever the root (architecture.md, "Frame plan").
+enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Late, Overlay };
+inline constexpr std::size_t kStageCount = 5;
+[[nodiscard]] constexpr const char* nameOf(StageKind kind) {
+    constexpr std::array<const char*, kStageCount> kNames{"ownership", "solid", "sky", "late", "overlay"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// Which program draws a batch.
+enum class Program : std::uint8_t {
+    Ownership,  ///< triangles of ownershipVertices, no indices
+    Opaque,     ///< meshes, no discard but the gate's
+    CutOut,     ///< meshes, alpha tested
+    Terrain,    ///< landblocks
+    SkyPlain,   ///< one screen-filling triangle: the plain sky and its id
+    SkyObjects, ///< sky meshes; baseInstance indexes skyInstances
+    Blended     ///< meshes of the late stage
+};
+
+/// A run of draw commands with one program: one GL draw call. `gated` runs the per-fragment ownership test.
+struct Batch {
+    Program program = Program::Opaque;
+    bool gated = false;
+    std::uint32_t firstCommand = 0, commandCount = 0; ///< for Ownership: first vertex and vertex count
+};
+
+struct Stage {
+    StageKind kind = StageKind::Solid;
+    std::uint32_t firstBatch = 0, batchCount = 0;
+};
+
+/// What the planner saw and decided; goes to frame.json and the panel.
+struct PlanCounts {
+    std::uint32_t visits = 0, cellsSeen = 0, ownershipTriangles = 0;
+    std::uint32_t instancesTested = 0, instancesCulled = 0, instancesDrawn = 0, drawsUngated = 0,
+                  triangles = 0;
+};
+
+/// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates
+/// nothing.
+struct FramePlan {
+    gpu::FrameConstants constants;
+    std::vector<gpu::vec4>
+        blocks; ///< offset of each block from the eye's block, metres: whole multiples of 192
+    std::vector<gpu::Visit> visits;
+    std::vector<gpu::OwnershipVertex> ownershipVertices;
+    std::vector<gpu::ClipSet> clipSets;
+    std::vector<gpu::SkyInstance> skyInstances;
+    std::vector<gpu::DrawCommand> commands;
+    std::vector<Batch> batches;
+    std::vector<Stage> stages; ///< in order, one of each kind
+    PlanCounts counts;
+
+    void clear();
+};
+
+} // namespace limen::frame

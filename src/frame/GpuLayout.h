@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "../../shaders/include/SharedLayout.h"
+
+namespace limen::frame::gpu {
+
+/// One vertex of the arena as the vertex fetch reads it; 32 bytes.
+struct Vertex {
+    glm::vec3 position{0.0f};
+    std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
+    glm::vec2 uv{0.0f};
+    std::uint32_t polygon = 0;
+    std::uint32_t surface = 0;
+};
+
+/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.
+struct DrawCommand {
+    std::uint32_t indexCount = 0;
+    std::uint32_t instanceCount = 1;
+    std::uint32_t firstIndex = 0;
+    std::int32_t baseVertex = 0;
+    std::uint32_t baseInstance = 0;
+};
+
+static_assert(sizeof(Vertex) == 32 && sizeof(DrawCommand) == 20);
+static_assert(sizeof(FrameConstants) == 64 + 10 * 16 + 16);
+static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
+static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
+static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 32 &&
+              sizeof(ClipSet) == 128);
+static_assert(sizeof(SkyInstance) == 80);
+
+} // namespace limen::frame::gpu

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "frame/GpuLayout.h"
+
+#include <span>
+#include <vector>
+
+namespace limen::frame {
+
+/// A picture to upload: R,G,B,A bytes, top row first.
+struct TextureUpload {
+    std::uint32_t width = 0, height = 0;
+    std::span<const std::uint8_t> rgba;
+    bool clamp = false; ///< sampled with clamp-to-edge, else repeat
+};
+
+/// Everything static, in the GPU's own layout, written once when it becomes resident. `textures` are views
+/// into the world that it was made from and must not outlive it; the rest is owned.
+struct SceneUpload {
+    std::vector<gpu::Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<gpu::Instance> instances;
+    std::vector<gpu::Member> members;
+    std::vector<gpu::Material> materials;
+    std::vector<std::uint32_t> materialRefs;
+    std::vector<gpu::TerrainCell> terrainCells;
+    std::vector<gpu::LightSet> lightSets;
+    std::vector<gpu::Light> lights;
+    std::vector<TextureUpload> textures;
+};
+
+} // namespace limen::frame

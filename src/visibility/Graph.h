@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/Error.h"
+#include "geometry/Bounds.h"
+#include "geometry/Plane.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace limen::visibility {
+
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// A space as the caller describes it: a run of portals, and the zone it belongs to. Spaces of one zone are
+/// connected, closed and pairwise disjoint, so that inside it depth alone decides what is in front; a caller
+/// that cannot promise that gives every space a zone of its own.
+struct SpaceDesc {
+    std::uint32_t firstPortal = 0, portalCount = 0;
+    std::uint32_t zone = 0;
+};
+
+/// An opening that leads out of `space`.
+struct PortalDesc {
+    std::uint32_t space = 0;
+    std::uint32_t destination = kNone; ///< kNone: leads nowhere
+    std::uint32_t reciprocal = kNone; ///< the portal that leads back through the same opening; kNone: one-way
+    std::uint32_t firstVertex = 0, vertexCount = 0; ///< convex, counter-clockwise seen from inside `space`
+    bool exact = true; ///< false: the reciprocal's polygon differs, and the opening is what both leave open
+};
+
+/// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
+/// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
+class Graph {
+public:
+    /// Checks every index and copies. `vertices` are metres in any one frame. A portal without area, or with
+    /// fewer than three vertices, is kept but never admitted. Errors: an index out of range, a portal listed
+    /// under a space that is not its own, a vertex that is not finite.
+    [[nodiscard]] static Result<Graph> build(std::span<const SpaceDesc> spaces,
+                                             std::span<const PortalDesc> portals,
+                                             std::span<const Vec3> vertices);
+
+    /// A node of a space's tree of portal bounds; leaves hold one portal. Children are neighbours: first,
+    /// first + 1.
+    struct BoundsNode {
+        Aabb box;
+        std::uint32_t child = kNone;  ///< kNone: a leaf
+        std::uint32_t portal = kNone; ///< of a leaf
+    };
+    struct Space {
+        std::uint32_t firstPortal = 0, portalCount = 0, zone = 0;
+        std::uint32_t root = kNone; ///< into `boundsNodes`; kNone: few portals, look at each
+    };
+    struct Portal {
+        Plane plane; ///< `space` lies on the positive side; n = 0 for a polygon without area
+        std::uint32_t space = 0, destination = kNone, reciprocal = kNone;
+        std::uint32_t firstVertex = 0, vertexCount = 0;
+        bool exact = true;
+    };
+
+    [[nodiscard]] std::span<const Space> spaces() const { return spaces_; }
+    [[nodiscard]] std::span<const Portal> portals() const { return portals_; }
+    [[nodiscard]] std::span<const BoundsNode> boundsNodes() const { return nodes_; }
+    [[nodiscard]] std::span<const Vec3> polygon(const Portal& portal) const {
+        return std::span<const Vec3>(vertices_).subspan(portal.firstVertex, portal.vertexCount);
+    }
+
+private:
+    std::vector<Space> spaces_;
+    std::vector<Portal> portals_;
+    std::vector<Vec3> vertices_;
+    std::vector<BoundsNode> nodes_;
+};
+
+} // namespace limen::visibility

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace limen::world {
+
+/// A decoded picture: R,G,B,A bytes, top row first, no padding.
+struct Image {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+    bool hasAlpha = false; ///< some texel has alpha < 255
+};
+
+} // namespace limen::world

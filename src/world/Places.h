@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/Error.h"
+#include "dat/Ids.h"
+#include "geometry/Vec.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace limen::world {
+
+/// A named standing eye.
+struct Place {
+    std::string name;
+    Vec3 eye{0.0};     ///< global
+    double yaw = 0.0;  ///< degrees, 0 north, 90 east
+    double pitch = 0.0; ///< degrees, positive up
+    dat::RecordId cell = 0; ///< 0: outside
+};
+
+/// What `world.json` beside the dats says; everything is optional.
+struct WorldFile {
+    std::vector<Place> places;
+    std::vector<Place> tour; ///< way points, walked in straight lines
+};
+
+/// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: unreadable or not of this shape.
+[[nodiscard]] Result<WorldFile> loadWorldFile(const std::filesystem::path& directory);
+
+} // namespace limen::world

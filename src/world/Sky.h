@@ -1,0 +1,50 @@
+#pragma once
+
+#include "dat/records/Landscape.h"
+#include "geometry/Vec.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace limen::world {
+
+/// One object of the sky dome: a mesh around the eye, shown between two times of day.
+struct SkyPart {
+    std::uint32_t dayGroup = 0, objectIndex = 0;
+    std::uint32_t mesh = 0xFFFFFFFFu; ///< index into World::meshes
+    std::uint32_t firstMaterial = 0;  ///< run of World::materialRefs
+    dat::SkyObject object;
+};
+
+/// The sky as the Region describes it; no day groups when it has none.
+struct Sky {
+    dat::SkyDesc desc;
+    dat::GameTime time;
+    std::vector<SkyPart> parts;
+};
+
+/// Light and fog at one time of day, interpolated between keyframes (formats/sky_weather.md).
+struct SkyState {
+    Vec3f sunDirection{0.0f, 0.0f, 1.0f}; ///< towards the light
+    Vec3f sunColour{0.0f};                ///< times brightness
+    Vec3f ambient{0.4f};
+    Vec3f fogColour{0.6f, 0.7f, 0.8f};
+    float fogNear = 1e9f, fogFar = 2e9f; ///< metres; no fog by default
+};
+
+/// One sky object as it stands at a time of day.
+struct SkyPlacement {
+    std::uint32_t part = 0;  ///< index into Sky::parts
+    glm::mat3 rotation{1.0f}; ///< world from model, about the eye
+    float transparent = 0.0f; ///< 0 opaque .. 1 hidden
+    float luminosity = 1.0f;
+    Vec2f uvOffset{0.0f};
+};
+
+/// The light at `time` (fraction of the day, 0..1) in day group `dayGroup` (clamped). Defaults without a sky.
+[[nodiscard]] SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time);
+
+/// The sky objects visible then, in drawing order. `out` is overwritten and keeps its capacity.
+void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds, std::vector<SkyPlacement>& out);
+
+} // namespace limen::world
