@@ -55,10 +55,10 @@ public:
     [[nodiscard]] Result<ByteView> read(const Entry& entry, Bytes& scratch) const;
     [[nodiscard]] Result<ByteView> read(RecordId id, Bytes& scratch) const;
     /// Calls `visit` for every entry in ascending order of id until it returns false. Checks the whole tree
-    /// as it goes.
-    [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit) const;
-    /// Warnings that do not stop reading (fileSize differs from the real length, leaves at unequal depth,
-    /// ...).
+    /// as it goes; what does not stop reading (leaves at unequal depths) is added to `warnings` when given.
+    [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
+                                       std::vector<std::string>* warnings = nullptr) const;
+    /// What was odd at opening but does not stop reading: a fileSize that differs from the real length.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
 
 private:

@@ -66,7 +66,8 @@ void portalLists(ByteReader& io, BspNode& node) {
     const auto polygonCount = io.count<std::uint32_t>("polygon ids");
     const auto portalCount = io.count<std::uint32_t>("portals");
     io.array(node.polygonIds, polygonCount);
-    io.items(node.portals, portalCount, sizeof(PortalRef), "portals", [&](PortalRef& ref) { portalRef(io, ref); });
+    io.items(node.portals, portalCount, sizeof(PortalRef), "portals",
+             [&](PortalRef& ref) { portalRef(io, ref); });
 }
 
 void portalLists(ByteWriter& io, const BspNode& node) {
@@ -92,15 +93,16 @@ void innerTail(IO& io, Node& node, BspKind kind) {
     }
 }
 
-/// Reads the node at the reader and its subtree; yields its index. The tree grows while it is read, so nodes are
-/// addressed by index throughout.
+/// Reads the node at the reader and its subtree; yields its index. The tree grows while it is read, so nodes
+/// are addressed by index throughout.
 std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
     const std::size_t start = io.offset();
     const auto tag = io.get<BspTag>();
     if (io.failed())
         return -1;
     if (!isKnown(tag)) {
-        io.failAt(start, fmt::format("0x{:08X} is not the tag of a BSP node", static_cast<std::uint32_t>(tag)));
+        io.failAt(start,
+                  fmt::format("0x{:08X} is not the tag of a BSP node", static_cast<std::uint32_t>(tag)));
         return -1;
     }
     if (depth >= kMaxBspDepth) {
@@ -131,7 +133,8 @@ std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
 }
 
 void writeNode(ByteWriter& io, const BspTree& tree, std::int32_t index, BspKind kind, int depth) {
-    LIMEN_ASSERT(index >= 0 && static_cast<std::size_t>(index) < tree.nodes.size(), "a BSP node lacks a child");
+    LIMEN_ASSERT(index >= 0 && static_cast<std::size_t>(index) < tree.nodes.size(),
+                 "a BSP node lacks a child");
     LIMEN_ASSERT(depth < kMaxBspDepth, "a BSP tree is too deep, or a node is its own descendant");
     const BspNode& node = tree.nodes[static_cast<std::size_t>(index)];
     io.value(node.tag);

@@ -9,11 +9,12 @@
 
 namespace limen::dat {
 
-static_assert(std::endian::native == std::endian::little, "dat files are little-endian and are copied as they are");
+static_assert(std::endian::native == std::endian::little,
+              "dat files are little-endian and are copied as they are");
 
-/// Reads a record's payload from front to back. The first failure is kept with its offset; from then on everything
-/// reads as zero and nothing is left, so callers need not test after every field. Its sibling ByteWriter has the same
-/// members, so that one description of a record's layout serves both ways.
+/// Reads a record's payload from front to back. The first failure is kept with its offset; from then on
+/// everything reads as zero and nothing is left, so callers need not test after every field. Its sibling
+/// ByteWriter has the same members, so that one description of a record's layout serves both ways.
 class ByteReader {
 public:
     static constexpr bool kReading = true;
@@ -36,10 +37,7 @@ public:
 
     /// An integer, float or enumeration as the file stores it.
     template <class T>
-        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-    void value(T& out) {
-        take(&out, sizeof(T));
-    }
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void value(T& out) { take(&out, sizeof(T)); }
     void value(Vec2f& out) { take(&out, sizeof out); }
     void value(Vec3f& out) { take(&out, sizeof out); }
     void value(Quatf& out) {
@@ -68,8 +66,8 @@ public:
             take(out.data(), count * sizeof(T));
     }
 
-    /// A list of `count` items, each at least `minItemBytes` long; `item` reads one. Nothing is allocated for a count
-    /// that the remaining bytes cannot hold.
+    /// A list of `count` items, each at least `minItemBytes` long; `item` reads one. Nothing is allocated for
+    /// a count that the remaining bytes cannot hold.
     template <class List, class Item>
     void items(List& out, std::size_t count, std::size_t minItemBytes, const char* what, Item&& item) {
         if (!fits(count, minItemBytes, what))
@@ -100,8 +98,8 @@ public:
         }
         return static_cast<std::size_t>(n);
     }
-    /// A count in 1, 2 or 4 bytes (formats/primitives.md, "cui"); one in more bytes than it needs is refused, since
-    /// it would not be written back the same.
+    /// A count in 1, 2 or 4 bytes (formats/primitives.md, "cui"); one in more bytes than it needs is refused,
+    /// since it would not be written back the same.
     [[nodiscard]] std::uint32_t packedCount();
 
     /// A "legacy string": length, bytes, zeros up to a multiple of 4.

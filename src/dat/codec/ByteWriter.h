@@ -10,8 +10,8 @@
 
 namespace limen::dat {
 
-/// Writes a record's payload: ByteReader's sibling, member for member. A record that the format cannot hold (a list
-/// longer than its count can say) is a mistake of the caller's and asserted.
+/// Writes a record's payload: ByteReader's sibling, member for member. A record that the format cannot hold
+/// (a list longer than its count can say) is a mistake of the caller's and asserted.
 class ByteWriter {
 public:
     static constexpr bool kReading = false;
@@ -22,10 +22,7 @@ public:
     void reserve(std::size_t size) { bytes_.reserve(size); }
 
     template <class T>
-        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-    void value(const T& in) {
-        put(&in, sizeof(T));
-    }
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void value(const T& in) { put(&in, sizeof(T)); }
     void value(const Vec2f& in) { put(&in, sizeof in); }
     void value(const Vec3f& in) { put(&in, sizeof in); }
     void value(const Quatf& in) {

@@ -86,7 +86,8 @@ void building(IO& io, B& one) {
 void buildings(ByteReader& io, LandBlockInfo& info) {
     const auto count = io.count<std::uint16_t>("buildings");
     io.value(info.hasRestrictions);
-    io.items(info.buildings, count, kMinBuildingBytes, "buildings", [&](Building& one) { building(io, one); });
+    io.items(info.buildings, count, kMinBuildingBytes, "buildings",
+             [&](Building& one) { building(io, one); });
 }
 void buildings(ByteWriter& io, const LandBlockInfo& info) {
     io.count<std::uint16_t>(info.buildings.size());
@@ -138,7 +139,8 @@ Bytes encode<EnvCell>(const EnvCell& cell) {
 
 template <>
 Result<LandBlock> decode<LandBlock>(RecordId id, ByteView payload) {
-    return decodeWith<LandBlock>(id, payload, [&](ByteReader& io, LandBlock& block) { landBlock(io, id, block); });
+    return decodeWith<LandBlock>(id, payload,
+                                 [&](ByteReader& io, LandBlock& block) { landBlock(io, id, block); });
 }
 template <>
 Bytes encode<LandBlock>(const LandBlock& block) {
@@ -149,8 +151,8 @@ Bytes encode<LandBlock>(const LandBlock& block) {
 
 template <>
 Result<LandBlockInfo> decode<LandBlockInfo>(RecordId id, ByteView payload) {
-    return decodeWith<LandBlockInfo>(id, payload,
-                                     [&](ByteReader& io, LandBlockInfo& info) { landBlockInfo(io, id, info); });
+    return decodeWith<LandBlockInfo>(
+        id, payload, [&](ByteReader& io, LandBlockInfo& info) { landBlockInfo(io, id, info); });
 }
 template <>
 Bytes encode<LandBlockInfo>(const LandBlockInfo& info) {

@@ -7,33 +7,33 @@ namespace {
 
 /// Bytes by type; -1 where the payload tells its own length.
 constexpr int kPayloadBytes[] = {
-    0,                  // 0 NoOp
-    4,                  // 1 Sound
-    4,                  // 2 SoundTable
-    28,                 // 3 Attack
-    0,                  // 4 AnimationDone
-    -1,                 // 5 ReplaceObject
-    4,                  // 6 Ethereal
-    16,                 // 7 TransparentPart
-    12,                 // 8 Luminous
-    16,                 // 9 LuminousPart
-    12,                 // A Diffuse
-    16,                 // B DiffusePart
-    8,                  // C Scale
-    8 + 28 + 4,         // D CreateParticle
-    4,                  // E DestroyParticle
-    4,                  // F StopParticle
-    4,                  // 10 NoDraw
-    0,                  // 11 DefaultScript
-    4,                  // 12 DefaultScriptPart
-    8,                  // 13 CallPES
-    12,                 // 14 Transparent
-    16,                 // 15 SoundTweaked
-    12,                 // 16 SetOmega
-    8,                  // 17 TextureVelocity
-    12,                 // 18 TextureVelocityPart
-    4,                  // 19 SetLight
-    0,                  // 1A CreateBlockingParticle
+    0,          // 0 NoOp
+    4,          // 1 Sound
+    4,          // 2 SoundTable
+    28,         // 3 Attack
+    0,          // 4 AnimationDone
+    -1,         // 5 ReplaceObject
+    4,          // 6 Ethereal
+    16,         // 7 TransparentPart
+    12,         // 8 Luminous
+    16,         // 9 LuminousPart
+    12,         // A Diffuse
+    16,         // B DiffusePart
+    8,          // C Scale
+    8 + 28 + 4, // D CreateParticle
+    4,          // E DestroyParticle
+    4,          // F StopParticle
+    4,          // 10 NoDraw
+    0,          // 11 DefaultScript
+    4,          // 12 DefaultScriptPart
+    8,          // 13 CallPES
+    12,         // 14 Transparent
+    16,         // 15 SoundTweaked
+    12,         // 16 SetOmega
+    8,          // 17 TextureVelocity
+    12,         // 18 TextureVelocityPart
+    4,          // 19 SetLight
+    0,          // 1A CreateBlockingParticle
 };
 
 /// ReplaceObject: u16 part, then a packed id of one or two u16 (formats/primitives.md, "pdid").
@@ -69,7 +69,8 @@ void hook(ByteReader& io, AnimationHook& out, BlockingParticle blocking) {
 }
 
 void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle) {
-    LIMEN_ASSERT(in.type < std::size(kPayloadBytes), "an animation hook of an unknown type cannot be read back");
+    LIMEN_ASSERT(in.type < std::size(kPayloadBytes),
+                 "an animation hook of an unknown type cannot be read back");
     io.value(in.type);
     io.value(in.direction);
     io.array(in.payload, in.payload.size());

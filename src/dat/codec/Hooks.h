@@ -15,7 +15,8 @@ inline constexpr std::size_t kMinHookBytes = 8;
 /// How the one hook whose payload is not settled is read: without a payload, or with CreateParticle's.
 enum class BlockingParticle { Bare, LikeCreateParticle };
 
-/// Payload bytes of a hook type; no value for an unknown type and for ReplaceObject, whose payload tells its own length.
+/// Payload bytes of a hook type; no value for an unknown type and for ReplaceObject, whose payload tells its
+/// own length.
 [[nodiscard]] std::optional<std::size_t> hookPayloadSize(std::uint32_t type, BlockingParticle blocking);
 
 void hook(ByteReader& io, AnimationHook& out, BlockingParticle blocking);

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-// The frame of every codec: one function `layout(io, record)` a record, called with a ByteReader and a Record& or with a
-// ByteWriter and a const Record&, so that reading and writing cannot drift apart.
+// The frame of every codec: one function `layout(io, record)` a record, called with a ByteReader and a
+// Record& or with a ByteWriter and a const Record&, so that reading and writing cannot drift apart.
 namespace limen::dat {
 
 /// Reads or writes a record's own id, which must be its key.

@@ -3,8 +3,8 @@
 namespace limen::dat {
 namespace {
 
-constexpr std::size_t kMinVertexBytes = 2 + 2 + 24;       // key, number of uvs, position, normal
-constexpr std::size_t kMinPolygonBytes = 2 + 10 + 3 * 2;  // id, fields, three vertex ids
+constexpr std::size_t kMinVertexBytes = 2 + 2 + 24;      // key, number of uvs, position, normal
+constexpr std::size_t kMinPolygonBytes = 2 + 10 + 3 * 2; // id, fields, three vertex ids
 
 void vertex(ByteReader& io, Vertex& v) {
     const std::size_t uvCount = io.get<std::uint16_t>();

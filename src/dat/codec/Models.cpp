@@ -115,7 +115,8 @@ Bytes encode<GfxObj>(const GfxObj& g) {
 
 template <>
 Result<Environment> decode<Environment>(RecordId id, ByteView payload) {
-    return decodeWith<Environment>(id, payload, [&](ByteReader& io, Environment& e) { environment(io, id, e); });
+    return decodeWith<Environment>(id, payload,
+                                   [&](ByteReader& io, Environment& e) { environment(io, id, e); });
 }
 template <>
 Bytes encode<Environment>(const Environment& e) {

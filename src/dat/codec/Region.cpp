@@ -34,7 +34,8 @@ void gameTime(IO& io, G& g) {
         row(io, t.start, t.isNight);
         io.text(t.name);
     });
-    io.template list<std::uint32_t>(g.daysOfWeek, kMinTextBytes, "days of the week", [&](auto& day) { io.text(day); });
+    io.template list<std::uint32_t>(g.daysOfWeek, kMinTextBytes, "days of the week",
+                                    [&](auto& day) { io.text(day); });
     io.template list<std::uint32_t>(g.seasons, 4 + kMinTextBytes, "seasons", [&](auto& s) {
         io.value(s.startDay);
         io.text(s.name);
@@ -69,7 +70,8 @@ void dayGroup(IO& io, G& g) {
 template <class IO, class S>
 void sky(IO& io, S& s) {
     row(io, s.tickSize, s.lightTickSize);
-    io.template list<std::uint32_t>(s.dayGroups, 12 + kMinTextBytes, "day groups", [&](auto& g) { dayGroup(io, g); });
+    io.template list<std::uint32_t>(s.dayGroups, 12 + kMinTextBytes, "day groups",
+                                    [&](auto& g) { dayGroup(io, g); });
 }
 
 template <class IO, class S>

@@ -19,7 +19,8 @@ void placementFrames(IO& io, S& s, std::size_t partCount, BlockingParticle block
     const std::size_t minBytes = 4 + partCount * kFrameBytes + 4;
     io.template list<std::int32_t>(s.placementFrames, minBytes, "placement frames", [&](auto& keyed) {
         io.value(keyed.first);
-        io.items(keyed.second.parts, partCount, kFrameBytes, "part frames", [&](auto& part) { frame(io, part); });
+        io.items(keyed.second.parts, partCount, kFrameBytes, "part frames",
+                 [&](auto& part) { frame(io, part); });
         io.template list<std::uint32_t>(keyed.second.hooks, kMinHookBytes, "animation hooks",
                                         [&](auto& one) { hook(io, one, blocking); });
     });
@@ -75,7 +76,8 @@ void setup(IO& io, RecordId key, S& s, BlockingParticle blocking) {
 }
 
 bool hasBlockingParticle(ByteView payload) {
-    // Cheap and generous: any word of that value anywhere. It only decides whether a second try is worth making.
+    // Cheap and generous: any word of that value anywhere. It only decides whether a second try is worth
+    // making.
     for (std::size_t i = 0; i + 4 <= payload.size(); ++i) {
         if (payload[i] == std::byte{kCreateBlockingParticleHook} && payload[i + 1] == std::byte{0} &&
             payload[i + 2] == std::byte{0} && payload[i + 3] == std::byte{0})

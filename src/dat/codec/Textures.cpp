@@ -47,21 +47,21 @@ void checkImage(ByteReader& io, const RenderSurface& s, std::size_t formatOffset
     const auto inRange = [](std::int32_t n) { return n >= 0 && n <= kMaxDimension; };
     const bool isJpeg = s.format == PixelFormat::RawJpeg;
     if (!isJpeg && (!inRange(s.width) || !inRange(s.height))) {
-        io.failAt(formatOffset - 8, fmt::format("the image is {}x{} texels; 0 to {} are allowed each way", s.width,
-                                                s.height, kMaxDimension));
+        io.failAt(formatOffset - 8, fmt::format("the image is {}x{} texels; 0 to {} are allowed each way",
+                                                s.width, s.height, kMaxDimension));
         return;
     }
-    const auto expected = isJpeg ? std::optional<std::size_t>(byteCount)
-                                 : pixelBytes(s.format, static_cast<std::size_t>(s.width),
-                                              static_cast<std::size_t>(s.height));
+    const auto expected =
+        isJpeg ? std::optional<std::size_t>(byteCount)
+               : pixelBytes(s.format, static_cast<std::size_t>(s.width), static_cast<std::size_t>(s.height));
     if (!expected) {
         io.failAt(formatOffset,
                   fmt::format("pixel format 0x{:X} is not supported", static_cast<std::uint32_t>(s.format)),
                   ErrorCode::Unsupported);
     } else if (*expected != byteCount) {
-        io.failAt(formatOffset + 4, fmt::format("the image has {} bytes; {}x{} texels of format 0x{:X} take {}",
-                                                byteCount, s.width, s.height,
-                                                static_cast<std::uint32_t>(s.format), *expected));
+        io.failAt(formatOffset + 4,
+                  fmt::format("the image has {} bytes; {}x{} texels of format 0x{:X} take {}", byteCount,
+                              s.width, s.height, static_cast<std::uint32_t>(s.format), *expected));
     }
 }
 [[maybe_unused]] void checkImage(ByteWriter&, const RenderSurface&, std::size_t, std::size_t) {}
