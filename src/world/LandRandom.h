@@ -6,8 +6,8 @@
 namespace limen::world {
 
 namespace seed {
-inline constexpr std::uint32_t kSplit = 3, kScene = 0x2BF9, kFrequency = 0x5B67, kDisplaceX = 0xB2CD, kDisplaceY = 0x11C0F,
-                               kScale = 0x7F51, kQuadrant = 0xE7EB, kRotation = 0xF697;
+inline constexpr std::uint32_t kSplit = 3, kScene = 0x2BF9, kFrequency = 0x5B67, kDisplaceX = 0xB2CD,
+                               kDisplaceY = 0x11C0F, kScale = 0x7F51, kQuadrant = 0xE7EB, kRotation = 0xF697;
 }
 
 /// The hash of a global vertex or landcell; arithmetic is modulo 2^32.

@@ -32,7 +32,8 @@ std::uint32_t flagsOf(const dat::Surface& surface, bool clamp) {
 } // namespace
 
 std::uint32_t Materials::material(dat::RecordId id, bool clamp) {
-    const auto [entry, fresh] = materials_.try_emplace({id, clamp}, static_cast<std::uint32_t>(world_.materials.size()));
+    const auto [entry, fresh] =
+        materials_.try_emplace({id, clamp}, static_cast<std::uint32_t>(world_.materials.size()));
     if (!fresh)
         return entry->second;
     Material material;
@@ -45,7 +46,8 @@ std::uint32_t Materials::material(dat::RecordId id, bool clamp) {
     }
     material.surfaceClass = surfaceClassOf(*surface);
     material.flags = flagsOf(*surface, clamp);
-    material.luminosity = (surface->type & dat::Surface::kLuminous) != 0 ? fraction(surface->luminosity) : 0.0f;
+    material.luminosity =
+        (surface->type & dat::Surface::kLuminous) != 0 ? fraction(surface->luminosity) : 0.0f;
     material.diffuse = (surface->type & dat::Surface::kDiffuse) != 0 ? fraction(surface->diffuse) : 1.0f;
     material.colour = colourOf(surface->hasImage() ? 0xFFFFFFu : surface->colour.argb, alphaOf(*surface));
     if (surface->hasImage()) {
@@ -85,7 +87,8 @@ std::uint32_t Materials::decoded(dat::RecordId id, dat::RecordId palette, const 
     if (!picture)
         return entry->second = fallback(id, picture.error().message());
     const dat::RecordId paletteId = palette != 0 ? palette : picture->defaultPalette;
-    Result<Image> image = decodeImage(*picture, paletteId != 0 ? records_.palette(paletteId) : nullptr, rules);
+    Result<Image> image =
+        decodeImage(*picture, paletteId != 0 ? records_.palette(paletteId) : nullptr, rules);
     if (!image)
         return entry->second = fallback(id, image.error().message());
     if (rules.clipMap && image->hasAlpha)

@@ -48,7 +48,8 @@ void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot
         mesh_.vertices.push_back(vertex);
     }
     const auto slotIndex = static_cast<std::size_t>(slot);
-    const SurfaceClass surfaceClass = slotIndex < classes_.size() ? classes_[slotIndex] : SurfaceClass::Opaque;
+    const SurfaceClass surfaceClass =
+        slotIndex < classes_.size() ? classes_[slotIndex] : SurfaceClass::Opaque;
     std::vector<std::uint32_t>& indices = mesh_.indices[static_cast<std::size_t>(surfaceClass)];
     for (const TriangleCorners& t : triangles_) {
         indices.push_back(base + t[0]);

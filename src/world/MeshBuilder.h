@@ -15,7 +15,8 @@ struct MeshData {
     [[nodiscard]] bool empty() const { return vertices.empty(); }
 };
 
-/// Collects polygons into a MeshData: two-sided ones twice, the second time reversed and with negated normals.
+/// Collects polygons into a MeshData: two-sided ones twice, the second time reversed and with negated
+/// normals.
 class MeshBuilder {
 public:
     /// `classes`: by surface slot.

@@ -37,7 +37,8 @@ std::vector<ModelLight> lightsOf(const dat::Setup& setup) {
 bool staysWithinUnit(const MeshData& mesh, std::size_t slot) {
     constexpr float kSlack = 0.001f;
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const MeshVertex& v) {
-        return v.surface != slot || (std::min(v.uv.x, v.uv.y) >= -kSlack && std::max(v.uv.x, v.uv.y) <= 1.0f + kSlack);
+        return v.surface != slot ||
+               (std::min(v.uv.x, v.uv.y) >= -kSlack && std::max(v.uv.x, v.uv.y) <= 1.0f + kSlack);
     });
 }
 
@@ -78,7 +79,8 @@ Model Models::read(dat::RecordId id) {
     } else if (const dat::Setup* setup = records_.setup(id)) {
         const dat::AnimationFrame* frames = restingPose(*setup);
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
-            const Pose pose = frames != nullptr && i < frames->parts.size() ? poseOf(frames->parts[i]) : Pose();
+            const Pose pose =
+                frames != nullptr && i < frames->parts.size() ? poseOf(frames->parts[i]) : Pose();
             const Vec3 scale = scaleOf(*setup, i);
             Mat3 linear = glm::mat3_cast(pose.orientation);
             for (int axis = 0; axis < 3; ++axis)
@@ -117,14 +119,16 @@ std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
         portals.insert(ref.polygonId);
     MeshBuilder builder(classesOf(record->surfaces, records_));
     std::vector<Vec3f> points;
-    for (const SourcePolygon& polygon : readPolygons(record->vertexArray, record->polygons, record->surfaces.size(), portals,
-                                                     gfxObj, records_.findings())) {
+    for (const SourcePolygon& polygon :
+         readPolygons(record->vertexArray, record->polygons, record->surfaces.size(), portals, gfxObj,
+                      records_.findings())) {
         if (!polygon.isDrawn())
             continue;
         points.clear();
         StitchLoop loop;
         for (const SourcePolygon::Corner& corner : polygon.corners) {
-            loop.push_back({static_cast<std::uint32_t>(points.size()), Vec3f(corner.normal), corner.front, corner.back});
+            loop.push_back(
+                {static_cast<std::uint32_t>(points.size()), Vec3f(corner.normal), corner.front, corner.back});
             points.emplace_back(corner.position);
         }
         builder.beginPolygon(polygon.id, polygon.frontSlot, polygon.backSlot);

@@ -58,7 +58,8 @@ void PointTree::build(std::uint32_t first, std::uint32_t count) {
     build(first + half, count - half);
 }
 
-void PointTree::nearSegment(const Vec3& a, const Vec3& b, double radius, std::vector<std::uint32_t>& out) const {
+void PointTree::nearSegment(const Vec3& a, const Vec3& b, double radius,
+                            std::vector<std::uint32_t>& out) const {
     if (nodes_.empty())
         return;
     const Vec3 direction = b - a;

@@ -58,7 +58,8 @@ void readSides(const dat::Polygon& polygon, std::size_t surfaceCount, SourcePoly
     out.frontSlot = slot(polygon.posSurface, surfaceCount);
     if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Double))
         out.backSlot = out.frontSlot;
-    else if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Both) && (polygon.stippling & dat::kNoNegativeUv) == 0)
+    else if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Both) &&
+             (polygon.stippling & dat::kNoNegativeUv) == 0)
         out.backSlot = slot(polygon.negSurface, surfaceCount);
 }
 
@@ -71,13 +72,14 @@ bool readCorners(const VertexLookup& lookup, const dat::Polygon& polygon, Source
         if (vertex == nullptr || !isSane(Vec3(vertex->position)))
             return false;
         const Vec3 normal(vertex->normal);
-        out.corners.push_back({Vec3(vertex->position), isFinite(normal) ? normal : Vec3(0.0), uvOf(*vertex, front, i),
-                               uvOf(*vertex, both ? negative : front, i)});
+        out.corners.push_back({Vec3(vertex->position), isFinite(normal) ? normal : Vec3(0.0),
+                               uvOf(*vertex, front, i), uvOf(*vertex, both ? negative : front, i)});
     }
     return out.corners.size() >= 3;
 }
 
-bool fits(const std::vector<PortalPolygonRef>& refs, const std::set<std::uint16_t>& polygons, std::size_t portalCount) {
+bool fits(const std::vector<PortalPolygonRef>& refs, const std::set<std::uint16_t>& polygons,
+          std::size_t portalCount) {
     return std::all_of(refs.begin(), refs.end(), [&](const PortalPolygonRef& ref) {
         return polygons.contains(ref.polygonId) && ref.portalIndex < portalCount;
     });
@@ -105,7 +107,8 @@ std::vector<SourcePolygon> readPolygons(const dat::VertexArray& vertices, const 
             ++damaged;
     }
     if (damaged > 0)
-        note(findings, record, std::to_string(damaged) + " polygons name vertices that do not exist or cannot be");
+        note(findings, record,
+             std::to_string(damaged) + " polygons name vertices that do not exist or cannot be");
     return out;
 }
 

@@ -24,11 +24,11 @@ struct SourcePolygon {
     [[nodiscard]] bool isDrawn() const { return !isPortal && (frontSlot >= 0 || backSlot >= 0); }
 };
 
-/// Reads a polygon list. Polygons with a missing vertex, or one that is not finite or absurdly far away, are left out and
-/// said in `findings` under `record`; so is what cannot be numbered.
-[[nodiscard]] std::vector<SourcePolygon> readPolygons(const dat::VertexArray& vertices, const dat::PolygonList& polygons,
-                                                      std::size_t surfaceCount, const std::set<std::uint16_t>& portals,
-                                                      dat::RecordId record, std::vector<Finding>& findings);
+/// Reads a polygon list. Polygons with a missing vertex, or one that is not finite or absurdly far away, are
+/// left out and said in `findings` under `record`; so is what cannot be numbered.
+[[nodiscard]] std::vector<SourcePolygon>
+readPolygons(const dat::VertexArray& vertices, const dat::PolygonList& polygons, std::size_t surfaceCount,
+             const std::set<std::uint16_t>& portals, dat::RecordId record, std::vector<Finding>& findings);
 
 /// A portal polygon of a mesh and the building portal it belongs to.
 struct PortalPolygonRef {
@@ -36,9 +36,9 @@ struct PortalPolygonRef {
     std::uint16_t portalIndex = 0;
 };
 
-/// What the PORT nodes of a drawing tree name. Words are (polygonId, portalIndex); if that does not fit the mesh or
-/// `portalCount` anywhere while the swapped reading does, all are swapped (geometry.md, PortalRef). A count of
-/// kAnyPortalCount checks polygons only. References that fit neither way are dropped.
+/// What the PORT nodes of a drawing tree name. Words are (polygonId, portalIndex); if that does not fit the
+/// mesh or `portalCount` anywhere while the swapped reading does, all are swapped (geometry.md, PortalRef). A
+/// count of kAnyPortalCount checks polygons only. References that fit neither way are dropped.
 inline constexpr std::size_t kAnyPortalCount = 0x10000;
 [[nodiscard]] std::vector<PortalPolygonRef> portalRefs(const dat::GfxObj& model, std::size_t portalCount);
 

@@ -11,8 +11,8 @@ namespace limen::world {
 /// Adds a finding.
 void note(std::vector<Finding>& findings, dat::RecordId record, std::string what);
 
-/// Records of the portal file, decoded once each. A record that is missing or damaged is said once, and is null from
-/// then on. Pointers stay valid as long as the object. One per thread.
+/// Records of the portal file, decoded once each. A record that is missing or damaged is said once, and is
+/// null from then on. Pointers stay valid as long as the object. One per thread.
 class Records {
 public:
     explicit Records(const dat::Archive& archive) : archive_(&archive) {}
@@ -22,7 +22,9 @@ public:
     [[nodiscard]] const dat::Environment* environment(dat::RecordId id) { return get(id, environments_); }
     [[nodiscard]] const dat::Scene* scene(dat::RecordId id) { return get(id, scenes_); }
     [[nodiscard]] const dat::Surface* surface(dat::RecordId id) { return get(id, surfaces_); }
-    [[nodiscard]] const dat::SurfaceTexture* surfaceTexture(dat::RecordId id) { return get(id, surfaceTextures_); }
+    [[nodiscard]] const dat::SurfaceTexture* surfaceTexture(dat::RecordId id) {
+        return get(id, surfaceTextures_);
+    }
     [[nodiscard]] const dat::Palette* palette(dat::RecordId id) { return get(id, palettes_); }
 
     [[nodiscard]] const dat::Archive& archive() const { return *archive_; }
@@ -55,8 +57,9 @@ private:
     std::vector<Finding> findings_;
 };
 
-/// The bits of a Surface that decide how it is drawn (formats/textures.md): Alpha, InvAlpha, Additive and Translucent
-/// (or a translucency between 0 and 1) blend, clip maps cut out, everything else is opaque, whatever its texels' alpha.
+/// The bits of a Surface that decide how it is drawn (formats/textures.md): Alpha, InvAlpha, Additive and
+/// Translucent (or a translucency between 0 and 1) blend, clip maps cut out, everything else is opaque,
+/// whatever its texels' alpha.
 [[nodiscard]] SurfaceClass surfaceClassOf(const dat::Surface& surface);
 
 } // namespace limen::world

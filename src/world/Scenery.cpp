@@ -60,9 +60,10 @@ double scaleOf(const dat::SceneObject& object, const Dice& dice) {
 }
 
 /// Grows one entry at a vertex, if chance and the ground allow it.
-std::optional<SceneryObject> grow(const dat::SceneObject& object, const Dice& dice, const Ground& ground, int vertex,
-                                  const std::set<int>& builtCells) {
-    if (object.object == 0 || object.weenieObj != 0 || !(dice.roll(seed::kFrequency) < static_cast<double>(object.frequency)))
+std::optional<SceneryObject> grow(const dat::SceneObject& object, const Dice& dice, const Ground& ground,
+                                  int vertex, const std::set<int>& builtCells) {
+    if (object.object == 0 || object.weenieObj != 0 ||
+        !(dice.roll(seed::kFrequency) < static_cast<double>(object.frequency)))
         return std::nullopt;
     const Vec2 offset = displacement(object, dice);
     const double x = vertex / 9 * kLandcellSize + offset.x, y = vertex % 9 * kLandcellSize + offset.y;
@@ -71,14 +72,17 @@ std::optional<SceneryObject> grow(const dat::SceneObject& object, const Dice& di
     if (builtCells.contains(static_cast<int>(x / kLandcellSize) * 8 + static_cast<int>(y / kLandcellSize)))
         return std::nullopt;
     const GroundPoint point = groundAt(ground.coord, ground.heights, x, y);
-    if (point.normal.z < static_cast<double>(object.minSlope) || point.normal.z > static_cast<double>(object.maxSlope))
+    if (point.normal.z < static_cast<double>(object.minSlope) ||
+        point.normal.z > static_cast<double>(object.maxSlope))
         return std::nullopt;
-    return SceneryObject{object.object, {x, y, point.z}, orientationOf(object, dice, point.normal), scaleOf(object, dice)};
+    return SceneryObject{
+        object.object, {x, y, point.z}, orientationOf(object, dice, point.normal), scaleOf(object, dice)};
 }
 
 /// The scene that grows at a vertex, or null.
 const dat::Scene* sceneAt(const Ground& ground, const dat::Region& region, int vertex, Records& records) {
-    const std::uint32_t type = ground.type(vertex / 9, vertex % 9), scenery = ground.scenery(vertex / 9, vertex % 9);
+    const std::uint32_t type = ground.type(vertex / 9, vertex % 9),
+                        scenery = ground.scenery(vertex / 9, vertex % 9);
     if (type >= region.terrainTypes.size() || scenery >= region.terrainTypes[type].sceneTypes.size())
         return nullptr;
     const std::uint32_t sceneType = region.terrainTypes[type].sceneTypes[scenery];
@@ -87,40 +91,60 @@ const dat::Scene* sceneAt(const Ground& ground, const dat::Region& region, int v
     const std::vector<std::uint32_t>& scenes = region.sceneTypes[sceneType].scenes;
     const auto gx = static_cast<std::uint32_t>(ground.coord.x * 8 + vertex / 9);
     const auto gy = static_cast<std::uint32_t>(ground.coord.y * 8 + vertex % 9);
-    const auto index = static_cast<std::size_t>(static_cast<double>(scenes.size()) * landRandom(gx, gy, seed::kScene));
+    const auto index =
+        static_cast<std::size_t>(static_cast<double>(scenes.size()) * landRandom(gx, gy, seed::kScene));
     return records.scene(scenes[index < scenes.size() ? index : 0]);
 }
 
 } // namespace
 
 bool isOnRoad(const Ground& ground, double x, double y) {
-    const int cellX = std::min(static_cast<int>(x / kLandcellSize), 7), cellY = std::min(static_cast<int>(y / kLandcellSize), 7);
+    const int cellX = std::min(static_cast<int>(x / kLandcellSize), 7),
+              cellY = std::min(static_cast<int>(y / kLandcellSize), 7);
     const double dx = x - cellX * kLandcellSize, dy = y - cellY * kLandcellSize;
     constexpr double w = kRoadHalfWidth, far = kLandcellSize - kRoadHalfWidth;
-    const auto bit = [&](int stepX, int stepY) { return ground.road(cellX + stepX, cellY + stepY) != 0 ? 1 : 0; };
+    const auto bit = [&](int stepX, int stepY) {
+        return ground.road(cellX + stepX, cellY + stepY) != 0 ? 1 : 0;
+    };
     // Corners as in landscape.md: r00 r01 (north) r10 (east) r11.
     switch (bit(0, 0) << 3 | bit(0, 1) << 2 | bit(1, 0) << 1 | bit(1, 1)) {
-    case 0b1111: return true;
-    case 0b1110: return dx < w || dy < w;
-    case 0b1101: return dx < w || dy > far;
-    case 0b1100: return dx < w;
-    case 0b1011: return dx > far || dy < w;
-    case 0b1010: return dy < w;
-    case 0b1001: return std::abs(dx - dy) < w;
-    case 0b1000: return dx + dy < w;
-    case 0b0111: return dx > far || dy > far;
-    case 0b0110: return std::abs(dx + dy - kLandcellSize) < w;
-    case 0b0101: return dy > far;
-    case 0b0100: return kLandcellSize + dx - dy < w;
-    case 0b0011: return dx > far;
-    case 0b0010: return kLandcellSize - dx + dy < w;
-    case 0b0001: return 2.0 * kLandcellSize - dx - dy < w;
-    default: return false;
+    case 0b1111:
+        return true;
+    case 0b1110:
+        return dx < w || dy < w;
+    case 0b1101:
+        return dx < w || dy > far;
+    case 0b1100:
+        return dx < w;
+    case 0b1011:
+        return dx > far || dy < w;
+    case 0b1010:
+        return dy < w;
+    case 0b1001:
+        return std::abs(dx - dy) < w;
+    case 0b1000:
+        return dx + dy < w;
+    case 0b0111:
+        return dx > far || dy > far;
+    case 0b0110:
+        return std::abs(dx + dy - kLandcellSize) < w;
+    case 0b0101:
+        return dy > far;
+    case 0b0100:
+        return kLandcellSize + dx - dy < w;
+    case 0b0011:
+        return dx > far;
+    case 0b0010:
+        return kLandcellSize - dx + dy < w;
+    case 0b0001:
+        return 2.0 * kLandcellSize - dx - dy < w;
+    default:
+        return false;
     }
 }
 
-std::vector<SceneryObject> growScenery(const Ground& ground, const dat::Region& region, const std::set<int>& builtCells,
-                                       Records& records) {
+std::vector<SceneryObject> growScenery(const Ground& ground, const dat::Region& region,
+                                       const std::set<int>& builtCells, Records& records) {
     std::vector<SceneryObject> grown;
     for (int vertex = 0; vertex < 81; ++vertex) {
         const dat::Scene* scene = sceneAt(ground, region, vertex, records);

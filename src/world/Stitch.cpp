@@ -7,12 +7,13 @@
 namespace limen::world {
 namespace {
 
-/// An inserted vertex bends its edge by up to the tolerance, which can bring further vertices within reach of the
-/// parts. It settles at once in real data; the bound keeps hostile data from growing without end.
+/// An inserted vertex bends its edge by up to the tolerance, which can bring further vertices within reach of
+/// the parts. It settles at once in real data; the bound keeps hostile data from growing without end.
 constexpr int kRounds = 4;
 
 StitchCorner between(const StitchCorner& a, const StitchCorner& b, float t, std::uint32_t vertex) {
-    return {vertex, glm::mix(a.normal, b.normal, t), glm::mix(a.front, b.front, t), glm::mix(a.back, b.back, t)};
+    return {vertex, glm::mix(a.normal, b.normal, t), glm::mix(a.front, b.front, t),
+            glm::mix(a.back, b.back, t)};
 }
 
 /// Cuts a loop wherever it comes back to a vertex.

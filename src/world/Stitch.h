@@ -15,16 +15,18 @@ struct StitchCorner {
 };
 using StitchLoop = std::vector<StitchCorner>;
 
-/// Removes T-junctions: every vertex that lies within kWeldTolerance of the interior of a polygon's edge becomes a
-/// corner of that polygon. What is inserted into an edge depends on the edge's two vertices and on the set of vertices
-/// alone, so two polygons that share an edge still share all of its parts. Cost: O(log n) an edge.
+/// Removes T-junctions: every vertex that lies within kWeldTolerance of the interior of a polygon's edge
+/// becomes a corner of that polygon. What is inserted into an edge depends on the edge's two vertices and on
+/// the set of vertices alone, so two polygons that share an edge still share all of its parts. Cost: O(log n)
+/// an edge.
 class Stitcher {
 public:
     /// `vertices` must outlive the stitcher.
     explicit Stitcher(std::span<const Vec3f> vertices);
 
-    /// Yields the polygon with the vertices inserted. A vertex that comes up twice cuts the polygon in two; parts with
-    /// fewer than three corners (slivers thinner than the tolerance) vanish, and leave their neighbours matching.
+    /// Yields the polygon with the vertices inserted. A vertex that comes up twice cuts the polygon in two;
+    /// parts with fewer than three corners (slivers thinner than the tolerance) vanish, and leave their
+    /// neighbours matching.
     [[nodiscard]] std::vector<StitchLoop> stitch(const StitchLoop& polygon);
 
 private:

@@ -11,7 +11,8 @@ struct Corner {
     int x, y;
 };
 
-/// The corners of a landcell's two triangles, counter-clockwise from above, as steps from its south-west corner.
+/// The corners of a landcell's two triangles, counter-clockwise from above, as steps from its south-west
+/// corner.
 constexpr Corner kSw{0, 0}, kSe{1, 0}, kNe{1, 1}, kNw{0, 1};
 using CellTriangles = std::array<std::array<Corner, 3>, 2>;
 
@@ -51,11 +52,15 @@ public:
     }
 
 private:
-    std::optional<float>& at(int x, int y) { return heights_[static_cast<std::size_t>((x + 1) * 11 + y + 1)]; }
+    std::optional<float>& at(int x, int y) {
+        return heights_[static_cast<std::size_t>((x + 1) * 11 + y + 1)];
+    }
     [[nodiscard]] const std::optional<float>& at(int x, int y) const {
         return heights_[static_cast<std::size_t>((x + 1) * 11 + y + 1)];
     }
-    [[nodiscard]] bool splits(int cellX, int cellY) const { return splitsSouthWestNorthEast(coord_, cellX, cellY); }
+    [[nodiscard]] bool splits(int cellX, int cellY) const {
+        return splitsSouthWestNorthEast(coord_, cellX, cellY);
+    }
 
     /// Zero if a corner is not known.
     [[nodiscard]] Vec3 faceNormal(int cellX, int cellY, const std::array<Corner, 3>& triangle) const {
@@ -99,7 +104,8 @@ bool splitsSouthWestNorthEast(dat::BlockCoord block, int cellX, int cellY) {
 GroundPoint groundAt(dat::BlockCoord block, std::span<const float> heights, double x, double y) {
     const int cellX = std::clamp(static_cast<int>(std::floor(x / kLandcellSize)), 0, 7);
     const int cellY = std::clamp(static_cast<int>(std::floor(y / kLandcellSize)), 0, 7);
-    const double u = std::clamp(x / kLandcellSize - cellX, 0.0, 1.0), v = std::clamp(y / kLandcellSize - cellY, 0.0, 1.0);
+    const double u = std::clamp(x / kLandcellSize - cellX, 0.0, 1.0),
+                 v = std::clamp(y / kLandcellSize - cellY, 0.0, 1.0);
     const bool southWestNorthEast = splitsSouthWestNorthEast(block, cellX, cellY);
     const CellTriangles triangles = trianglesOf(southWestNorthEast);
     const bool first = southWestNorthEast ? v <= u : u + v <= 1.0;
@@ -127,7 +133,8 @@ MeshData terrainMesh(const Ground& ground, const HeightLookup& neighbours) {
                 const int x = cellX + c.x, y = cellY + c.y;
                 const auto index = static_cast<std::size_t>(x * 9 + y);
                 MeshVertex vertex;
-                vertex.position = {static_cast<float>(x * 24), static_cast<float>(y * 24), ground.heights[index]};
+                vertex.position = {static_cast<float>(x * 24), static_cast<float>(y * 24),
+                                   ground.heights[index]};
                 vertex.normal = normals[index];
                 vertex.uv = {static_cast<float>(c.x), static_cast<float>(c.y)};
                 vertex.polygon = static_cast<std::uint16_t>(mesh.polygonIds.size());

@@ -49,7 +49,8 @@ void addOverlays(const CellCorners& corners, BlendRecipe& recipe) {
             continue;
         ++found;
         // Two neighbouring corners of one type make a side; only the second found can join the first.
-        if (pair && found == 2 && recipe.overlays[0].terrainType == type && recipe.overlays[0].code == bit >> 1)
+        if (pair && found == 2 && recipe.overlays[0].terrainType == type &&
+            recipe.overlays[0].code == bit >> 1)
             recipe.overlays[0].code += bit;
         else
             recipe.overlays.push_back({type, bit});

@@ -26,8 +26,8 @@ struct BlendLayer {
 };
 
 struct BlendRecipe {
-    std::uint32_t base = 0; ///< terrain type; kRoadType where roads cover everything
-    std::vector<BlendLayer> overlays; ///< at most 3
+    std::uint32_t base = 0;               ///< terrain type; kRoadType where roads cover everything
+    std::vector<BlendLayer> overlays;     ///< at most 3
     std::vector<std::uint32_t> roadCodes; ///< at most 2
 };
 [[nodiscard]] BlendRecipe blendRecipe(const CellCorners& corners);
@@ -37,11 +37,12 @@ struct AlphaChoice {
     std::size_t map = 0;
     std::uint32_t rotation = 0;
 };
-/// Chooses a map for a terrain overlay: by chance among all, then turned; none if it cannot be turned into `code`.
-[[nodiscard]] std::optional<AlphaChoice> chooseTerrainMap(std::span<const std::uint32_t> mapCodes, std::uint32_t code,
-                                                          std::uint32_t paletteCode);
+/// Chooses a map for a terrain overlay: by chance among all, then turned; none if it cannot be turned into
+/// `code`.
+[[nodiscard]] std::optional<AlphaChoice> chooseTerrainMap(std::span<const std::uint32_t> mapCodes,
+                                                          std::uint32_t code, std::uint32_t paletteCode);
 /// Chooses a map for a road: the first that fits, starting by chance.
-[[nodiscard]] std::optional<AlphaChoice> chooseRoadMap(std::span<const std::uint32_t> mapCodes, std::uint32_t code,
-                                                       std::uint32_t paletteCode);
+[[nodiscard]] std::optional<AlphaChoice> chooseRoadMap(std::span<const std::uint32_t> mapCodes,
+                                                       std::uint32_t code, std::uint32_t paletteCode);
 
 } // namespace limen::world

@@ -54,11 +54,12 @@ Texel fromPalette(const dat::Palette& palette, std::size_t index, const DecodeRu
     if (rules.clipMap && index < 8)
         return {0, 0, 0, 0};
     const std::uint32_t argb = palette.colours[std::min(index, palette.colours.size() - 1)].argb;
-    return {static_cast<std::uint8_t>(argb >> 16), static_cast<std::uint8_t>(argb >> 8), static_cast<std::uint8_t>(argb),
-            static_cast<std::uint8_t>(argb >> 24)};
+    return {static_cast<std::uint8_t>(argb >> 16), static_cast<std::uint8_t>(argb >> 8),
+            static_cast<std::uint8_t>(argb), static_cast<std::uint8_t>(argb >> 24)};
 }
 
-Texel fromBytes(PixelFormat format, const std::uint8_t* p, const dat::Palette* palette, const DecodeRules& rules) {
+Texel fromBytes(PixelFormat format, const std::uint8_t* p, const dat::Palette* palette,
+                const DecodeRules& rules) {
     const unsigned both = texelBytes(format) == 2 ? static_cast<unsigned>(p[0] | p[1] << 8) : 0u;
     const auto scaled = [both](unsigned shift, unsigned bits) {
         const unsigned value = both >> shift & ((1u << bits) - 1u);
@@ -89,7 +90,8 @@ Texel fromBytes(PixelFormat format, const std::uint8_t* p, const dat::Palette* p
 Result<void> check(const dat::RenderSurface& picture, const dat::Palette* palette) {
     if (picture.width < 1 || picture.height < 1 || picture.width > kLargest || picture.height > kLargest)
         return fail(ErrorCode::Malformed, "", "picture of impossible size");
-    const auto width = static_cast<std::size_t>(picture.width), height = static_cast<std::size_t>(picture.height);
+    const auto width = static_cast<std::size_t>(picture.width),
+               height = static_cast<std::size_t>(picture.height);
     std::size_t needed = width * height * texelBytes(picture.format);
     if (const std::optional<DxtKind> kind = dxtKind(picture.format))
         needed = (width + 3) / 4 * ((height + 3) / 4) * (*kind == DxtKind::Dxt1 ? 8 : 16);
@@ -112,7 +114,8 @@ void makeBlackTransparent(Image& image) {
 
 } // namespace
 
-Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette, const DecodeRules& rules) {
+Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette,
+                          const DecodeRules& rules) {
     if (Result<void> fine = check(picture, palette); !fine)
         return tl::unexpected(fine.error());
     Image image;
@@ -136,7 +139,8 @@ Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette*
 }
 
 void bleedColour(Image& image) {
-    const auto width = static_cast<std::int64_t>(image.width), height = static_cast<std::int64_t>(image.height);
+    const auto width = static_cast<std::int64_t>(image.width),
+               height = static_cast<std::int64_t>(image.height);
     const std::vector<std::uint8_t> source = image.rgba;
     for (std::int64_t y = 0; y < height; ++y) {
         for (std::int64_t x = 0; x < width; ++x) {
@@ -144,8 +148,10 @@ void bleedColour(Image& image) {
             if (source[at + 3] != 0)
                 continue;
             unsigned sum[3] = {0, 0, 0}, count = 0;
-            for (std::int64_t ny = std::max<std::int64_t>(y - 1, 0); ny <= std::min(y + 1, height - 1); ++ny) {
-                for (std::int64_t nx = std::max<std::int64_t>(x - 1, 0); nx <= std::min(x + 1, width - 1); ++nx) {
+            for (std::int64_t ny = std::max<std::int64_t>(y - 1, 0); ny <= std::min(y + 1, height - 1);
+                 ++ny) {
+                for (std::int64_t nx = std::max<std::int64_t>(x - 1, 0); nx <= std::min(x + 1, width - 1);
+                     ++nx) {
                     const auto n = static_cast<std::size_t>((ny * width + nx) * 4);
                     if (source[n + 3] == 0)
                         continue;

@@ -8,8 +8,8 @@
 namespace limen::world {
 namespace {
 
-/// An ear whose diagonal passes this near to another corner would leave a sliver behind; metres. A little more than
-/// the weld tolerance, because stitched corners lie that far off their edges.
+/// An ear whose diagonal passes this near to another corner would leave a sliver behind; metres. A little
+/// more than the weld tolerance, because stitched corners lie that far off their edges.
 constexpr double kClearance = 0.00025;
 /// Triangles lower than this come from rounding alone; metres.
 constexpr double kFlat = 1e-7;
@@ -29,7 +29,8 @@ public:
         rate(kClearance);
         while (ring_.size() > 3) {
             std::size_t best = bestEar();
-            // Corners that stood in the way may be gone; then the clearance gives way, so that thin polygons end too.
+            // Corners that stood in the way may be gone; then the clearance gives way, so that thin polygons
+            // end too.
             for (const double clearance : {kClearance, 0.0, -1.0}) {
                 if (quality_[best] > 0.0)
                     break;
@@ -90,7 +91,8 @@ private:
     }
 
     [[nodiscard]] std::size_t bestEar() const {
-        return static_cast<std::size_t>(std::max_element(quality_.begin(), quality_.end()) - quality_.begin());
+        return static_cast<std::size_t>(std::max_element(quality_.begin(), quality_.end()) -
+                                        quality_.begin());
     }
 
     void cut(std::size_t i) {

@@ -6,12 +6,13 @@
 namespace limen::world {
 namespace {
 
-/// Positions in one cube of this side count as equal before any distance is measured; that bounds how many distinct
-/// points can crowd within reach of one, whatever a file says.
+/// Positions in one cube of this side count as equal before any distance is measured; that bounds how many
+/// distinct points can crowd within reach of one, whatever a file says.
 constexpr double kMicro = 0.00001;
 /// Two cubes' representatives stand for points up to the cubes' diagonals farther apart.
 constexpr double kReach = kWeldTolerance + 2.0 * 1.7320508 * kMicro;
-/// Side of the search grid's cells: so much larger than the reach that most points have one cell to look into.
+/// Side of the search grid's cells: so much larger than the reach that most points have one cell to look
+/// into.
 constexpr double kGrid = 0.004;
 
 struct Key {
@@ -29,7 +30,8 @@ struct KeyHash {
 };
 
 Key keyOf(const Vec3& p, double side) {
-    return {static_cast<std::int64_t>(std::floor(p.x / side)), static_cast<std::int64_t>(std::floor(p.y / side)),
+    return {static_cast<std::int64_t>(std::floor(p.x / side)),
+            static_cast<std::int64_t>(std::floor(p.y / side)),
             static_cast<std::int64_t>(std::floor(p.z / side))};
 }
 
@@ -93,7 +95,8 @@ void Welder::weld() {
     std::vector<Vec3> points;
     vertexOf_.resize(added_.size());
     for (std::size_t i = 0; i < added_.size(); ++i) {
-        const auto [at, fresh] = micro.try_emplace(keyOf(added_[i], kMicro), static_cast<std::uint32_t>(points.size()));
+        const auto [at, fresh] =
+            micro.try_emplace(keyOf(added_[i], kMicro), static_cast<std::uint32_t>(points.size()));
         if (fresh)
             points.push_back(added_[i]);
         vertexOf_[i] = at->second;

@@ -7,13 +7,13 @@
 
 namespace limen::world {
 
-/// Vertices nearer to each other than this are one vertex; a vertex nearer to an edge than this lies on it. Metres.
-/// The dats store floats relative to frames of their own, so copies of one corner differ by some hundredths of a
-/// millimetre; real details are centimetres apart.
+/// Vertices nearer to each other than this are one vertex; a vertex nearer to an edge than this lies on it.
+/// Metres. The dats store floats relative to frames of their own, so copies of one corner differ by some
+/// hundredths of a millimetre; real details are centimetres apart.
 inline constexpr double kWeldTolerance = 0.0002;
 
-/// Gives positions that lie within kWeldTolerance of each other, directly or through others, one canonical float
-/// position: that of the first one added. The result depends on the order of adding only in that way.
+/// Gives positions that lie within kWeldTolerance of each other, directly or through others, one canonical
+/// float position: that of the first one added. The result depends on the order of adding only in that way.
 /// Cost: O(n) expected. Ref: union-find, Tarjan 1975.
 class Welder {
 public:

@@ -53,9 +53,9 @@ namespace {
 
 bool coplanar(const Wall& wall, std::span<const Vec3> opening) {
     const Plane plane = planeOf(wall.points);
-    return glm::dot(plane.n, plane.n) > 0.0 && std::all_of(opening.begin(), opening.end(), [&](const Vec3& p) {
-               return std::abs(plane.signedDistance(p)) < 1e-3;
-           });
+    return glm::dot(plane.n, plane.n) > 0.0 &&
+           std::all_of(opening.begin(), opening.end(),
+                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) < 1e-3; });
 }
 
 /// What remains of one wall: clipped away edge by edge, the last rest being the opening itself.
@@ -87,8 +87,9 @@ Vec3 cutOpening(Walls& walls, std::span<const Vec3> opening) {
         }
         const std::size_t before = result.size();
         subtract(wall, opening, result);
-        const bool untouched = result.size() == before + 1 && result.back().points.size() == wall.points.size() &&
-                               glm::length(newellNormal(result.back().points) - newellNormal(wall.points)) < 1e-9;
+        const bool untouched =
+            result.size() == before + 1 && result.back().points.size() == wall.points.size() &&
+            glm::length(newellNormal(result.back().points) - newellNormal(wall.points)) < 1e-9;
         if (!untouched)
             normal = planeOf(wall.points).n;
     }

@@ -31,10 +31,11 @@ enum BoxWall { kFloor, kCeiling, kSouth, kNorth, kWest, kEast };
 [[nodiscard]] std::vector<Vec3> rectangle(const Vec3& a, const Vec3& b);
 
 /// A regular polygon of `count` corners around `centre`, in the plane with normal `normal`.
-[[nodiscard]] std::vector<Vec3> regularPolygon(const Vec3& centre, const Vec3& normal, double radius, int count);
+[[nodiscard]] std::vector<Vec3> regularPolygon(const Vec3& centre, const Vec3& normal, double radius,
+                                               int count);
 
-/// Cuts a convex opening out of every wall that lies in its plane (within 1 mm). The pieces meet at T-junctions,
-/// as an artist's do. Yields the normal of a wall that was cut, zero if none was.
+/// Cuts a convex opening out of every wall that lies in its plane (within 1 mm). The pieces meet at
+/// T-junctions, as an artist's do. Yields the normal of a wall that was cut, zero if none was.
 Vec3 cutOpening(Walls& walls, std::span<const Vec3> opening);
 
 } // namespace limen::test

@@ -25,7 +25,8 @@ std::uint32_t TestWorld::solid(const std::string& name, std::uint32_t argb, std:
     return surfaces_[name] = nextSurface_++;
 }
 
-std::uint32_t TestWorld::picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type) {
+std::uint32_t TestWorld::picture(const std::string& name, const dat::RenderSurface& image,
+                                 std::uint32_t type) {
     dat::RenderSurface stored = image;
     stored.id = nextImage_++;
     portalFile_.add(stored);

@@ -45,7 +45,8 @@ bool known(std::span<const Plane> planes, const Plane& plane) {
 
 dat::Frame frameAt(const Vec3& origin, double turnDegrees) {
     const double half = turnDegrees * 3.14159265358979323846 / 360.0;
-    return {Vec3f(origin), Quatf(static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half)))};
+    return {Vec3f(origin),
+            Quatf(static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half)))};
 }
 
 TestWorld::TestWorld(dat::BlockCoord home)
@@ -107,7 +108,8 @@ TestWorld::Portal TestWorld::openOutside(Cell cell, std::vector<Vec3> polygon, c
     return addPortal(cell, std::move(polygon), options, dat::kOutdoors);
 }
 
-std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits, const BuildingOptions& options) {
+std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits,
+                                     const BuildingOptions& options) {
     SurfaceSlots slots([this](const std::string& name) { return surfaceId(name); });
     dat::Building building;
     MeshRecords mesh;
@@ -123,16 +125,20 @@ std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits, 
         if ((record.flags & dat::CellPortal::kPortalSide) != 0)
             std::reverse(openings.back().begin(), openings.back().end());
         building.portals.push_back({static_cast<std::uint16_t>(record.flags | dat::CellPortal::kPortalSide),
-                                    static_cast<std::uint16_t>(id(exit.cell) & 0xFFFF), exit.index, {}});
+                                    static_cast<std::uint16_t>(id(exit.cell) & 0xFFFF),
+                                    exit.index,
+                                    {}});
     }
     for (const Wall& wall : exterior)
         mesh.add(toLocal(options.frame, wall.points), slots.slot(wall.surface), wall.twoSided);
     for (std::size_t i = 0; i < openings.size(); ++i) {
         for (Vec3& p : openings[i])
             p += options.portalShift;
-        const auto polygonId = mesh.add(toLocal(options.frame, openings[i]), options.portalPolygonsDrawn ? 0 : -1, false);
+        const auto polygonId =
+            mesh.add(toLocal(options.frame, openings[i]), options.portalPolygonsDrawn ? 0 : -1, false);
         const auto index = static_cast<std::uint16_t>(i);
-        port.portals.push_back(options.swapPortalRefs ? dat::PortalRef{index, polygonId} : dat::PortalRef{polygonId, index});
+        port.portals.push_back(options.swapPortalRefs ? dat::PortalRef{index, polygonId}
+                                                      : dat::PortalRef{polygonId, index});
     }
     dat::GfxObj model;
     model.id = nextModel_++;

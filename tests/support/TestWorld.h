@@ -8,7 +8,8 @@
 
 namespace limen::test {
 
-/// Builds small worlds as dat records: convex cells with openings, linked any way, buildings, terrain, objects.
+/// Builds small worlds as dat records: convex cells with openings, linked any way, buildings, terrain,
+/// objects.
 ///
 ///     TestWorld world;
 ///     auto a = world.addBox({0, 0, 0}, {4, 4, 3});
@@ -27,7 +28,7 @@ public:
 
     struct CellOptions {
         std::optional<dat::BlockCoord> block; ///< home() if not given
-        dat::Frame frame;         ///< where the record places the cell; its vertices are stored relative to it
+        dat::Frame frame; ///< where the record places the cell; its vertices are stored relative to it
         bool seenOutside = false;
         bool bsp = true; ///< write the cell BSP, one plane a wall: right for convex cells only
     };
@@ -46,9 +47,9 @@ public:
     struct BuildingOptions {
         std::optional<dat::BlockCoord> block;
         dat::Frame frame;
-        Vec3 portalShift{0.0};          ///< moves the building's own portal polygons away from the cells'
+        Vec3 portalShift{0.0};           ///< moves the building's own portal polygons away from the cells'
         bool portalPolygonsDrawn = true; ///< gives them a surface, which must not be drawn
-        bool swapPortalRefs = false;    ///< writes (portalIndex, polygonId)
+        bool swapPortalRefs = false;     ///< writes (portalIndex, polygonId)
     };
 
     explicit TestWorld(dat::BlockCoord home = {0x20, 0x30});
@@ -56,7 +57,8 @@ public:
     [[nodiscard]] dat::BlockCoord home() const { return home_; }
 
     // --- surfaces: used by name; an unknown name is made a solid of a colour that follows from the name
-    std::uint32_t solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0, float translucency = 0);
+    std::uint32_t solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0,
+                        float translucency = 0);
     std::uint32_t picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type);
     [[nodiscard]] std::uint32_t surfaceId(const std::string& name);
 
@@ -71,7 +73,9 @@ public:
     Cell addCell(Walls walls, const CellOptions& options);
     [[nodiscard]] dat::RecordId id(Cell cell) const { return cells_[cell].record.id; }
     [[nodiscard]] Walls& walls(Cell cell) { return cells_[cell].walls; }
-    [[nodiscard]] dat::EnvCell& record(Cell cell) { return cells_[cell].record; } ///< for odd flags, statics, links
+    [[nodiscard]] dat::EnvCell& record(Cell cell) {
+        return cells_[cell].record;
+    } ///< for odd flags, statics, links
 
     /// Opens `polygon` (any winding) between two cells of one block and links them both ways.
     std::pair<Portal, Portal> link(Cell a, std::vector<Vec3> polygon, Cell b) {
@@ -97,7 +101,9 @@ public:
     [[nodiscard]] dat::LandBlock& terrain(dat::BlockCoord block); ///< made (all zero) on first use
     void setFlatTerrain(dat::BlockCoord block, std::uint8_t heightIndex, std::uint8_t type = 0);
     [[nodiscard]] dat::LandBlockInfo& info(dat::BlockCoord block); ///< made on first use
-    [[nodiscard]] dat::Region& region() { return region_; } ///< heights[i] = 2 i; types 0..3 and the road are there
+    [[nodiscard]] dat::Region& region() {
+        return region_;
+    } ///< heights[i] = 2 i; types 0..3 and the road are there
     void omitRegion() { writeRegion_ = false; }
     void add(const dat::Scene& scene) { portalFile_.add(scene); }
 
@@ -108,7 +114,9 @@ public:
     void addObject(dat::BlockCoord block, std::uint32_t model, const dat::Frame& frame);
     void addStatic(Cell cell, std::uint32_t model, const dat::Frame& frame);
 
-    [[nodiscard]] dat::Writer& portalFile() { return portalFile_; } ///< for records that the builder does not know
+    [[nodiscard]] dat::Writer& portalFile() {
+        return portalFile_;
+    } ///< for records that the builder does not know
     [[nodiscard]] dat::Writer& cellFile() { return cellFile_; }
 
     /// Writes client_portal.dat and client_cell_1.dat to `directory`, which is made if it is missing.
@@ -122,7 +130,8 @@ private:
         std::vector<std::vector<Vec3>> portals;
         bool bsp = true;
     };
-    Portal addPortal(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options, std::uint16_t otherCell);
+    Portal addPortal(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options,
+                     std::uint16_t otherCell);
     [[nodiscard]] dat::CellStruct cellStruct(CellData& cell);
     void addSolidTexture(std::uint32_t texture, std::uint32_t image, std::uint32_t argb);
     void makeRegion();
@@ -141,7 +150,8 @@ private:
 };
 
 /// A solid block: the outside of a box-shaped building.
-[[nodiscard]] inline Walls boxExterior(const Vec3& min, const Vec3& max, const std::string& surface = "stone") {
+[[nodiscard]] inline Walls boxExterior(const Vec3& min, const Vec3& max,
+                                       const std::string& surface = "stone") {
     return insideOut(boxWalls(min, max, surface));
 }
 
