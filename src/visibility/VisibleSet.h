@@ -30,7 +30,7 @@ struct Visit {
 
 /// A screen-aligned rectangle in NDC.
 struct Rect {
-    double minX = 1.0, minY = 1.0, maxX = -1.0, maxY = -1.0;
+    double minX = 1e300, minY = 1e300, maxX = -1e300, maxY = -1e300; ///< empty until it includes a point
     [[nodiscard]] bool empty() const { return minX > maxX || minY > maxY; }
 };
 
