@@ -1,5 +1,5 @@
-// Hard cases of docs/cases.md, drawn through the whole path and held against the ray rule. Every world is tried twice:
-// with cells merged into zones, and with every cell a zone of its own.
+// Hard cases of docs/cases.md, drawn through the whole path and held against the ray rule. Every world is
+// tried twice: with cells merged into zones, and with every cell a zone of its own.
 #include "picture/PictureWorld.h"
 
 #include "motion/Locate.h"
@@ -23,8 +23,8 @@ struct TwoRooms {
     TwoRooms() { world.link(west, rectangle({4, 1.5, 10}, {4, 2.5, 12}), east); }
 };
 
-/// A yard with two houses that face each other across it: each one room with a door (in line with one another) and, in
-/// the back wall, a window in line with the door.
+/// A yard with two houses that face each other across it: each one room with a door (in line with one
+/// another) and, in the back wall, a window in line with the door.
 struct TwoHouses {
     TestWorld world;
     TestWorld::Cell south = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");
@@ -63,7 +63,8 @@ bool visits(const Picture& picture, world::SpaceIndex space) {
 void expectNoRepeats(const Picture& picture) {
     const auto& all = picture.visible.visits;
     for (const visibility::Visit& visit : all) {
-        for (std::uint32_t up = visit.parent; up != visibility::kNone && all[up].depth > 0; up = all[up].parent) {
+        for (std::uint32_t up = visit.parent; up != visibility::kNone && all[up].depth > 0;
+             up = all[up].parent) {
             EXPECT_NE(all[up].portal, visit.portal) << "a portal repeats in a chain of visits";
         }
     }
@@ -79,10 +80,12 @@ TEST_P(Cases, case01_walkingADoorwayInMillimetreSteps) {
         Vec3 last(4.0 - direction * 0.025, 2.1, 11.6);
         for (int step = 0; step <= 50; ++step) {
             const Vec3 eye(4.0 + direction * (-0.025 + step * 0.001), 2.1, 11.6);
-            space = motion::sweep(pictures.world(), space, pictures.homeOrigin() + last, pictures.homeOrigin() + eye);
+            space = motion::sweep(pictures.world(), space, pictures.homeOrigin() + last,
+                                  pictures.homeOrigin() + eye);
             last = eye;
             SCOPED_TRACE(::testing::Message() << "step " << step << " direction " << direction);
-            expectNoRepeats(pictures.expectClean(pictures.look(eye, 90 - direction * (step * 4.0 - 100), 5, space)));
+            expectNoRepeats(
+                pictures.expectClean(pictures.look(eye, 90 - direction * (step * 4.0 - 100), 5, space)));
         }
         EXPECT_EQ(space, pictures.space(rooms.world.id(direction > 0 ? rooms.east : rooms.west)));
     }
@@ -112,7 +115,8 @@ TEST_P(Cases, case05_theNearPlaneCutsAPortalPolygon) {
 
 TEST_P(Cases, case08_someoneInADoorwaySeenFromOutside) {
     TwoHouses houses;
-    const std::uint32_t body = houses.world.addModel(insideOut(boxWalls({-0.3, -0.3, 0}, {0.3, 0.3, 1.8}, "pink")));
+    const std::uint32_t body =
+        houses.world.addModel(insideOut(boxWalls({-0.3, -0.3, 0}, {0.3, 0.3, 1.8}, "pink")));
     houses.world.addObject(body, frameAt({92.6, 100.0, 0.1})); // half in the northern house's door, half out
     PictureWorld pictures(houses.world, options());
     const Picture picture = pictures.expectClean(pictures.look({92.6, 94, 1.2}, 0, 0, world::kOutside));
@@ -127,7 +131,8 @@ TEST_P(Cases, case08_someoneInADoorwaySeenFromOutside) {
     for (double y = 98.0; y < 104.0; y += 0.37) { // and from within, and from the threshold
         SCOPED_TRACE(y);
         const Vec3 eye(93.1, y, 1.5);
-        pictures.expectClean(pictures.look(eye, 240, -5, motion::locate(pictures.world(), pictures.homeOrigin() + eye).space));
+        pictures.expectClean(
+            pictures.look(eye, 240, -5, motion::locate(pictures.world(), pictures.homeOrigin() + eye).space));
     }
 }
 
@@ -156,7 +161,8 @@ TEST_P(Cases, case10_fromACellarUpTheStairsAndOut) {
 TEST_P(Cases, case11_aStillEyeGivesIdenticalFrames) {
     TwoHouses houses;
     PictureWorld pictures(houses.world, options());
-    const frame::FrameView frame = pictures.look({92.6, 82, 1.6}, 3, 0, pictures.space(houses.world.id(houses.south)));
+    const frame::FrameView frame =
+        pictures.look({92.6, 82, 1.6}, 3, 0, pictures.space(houses.world.id(houses.south)));
     const Picture first = pictures.expectClean(frame);
     for (int i = 0; i < 5; ++i) {
         const Picture next = pictures.shoot(frame);
@@ -169,8 +175,8 @@ TEST_P(Cases, case13_throughAWindowIntoTheNeighboursDoor) {
     PictureWorld pictures(houses.world, options());
     const world::SpaceIndex north = pictures.space(houses.world.id(houses.north));
     const world::SpaceIndex aside = pictures.space(houses.world.id(houses.aside));
-    const Picture picture =
-        pictures.expectClean(pictures.look({92.6, 83, 1.5}, 0, 0, pictures.space(houses.world.id(houses.south))));
+    const Picture picture = pictures.expectClean(
+        pictures.look({92.6, 83, 1.5}, 0, 0, pictures.space(houses.world.id(houses.south))));
     EXPECT_GT(pixelsOf(pictures, picture, north), 10u) << "the neighbour's interior is there";
     EXPECT_FALSE(visits(picture, aside)) << "a house outside the door's region is not flooded";
 }
@@ -180,8 +186,9 @@ TEST_P(Cases, case14_aHouseSeenFrontToBack) {
     PictureWorld pictures(houses.world, options());
     const Picture picture = pictures.expectClean(pictures.look({92.6, 90, 1.5}, 180, 0, world::kOutside));
     const auto& all = picture.visible.visits;
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const auto& v) { return v.depth == 2 && v.zone == 0; }))
-        << "outside, through the house, outside again";
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const auto& v) {
+        return v.depth == 2 && v.zone == 0;
+    })) << "outside, through the house, outside again";
     EXPECT_GT(pixelsOf(pictures, picture, pictures.space(houses.world.id(houses.south))), 10u);
 }
 
@@ -200,7 +207,8 @@ TEST_P(Cases, case24_emptyOutdoorsIsTheLandscapeAlone) {
 
 TEST_P(Cases, case25_theFarCornerOfTheMap) {
     std::vector<std::vector<std::uint32_t>> ids;
-    for (const dat::BlockCoord home : {dat::BlockCoord{0, 0}, dat::BlockCoord{0x20, 0x30}, dat::BlockCoord{0xFE, 0xFE}}) {
+    for (const dat::BlockCoord home :
+         {dat::BlockCoord{0, 0}, dat::BlockCoord{0x20, 0x30}, dat::BlockCoord{0xFE, 0xFE}}) {
         TestWorld world(home);
         world.setFlatTerrain(world.home(), 0);
         const auto room = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");
@@ -211,7 +219,8 @@ TEST_P(Cases, case25_theFarCornerOfTheMap) {
         PictureWorld pictures(world, options());
         ids.emplace_back();
         for (const double yaw : {10.0, 60.0, 100.0}) {
-            const auto picture = pictures.expectClean(pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))));
+            const auto picture = pictures.expectClean(
+                pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))));
             ids.back().insert(ids.back().end(), picture.ids.begin(), picture.ids.end());
         }
     }
@@ -238,7 +247,8 @@ TEST_P(Cases, case28_aTunnelThroughAHill) {
 
 TEST_P(Cases, case28_houseBehindTreeBehindHouse) {
     TwoHouses houses;
-    const std::uint32_t tree = houses.world.addModel(insideOut(boxWalls({-0.2, -0.2, 0}, {0.2, 0.2, 4}, "green")));
+    const std::uint32_t tree =
+        houses.world.addModel(insideOut(boxWalls({-0.2, -0.2, 0}, {0.2, 0.2, 4}, "green")));
     houses.world.addObject(tree, frameAt({92.5, 93, 0}));
     PictureWorld pictures(houses.world, options());
     for (const double y : {76.0, 79.0, 82.0, 85.9}) {
@@ -262,12 +272,14 @@ TEST_P(Cases, case28_aUShapedHouseWhoseWindowsFaceEachOther) {
     const auto w2 = world.openOutside(right, rectangle({102, 96, 0.5}, {102, 98, 2.5}));
     const auto w3 = world.openOutside(right, rectangle({106, 96, 0.5}, {106, 98, 2.5}));
     Walls shape = boxExterior({90, 90, 0}, {94, 100, 3});
-    for (const Walls& part : {boxExterior({94, 90, 0}, {102, 94, 3}), boxExterior({102, 90, 0}, {106, 100, 3})}) {
+    for (const Walls& part :
+         {boxExterior({94, 90, 0}, {102, 94, 3}), boxExterior({102, 90, 0}, {106, 100, 3})}) {
         shape.insert(shape.end(), part.begin(), part.end());
     }
     world.addBuilding(shape, {w1, w2, w3});
     PictureWorld pictures(world, options());
-    const Picture picture = pictures.expectClean(pictures.look({91, 97, 1.5}, 90, 0, pictures.space(world.id(left))));
+    const Picture picture =
+        pictures.expectClean(pictures.look({91, 97, 1.5}, 90, 0, pictures.space(world.id(left))));
     const auto& all = picture.visible.visits;
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const auto& v) { return v.depth == 3; }))
         << "wing, yard, wing, outside";
@@ -281,7 +293,8 @@ TEST_P(Cases, case29_aCorridorThatWrapsBehindARoomAndOverlapsIt) {
     TestWorld world;
     const auto room = world.addBox({0, 0, 0}, {6, 6, 3}, "brown");
     const auto first = world.addBox({6, 0, 0}, {8, 8, 3}, "blue");
-    const auto second = world.addBox({-2, 4, 0}, {8, 8, 3}, "green"); // runs through the room's northern third
+    const auto second =
+        world.addBox({-2, 4, 0}, {8, 8, 3}, "green"); // runs through the room's northern third
     world.link(room, rectangle({6, 1, 0}, {6, 2, 2}), first);
     world.link(first, rectangle({6.5, 8, 0}, {7.5, 8, 2}), world.addBox({6, 8, 0}, {8, 12, 3}, "red"));
     world.link(second, rectangle({-2, 5, 0}, {-2, 6, 2}), world.addBox({-6, 4, 0}, {-2, 8, 3}, "pink"));
@@ -297,12 +310,13 @@ TEST_P(Cases, case29_aCorridorThatWrapsBehindARoomAndOverlapsIt) {
 
 TEST_P(Cases, case29_aShelfThatPokesThroughAFacade) {
     TwoHouses houses;
-    const std::uint32_t shelf = houses.world.addModel(insideOut(boxWalls({-0.5, -0.3, 0}, {0.5, 0.3, 0.4}, "pink")));
+    const std::uint32_t shelf =
+        houses.world.addModel(insideOut(boxWalls({-0.5, -0.3, 0}, {0.5, 0.3, 0.4}, "pink")));
     houses.world.addStatic(houses.south, shelf, frameAt({94.9, 86, 1.2})); // half outside the northern wall
     PictureWorld pictures(houses.world, options());
     const Picture outside = pictures.expectClean(pictures.look({94, 90, 1.5}, 180, 0, world::kOutside));
-    const Picture inside =
-        pictures.expectClean(pictures.look({94, 82, 1.5}, 0, 0, pictures.space(houses.world.id(houses.south))));
+    const Picture inside = pictures.expectClean(
+        pictures.look({94, 82, 1.5}, 0, 0, pictures.space(houses.world.id(houses.south))));
     const auto shelfPixels = [&](const Picture& picture) {
         return std::count_if(picture.ids.begin(), picture.ids.end(), [&](std::uint32_t id) {
             const auto i = instanceOfId(pictures.world(), id);

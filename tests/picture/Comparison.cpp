@@ -16,7 +16,8 @@ public:
         : tracer_(tracer), frame_(frame), answers_((frame.width + 2) * (frame.height + 2)) {}
 
     const NaiveTracer::Answer& at(int x, int y) {
-        auto& answer = answers_[static_cast<std::size_t>(y + 1) * (frame_.width + 2) + static_cast<std::size_t>(x + 1)];
+        auto& answer =
+            answers_[static_cast<std::size_t>(y + 1) * (frame_.width + 2) + static_cast<std::size_t>(x + 1)];
         if (!answer) {
             answer = tracer_.trace(frame_.view.root, rayThrough(frame_, x, y));
         }
@@ -66,13 +67,15 @@ std::uint32_t instanceOfId(const world::World& world, std::uint32_t id) {
 }
 
 std::string describeId(const world::World& world, std::uint32_t id) {
-    constexpr const char* kNames[] = {"shell", "terrain", "exterior", "scenery", "static", "dynamic", "filling", "sky"};
+    constexpr const char* kNames[] = {"shell",  "terrain", "exterior", "scenery",
+                                      "static", "dynamic", "filling",  "sky"};
     const std::uint32_t index = instanceOfId(world, id);
     if (index == world::kNone) {
         return id == 0 ? "void" : id == 1 ? "sky" : fmt::format("unknown id {}", id);
     }
     const world::Instance& in = world.instances[index];
-    return fmt::format("{} 0x{:08X} polygon {}", kNames[static_cast<std::size_t>(in.kind)], in.record, id - in.idBase);
+    return fmt::format("{} 0x{:08X} polygon {}", kNames[static_cast<std::size_t>(in.kind)], in.record,
+                       id - in.idBase);
 }
 
 Comparison compare(const world::World& world, const NaiveTracer& tracer, const frame::FrameView& frame,
@@ -81,19 +84,21 @@ Comparison compare(const world::World& world, const NaiveTracer& tracer, const f
     TracedView traced(tracer, frame);
     for (int y = 0; y < static_cast<int>(frame.height); ++y) {
         for (int x = 0; x < static_cast<int>(frame.width); ++x) {
-            const std::uint32_t id = ids[static_cast<std::size_t>(y) * frame.width + static_cast<std::size_t>(x)];
+            const std::uint32_t id =
+                ids[static_cast<std::size_t>(y) * frame.width + static_cast<std::size_t>(x)];
             ++result.pixels;
             result.voids += id == 0 ? 1 : 0;
             if (traced.at(x, y).id == id) {
                 continue;
             }
-            if (belongsOutside(world, id) && !traced.anyAround(x, y, [](const auto& a) { return a.reachedOutside; })) {
+            if (belongsOutside(world, id) &&
+                !traced.anyAround(x, y, [](const auto& a) { return a.reachedOutside; })) {
                 ++result.outsideWithoutRay;
             }
             if (!traced.anyAround(x, y, [&](const auto& a) { return a.id == id; })) {
                 if (result.disagreeing++ == 0) {
-                    result.first = fmt::format("pixel ({}, {}): drawn {}, traced {}", x, y, describeId(world, id),
-                                               describeId(world, traced.at(x, y).id));
+                    result.first = fmt::format("pixel ({}, {}): drawn {}, traced {}", x, y,
+                                               describeId(world, id), describeId(world, traced.at(x, y).id));
                 }
             }
         }

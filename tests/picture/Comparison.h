@@ -10,17 +10,18 @@
 
 namespace limen::test {
 
-/// A drawn id image held against the ray rule: a pixel disagrees if its id is not among the traced ids of the 3×3
-/// pixels around it.
+/// A drawn id image held against the ray rule: a pixel disagrees if its id is not among the traced ids of the
+/// 3×3 pixels around it.
 struct Comparison {
     std::size_t pixels = 0, disagreeing = 0, voids = 0; ///< voids: drawn ids of 0
-    std::size_t outsideWithoutRay = 0; ///< terrain, sky and the like where no ray of the 3×3 pixels got outside
+    std::size_t outsideWithoutRay =
+        0;             ///< terrain, sky and the like where no ray of the 3×3 pixels got outside
     std::string first; ///< where the first disagreement is and what was drawn and traced
 };
 
 /// `ids`: row 0 on top, frame.width × frame.height.
-[[nodiscard]] Comparison compare(const world::World& world, const NaiveTracer& tracer, const frame::FrameView& frame,
-                                 const std::vector<std::uint32_t>& ids);
+[[nodiscard]] Comparison compare(const world::World& world, const NaiveTracer& tracer,
+                                 const frame::FrameView& frame, const std::vector<std::uint32_t>& ids);
 
 /// The ray through a pixel centre; pixels beyond the border are fine.
 [[nodiscard]] NaiveTracer::Ray rayThrough(const frame::FrameView& frame, int x, int y);

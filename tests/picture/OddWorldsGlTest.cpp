@@ -1,5 +1,5 @@
-// Worlds that others may write: no landscape, the last block of the map, portals of every make. Drawn and held against
-// the ray rule; two of them against ids stated by hand.
+// Worlds that others may write: no landscape, the last block of the map, portals of every make. Drawn and
+// held against the ray rule; two of them against ids stated by hand.
 #include "picture/PictureWorld.h"
 
 #include <gtest/gtest.h>
@@ -13,14 +13,16 @@ TEST(OddWorlds, aBlockFullOfCellsAndNoLandscape) {
     std::vector<TestWorld::Cell> cells;
     for (int x = 0; x < 5; ++x) {
         for (int y = 0; y < 5; ++y) {
-            cells.push_back(world.addBox({x * 5.0 - 40, y * 5.0 - 30, -12}, {x * 5.0 - 35, y * 5.0 - 25, -9}));
+            cells.push_back(
+                world.addBox({x * 5.0 - 40, y * 5.0 - 30, -12}, {x * 5.0 - 35, y * 5.0 - 25, -9}));
         }
     }
     for (int x = 0; x < 5; ++x) {
         for (int y = 0; y < 5; ++y) {
             const Vec3 corner(x * 5.0 - 35, y * 5.0 - 30, -12);
             if (x < 4) {
-                world.link(cells[static_cast<std::size_t>(x * 5 + y)], rectangle(corner + Vec3(0, 2, 0), corner + Vec3(0, 3, 2)),
+                world.link(cells[static_cast<std::size_t>(x * 5 + y)],
+                           rectangle(corner + Vec3(0, 2, 0), corner + Vec3(0, 3, 2)),
                            cells[static_cast<std::size_t>(x * 5 + y + 5)]);
             }
         }
@@ -90,7 +92,8 @@ TEST(OddWorlds, anInexactPairIsOpenWhereBothPolygonsAre) {
     const frame::FrameView frame = pictures.look({2, 1, 1.5}, 0, 0, root);
     const Picture picture = pictures.shoot(frame);
     ASSERT_EQ(picture.visible.visits.size(), 2u);
-    // Seen from 3 m before the wall: open from 0.5 m left of the eye to 0.5 m right, from 1 m below it to 0.5 m above.
+    // Seen from 3 m before the wall: open from 0.5 m left of the eye to 0.5 m right, from 1 m below it to 0.5
+    // m above.
     std::size_t seen = 0;
     for (const std::uint32_t id : picture.ids) {
         const auto i = instanceOfId(pictures.world(), id);
@@ -108,13 +111,18 @@ TEST(OddWorlds, aOneWayPortalLeadsThroughAndNotBack) {
     link.oneWay = true;
     world.link(a, rectangle({1, 4, 0.5}, {3, 4, 2}), b, link);
     PictureWorld pictures(world, {true, 0});
-    EXPECT_EQ(pictures.shoot(pictures.look({2, 1, 1.5}, 0, 0, pictures.space(world.id(a)))).visible.seen.size(), 2u);
-    EXPECT_EQ(pictures.shoot(pictures.look({2, 7, 1.5}, 180, 0, pictures.space(world.id(b)))).visible.seen.size(), 1u);
+    EXPECT_EQ(
+        pictures.shoot(pictures.look({2, 1, 1.5}, 0, 0, pictures.space(world.id(a)))).visible.seen.size(),
+        2u);
+    EXPECT_EQ(
+        pictures.shoot(pictures.look({2, 7, 1.5}, 180, 0, pictures.space(world.id(b)))).visible.seen.size(),
+        1u);
 }
 
 TEST(OddWorlds, aWholePictureOfTwoRoomsStatedByHand) {
-    // Looking north from the middle of a room 8 m wide and high, 4 m before its far wall, 90 degrees, 8×8 pixels: each
-    // pixel is 1 m of that wall. The opening in it is the middle 4×4 m; behind it, 4 m farther, the next room's far wall.
+    // Looking north from the middle of a room 8 m wide and high, 4 m before its far wall, 90 degrees, 8×8
+    // pixels: each pixel is 1 m of that wall. The opening in it is the middle 4×4 m; behind it, 4 m farther,
+    // the next room's far wall.
     for (const bool merge : {false, true}) {
         TestWorld world;
         const auto a = world.addBox({0, 0, 0}, {8, 8, 8}, "brown");
@@ -170,7 +178,8 @@ TEST(OddWorlds, aHoleShowsAsVoidAndNothingElse) {
     world.setFlatTerrain(world.home(), 0);
     PictureWorld pictures(world, {true, 0});
     const Picture picture = pictures.shoot(pictures.look({2, 1, 1.5}, 0, 0, pictures.space(world.id(a))));
-    EXPECT_EQ(picture.id(pictures.width / 2, pictures.height / 2), 0u) << "no sky, no terrain: no ray got outside";
+    EXPECT_EQ(picture.id(pictures.width / 2, pictures.height / 2), 0u)
+        << "no sky, no terrain: no ray got outside";
 }
 
 TEST(OddWorlds, callsAreFewAndTheSameWhateverIsSeen) {

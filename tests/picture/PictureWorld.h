@@ -15,14 +15,16 @@ namespace limen::test {
 struct Picture {
     frame::FrameView frame;
     std::vector<std::uint32_t> ids;
-    std::vector<float> depth; ///< as in the depth buffer: near / w, 0 at infinity
+    std::vector<float> depth;         ///< as in the depth buffer: near / w, 0 at infinity
     std::vector<std::uint8_t> colour; ///< R,G,B,A
     visibility::VisibleSet visible;
     frame::PlanCounts counts;
     std::uint32_t glCalls = 0;
     std::vector<std::uint32_t> stages; ///< numbers of batches, by stage
 
-    [[nodiscard]] std::uint32_t id(std::uint32_t x, std::uint32_t y) const { return ids[y * frame.width + x]; }
+    [[nodiscard]] std::uint32_t id(std::uint32_t x, std::uint32_t y) const {
+        return ids[y * frame.width + x];
+    }
 };
 
 struct PictureOptions {
@@ -30,8 +32,8 @@ struct PictureOptions {
     int radius = 1;
 };
 
-/// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render. Tests of
-/// this folder need an OpenGL driver.
+/// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
+/// Tests of this folder need an OpenGL driver.
 class PictureWorld {
 public:
     using Options = PictureOptions;
@@ -46,12 +48,14 @@ public:
     [[nodiscard]] Vec3 homeOrigin() const { return origin_; }
 
     /// A view from a position local to the home block.
-    [[nodiscard]] frame::FrameView look(const Vec3& local, double yaw, double pitch, world::SpaceIndex root) const;
+    [[nodiscard]] frame::FrameView look(const Vec3& local, double yaw, double pitch,
+                                        world::SpaceIndex root) const;
     [[nodiscard]] Picture shoot(const frame::FrameView& frame);
     /// Only up to the plan: no driver.
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
-    /// Draws, traces and compares; a disagreement, a void or an outdoor pixel without a ray outside fails the test.
+    /// Draws, traces and compares; a disagreement, a void or an outdoor pixel without a ray outside fails the
+    /// test.
     Picture expectClean(const frame::FrameView& frame);
 
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes

@@ -1,5 +1,5 @@
-// A steady frame allocates nothing on the heap in visibility and frame: counted, over a warm path, by replacing the
-// program's allocation functions.
+// A steady frame allocates nothing on the heap in visibility and frame: counted, over a warm path, by
+// replacing the program's allocation functions.
 #include "picture/PictureWorld.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,12 @@ void* operator new(std::size_t size) {
     }
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
 
 namespace limen::test {
 namespace {
@@ -39,7 +43,8 @@ TEST(SteadyFrame, allocatesNothing) {
     frame::FramePlan plan;
     const auto walk = [&] {
         for (double yaw = 0; yaw < 360; yaw += 20) {
-            pictures.plan(pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))), visible, plan);
+            pictures.plan(pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))), visible,
+                          plan);
             pictures.plan(pictures.look({92.3, 92.1, 1.6}, yaw, 0, world::kOutside), visible, plan);
         }
     };
