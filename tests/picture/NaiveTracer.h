@@ -6,7 +6,7 @@
 
 namespace limen::test {
 
-/// The ray rule of docs/architecture.md, "What a frame shows", done the obvious way, triangle by triangle and
+/// The ray rule of docs/ray-rule.md done the obvious way, triangle by triangle and
 /// space by space: no zones, no flood, no regions. The oracle that drawn pictures are held against. Shares
 /// nothing with visibility, frame and gpu.
 class NaiveTracer {
