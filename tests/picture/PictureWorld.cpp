@@ -39,6 +39,7 @@ void require(const Result<void>& result) {
 /// One context and device for the whole test program: shaders compile once.
 struct Driver {
     gpu::HeadlessContext context = valueOf(gpu::HeadlessContext::create(true));
+    gpu::DebugOutput debug;
     std::unique_ptr<gpu::Device> device = valueOf(gpu::GlDevice::create());
 };
 
@@ -117,6 +118,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame) {
     for (const frame::Stage& stage : drawing_->plan.stages) {
         picture.stages.push_back(stage.batchCount);
     }
+    EXPECT_TRUE(driver().debug.faults().empty()) << driver().debug.faults().front();
     return picture;
 }
 
