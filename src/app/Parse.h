@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "dat/Ids.h"
+#include "frame/FrameView.h"
 #include "geometry/Vec.h"
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct RootChoice {
     dat::RecordId cell = 0; ///< of Kind::Cell
 };
 
-enum class Weather { Clear, Rain };
+using frame::Weather;
 
 /// A finite double in C notation; a leading '+' is allowed. Errors: anything else, trailing text, NaN,
 /// infinity.

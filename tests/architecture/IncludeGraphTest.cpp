@@ -209,8 +209,8 @@ TEST(Examples, theFloodNeedsOnlyVisibilityGeometryAndCore) {
 }
 
 TEST(Examples, theFloodsTargetLinksOnlyVisibilityGeometryAndCore) {
-    // A target named flood* in examples/CMakeLists.txt: its target_link_libraries line.
-    static const std::regex kLine(R"(target_link_libraries\(\s*(flood\w*)([^)]*)\))");
+    // A target named flood* or example_flood* in examples/CMakeLists.txt: its target_link_libraries line.
+    static const std::regex kLine(R"(target_link_libraries\(\s*((?:example_)?flood\w*)([^)]*)\))");
     static const std::regex kTarget(R"(limen::(\w+))");
     std::ifstream in(kRoot / "examples" / "CMakeLists.txt");
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
