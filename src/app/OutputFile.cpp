@@ -134,6 +134,13 @@ Result<void> writeFile(const fs::path& path, std::string_view text) {
     return writeFile(path, std::as_bytes(std::span(text)));
 }
 
+Result<void> writePicture(const fs::path& path, const Picture& picture) {
+    const Result<std::vector<std::byte>> png = encodePng(picture);
+    if (!png)
+        return tl::unexpected(png.error());
+    return writeFile(path, *png);
+}
+
 Result<void> makeDirectory(const fs::path& path) {
     std::error_code error, ignored;
     fs::create_directories(path, error);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/Error.h"
+#include "app/Picture.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,6 +18,9 @@ namespace limen::app {
 /// device or pipe (/dev/null) is written to as it is. Errors: as checkWritable; a full disk.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view text);
+
+/// Writes a picture as PNG. Errors: as writeFile; no pixels.
+[[nodiscard]] Result<void> writePicture(const std::filesystem::path& path, const Picture& picture);
 
 /// Makes a directory and its parents if they are missing. Errors: it cannot be, or is a file.
 [[nodiscard]] Result<void> makeDirectory(const std::filesystem::path& path);
