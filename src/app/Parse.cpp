@@ -57,6 +57,13 @@ Result<double> parseNumber(std::string_view option, std::string_view text) {
     return value;
 }
 
+Result<double> parseNumberBetween(std::string_view option, std::string_view text, double low, double high) {
+    const Result<double> number = parseNumber(option, text);
+    if (number && !(*number >= low && *number <= high))
+        return bad(option, text, fmt::format("between {} and {}", low, high));
+    return number;
+}
+
 Result<Vec3> parseVec3(std::string_view option, std::string_view text) {
     Vec3 value{0.0};
     std::string_view rest = text;

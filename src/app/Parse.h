@@ -33,6 +33,10 @@ using frame::Weather;
 /// infinity.
 [[nodiscard]] Result<double> parseNumber(std::string_view option, std::string_view text);
 
+/// The same, low..high both included. Errors: as parseNumber; beyond the bounds.
+[[nodiscard]] Result<double> parseNumberBetween(std::string_view option, std::string_view text, double low,
+                                                double high);
+
 /// "X,Y,Z" with blanks allowed around the numbers. Errors: as parseNumber; not three numbers.
 [[nodiscard]] Result<Vec3> parseVec3(std::string_view option, std::string_view text);
 

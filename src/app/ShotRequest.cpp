@@ -24,14 +24,6 @@ Result<void> take(const std::string& text, const char* option, Parse parse, T& v
     return {};
 }
 
-Result<double> numberBetween(std::string_view option, std::string_view text, double low, double high) {
-    const Result<double> number = parseNumber(option, text);
-    if (number && !(*number >= low && *number <= high))
-        return fail(ErrorCode::BadArgument, std::string(option),
-                    fmt::format("'{}' is not between {} and {}", text, low, high));
-    return number;
-}
-
 Result<Vec3> position(std::string_view option, std::string_view text) {
     const Result<Vec3> value = parseVec3(option, text);
     if (value && !(std::max({std::abs(value->x), std::abs(value->y), std::abs(value->z)}) <= kFarthest))
@@ -106,7 +98,7 @@ Result<ViewRequest> checkView(const ViewArguments& a) {
         return tl::unexpected(r.error());
     const auto between = [](double low, double high) {
         return [low, high](std::string_view option, std::string_view text) {
-            return numberBetween(option, text, low, high);
+            return parseNumberBetween(option, text, low, high);
         };
     };
     if (Result<void> r = take(a.yaw, "--yaw", parseNumber, view.yaw); !r)

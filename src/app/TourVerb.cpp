@@ -30,14 +30,6 @@ struct TourRequest {
 constexpr std::size_t kMaxFrames = 100000;
 constexpr std::size_t kSheetTiles = 24;
 
-Result<double> numberIn(std::string_view option, const std::string& text, double low, double high) {
-    const Result<double> number = parseNumber(option, text);
-    if (number && !(*number >= low && *number <= high))
-        return fail(ErrorCode::BadArgument, std::string(option),
-                    fmt::format("'{}' is not between {} and {}", text, low, high));
-    return number;
-}
-
 Result<TourRequest> checkTour(const TourOptions& options) {
     TourRequest request;
     const Result<PixelSize> size = parseSize("--size", options.size);
@@ -59,7 +51,7 @@ Result<TourRequest> checkTour(const TourOptions& options) {
                             Number{"--fps", options.fps, 0.01, 1000.0, request.fps}}) {
         if (n.text.empty())
             continue;
-        const Result<double> number = numberIn(n.option, n.text, n.low, n.high);
+        const Result<double> number = parseNumberBetween(n.option, n.text, n.low, n.high);
         if (!number)
             return tl::unexpected(number.error());
         n.value = *number;
@@ -197,10 +189,13 @@ Result<CameraPath> makePath(const LoadedWorld& loaded, const std::vector<Standpo
     return CameraPath(places);
 }
 
-Result<Exit> runTour(const TourOptions& options, const Console& console) {
-    const Result<TourRequest> request = checkTour(options);
-    if (!request)
-        return tl::unexpected(request.error());
+/// Everything that a tour needs before its first frame.
+struct OpenTour {
+    HeadlessSession headless;
+    std::vector<Standpoint> points;
+};
+
+Result<OpenTour> openTour(const TourOptions& options) {
     if (Result<void> made = makeDirectory(options.directory); !made)
         return tl::unexpected(made.error());
     if (Result<void> writable = checkWritable(std::filesystem::path(options.directory) / "contact.png");
@@ -209,24 +204,34 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<std::vector<Standpoint>> points = wayPointsOf(options, source->file);
+    Result<std::vector<Standpoint>> points = wayPointsOf(options, source->file);
     if (!points)
         return tl::unexpected(points.error());
     Result<HeadlessSession> headless = openHeadless(std::move(*source), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
-    Session& session = *headless->session;
-    if (Result<void> loaded = session.load(points->front().centre); !loaded)
+    if (Result<void> loaded = headless->session->load(points->front().centre); !loaded)
         return tl::unexpected(loaded.error());
+    return OpenTour{std::move(*headless), std::move(*points)};
+}
+
+Result<Exit> runTour(const TourOptions& options, const Console& console) {
+    const Result<TourRequest> request = checkTour(options);
+    if (!request)
+        return tl::unexpected(request.error());
+    Result<OpenTour> tour = openTour(options);
+    if (!tour)
+        return tl::unexpected(tour.error());
+    Session& session = *tour->headless.session;
     if (const std::string findings = findingsLine(session.loaded().world); !findings.empty())
         console.note(findings);
-    Standpoint first = points->front();
+    Standpoint first = tour->points.front();
     first.camera.fovDegrees = request->fov;
     Result<FrameEye> start = placeEye(session.loaded(), first, request->size);
     if (!start)
         return tl::unexpected(start.error());
     start->time = request->time;
-    const Result<CameraPath> path = makePath(session.loaded(), *points, request->size);
+    const Result<CameraPath> path = makePath(session.loaded(), tour->points, request->size);
     if (!path)
         return tl::unexpected(path.error());
     if (Result<void> drawn = drawFrames(session, *path, *start, *request, options, console); !drawn)
