@@ -86,8 +86,39 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
         scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, m.diffuse});
     }
     scene.materialRefs = world.materialRefs;
-    for (const world::Image& image : world.textures) {
-        scene.textures.push_back({image.width, image.height, image.rgba, false});
+}
+
+/// By texture: it is sampled only where clamping to the edge is right (blend maps, pictures whose coordinates all lie
+/// within 0..1). One that anything repeats is repeated for all.
+std::vector<std::uint8_t> clampedTextures(const world::World& world) {
+    std::vector<std::uint8_t> clamped(world.textures.size(), 0);
+    const auto mark = [&](std::uint32_t texture, bool clamp) {
+        if (texture != world::kNone) {
+            clamped[texture] = static_cast<std::uint8_t>(clamped[texture] | (clamp ? 1 : 2));
+        }
+    };
+    for (const world::TerrainCell& cell : world.terrainCells) {
+        for (const world::TerrainCell::Layer& layer : cell.overlays) {
+            mark(layer.alpha, true);
+        }
+        for (const world::TerrainCell::Layer& layer : cell.roads) {
+            mark(layer.alpha, true);
+        }
+    }
+    for (const world::Material& m : world.materials) {
+        mark(m.texture, (m.flags & world::Material::kClamp) != 0);
+    }
+    for (std::uint8_t& c : clamped) {
+        c = c == 1 ? 1 : 0;
+    }
+    return clamped;
+}
+
+void addTextures(const world::World& world, SceneUpload& scene) {
+    const std::vector<std::uint8_t> clamped = clampedTextures(world);
+    for (std::size_t i = 0; i < world.textures.size(); ++i) {
+        const world::Image& image = world.textures[i];
+        scene.textures.push_back({image.width, image.height, image.rgba, clamped[i] != 0});
     }
 }
 
@@ -106,6 +137,7 @@ SceneUpload buildScene(const world::World& world) {
         scene.instances.push_back(out);
     }
     addMaterials(world, scene);
+    addTextures(world, scene);
     for (const world::TerrainCell& cell : world.terrainCells) {
         scene.terrainCells.push_back(packTerrain(cell));
     }

@@ -49,7 +49,7 @@ struct FloodCounts {
     std::uint32_t cyclesSplit = 0; ///< siblings that overlapped in a circle and were split
 };
 
-/// What one flood yields; see architecture.md, "The idea: every pixel has an owner". Reuse it: `clear` keeps
+/// What one flood yields; see docs/ray-rule.md. Reuse it: `clear` keeps
 /// capacity.
 struct VisibleSet {
     /// Depth-first, the root first, parents before children, far siblings (with all their subtree) before

@@ -15,7 +15,8 @@ Bytes patternOf(RecordId id, std::size_t size) {
 
 /// A record of a size that follows from its id: empty, one block, just over a block, several.
 std::size_t sizeOf(RecordId id, std::size_t capacity) {
-    const std::size_t sizes[] = {0, 1, 12, capacity - 1, capacity, capacity + 1, 2 * capacity, 3 * capacity + 5};
+    const std::size_t sizes[] = {
+        0, 1, 12, capacity - 1, capacity, capacity + 1, 2 * capacity, 3 * capacity + 5};
     return id % 50 == 0 ? sizes[(id / 50) % 8] : 8;
 }
 
@@ -64,9 +65,10 @@ TEST_P(ContainerRoundTrip, findsReadsAndWalksEveryRecord) {
 
 INSTANTIATE_TEST_SUITE_P(BothBlockSizes, ContainerRoundTrip,
                          testing::Values(Shape{1024, 0}, Shape{1024, 1}, Shape{1024, 60}, Shape{1024, 61},
-                                         Shape{1024, 62}, Shape{1024, 3843}, Shape{1024, 3844}, Shape{1024, 20000},
-                                         Shape{256, 1}, Shape{256, 60}, Shape{256, 61}, Shape{256, 500},
-                                         Shape{256, 4000}, Shape{256, 20000}, Shape{64, 200}, Shape{65536, 100}));
+                                         Shape{1024, 62}, Shape{1024, 3843}, Shape{1024, 3844},
+                                         Shape{1024, 20000}, Shape{256, 1}, Shape{256, 60}, Shape{256, 61},
+                                         Shape{256, 500}, Shape{256, 4000}, Shape{256, 20000}, Shape{64, 200},
+                                         Shape{65536, 100}));
 
 } // namespace
 } // namespace limen::dat
