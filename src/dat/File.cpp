@@ -89,12 +89,12 @@ Result<ByteView> File::read(const Entry& entry, Bytes& scratch) const {
         return ByteView{blocks.payload(entry.offset), entry.size};
     if (!compressed) {
         if (const ChainStatus status = blocks.copy(entry.offset, entry.size, scratch); !status.ok())
-            return impl_->bad(entry, describe(status));
+            return impl_->bad(entry, inWords(status));
         return ByteView{scratch};
     }
     Bytes stored;
     if (const ChainStatus status = blocks.copy(entry.offset, entry.size, stored); !status.ok())
-        return impl_->bad(entry, describe(status));
+        return impl_->bad(entry, inWords(status));
     if (std::string reason = inflateRecord(stored, scratch); !reason.empty())
         return impl_->bad(entry, std::move(reason));
     return ByteView{scratch};

@@ -9,7 +9,7 @@
 // device).
 namespace limen::frame {
 
-/// The stages of every frame, whatever the root (architecture.md, "Frame plan").
+/// The stages of every frame, whatever the root (docs/architecture.md).
 enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Late, Overlay };
 inline constexpr std::size_t kStageCount = 5;
 [[nodiscard]] constexpr const char* nameOf(StageKind kind) {

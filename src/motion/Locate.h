@@ -4,7 +4,7 @@
 
 namespace limen::motion {
 
-/// The space of a position without history (semantics.md): the cell of a building whose volume contains it,
+/// The space of a position without history (docs/ray-rule.md): the cell of a building whose volume contains it,
 /// else outside. Dungeon cells are never guessed. If several cells claim it, the one with the smallest id is
 /// taken and `ambiguous` is set.
 struct Located {

@@ -29,8 +29,14 @@ void include(Rect& rect, double x, double y) {
     rect.maxY = std::max(rect.maxY, y);
 }
 
-bool grows(const Rect& old, const Rect& more) {
-    return more.minX < old.minX || more.maxX > old.maxX || more.minY < old.minY || more.maxY > old.maxY;
+bool holds(const Rect& outer, const Rect& inner) {
+    return inner.minX >= outer.minX && inner.maxX <= outer.maxX && inner.minY >= outer.minY &&
+           inner.maxY <= outer.maxY;
+}
+
+void include(Rect& rect, const Rect& more) {
+    include(rect, more.minX, more.minY);
+    include(rect, more.maxX, more.maxY);
 }
 
 } // namespace
@@ -47,7 +53,8 @@ void CellFlood::run(const Input& input, std::vector<SeenSpace>& seen, FloodCount
     head_ = 0;
     reach(input.entrySpace, input.entryRect, seen, counts);
     while (head_ < queue_.size()) {
-        leave(input, queue_[head_++], seen, counts);
+        const Arrival next = queue_[head_++]; // by value: the queue grows
+        leave(input, next, seen, counts);
     }
 }
 
@@ -55,28 +62,29 @@ void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpa
                       FloodCounts& counts) {
     Mark& mark = marks_[space];
     if (mark.stamp != stamp_) {
-        mark = {stamp_, static_cast<std::uint32_t>(seen.size()), true};
+        mark.stamp = stamp_;
+        mark.slot = static_cast<std::uint32_t>(seen.size());
+        mark.count = 1;
+        mark.rects[0] = rect;
         seen.push_back({space, visit_, rect});
-        queue_.push_back(mark.slot);
+        queue_.push_back({space, rect});
         return;
     }
-    Rect& known = seen[mark.slot].rect;
-    if (!grows(known, rect)) {
-        return;
+    for (std::uint32_t i = 0; i < mark.count; ++i) {
+        if (holds(mark.rects[i], rect)) {
+            return;
+        }
     }
-    include(known, rect.minX, rect.minY);
-    include(known, rect.maxX, rect.maxY);
-    if (!mark.queued) {
-        ++counts.revisits;
-        mark.queued = true;
-        queue_.push_back(mark.slot);
-    }
+    ++counts.revisits;
+    include(seen[mark.slot].rect, rect);
+    const Rect let = mark.count < kRects ? rect : seen[mark.slot].rect;
+    mark.count = std::min(mark.count + 1, kRects);
+    mark.rects[mark.count - 1] = let;
+    queue_.push_back({space, let});
 }
 
-void CellFlood::leave(const Input& input, std::uint32_t slot, std::vector<SeenSpace>& seen,
+void CellFlood::leave(const Input& input, const Arrival& from, std::vector<SeenSpace>& seen,
                       FloodCounts& counts) {
-    const SeenSpace from = seen[slot]; // by value: `seen` grows below
-    marks_[from.space].queued = false;
     ++counts.spaceVisits;
     const Graph::Space& space = input.graph->spaces()[from.space];
     for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {

@@ -30,7 +30,7 @@ struct Visit {
 
 /// A screen-aligned rectangle in NDC.
 struct Rect {
-    double minX = 1.0, minY = 1.0, maxX = -1.0, maxY = -1.0;
+    double minX = 1e300, minY = 1e300, maxX = -1e300, maxY = -1e300; ///< empty until it includes a point
     [[nodiscard]] bool empty() const { return minX > maxX || minY > maxY; }
 };
 
@@ -49,7 +49,7 @@ struct FloodCounts {
     std::uint32_t cyclesSplit = 0; ///< siblings that overlapped in a circle and were split
 };
 
-/// What one flood yields; see architecture.md, "The idea: every pixel has an owner". Reuse it: `clear` keeps
+/// What one flood yields; see docs/ray-rule.md. Reuse it: `clear` keeps
 /// capacity.
 struct VisibleSet {
     /// Depth-first, the root first, parents before children, far siblings (with all their subtree) before

@@ -65,8 +65,8 @@ struct CellBspNode {
     std::uint32_t positive = kNone; ///< index relative to the space's firstBspNode
 };
 
-/// An opening that leads out of `space`. The outside's portals are its buildings' portals, with the polygon
-/// of the cell's exit portal (semantics.md: one opening, the cell's polygon is used both ways).
+/// An opening that leads out of `space`. The outside's portals are its buildings' portals, with the polygon of the
+/// cell's exit portal (docs/ray-rule.md: one opening, the cell's polygon is used both ways).
 struct Portal {
     SpaceIndex space = kNone;
     SpaceIndex destination = kNone; ///< kNone: not resident, or the data names nothing
@@ -83,8 +83,7 @@ struct Portal {
     bool exact = true;             ///< false: both polygons bound the opening
 };
 
-/// Connected, closed and pairwise disjoint cells: depth alone decides what is in front inside one
-/// (architecture.md).
+/// Connected, closed and pairwise disjoint cells: depth alone decides what is in front inside one (docs/ray-rule.md).
 struct Zone {
     std::uint32_t firstSpace = 0, spaceCount = 0; ///< a run of World::zoneSpaces
 };

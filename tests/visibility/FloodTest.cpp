@@ -203,6 +203,18 @@ TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
     EXPECT_EQ(away.seen.size(), 1u) << "cells out of sight are culled inside a zone too";
 }
 
+TEST(Flood, doesNotLeakThroughTheScreensEdgeInsideAZone) {
+    // Looking past the door: it is off the screen to the right, half of it behind the eye.
+    GraphBuilder world;
+    for (int i = 0; i < 6; ++i) {
+        world.addSpace(0);
+    }
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        world.link(i, i + 1, uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
+    }
+    EXPECT_EQ(floodOnce(world.build(), viewFrom({3, 9.5, 0}, 225, 0, 0)).seen.size(), 1u);
+}
+
 TEST(Flood, survivesSelfPortalsAndPolygonsWithoutArea) {
     GraphBuilder world;
     world.addSpace();

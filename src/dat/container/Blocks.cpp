@@ -8,7 +8,7 @@
 
 namespace limen::dat {
 
-std::string describe(const ChainStatus& status) {
+std::string inWords(const ChainStatus& status) {
     switch (status.fault) {
     case ChainFault::None:
         break;

@@ -17,7 +17,7 @@ struct ChainStatus {
 };
 
 /// The fault in words.
-[[nodiscard]] std::string describe(const ChainStatus& status);
+[[nodiscard]] std::string inWords(const ChainStatus& status);
 
 /// The blocks of a file and the chains that they form (formats/container.md §3). Every offset is checked
 /// before its block is touched.

@@ -80,7 +80,7 @@ std::string Tree::inspect(const Node& node) const {
 std::string Tree::load(std::uint32_t offset, const Range& range, Node& node) const {
     node.offset = offset;
     if (const ChainStatus status = blocks_.offsets(offset, blocksPerNode_, node.blocks.data()); !status.ok())
-        return describe(status);
+        return inWords(status);
     node.count = word(node, kCountAt / 4);
     if (node.count > kMaxEntries)
         return fmt::format("it claims {} entries; {} fit", node.count, kMaxEntries);
