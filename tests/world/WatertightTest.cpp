@@ -113,7 +113,9 @@ TEST(Watertight, aCornerOfTheNextRoomIsStitchedIntoTheWall) {
 /// openings of any kind. Everything follows from the seed.
 TestWorld misalignedComplex(std::uint32_t seed) {
     std::mt19937 random(seed);
-    const auto roll = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+    const auto roll = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
     const double turn = roll(0.0, 6.28);
     const Vec3 at(roll(-400.0, 400.0), roll(-400.0, 400.0), roll(-50.0, 300.0));
     const auto turned = [&](std::vector<Vec3> points) {
