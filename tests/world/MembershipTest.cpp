@@ -1,0 +1,170 @@
+#include "support/LoadTestWorld.h"
+
+#include <gmock/gmock.h>
+
+namespace limen::world {
+namespace {
+
+using test::rectangle;
+using test::TestWorld;
+using testing::ElementsAre;
+
+/// Three rooms in a row along x with doors in the middle of the walls; a door to the outside in the first.
+struct Row {
+    TestWorld source;
+    std::vector<TestWorld::Cell> rooms;
+    std::uint32_t ball = 0;
+    Row() {
+        for (int i = 0; i < 3; ++i)
+            rooms.push_back(source.addBox({10.0 + 4 * i, 10, 2}, {14.0 + 4 * i, 14, 5}));
+        for (std::size_t i = 1; i < 3; ++i) {
+            const double x = 10.0 + 4.0 * static_cast<double>(i);
+            source.link(rooms[i - 1], rectangle({x, 11.5, 2}, {x, 12.5, 4}), rooms[i]);
+        }
+        const auto door = source.openOutside(rooms[0], rectangle({10, 11.5, 2}, {10, 12.5, 4}));
+        source.addBuilding(test::boxExterior({10, 10, 2}, {22, 14, 5}), {door});
+        source.setFlatTerrain(source.home(), 1);
+        ball = source.addModel(test::boxExterior({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+    }
+};
+
+std::vector<SpaceIndex> membersOf(const World& world, Kind kind) {
+    for (const Instance& instance : world.instances) {
+        if (instance.kind == kind)
+            return {world.members.begin() + instance.firstMember,
+                    world.members.begin() + instance.firstMember + instance.memberCount};
+    }
+    return {};
+}
+
+TEST(Membership, anObjectAwayFromPortalsIsInItsSpaceAlone) {
+    Row row;
+    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({16, 12, 3}));
+    EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u));
+}
+
+TEST(Membership, anObjectInADoorwayIsInBothSpacesPlacedFirst) {
+    Row row;
+    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({14.1, 12, 3}));
+    EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u, 1u));
+}
+
+TEST(Membership, aWallStopsAnObjectThatPokesThroughIt) {
+    Row row;
+    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({14.1, 13.5, 3}));
+    EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u));
+}
+
+TEST(Membership, reachesAreFollowedTransitively) {
+    Row row;
+    const auto log = row.source.addModel(test::boxExterior({-5, -0.1, -0.1}, {5, 0.1, 0.1}));
+    row.source.addStatic(row.rooms[1], log, test::frameAt({15, 12, 3}));
+    EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u, 1u, 3u, 0u));
+}
+
+TEST(Membership, outdoorObjectsReachIn) {
+    Row row;
+    row.source.addObject(row.ball, test::frameAt({9.9, 12, 3}));
+    EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(0u, 1u));
+}
+
+TEST(Membership, partsOfOneObjectShareTheWholesReach) {
+    Row row;
+    dat::Setup setup;
+    setup.parts = {row.ball, row.ball};
+    dat::AnimationFrame pose;
+    pose.parts = {test::frameAt({0, 0, 0}), test::frameAt({1.5, 0, 0})};
+    setup.placementFrames = {{0x65, pose}};
+    row.source.addStatic(row.rooms[0], row.source.addSetup(setup), test::frameAt({12.5, 12, 3}));
+    const World world = test::loadTestWorld(row.source);
+    int parts = 0;
+    for (const Instance& instance : world.instances) {
+        if (instance.kind != Kind::Static)
+            continue;
+        ++parts;
+        EXPECT_EQ(instance.memberCount, 2u);
+        EXPECT_EQ(instance.object, static_cast<std::uint64_t>(row.source.id(row.rooms[0])) << 32);
+    }
+    EXPECT_EQ(parts, 2);
+}
+
+TEST(Membership, shellsTerrainAndExteriorsAreNeverMembersElsewhere) {
+    Row row;
+    const World world = test::loadTestWorld(row.source);
+    EXPECT_THAT(membersOf(world, Kind::Exterior), ElementsAre(0u));
+    EXPECT_THAT(membersOf(world, Kind::Terrain), ElementsAre(0u));
+    EXPECT_THAT(membersOf(world, Kind::Shell), ElementsAre(1u));
+}
+
+TEST(Membership, everySpaceListsItsMembersShellFirst) {
+    Row row;
+    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({14.1, 12, 3}));
+    const World world = test::loadTestWorld(row.source);
+    std::size_t listed = 0;
+    for (SpaceIndex s = 0; s < world.spaces.size(); ++s) {
+        const Space& space = world.spaces[s];
+        listed += space.instanceCount;
+        if (space.shell != kNone) {
+            EXPECT_EQ(world.spaceInstances[space.firstInstance], space.shell);
+        }
+    }
+    std::size_t memberships = 0;
+    for (const Instance& instance : world.instances)
+        memberships += instance.memberCount;
+    EXPECT_EQ(listed, memberships);
+}
+
+std::uint32_t addLamp(TestWorld& source, std::uint32_t model, float range, std::uint32_t argb = 0xFFFFFFFF) {
+    dat::Setup setup;
+    setup.parts = {model};
+    dat::LightInfo light;
+    light.colour.argb = argb;
+    light.intensity = 2.0f;
+    light.falloff = range;
+    light.coneAngle = -431602080.0f; // 0xCDCDCDCD, as files have it
+    setup.lights = {{0, light}};
+    return source.addSetup(setup);
+}
+
+TEST(Lights, lightTheRoomsTheyReachThroughDoors) {
+    Row row;
+    row.source.addStatic(row.rooms[1], addLamp(row.source, row.ball, 3.0f), test::frameAt({15, 12, 3}));
+    const World world = test::loadTestWorld(row.source);
+    const auto count = [&](SpaceIndex s) { return world.lightSets[world.spaces[s].lightSet].lightCount; };
+    EXPECT_EQ(count(1), 1u) << "one metre from the door";
+    EXPECT_EQ(count(2), 1u);
+    EXPECT_EQ(count(3), 0u) << "the far door is out of range";
+    EXPECT_EQ(count(kOutside), 0u);
+    const Light& light = world.lights[world.lightSets[world.spaces[2].lightSet].firstLight];
+    EXPECT_FLOAT_EQ(light.colour.x, 2.0f);
+    EXPECT_FLOAT_EQ(light.range, 3.0f);
+    EXPECT_NEAR(light.position.x - world.blocks[0].origin().x, 15.0, 1e-6);
+}
+
+TEST(Lights, theEightStrongestAreKeptBrightestFirst) {
+    Row row;
+    for (std::uint32_t i = 0; i < 12; ++i)
+        row.source.addStatic(row.rooms[1], addLamp(row.source, row.ball, 3.0f, 0xFF000000u | (i * 20)),
+                             test::frameAt({16, 13, 3}));
+    const World world = test::loadTestWorld(row.source);
+    const LightSet& set = world.lightSets[world.spaces[2].lightSet];
+    ASSERT_EQ(set.lightCount, 8u);
+    for (std::uint32_t i = 1; i < 8; ++i)
+        EXPECT_GE(world.lights[set.firstLight + i - 1].colour.z, world.lights[set.firstLight + i].colour.z);
+    EXPECT_FLOAT_EQ(world.lights[set.firstLight].colour.z, 2.0f * 220.0f / 255.0f);
+}
+
+TEST(Lights, onlyCellsThatSeeOutsideGetTheSky) {
+    Row row;
+    row.source.record(row.rooms[0]).flags |= dat::EnvCell::kSeenOutside;
+    const World world = test::loadTestWorld(row.source);
+    const auto set = [&](SpaceIndex s) { return world.lightSets[world.spaces[s].lightSet]; };
+    EXPECT_EQ(set(kOutside).sun, 1.0f);
+    EXPECT_GT(set(1).sky, 0.0f);
+    EXPECT_EQ(set(2).sky, 0.0f);
+    EXPECT_EQ(set(2).sun, 0.0f);
+    EXPECT_GT(set(2).ambient.x, 0.0f);
+}
+
+} // namespace
+} // namespace limen::world

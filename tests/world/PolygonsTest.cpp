@@ -1,0 +1,152 @@
+#include "support/LoadTestWorld.h"
+#include "world/PolygonSource.h"
+
+namespace limen::world {
+namespace {
+
+dat::VertexArray square() {
+    dat::VertexArray array;
+    const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    for (std::uint16_t i = 0; i < 4; ++i) {
+        dat::Vertex vertex;
+        vertex.position = corners[i];
+        vertex.normal = {0, 0, 1};
+        vertex.uvs = {Vec2f(0.25f), Vec2f(0.75f)};
+        array.vertices.emplace_back(i, vertex);
+    }
+    return array;
+}
+
+dat::Polygon quad() {
+    dat::Polygon polygon;
+    polygon.posSurface = 0;
+    polygon.vertexKeys = {0, 1, 2, 3};
+    polygon.posUv = {0, 1, 0, 9};
+    return polygon;
+}
+
+std::vector<SourcePolygon> read(const dat::Polygon& polygon, std::vector<Finding>& findings,
+                                std::set<std::uint16_t> portals = {}) {
+    return readPolygons(square(), {{7, polygon}}, 2, portals, 0x01000001, findings);
+}
+
+TEST(ReadPolygons, followsTheSidesRule) {
+    std::vector<Finding> findings;
+    dat::Polygon polygon = quad();
+    auto read1 = read(polygon, findings);
+    ASSERT_EQ(read1.size(), 1u);
+    EXPECT_EQ(read1[0].frontSlot, 0);
+    EXPECT_EQ(read1[0].backSlot, -1);
+    EXPECT_EQ(read1[0].corners[1].front, Vec2f(0.75f));
+    EXPECT_EQ(read1[0].corners[3].front, Vec2f(0.25f)) << "an index beyond the list counts as 0";
+    polygon.sides = 1;
+    EXPECT_EQ(read(polygon, findings)[0].backSlot, 0);
+    polygon.sides = 2;
+    polygon.negSurface = 1;
+    polygon.negUv = {1, 1, 1, 1};
+    const auto both = read(polygon, findings);
+    EXPECT_EQ(both[0].backSlot, 1);
+    EXPECT_EQ(both[0].corners[0].back, Vec2f(0.75f));
+    polygon.stippling = dat::kNoNegativeUv;
+    EXPECT_EQ(read(polygon, findings)[0].backSlot, -1);
+    EXPECT_TRUE(findings.empty());
+}
+
+TEST(ReadPolygons, leavesOutWhatIsNotDrawn) {
+    std::vector<Finding> findings;
+    dat::Polygon helper = quad();
+    helper.stippling = dat::kNoPositiveUv;
+    EXPECT_TRUE(read(helper, findings).empty());
+    dat::Polygon bare = quad();
+    bare.posSurface = -1;
+    EXPECT_TRUE(read(bare, findings).empty());
+    bare.posSurface = 2;
+    EXPECT_TRUE(read(bare, findings).empty()) << "no such surface";
+    const auto portal = read(quad(), findings, {7});
+    ASSERT_EQ(portal.size(), 1u);
+    EXPECT_FALSE(portal[0].isDrawn());
+    EXPECT_TRUE(findings.empty());
+}
+
+TEST(ReadPolygons, reportsDamage) {
+    std::vector<Finding> findings;
+    dat::Polygon polygon = quad();
+    polygon.vertexKeys[2] = 99;
+    EXPECT_TRUE(read(polygon, findings).empty());
+    EXPECT_EQ(findings.size(), 1u);
+    dat::VertexArray broken = square();
+    broken.vertices[0].second.position.x = std::nanf("");
+    EXPECT_TRUE(readPolygons(broken, {{7, quad()}}, 2, {}, 1, findings).empty());
+    EXPECT_EQ(findings.size(), 2u);
+}
+
+TEST(ReadPolygons, findsVerticesByKeyInAnyOrder) {
+    dat::VertexArray array = square();
+    std::reverse(array.vertices.begin(), array.vertices.end());
+    std::vector<Finding> findings;
+    const auto polygons = readPolygons(array, {{7, quad()}}, 2, {}, 1, findings);
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_EQ(polygons[0].corners[1].position, Vec3(1, 0, 0));
+}
+
+TEST(Meshes, drawTwoSidedPolygonsTwiceUnderOneNumber) {
+    test::TestWorld source;
+    source.setFlatTerrain(source.home(), 1);
+    const auto model = source.addModel({{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, "flag", true},
+                                        {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}}, "flag", false}});
+    source.addObject(model, test::frameAt({20, 20, 2}));
+    const World world = test::loadTestWorld(source);
+    const Instance& object = world.instances.back();
+    const Mesh& mesh = world.meshes[object.mesh];
+    EXPECT_EQ(mesh.polygonCount, 2u);
+    EXPECT_EQ(mesh.vertexCount, 11u);
+    EXPECT_EQ(mesh.ranges[0].indexCount, 15u);
+    for (std::uint32_t v = 0; v < 4; ++v) {
+        EXPECT_EQ(world.vertices[mesh.firstVertex + v + 4].normal,
+                  -world.vertices[mesh.firstVertex + v].normal);
+        EXPECT_EQ(world.vertices[mesh.firstVertex + v + 4].polygon, 0);
+    }
+    for (std::uint32_t i = 0; i < mesh.ranges[0].indexCount; i += 3) {
+        const MeshVertex* t[3];
+        for (std::uint32_t k = 0; k < 3; ++k)
+            t[k] = &world.vertices[mesh.firstVertex + world.indices[mesh.ranges[0].firstIndex + i + k]];
+        const Vec3f n = glm::cross(t[1]->position - t[0]->position, t[2]->position - t[0]->position);
+        EXPECT_GT(glm::dot(n, t[0]->normal), 0.0f);
+    }
+}
+
+TEST(Meshes, areSharedByContentAndPlacedBySetups) {
+    test::TestWorld source;
+    source.setFlatTerrain(source.home(), 1);
+    const auto box = source.addModel(test::boxExterior({-1, -1, -1}, {1, 1, 1}));
+    dat::Setup setup;
+    setup.flags = dat::Setup::kScales;
+    setup.parts = {box, box};
+    setup.scales = {Vec3f(1.0f), Vec3f(2.0f, 1.0f, 0.5f)};
+    dat::AnimationFrame rest, other;
+    rest.parts = {test::frameAt({0, 0, 1}), test::frameAt({0, 3, 1}, 90)};
+    other.parts = {test::frameAt({9, 9, 9}), test::frameAt({9, 9, 9})};
+    setup.placementFrames = {{0, other}, {0x65, rest}};
+    const auto model = source.addSetup(setup);
+    source.addObject(model, test::frameAt({50, 60, 2}, 90));
+    source.addObject(box, test::frameAt({80, 60, 2}));
+    const World world = test::loadTestWorld(source);
+    std::vector<const Instance*> parts;
+    for (const Instance& instance : world.instances) {
+        if (instance.kind == Kind::Static)
+            parts.push_back(&instance);
+    }
+    ASSERT_EQ(parts.size(), 3u);
+    EXPECT_EQ(parts[0]->mesh, parts[1]->mesh);
+    EXPECT_EQ(parts[0]->mesh, parts[2]->mesh);
+    EXPECT_EQ(parts[0]->object, parts[1]->object);
+    EXPECT_NE(parts[0]->object, parts[2]->object);
+    EXPECT_EQ(parts[0]->firstMaterial, parts[2]->firstMaterial);
+    EXPECT_NEAR(glm::length(parts[1]->origin - Vec3f(47, 60, 3)), 0.0f, 1e-4f) << "turned with the object";
+    // The part's x is scaled by 2, turned by 90 with itself and by 90 with the object.
+    EXPECT_NEAR(glm::length(parts[1]->linear[0] - Vec3f(-2, 0, 0)), 0.0f, 1e-4f);
+    EXPECT_NEAR(glm::length(parts[1]->linear[2] - Vec3f(0, 0, 0.5f)), 0.0f, 1e-4f);
+}
+
+} // namespace
+} // namespace limen::world

@@ -1,0 +1,128 @@
+#include "world/Sky.h"
+
+#include "support/LoadTestWorld.h"
+
+namespace limen::world {
+namespace {
+
+dat::SkyTimeOfDay keyframe(float begin, float bright, float heading, float pitch) {
+    dat::SkyTimeOfDay key;
+    key.begin = begin;
+    key.dirBright = bright;
+    key.dirHeading = heading;
+    key.dirPitch = pitch;
+    key.dirColour.argb = 0xFFFF0000;
+    key.ambBright = bright;
+    key.ambColour.argb = 0xFFFFFFFF;
+    key.minFog = 100.0f * bright;
+    key.maxFog = 1000.0f * bright;
+    return key;
+}
+
+Sky twoKeys() {
+    Sky sky;
+    dat::DayGroup group;
+    group.times = {keyframe(0.75f, 3.0f, 350.0f, 0.0f), keyframe(0.25f, 1.0f, 10.0f, 90.0f)}; // out of order
+    sky.desc.dayGroups = {group};
+    return sky;
+}
+
+TEST(SkyAt, interpolatesBetweenKeyframesInTheirOrder) {
+    const Sky sky = twoKeys();
+    EXPECT_FLOAT_EQ(skyAt(sky, 0, 0.25).sunColour.x, 1.0f);
+    EXPECT_FLOAT_EQ(skyAt(sky, 0, 0.5).sunColour.x, 2.0f);
+    EXPECT_FLOAT_EQ(skyAt(sky, 0, 0.5).ambient.y, 2.0f);
+    EXPECT_FLOAT_EQ(skyAt(sky, 0, 0.5).fogFar, 2000.0f);
+    EXPECT_FLOAT_EQ(skyAt(sky, 0, 0.5).sunColour.y, 0.0f);
+}
+
+TEST(SkyAt, goesRoundMidnight) {
+    const Sky sky = twoKeys();
+    EXPECT_NEAR(skyAt(sky, 0, 0.0).sunColour.x, 2.0f, 1e-6f);
+    EXPECT_NEAR(skyAt(sky, 0, 0.1).sunColour.x, 3.0f - 2.0f * 0.35f / 0.5f, 1e-5f);
+    EXPECT_NEAR(skyAt(sky, 0, 1.1).sunColour.x, skyAt(sky, 0, 0.1).sunColour.x, 1e-6f);
+}
+
+TEST(SkyAt, turnsTheSunTheShortWay) {
+    const SkyState noon = skyAt(twoKeys(), 0, 0.5); // heading between 10 and 350: 0; pitch 45
+    EXPECT_NEAR(noon.sunDirection.x, std::sqrt(0.5f), 1e-5f);
+    EXPECT_NEAR(noon.sunDirection.y, 0.0f, 1e-5f);
+    EXPECT_NEAR(noon.sunDirection.z, std::sqrt(0.5f), 1e-5f);
+}
+
+TEST(SkyAt, hasDefaultsWithoutASkyAndClampsTheGroup) {
+    EXPECT_FLOAT_EQ(skyAt(Sky{}, 3, 0.5).ambient.x, SkyState{}.ambient.x);
+    EXPECT_FLOAT_EQ(skyAt(twoKeys(), 99, 0.5).sunColour.x, 2.0f);
+    Sky one = twoKeys();
+    one.desc.dayGroups[0].times.resize(1);
+    EXPECT_FLOAT_EQ(skyAt(one, 0, 0.1).sunColour.x, 3.0f);
+    EXPECT_FLOAT_EQ(skyAt(one, 0, std::nan("")).sunColour.x, 3.0f);
+}
+
+TEST(SkyPlacements, showObjectsInTheirHoursAndMoveThemAlongTheirArc) {
+    Sky sky = twoKeys();
+    SkyPart sun;
+    sun.object.beginTime = 0.25f;
+    sun.object.endTime = 0.75f;
+    sun.object.beginAngle = 0.0f;
+    sun.object.endAngle = 180.0f;
+    sun.object.texVelocityX = 0.5f;
+    sky.parts = {sun};
+    std::vector<SkyPlacement> out;
+    skyPlacements(sky, 0, 0.5, 3.0, out);
+    ASSERT_EQ(out.size(), 1u);
+    const Vec3f up = out[0].rotation * Vec3f(1, 0, 0);
+    EXPECT_NEAR(up.z, 1.0f, 1e-5f) << "rises in the east (+x), stands overhead half way";
+    EXPECT_NEAR(out[0].uvOffset.x, 0.5f, 1e-5f);
+    skyPlacements(sky, 0, 0.25, 0.0, out);
+    EXPECT_NEAR((out[0].rotation * Vec3f(1, 0, 0)).x, 1.0f, 1e-5f);
+    skyPlacements(sky, 0, 0.8, 0.0, out);
+    EXPECT_TRUE(out.empty());
+}
+
+TEST(SkyPlacements, showThroughMidnightAndAlways) {
+    Sky sky = twoKeys();
+    SkyPart moon, dome;
+    moon.object.beginTime = 0.8f;
+    moon.object.endTime = 0.2f;
+    sky.parts = {dome, moon};
+    std::vector<SkyPlacement> out;
+    skyPlacements(sky, 0, 0.1, 0.0, out);
+    EXPECT_EQ(out.size(), 2u);
+    skyPlacements(sky, 0, 0.5, 0.0, out);
+    ASSERT_EQ(out.size(), 1u);
+    EXPECT_EQ(out[0].part, 0u);
+}
+
+TEST(SkyPlacements, fadeBetweenReplaces) {
+    Sky sky = twoKeys();
+    dat::SkyObjectReplace hidden, shown;
+    hidden.transparent = 100.0f; // percent
+    shown.transparent = 0.0f;
+    hidden.rotate = 350.0f;
+    shown.rotate = 10.0f;
+    sky.desc.dayGroups[0].times[0].replaces = {hidden};
+    sky.desc.dayGroups[0].times[1].replaces = {shown};
+    sky.parts = {SkyPart{}};
+    std::vector<SkyPlacement> out;
+    skyPlacements(sky, 0, 0.5, 0.0, out);
+    ASSERT_EQ(out.size(), 1u);
+    EXPECT_NEAR(out[0].transparent, 0.5f, 1e-5f);
+    EXPECT_NEAR((out[0].rotation * Vec3f(0, 1, 0)).y, 1.0f, 1e-5f) << "half way from 350 to 10 degrees";
+}
+
+TEST(Sky, loadsItsMeshesFromTheRegion) {
+    test::TestWorld source;
+    source.setFlatTerrain(source.home(), 1);
+    dat::SkyObject dome;
+    dome.object = source.addModel(test::boxWalls({-100, -100, -100}, {100, 100, 100}, "blue"));
+    source.region().sky.dayGroups[0].objects = {dome};
+    const World world = test::loadTestWorld(source);
+    ASSERT_EQ(world.sky.parts.size(), 1u);
+    EXPECT_EQ(world.meshes[world.sky.parts[0].mesh].vertexCount, 24u);
+    EXPECT_LT(world.sky.parts[0].firstMaterial, world.materialRefs.size());
+    EXPECT_GT(skyAt(world.sky, 0, 0.5).sunDirection.z, 0.5f);
+}
+
+} // namespace
+} // namespace limen::world
