@@ -119,7 +119,8 @@ void BlockBuilder::buildGround(const dat::LandBlock& record, const dat::LandBloc
                                BlockContent& block) {
     block.ground = groundOf(record, *region_);
     block.heightIndices.assign(record.heights.begin(), record.heights.end());
-    block.terrain = terrainMesh(*block.ground, [this](int x, int y) { return heightAt(x, y); });
+    block.terrain = terrainMesh(
+        *block.ground, [this](int x, int y) { return x < 0 || y < 0 ? std::nullopt : heightAt(x, y); });
     const std::vector<SceneryObject> scenery =
         growScenery(*block.ground, *region_, builtCells(info), records_);
     for (std::size_t i = 0; i < scenery.size(); ++i) {
@@ -134,22 +135,27 @@ void BlockBuilder::placeObjects(const dat::LandBlockInfo& info, BlockContent& bl
 }
 
 std::optional<float> BlockBuilder::heightAt(int globalX, int globalY) {
-    if (globalX < 0 || globalY < 0 || region_ == nullptr)
-        return std::nullopt;
-    // A vertex on a border is in both blocks; either will do. The last row of the map has no block beyond.
-    const dat::BlockCoord block{std::min(globalX / 8, 254), std::min(globalY / 8, 254)};
-    const int x = globalX - block.x * 8, y = globalY - block.y * 8;
-    if (x > 8 || y > 8)
-        return std::nullopt;
-    const auto [entry, fresh] = neighbours_.try_emplace(dat::landBlockId(block));
-    if (fresh) {
-        if (Result<dat::LandBlock> record = records_.archive().load<dat::LandBlock>(dat::landBlockId(block)))
+    // A vertex on a border is in up to four blocks, of which not all need exist.
+    for (int x = globalX / 8; x >= 0 && x * 8 + 8 >= globalX; --x) {
+        for (int y = globalY / 8; y >= 0 && y * 8 + 8 >= globalY; --y) {
+            const std::optional<dat::LandBlock>& land = neighbour({x, y});
+            if (!land)
+                continue;
+            const auto index = static_cast<std::size_t>((globalX - x * 8) * 9 + globalY - y * 8);
+            const float z = region_->landDefs.heights[land->heights[index]];
+            return std::isfinite(z) ? std::optional(z) : std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
+const std::optional<dat::LandBlock>& BlockBuilder::neighbour(dat::BlockCoord coord) {
+    const auto [entry, fresh] = neighbours_.try_emplace(dat::landBlockId(coord));
+    if (fresh && coord.x < 255 && coord.y < 255) {
+        if (Result<dat::LandBlock> record = records_.archive().load<dat::LandBlock>(dat::landBlockId(coord)))
             entry->second = *record;
     }
-    if (!entry->second)
-        return std::nullopt;
-    const float z = region_->landDefs.heights[entry->second->heights[static_cast<std::size_t>(x * 9 + y)]];
-    return std::isfinite(z) ? std::optional(z) : std::nullopt;
+    return entry->second;
 }
 
 } // namespace limen::world

@@ -20,7 +20,9 @@ private:
     void buildCells(const dat::LandBlockInfo& info, BlockContent& block);
     void buildGround(const dat::LandBlock& record, const dat::LandBlockInfo* info, BlockContent& block);
     void placeObjects(const dat::LandBlockInfo& info, BlockContent& block);
+    /// Of any vertex of the landscape that a block has; global indices, not negative.
     [[nodiscard]] std::optional<float> heightAt(int globalX, int globalY);
+    [[nodiscard]] const std::optional<dat::LandBlock>& neighbour(dat::BlockCoord coord);
 
     Records& records_;
     Models& models_;

@@ -2,7 +2,6 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace limen::world {
 namespace {
@@ -19,10 +18,10 @@ Result<std::string> readText(const std::filesystem::path& path) {
         return fail(ErrorCode::Unreadable, path.string(),
                     error ? "cannot be read" : "is too large for a world file");
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf()))
+    std::string text(static_cast<std::size_t>(size), '\0');
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
         return fail(ErrorCode::Unreadable, path.string(), "cannot be read");
-    return text.str();
+    return text;
 }
 
 /// Reads a finite number; absent is fine and leaves `out` alone.
