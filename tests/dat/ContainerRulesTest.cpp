@@ -285,6 +285,31 @@ TEST(ContainerRules, innerNodesNeedAllTheirBranches) {
     EXPECT_TRUE(File::fromBytes(bytes, "good.dat"));
 }
 
+TEST(ContainerRules, nodesMayBeScatteredOverTheFile) {
+    Bytes bytes = portalFile(200, 10);
+    // The second block of every node moves to the end of the file.
+    const std::size_t root = wordAt(bytes, kRootAt);
+    std::vector<std::size_t> nodes{root};
+    for (std::size_t i = 0; i <= wordAt(bytes, root + kNodeCountAt); ++i)
+        nodes.push_back(wordAt(bytes, root + 4 + i * 4));
+    for (const std::size_t node : nodes) {
+        const auto moved = static_cast<std::uint32_t>(bytes.size());
+        bytes.resize(bytes.size() + 1024);
+        std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(node + 1024), 1024, bytes.begin() + moved);
+        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(node + 1024), 1024, std::byte{0xEE});
+        putWord(bytes, node, moved);
+    }
+    const auto file = File::fromBytes(bytes, "scattered.dat");
+    ASSERT_TRUE(file) << file.error().message();
+    for (int round = 0; round < 2; ++round) {
+        for (RecordId id = 1; id <= 200; ++id) {
+            const auto found = file->find(id);
+            ASSERT_TRUE(found && *found) << id;
+            EXPECT_EQ((*found)->id, id);
+        }
+    }
+}
+
 TEST(ContainerRules, anInnerNodeWithoutEntriesIsRefused) {
     Bytes bytes = portalFile(200, 10);
     putWord(bytes, wordAt(bytes, kRootAt) + kNodeCountAt, 0);
