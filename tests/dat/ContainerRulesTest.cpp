@@ -164,13 +164,34 @@ TEST(ContainerRules, anotherLengthThanTheHeadersIsAWarning) {
     EXPECT_THAT(file->warnings()[0], HasSubstr("header says 74565 bytes"));
 }
 
-TEST(ContainerRules, truncatedFilesFailWhereTheBytesAreMissing) {
+TEST(ContainerRules, truncatedFilesAreCalledSo) {
     const Bytes whole = portalFile(30, 5000);
     for (std::size_t length = 0; length < whole.size(); length += 512) {
         const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
         const Error error = openError(cut); // the root comes last, so it is always missing
         EXPECT_THAT(error.where, HasSubstr("bad.dat"));
+        if (length >= 0x800) {
+            EXPECT_THAT(error.what, HasSubstr("(the file is cut short: " + std::to_string(length) + " of "));
+        }
     }
+}
+
+TEST(ContainerRules, recordsBeyondTheEndOfATruncatedFileAreRefused) {
+    // The last record's blocks are moved behind everything else and cut off in the middle.
+    Bytes bytes = portalFile(3, 5000);
+    const std::size_t entry = entryAt(bytes, 3);
+    const auto end = static_cast<std::uint32_t>(bytes.size());
+    bytes.resize(end + 2 * 1024);
+    putWord(bytes, entry + 8, end);
+    putWord(bytes, end, end + 1024);
+    putWord(bytes, end + 1024, end + 2048);
+    putWord(bytes, kFileSizeAt, end + 5 * 1024);
+    const Error error = readError(bytes, 3);
+    EXPECT_THAT(error.what, HasSubstr("not the offset of a block"));
+    EXPECT_THAT(error.what, HasSubstr("cut short"));
+    const auto file = File::fromBytes(bytes, "bad.dat");
+    Bytes scratch;
+    EXPECT_TRUE(file->read(1, scratch)) << "what is there stays readable";
 }
 
 TEST(ContainerRules, rootsOutOfRangeAreRefused) {
