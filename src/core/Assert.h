@@ -2,7 +2,6 @@
 
 namespace limen {
 
-
 /// Reports a broken contract of ours on standard error and aborts.
 [[noreturn]] void assertionFailed(const char* expression, const char* message, const char* file, int line);
 

@@ -4,12 +4,12 @@
 
 namespace limen::dat {
 
-/// The files of one world: `client_portal.dat` and `client_cell_1.dat`, and when present `client_highres.dat` and
-/// `client_local_English.dat`. Safe to read from several threads.
+/// The files of one world: `client_portal.dat` and `client_cell_1.dat`, and when present `client_highres.dat`
+/// and `client_local_English.dat`. Safe to read from several threads.
 class Archive {
 public:
-    /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that has another
-    /// role than its name says.
+    /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that
+    /// has another role than its name says.
     [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
 
     [[nodiscard]] const File& portal() const { return portal_; }
@@ -18,15 +18,24 @@ public:
     [[nodiscard]] const File* local() const { return local_ ? &*local_ : nullptr; }
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
-    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its type.
+    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its
+    /// type. Errors: an id that is not one of this type, no such record, a damaged one; each names file and
+    /// id.
     template <class Record>
     [[nodiscard]] Result<Record> load(RecordId id) const;
-    /// True if the file that holds records of this type has `id`.
+    /// True if the file that holds records of this type has `id`; false also where its index is damaged.
     template <class Record>
     [[nodiscard]] bool contains(RecordId id) const;
+    /// The image to show for a SurfaceTexture: the first of its list, largest first, that portal or highres
+    /// holds.
+    [[nodiscard]] Result<RecordId> imageOf(const SurfaceTexture& texture) const;
 
 private:
-    Archive(std::filesystem::path directory, File portal, File cell) : directory_(std::move(directory)), portal_(std::move(portal)), cell_(std::move(cell)) {}
+    Archive(std::filesystem::path directory, File portal, File cell)
+        : directory_(std::move(directory)), portal_(std::move(portal)), cell_(std::move(cell)) {}
+
+    [[nodiscard]] const File* holderOf(RecordKind kind, RecordId id) const;
+
     std::filesystem::path directory_;
     File portal_;
     File cell_;

@@ -10,16 +10,16 @@
 #include <cstddef>
 #include <span>
 
-// Bytes to typed records and back. `decode` accepts what the format pages allow, checks every count against the bytes
-// that are left before it allocates, and requires that the record ends exactly where its bytes do. For every byte
-// string that decodes, encode(decode(bytes)) == bytes.
+// Bytes to typed records and back. `decode` accepts what the format pages allow, checks every count against
+// the bytes that are left before it allocates, and requires that the record ends exactly where its bytes do.
+// For every byte string that decodes, encode(decode(bytes)) == bytes.
 namespace limen::dat {
 
 using Bytes = std::vector<std::byte>;
 using ByteView = std::span<const std::byte>;
 
-/// Decodes the payload of record `id`. Defined for the twelve record types of `records/`. Errors name the id, the
-/// offset in the payload and what was expected there.
+/// Decodes the payload of record `id`. Defined for the twelve record types of `records/`. Errors name the id,
+/// the offset in the payload and what was expected there.
 template <class Record>
 [[nodiscard]] Result<Record> decode(RecordId id, ByteView payload);
 
@@ -27,30 +27,54 @@ template <class Record>
 template <class Record>
 [[nodiscard]] Bytes encode(const Record& record);
 
-template <> Result<Palette> decode<Palette>(RecordId, ByteView);
-template <> Result<SurfaceTexture> decode<SurfaceTexture>(RecordId, ByteView);
-template <> Result<RenderSurface> decode<RenderSurface>(RecordId, ByteView);
-template <> Result<Surface> decode<Surface>(RecordId, ByteView);
-template <> Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
-template <> Result<Setup> decode<Setup>(RecordId, ByteView);
-template <> Result<Environment> decode<Environment>(RecordId, ByteView);
-template <> Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
-template <> Result<LandBlock> decode<LandBlock>(RecordId, ByteView);
-template <> Result<LandBlockInfo> decode<LandBlockInfo>(RecordId, ByteView);
-template <> Result<Region> decode<Region>(RecordId, ByteView);
-template <> Result<Scene> decode<Scene>(RecordId, ByteView);
+template <>
+Result<Palette> decode<Palette>(RecordId, ByteView);
+template <>
+Result<SurfaceTexture> decode<SurfaceTexture>(RecordId, ByteView);
+template <>
+Result<RenderSurface> decode<RenderSurface>(RecordId, ByteView);
+template <>
+Result<Surface> decode<Surface>(RecordId, ByteView);
+template <>
+Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
+template <>
+Result<Setup> decode<Setup>(RecordId, ByteView);
+template <>
+Result<Environment> decode<Environment>(RecordId, ByteView);
+template <>
+Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
+template <>
+Result<LandBlock> decode<LandBlock>(RecordId, ByteView);
+template <>
+Result<LandBlockInfo> decode<LandBlockInfo>(RecordId, ByteView);
+template <>
+Result<Region> decode<Region>(RecordId, ByteView);
+template <>
+Result<Scene> decode<Scene>(RecordId, ByteView);
 
-template <> Bytes encode<Palette>(const Palette&);
-template <> Bytes encode<SurfaceTexture>(const SurfaceTexture&);
-template <> Bytes encode<RenderSurface>(const RenderSurface&);
-template <> Bytes encode<Surface>(const Surface&);
-template <> Bytes encode<GfxObj>(const GfxObj&);
-template <> Bytes encode<Setup>(const Setup&);
-template <> Bytes encode<Environment>(const Environment&);
-template <> Bytes encode<EnvCell>(const EnvCell&);
-template <> Bytes encode<LandBlock>(const LandBlock&);
-template <> Bytes encode<LandBlockInfo>(const LandBlockInfo&);
-template <> Bytes encode<Region>(const Region&);
-template <> Bytes encode<Scene>(const Scene&);
+template <>
+Bytes encode<Palette>(const Palette&);
+template <>
+Bytes encode<SurfaceTexture>(const SurfaceTexture&);
+template <>
+Bytes encode<RenderSurface>(const RenderSurface&);
+template <>
+Bytes encode<Surface>(const Surface&);
+template <>
+Bytes encode<GfxObj>(const GfxObj&);
+template <>
+Bytes encode<Setup>(const Setup&);
+template <>
+Bytes encode<Environment>(const Environment&);
+template <>
+Bytes encode<EnvCell>(const EnvCell&);
+template <>
+Bytes encode<LandBlock>(const LandBlock&);
+template <>
+Bytes encode<LandBlockInfo>(const LandBlockInfo&);
+template <>
+Bytes encode<Region>(const Region&);
+template <>
+Bytes encode<Scene>(const Scene&);
 
 } // namespace limen::dat

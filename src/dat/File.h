@@ -24,15 +24,17 @@ struct Entry {
     std::int32_t iteration = 0;
 };
 
-/// A dat file opened for reading: memory-mapped, nothing is read before it is asked for. All const members may be
-/// called from several threads at once. Every rule of formats/container.md §9 is checked where the bytes are met, so a
-/// damaged node or chain gives an Error when it is touched, never a crash, a loop or a large allocation.
+/// A dat file opened for reading: memory-mapped, nothing is read before it is asked for. All const members
+/// may be called from several threads at once. Every rule of formats/container.md §9 is checked where the
+/// bytes are met, so a damaged node or chain gives an Error when it is touched, never a crash, a loop or a
+/// large allocation.
 class File {
 public:
-    /// Opens and checks the header and the root node. A pre-end-of-retail file (other magic, other header layout) is
-    /// recognised and refused as Unsupported, with a sentence that says so.
+    /// Opens and checks the header and the root node. A pre-end-of-retail file (other magic, other header
+    /// layout) is recognised and refused as Unsupported, with a sentence that says so.
     [[nodiscard]] static Result<File> open(const std::filesystem::path& path);
-    /// The same over bytes already in memory (copied); `name` stands for the path in messages. For tests and fuzzing.
+    /// The same over bytes already in memory (copied); `name` stands for the path in messages. For tests and
+    /// fuzzing.
     [[nodiscard]] static Result<File> fromBytes(ByteView bytes, std::string name);
 
     File(File&&) noexcept;
@@ -44,15 +46,19 @@ public:
     /// The role follows from header type and subset, not from the name.
     [[nodiscard]] FileRole role() const;
 
-    /// The entry of `id`, or no value if the file does not hold it. Cost: a walk down the tree; <= 1 µs when warm.
+    /// The entry of `id`, or no value if the file does not hold it. Cost: a walk down the tree; <= 1 µs when
+    /// warm.
     [[nodiscard]] Result<std::optional<Entry>> find(RecordId id) const;
-    /// A record's payload: chain followed, decompressed. NotFound if absent. `scratch` holds the bytes when the record
-    /// spans blocks or is compressed; the view is into it or into the mapping and lives as long as both.
+    /// A record's payload: chain followed, decompressed. NotFound if absent. `scratch` holds the bytes when
+    /// the record spans blocks or is compressed; the view is into it or into the mapping and lives as long as
+    /// both.
     [[nodiscard]] Result<ByteView> read(const Entry& entry, Bytes& scratch) const;
     [[nodiscard]] Result<ByteView> read(RecordId id, Bytes& scratch) const;
-    /// Calls `visit` for every entry in ascending order of id until it returns false. Checks the whole tree as it goes.
-    [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit) const;
-    /// Warnings that do not stop reading (fileSize differs from the real length, leaves at unequal depth, ...).
+    /// Calls `visit` for every entry in ascending order of id until it returns false. Checks the whole tree
+    /// as it goes; what does not stop reading (leaves at unequal depths) is added to `warnings` when given.
+    [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
+                                       std::vector<std::string>* warnings = nullptr) const;
+    /// What was odd at opening but does not stop reading: a fileSize that differs from the real length.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
 
 private:

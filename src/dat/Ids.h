@@ -4,8 +4,8 @@
 
 namespace limen::dat {
 
-/// A record's key in a dat's B-tree. The high byte (portal files) or the low word (cell files) tells the type:
-/// see formats/ids.md.
+/// A record's key in a dat's B-tree. The high byte (portal files) or the low word (cell files) tells the
+/// type: see formats/ids.md.
 using RecordId = std::uint32_t;
 
 inline constexpr RecordId kIterationId = 0xFFFF0001u;
@@ -48,8 +48,12 @@ struct BlockCoord {
 [[nodiscard]] constexpr BlockCoord blockOf(RecordId cellFileId) {
     return {static_cast<int>(cellFileId >> 24), static_cast<int>((cellFileId >> 16) & 0xFF)};
 }
-[[nodiscard]] constexpr RecordId landBlockId(BlockCoord b) { return blockWord(b) | 0xFFFFu; }
-[[nodiscard]] constexpr RecordId landBlockInfoId(BlockCoord b) { return blockWord(b) | 0xFFFEu; }
+[[nodiscard]] constexpr RecordId landBlockId(BlockCoord b) {
+    return blockWord(b) | 0xFFFFu;
+}
+[[nodiscard]] constexpr RecordId landBlockInfoId(BlockCoord b) {
+    return blockWord(b) | 0xFFFEu;
+}
 
 /// Low words of cell ids.
 inline constexpr std::uint16_t kFirstCell = 0x0100;

@@ -20,8 +20,8 @@ struct FileTraits {
     [[nodiscard]] static FileTraits local();
 };
 
-/// Collects records and writes a complete dat file (formats/container.md §8). The bytes depend on the records only:
-/// dates and iterations are fixed unless given.
+/// Collects records and writes a complete dat file (formats/container.md §8). The bytes depend on the records
+/// only: dates and iterations are fixed unless given.
 class Writer {
 public:
     explicit Writer(FileTraits traits) : traits_(traits) {}
@@ -29,7 +29,9 @@ public:
     /// Adds or replaces a record. `compressed` stores it as a zlib stream with flag bit 0.
     void add(RecordId id, Bytes payload, bool compressed = false);
     template <class Record>
-    void add(const Record& record) { add(record.id, encode(record)); }
+    void add(const Record& record) {
+        add(record.id, encode(record));
+    }
     void add(RecordId id, const Surface& surface) { add(id, encode(surface)); }
 
     /// The whole file. The iteration record is added if it is missing.

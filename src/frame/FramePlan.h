@@ -5,10 +5,11 @@
 #include <array>
 #include <vector>
 
-// What a frame draws, as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null device).
+// What a frame draws, as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null
+// device).
 namespace limen::frame {
 
-/// The stages of every frame, whatever the root (architecture.md, "Frame plan").
+/// The stages of every frame, whatever the root (docs/architecture.md).
 enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Late, Overlay };
 inline constexpr std::size_t kStageCount = 5;
 [[nodiscard]] constexpr const char* nameOf(StageKind kind) {
@@ -42,13 +43,16 @@ struct Stage {
 /// What the planner saw and decided; goes to frame.json and the panel.
 struct PlanCounts {
     std::uint32_t visits = 0, cellsSeen = 0, ownershipTriangles = 0;
-    std::uint32_t instancesTested = 0, instancesCulled = 0, instancesDrawn = 0, drawsUngated = 0, triangles = 0;
+    std::uint32_t instancesTested = 0, instancesCulled = 0, instancesDrawn = 0, drawsUngated = 0,
+                  triangles = 0;
 };
 
-/// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates nothing.
+/// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates
+/// nothing.
 struct FramePlan {
     gpu::FrameConstants constants;
-    std::vector<gpu::vec4> blocks; ///< offset of each block from the eye's block, metres: whole multiples of 192
+    std::vector<gpu::vec4>
+        blocks; ///< offset of each block from the eye's block, metres: whole multiples of 192
     std::vector<gpu::Visit> visits;
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;

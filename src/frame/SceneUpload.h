@@ -14,8 +14,8 @@ struct TextureUpload {
     bool clamp = false; ///< sampled with clamp-to-edge, else repeat
 };
 
-/// Everything static, in the GPU's own layout, written once when it becomes resident. `textures` are views into the
-/// world that it was made from and must not outlive it; the rest is owned.
+/// Everything static, in the GPU's own layout, written once when it becomes resident. `textures` are views
+/// into the world that it was made from and must not outlive it; the rest is owned.
 struct SceneUpload {
     std::vector<gpu::Vertex> vertices;
     std::vector<std::uint32_t> indices;

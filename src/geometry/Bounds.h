@@ -32,8 +32,8 @@ struct Aabb {
     }
 };
 
-/// A ball that contains all points: the centre of their box and the farthest point from it (at most 1.74 times the
-/// smallest radius). Empty for no points.
+/// A ball that contains all points: the centre of their box and the farthest point from it (at most 1.74
+/// times the smallest radius). Empty for no points.
 [[nodiscard]] Sphere boundingSphere(std::span<const Vec3> points);
 
 } // namespace limen

@@ -29,7 +29,8 @@ Plane planeOf(std::span<const Vec3> polygon) {
     return {n, -(glm::dot(n, polygon[0]) + offset / static_cast<double>(polygon.size()))};
 }
 
-void clipPolygon(std::span<const Vec3> polygon, const Plane& plane, double tolerance, std::vector<Vec3>& out) {
+void clipPolygon(std::span<const Vec3> polygon, const Plane& plane, double tolerance,
+                 std::vector<Vec3>& out) {
     out.clear();
     if (polygon.empty()) {
         return;
@@ -54,7 +55,8 @@ void clipPolygon(std::span<const Vec3> polygon, const Plane& plane, double toler
     }
 }
 
-bool containsProjection(std::span<const Vec3> polygon, const Vec3& normal, const Vec3& point, double tolerance) {
+bool containsProjection(std::span<const Vec3> polygon, const Vec3& normal, const Vec3& point,
+                        double tolerance) {
     for (size_t i = 0; i < polygon.size(); ++i) {
         const Vec3& a = polygon[i];
         const Vec3 edge = polygon[(i + 1) % polygon.size()] - a;

@@ -8,10 +8,11 @@
 
 namespace limen::visibility {
 
-/// An eye this near to a portal's plane, in metres, is in it (semantics.md, "Tolerances").
+/// An eye this near to a portal's plane, in metres, is in it (docs/ray-rule.md, "Tolerances").
 inline constexpr double kInPlane = 0.0002;
 
-/// Memory that a flood works in; give each thread its own and reuse it, so that a steady frame allocates nothing.
+/// Memory that a flood works in; give each thread its own and reuse it, so that a steady frame allocates
+/// nothing.
 class FloodScratch {
 public:
     FloodScratch();
@@ -26,11 +27,11 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-/// Follows every ray of the view through the graph's portals and yields the tree of visits (architecture.md,
-/// "Visibility"). A pure function: the same input gives the same bits. `closed[p] != 0` shuts portal p; an empty span
-/// means all are open. `out` is overwritten.
-/// Requires view.root < spaces, finite eye. Cost: portals tested times a convex clip.
-/// Ref: the flood after Jones 1971 and Luebke, Georges 1995; the visit tree is design/architecture.md.
+/// Follows every ray of the view through the graph's portals and yields the tree of visits (docs/ray-rule.md,
+/// "Why one pass..."). A pure function: the same input gives the same bits. `closed[p] != 0` shuts portal p; an
+/// empty span means all are open. `out` is overwritten. Requires view.root < spaces, finite eye. Cost:
+/// portals tested times a convex clip. Ref: portal floods after Luebke, Georges, "Portals and Mirrors"
+/// (1995); the tree of visits: docs/ray-rule.md.
 void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view, const Limits& limits,
            FloodScratch& scratch, VisibleSet& out);
 

@@ -13,9 +13,9 @@ namespace limen::visibility {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A space as the caller describes it: a run of portals, and the zone it belongs to. Spaces of one zone are connected,
-/// closed and pairwise disjoint, so that inside it depth alone decides what is in front; a caller that cannot promise
-/// that gives every space a zone of its own.
+/// A space as the caller describes it: a run of portals, and the zone it belongs to. Spaces of one zone are
+/// connected, closed and pairwise disjoint, so that inside it depth alone decides what is in front; a caller
+/// that cannot promise that gives every space a zone of its own.
 struct SpaceDesc {
     std::uint32_t firstPortal = 0, portalCount = 0;
     std::uint32_t zone = 0;
@@ -25,22 +25,24 @@ struct SpaceDesc {
 struct PortalDesc {
     std::uint32_t space = 0;
     std::uint32_t destination = kNone; ///< kNone: leads nowhere
-    std::uint32_t reciprocal = kNone;  ///< the portal that leads back through the same opening; kNone: one-way
+    std::uint32_t reciprocal = kNone; ///< the portal that leads back through the same opening; kNone: one-way
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< convex, counter-clockwise seen from inside `space`
     bool exact = true; ///< false: the reciprocal's polygon differs, and the opening is what both leave open
 };
 
-/// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and, for spaces
-/// with many portals, a tree of bounds. Immutable; may be shared by threads.
+/// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
+/// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
 class Graph {
 public:
-    /// Checks every index and copies. `vertices` are metres in any one frame. A portal without area, or with fewer than
-    /// three vertices, is kept but never admitted. Errors: an index out of range, a portal listed under a space that is
-    /// not its own, a vertex that is not finite.
-    [[nodiscard]] static Result<Graph> build(std::span<const SpaceDesc> spaces, std::span<const PortalDesc> portals,
+    /// Checks every index and copies. `vertices` are metres in any one frame. A portal without area, or with
+    /// fewer than three vertices, is kept but never admitted. Errors: an index out of range, a portal listed
+    /// under a space that is not its own, a vertex that is not finite.
+    [[nodiscard]] static Result<Graph> build(std::span<const SpaceDesc> spaces,
+                                             std::span<const PortalDesc> portals,
                                              std::span<const Vec3> vertices);
 
-    /// A node of a space's tree of portal bounds; leaves hold one portal. Children are neighbours: first, first + 1.
+    /// A node of a space's tree of portal bounds; leaves hold one portal. Children are neighbours: first,
+    /// first + 1.
     struct BoundsNode {
         Aabb box;
         std::uint32_t child = kNone;  ///< kNone: a leaf

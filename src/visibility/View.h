@@ -6,21 +6,23 @@
 
 namespace limen::visibility {
 
-/// An eye and its perspective. Screen space of this room is homogeneous (x, y, w): right and up scaled so that the
-/// screen is |x| <= w, |y| <= w, and w the distance forward in metres. There is no near plane.
+/// An eye and its perspective. Screen space of this room is homogeneous (x, y, w): right and up scaled so
+/// that the screen is |x| <= w, |y| <= w, and w the distance forward in metres. There is no near plane.
 struct View {
-    Vec3 eye{0.0};                         ///< in the graph's frame
+    Vec3 eye{0.0};                                      ///< in the graph's frame
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< orthonormal
-    double tanHalfX = 1.0, tanHalfY = 1.0; ///< tangents of half the field of view, > 0
-    std::uint32_t root = 0;                ///< the space the eye is in
+    double tanHalfX = 1.0, tanHalfY = 1.0;              ///< tangents of half the field of view, > 0
+    std::uint32_t root = 0;                             ///< the space the eye is in
 
-    /// Rows that take an eye-relative point to (x, y, w); the columns of its transpose are the planes' normals.
+    /// Rows that take an eye-relative point to (x, y, w); the columns of its transpose are the planes'
+    /// normals.
     [[nodiscard]] Mat3 screenFromEye() const;
 };
 
 /// Bounds that the caller sets on one flood.
 struct Limits {
-    std::uint32_t maxVisits = 4096; ///< when more would be needed, those with the smallest regions are left out
+    std::uint32_t maxVisits =
+        4096; ///< when more would be needed, those with the smallest regions are left out
 };
 
 } // namespace limen::visibility

@@ -14,22 +14,28 @@ namespace limen::visibility {
 /// One visit of the eye's rays to a zone: where on the screen, from which plane on, and through what.
 struct Visit {
     std::uint32_t zone = 0;
-    std::uint32_t space = 0;                 ///< the space entered (the root space for the root)
+    std::uint32_t space = 0; ///< the space entered (the root space for the root)
     std::uint32_t parent = std::numeric_limits<std::uint32_t>::max(); ///< index into visits; max for the root
-    std::uint32_t portal = std::numeric_limits<std::uint32_t>::max(); ///< the portal come through; max for the root
-    Plane entryPlane{Vec3(0.0), 1.0};        ///< eye-relative; beyond = positive. The root's has everything beyond it
+    std::uint32_t portal =
+        std::numeric_limits<std::uint32_t>::max(); ///< the portal come through; max for the root
+    Plane entryPlane{Vec3(0.0),
+                     1.0}; ///< eye-relative; beyond = positive. The root's has everything beyond it
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< its region: a run of VisibleSet::regionVertices
-    std::uint32_t depth = 0;                 ///< 0 for the root
-    bool inPlane = false; ///< the eye lies in the portal's plane: the region is half of the parent's
+    std::uint32_t depth = 0;                        ///< 0 for the root
+    bool inPlane = false; ///< the eye lies in the portal's plane and the region is half of the parent's; true
+                          ///< for the root
+    bool split =
+        false; ///< its region is one part of the opening, cut to break a circle of overlapping siblings
 };
 
 /// A screen-aligned rectangle in NDC.
 struct Rect {
-    double minX = 1.0, minY = 1.0, maxX = -1.0, maxY = -1.0;
+    double minX = 1e300, minY = 1e300, maxX = -1e300, maxY = -1e300; ///< empty until it includes a point
     [[nodiscard]] bool empty() const { return minX > maxX || minY > maxY; }
 };
 
-/// A space that may be seen in a visit, and no farther out than in `rect`. A hint for culling: may be too large.
+/// A space that may be seen in a visit, and no farther out than in `rect`. A hint for culling: may be too
+/// large.
 struct SeenSpace {
     std::uint32_t space = 0;
     std::uint32_t visit = 0;
@@ -39,14 +45,15 @@ struct SeenSpace {
 /// Work done and limits met.
 struct FloodCounts {
     std::uint32_t portalsTested = 0, portalsAdmitted = 0, spaceVisits = 0, revisits = 0;
-    std::uint32_t visitsCut = 0;  ///< left out because Limits::maxVisits was reached
+    std::uint32_t visitsCut = 0;   ///< left out because Limits::maxVisits was reached
     std::uint32_t cyclesSplit = 0; ///< siblings that overlapped in a circle and were split
 };
 
-/// What one flood yields; see architecture.md, "The idea: every pixel has an owner". Reuse it: `clear` keeps capacity.
+/// What one flood yields; see docs/ray-rule.md. Reuse it: `clear` keeps
+/// capacity.
 struct VisibleSet {
-    /// Depth-first, the root first, parents before children, far siblings (with all their subtree) before near ones:
-    /// painting the regions in this order leaves every pixel with its leaf visit.
+    /// Depth-first, the root first, parents before children, far siblings (with all their subtree) before
+    /// near ones: painting the regions in this order leaves every pixel with its leaf visit.
     std::vector<Visit> visits;
     /// Regions: convex polygons, counter-clockwise, homogeneous (x, y, w) as in View, w >= 0.
     std::vector<Vec3> regionVertices;

@@ -42,6 +42,7 @@ struct BuildingPortal {
     std::uint16_t otherCellId = 0;
     std::uint16_t otherPortalId = 0;
     std::vector<std::uint16_t> stabs;
+    std::array<std::uint8_t, 2> padding{}; ///< up to a multiple of four; zero in files of ours
 };
 
 struct Building {
@@ -58,7 +59,8 @@ struct LandBlockInfo {
     std::vector<Building> buildings;
     std::uint16_t hasRestrictions = 0;
     std::uint16_t restrictionBuckets = 8;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> restrictions; ///< (cell, object); stored iff hasRestrictions
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>
+        restrictions; ///< (cell, object); stored iff hasRestrictions
 };
 
 } // namespace limen::dat

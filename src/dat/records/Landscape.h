@@ -117,7 +117,8 @@ struct TexMerge {
 };
 
 struct RegionMisc {
-    std::uint32_t version = 0, gameMap = 0, autotestMap = 0, autotestMapSize = 0, clearCell = 0, clearMonster = 0;
+    std::uint32_t version = 0, gameMap = 0, autotestMap = 0, autotestMapSize = 0, clearCell = 0,
+                  clearMonster = 0;
 };
 
 struct Region {
@@ -127,9 +128,9 @@ struct Region {
     LandDefs landDefs;
     GameTime gameTime;
     std::uint32_t partsMask = 0;
-    SkyDesc sky;                              ///< partsMask & kSky
-    std::vector<AmbientSoundTable> sounds;    ///< partsMask & kSound
-    std::vector<SceneType> sceneTypes;        ///< partsMask & kScene
+    SkyDesc sky;                           ///< partsMask & kSky
+    std::vector<AmbientSoundTable> sounds; ///< partsMask & kSound
+    std::vector<SceneType> sceneTypes;     ///< partsMask & kScene
     std::vector<TerrainType> terrainTypes;
     std::uint32_t landSurfType = 0;
     TexMerge texMerge;
@@ -140,7 +141,8 @@ struct Region {
 struct SceneObject {
     std::uint32_t object = 0;
     Frame baseLoc;
-    float frequency = 0.0f, displaceX = 0.0f, displaceY = 0.0f, minScale = 1.0f, maxScale = 1.0f, maxRotation = 0.0f;
+    float frequency = 0.0f, displaceX = 0.0f, displaceY = 0.0f, minScale = 1.0f, maxScale = 1.0f,
+          maxRotation = 0.0f;
     float minSlope = 0.0f, maxSlope = 1.0f;
     std::int32_t align = 0, orient = 0;
     std::uint32_t weenieObj = 0;

@@ -1,22 +1,25 @@
 #pragma once
 
+#include "core/SmallVec.h"
 #include "dat/records/Primitives.h"
 
 #include <optional>
 
-// Vertices, polygons and BSP trees (formats/geometry.md).
+// Vertices, polygons and BSP trees (formats/geometry.md). Their short lists are SmallVecs: most stay inside
+// the element, so that a mesh decodes with a handful of allocations.
 namespace limen::dat {
 
 /// One vertex; `uvs` are indexed by the polygons that use it.
 struct Vertex {
     Vec3f position{0.0f};
     Vec3f normal{0.0f};
-    std::vector<Vec2f> uvs;
+    SmallVec<Vec2f, 2> uvs;
 };
 
 struct VertexArray {
     std::int32_t type = 1;
-    std::vector<std::pair<std::uint16_t, Vertex>> vertices; ///< (key, vertex) in file order; keys are normally 0..n-1
+    std::vector<std::pair<std::uint16_t, Vertex>>
+        vertices; ///< (key, vertex) in file order; keys are normally 0..n-1
 };
 
 /// `Polygon::sides`.
@@ -29,12 +32,12 @@ inline constexpr std::uint8_t kNoNegativeUv = 8;
 /// A convex polygon, counter-clockwise seen from its positive side.
 struct Polygon {
     std::uint8_t stippling = 0;
-    std::int32_t sides = 0; ///< a Sides value; kept raw, since files may hold others
+    std::int32_t sides = 0;       ///< a Sides value; kept raw, since files may hold others
     std::int16_t posSurface = -1; ///< index into the owner's surface list, -1 none
     std::int16_t negSurface = -1;
-    std::vector<std::uint16_t> vertexKeys; ///< 3..255
-    std::vector<std::uint8_t> posUv; ///< per vertex, index into its uvs; empty when stippling & kNoPositiveUv
-    std::vector<std::uint8_t> negUv; ///< present iff sides == Both and !(stippling & kNoNegativeUv)
+    SmallVec<std::uint16_t, 8> vertexKeys; ///< 3..255
+    SmallVec<std::uint8_t, 8> posUv; ///< per vertex, index into its uvs; empty when stippling & kNoPositiveUv
+    SmallVec<std::uint8_t, 8> negUv; ///< present iff sides == Both and !(stippling & kNoNegativeUv)
 };
 
 using PolygonList = std::vector<std::pair<std::uint16_t, Polygon>>; ///< (id, polygon) in file order
@@ -71,8 +74,8 @@ struct BspNode {
     SphereF sphere;
     std::int32_t positive = -1; ///< index into BspTree::nodes, -1 none
     std::int32_t negative = -1;
-    std::vector<std::uint16_t> polygonIds;
-    std::vector<PortalRef> portals;
+    SmallVec<std::uint16_t, 8> polygonIds;
+    SmallVec<PortalRef, 2> portals;
 };
 
 /// A BSP tree as an array in file order; node 0 is the root. Empty means no tree.

@@ -2,6 +2,8 @@
 
 #include "dat/records/Mesh.h"
 
+#include <array>
+
 // GfxObj (0x01), Setup (0x02), Environment (0x0D): formats/geometry.md.
 namespace limen::dat {
 
@@ -14,12 +16,13 @@ struct GfxObj {
     PolygonList physicsPolygons; ///< flags & kPhysics
     BspTree physicsBsp;          ///< flags & kPhysics
     Vec3f sortCenter{0.0f};
-    PolygonList polygons; ///< flags & kDrawing
-    BspTree drawingBsp;   ///< flags & kDrawing; its PORT nodes name the portal polygons
+    PolygonList polygons;        ///< flags & kDrawing
+    BspTree drawingBsp;          ///< flags & kDrawing; its PORT nodes name the portal polygons
     std::uint32_t degradeId = 0; ///< flags & kHasDegrade
 };
 
-/// An animation hook; the payload is kept as bytes, its length follows from the type (formats/effects_anim.md).
+/// An animation hook; the payload is kept as bytes, its length follows from the type
+/// (formats/effects_anim.md).
 struct AnimationHook {
     std::uint32_t type = 0;
     std::int32_t direction = 0;
@@ -67,12 +70,15 @@ struct Setup {
 /// The shape of a cell, shared by every EnvCell that names it.
 struct CellStruct {
     VertexArray vertexArray;
-    PolygonList polygons;                       ///< drawing polygons, portal polygons included
-    std::vector<std::uint16_t> portalPolygons;  ///< entry i belongs to EnvCell portal i
+    PolygonList polygons;                      ///< drawing polygons, portal polygons included
+    std::vector<std::uint16_t> portalPolygons; ///< entry i belongs to EnvCell portal i
     BspTree cellBsp;
     PolygonList physicsPolygons;
     BspTree physicsBsp;
     std::optional<BspTree> drawingBsp;
+    /// Bytes up to a multiple of four behind portalPolygons and at the end; zero in files of ours.
+    std::array<std::uint8_t, 3> portalPadding{};
+    std::array<std::uint8_t, 3> padding{};
 };
 
 struct Environment {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-// Values shared by several records, as the file stores them (formats/primitives.md). Floats stay floats so that a
-// record encodes back to the same bytes, NaNs and odd values included.
+// Values shared by several records, as the file stores them (formats/primitives.md). Floats stay floats so
+// that a record encodes back to the same bytes, NaNs and odd values included.
 namespace limen::dat {
 
 /// Position and orientation: p_parent = origin + rotate(orientation, p).
@@ -39,7 +39,8 @@ struct Colour {
     std::uint32_t argb = 0;
 };
 
-/// A model placed in a landblock: `model` is a GfxObj (0x01) or a Setup (0x02); the frame is landblock-relative.
+/// A model placed in a landblock: `model` is a GfxObj (0x01) or a Setup (0x02); the frame is
+/// landblock-relative.
 struct Stab {
     std::uint32_t model = 0;
     Frame frame;

@@ -13,7 +13,7 @@ struct Palette {
 struct SurfaceTexture {
     std::uint32_t id = 0;
     std::uint32_t category = 0;
-    std::uint8_t type = 2; ///< 2 = two-dimensional
+    std::uint8_t type = 2;             ///< 2 = two-dimensional
     std::vector<std::uint32_t> images; ///< RenderSurface ids, largest first
 };
 
@@ -22,6 +22,8 @@ enum class PixelFormat : std::uint32_t {
     A8R8G8B8 = 0x15,
     X8R8G8B8 = 0x16,
     R5G6B5 = 0x17,
+    X1R5G5B5 = 0x18,
+    A1R5G5B5 = 0x19,
     A4R4G4B4 = 0x1A,
     A8 = 0x1C,
     P8 = 0x29,
@@ -46,9 +48,10 @@ struct RenderSurface {
 };
 
 struct Surface {
-    static constexpr std::uint32_t kBase1Solid = 1, kBase1Image = 2, kBase1ClipMap = 4, kTranslucent = 0x10, kDiffuse = 0x20,
-                                   kLuminous = 0x40, kAlpha = 0x100, kInvAlpha = 0x200, kAdditive = 0x10000, kDetail = 0x20000,
-                                   kGouraud = 0x10000000, kStippled = 0x40000000, kPerspective = 0x80000000;
+    static constexpr std::uint32_t kBase1Solid = 1, kBase1Image = 2, kBase1ClipMap = 4, kTranslucent = 0x10,
+                                   kDiffuse = 0x20, kLuminous = 0x40, kAlpha = 0x100, kInvAlpha = 0x200,
+                                   kAdditive = 0x10000, kDetail = 0x20000, kGouraud = 0x10000000,
+                                   kStippled = 0x40000000, kPerspective = 0x80000000;
     std::uint32_t type = 0;
     std::uint32_t texture = 0; ///< SurfaceTexture id; stored iff type & (kBase1Image | kBase1ClipMap)
     std::uint32_t palette = 0; ///< likewise

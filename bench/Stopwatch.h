@@ -1,0 +1,55 @@
+#pragma once
+
+#include "BenchRow.h"
+
+#include <algorithm>
+#include <chrono>
+#include <span>
+
+namespace limen::bench {
+
+/// Repeats of one measurement, in seconds.
+struct Samples {
+    std::vector<double> seconds;
+    std::uint64_t allocations = 0; ///< of the last repeat
+
+    [[nodiscard]] double quantile(double q) const {
+        std::vector<double> sorted = seconds;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+    }
+};
+
+/// Runs `work` twice to warm up and then `repeats` times, each timed.
+template <class Work>
+[[nodiscard]] Samples measure(int repeats, AllocationCounter counter, Work&& work) {
+    for (int i = 0; i < 2; ++i)
+        work();
+    Samples out;
+    for (int i = 0; i < repeats; ++i) {
+        const std::uint64_t before = counter ? counter() : 0;
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        const auto stop = std::chrono::steady_clock::now();
+        out.seconds.push_back(std::chrono::duration<double>(stop - start).count());
+        out.allocations = counter ? counter() - before : 0;
+    }
+    return out;
+}
+
+/// FNV-1a, to hash results.
+class Hash {
+public:
+    template <class T>
+    void add(const T& value) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
+        for (std::size_t i = 0; i < sizeof value; ++i)
+            value_ = (value_ ^ bytes[i]) * 0x100000001B3u;
+    }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0xCBF29CE484222325u;
+};
+
+} // namespace limen::bench

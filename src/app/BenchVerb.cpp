@@ -1,0 +1,85 @@
+#include "app/AllocationCount.h"
+#include "app/BenchTable.h"
+#include "app/Verbs.h"
+
+#include "DatBench.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace limen::app {
+namespace {
+
+struct Bench {
+    const char* name;
+    const char* what;
+    std::vector<bench::BenchRow> (*run)(bench::AllocationCounter);
+};
+
+constexpr std::array kBenches{
+    Bench{"dat", "opening a dat, looking records up, decoding geometry", &bench::benchDat},
+};
+
+struct BenchOptions {
+    std::vector<std::string> names;
+    bool json = false, list = false;
+};
+
+Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names) {
+    std::vector<const Bench*> benches;
+    for (const Bench& bench : kBenches) {
+        if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end())
+            benches.push_back(&bench);
+    }
+    for (const std::string& name : names) {
+        if (std::none_of(kBenches.begin(), kBenches.end(), [&](const Bench& b) { return b.name == name; }))
+            return fail(ErrorCode::NotFound, "bench",
+                        fmt::format("'{}' is not a benchmark; limen bench --list names them", name));
+    }
+    return benches;
+}
+
+Result<Exit> runBench(const BenchOptions& options, const Console& console) {
+    if (options.list) {
+        for (const Bench& bench : kBenches)
+            console.data(fmt::format("{:<8} {}\n", bench.name, bench.what));
+        return Exit::Done;
+    }
+    const Result<std::vector<const Bench*>> benches = chosen(options.names);
+    if (!benches)
+        return tl::unexpected(benches.error());
+    bool allMet = true;
+    Progress progress(console, "bench", benches->size());
+    for (std::size_t i = 0; i < benches->size(); ++i) {
+        progress.step(i);
+        const std::vector<bench::BenchRow> rows = (*benches)[i]->run(&allocationCount);
+        allMet = allMet && std::all_of(rows.begin(), rows.end(), isMet);
+        if (!options.json)
+            console.data(benchTable(rows));
+        for (std::size_t row = 0; options.json && row < rows.size(); ++row)
+            console.data(benchJson(rows[row]).dump() + "\n");
+    }
+    return allMet ? Exit::Done : Exit::Finding;
+}
+
+} // namespace
+
+void addBenchVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb =
+        program.add_subcommand("bench", "measures, and compares with targets (exit 1 if one is missed)");
+    const auto options = std::make_shared<BenchOptions>();
+    verb->add_option("NAME", options->names, "which benchmarks; all of them unless said")->type_name("");
+    verb->add_flag("--json", options->json, "one JSON object a row");
+    verb->add_flag("--list", options->list, "names the benchmarks");
+    verb->footer("ratio: how many times better than the best figure it is measured against.");
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runBench(*options, console); };
+    });
+}
+
+} // namespace limen::app

@@ -1,0 +1,60 @@
+#include "app/CameraPath.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+
+namespace limen::app {
+
+double shortTurn(double a, double b) {
+    return std::remainder(b - a, 360.0);
+}
+
+CameraPath::CameraPath(std::span<const world::Place> wayPoints)
+    : wayPoints_(wayPoints.begin(), wayPoints.end()) {
+    double time = 0.0;
+    for (std::size_t i = 0; i < wayPoints_.size(); ++i) {
+        if (i > 0) {
+            const world::Place &from = wayPoints_[i - 1], &to = wayPoints_[i];
+            const double walk = glm::length(to.eye - from.eye) / kWalkingSpeed;
+            const double turn =
+                std::max(std::abs(shortTurn(from.yaw, to.yaw)), std::abs(to.pitch - from.pitch)) /
+                kTurningSpeed;
+            time += std::max(walk, turn);
+        }
+        times_.push_back(time);
+    }
+}
+
+Camera CameraPath::at(double time) const {
+    LIMEN_ASSERT(!empty(), "a path of no way points is nowhere");
+    const double clamped = std::clamp(time, 0.0, seconds());
+    const auto after = std::upper_bound(times_.begin(), times_.end(), clamped);
+    const std::size_t last = wayPoints_.size() - 1;
+    const std::size_t from =
+        std::min<std::size_t>(static_cast<std::size_t>(after - times_.begin()) - 1, last);
+    const std::size_t to = std::min(from + 1, last);
+    const double span = times_[to] - times_[from];
+    const double t = span > 0.0 ? (clamped - times_[from]) / span : 0.0;
+    const double turned =
+        t * t * (3.0 - 2.0 * t); // the head starts and ends its turn gently; the feet keep their pace
+    Camera camera;
+    camera.eye = wayPoints_[from].eye + (wayPoints_[to].eye - wayPoints_[from].eye) * t;
+    camera.heading.yaw = wayPoints_[from].yaw + shortTurn(wayPoints_[from].yaw, wayPoints_[to].yaw) * turned;
+    camera.heading.pitch = wayPoints_[from].pitch + (wayPoints_[to].pitch - wayPoints_[from].pitch) * turned;
+    return camera;
+}
+
+void CameraPath::cornersBetween(double from, double to, std::vector<Vec3>& out) const {
+    out.clear();
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+        if (times_[i] > from && times_[i] < to)
+            out.push_back(wayPoints_[i].eye);
+    }
+}
+
+double CameraPath::timeOfFrame(std::size_t frame, std::size_t count) const {
+    return count < 2 ? 0.0 : seconds() * static_cast<double>(frame) / static_cast<double>(count - 1);
+}
+
+} // namespace limen::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/Camera.h"
+#include "app/IdTable.h"
+#include "frame/FramePlan.h"
+#include "visibility/VisibleSet.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limen::app {
+
+/// One stage's work and time. A time that was not measured is NaN and becomes null.
+struct StageFigures {
+    std::string name;
+    std::uint32_t draws = 0;
+    double cpuMs = 0.0, gpuMs = 0.0;
+};
+
+/// What the wiring knows about a frame beside the rooms' own structs.
+struct FrameFigures {
+    std::string driver;
+    std::string textures; ///< "bindless" or "array pages"
+    std::vector<StageFigures> stages;
+    std::uint32_t glCalls = 0;
+    double floodMs = 0.0, planMs = 0.0, submitMs = 0.0, gpuMs = 0.0;
+};
+
+/// The eye of a frame and how its root was found.
+struct FrameEye {
+    Camera camera;
+    PixelSize size;
+    world::SpaceIndex root = world::kOutside;
+    bool rootAmbiguous = false; ///< several cells claim the eye
+    Vec3 player{0.0};
+    double time = 0.5;
+    Weather weather = Weather::Clear;
+};
+
+/// The frame as JSON (docs/interface.md). `ids` is the id image, or empty if it was not drawn.
+[[nodiscard]] nlohmann::ordered_json frameJson(const world::World& world, const IdTable& table,
+                                               const FrameEye& eye, const visibility::VisibleSet& visible,
+                                               const frame::FramePlan& plan, const FrameFigures& figures,
+                                               std::span<const std::uint32_t> ids);
+
+/// The cells that any visit may see, by id, each once, ascending; without the outside.
+[[nodiscard]] std::vector<dat::RecordId> cellsSeen(const world::World& world,
+                                                   const visibility::VisibleSet& visible);
+
+/// A visit's region in NDC. Corners at the eye itself (w = 0) have no place on the screen and are left out.
+[[nodiscard]] std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible,
+                                          const visibility::Visit& visit);
+
+/// The command that draws this frame again, root named. `datOption` is "" or " --dat DIR".
+[[nodiscard]] std::string reproduction(const world::World& world, const FrameEye& eye,
+                                       const std::string& datOption);
+
+} // namespace limen::app

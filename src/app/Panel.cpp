@@ -1,0 +1,183 @@
+#include "app/Panel.h"
+
+#include "app/RegionOverlay.h"
+
+#include <epoxy/gl.h>
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace limen::app {
+namespace {
+
+void line(const std::string& text) {
+    ImGui::TextUnformatted(text.c_str());
+}
+
+ImVec2 screenPoint(const Vec2& ndc) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    return {static_cast<float>(ndc.x * 0.5 + 0.5) * size.x, static_cast<float>(0.5 - ndc.y * 0.5) * size.y};
+}
+
+void drawRegionOutlines(const visibility::VisibleSet& visible) {
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    std::vector<ImVec2> points;
+    for (std::uint32_t i = 0; i < visible.visits.size(); ++i) {
+        points.clear();
+        ImVec2 centre(0, 0);
+        for (const Vec2& corner : regionNdc(visible, visible.visits[i]))
+            points.push_back(screenPoint(corner));
+        if (points.empty())
+            continue;
+        for (const ImVec2& p : points) {
+            centre.x += p.x / static_cast<float>(points.size());
+            centre.y += p.y / static_cast<float>(points.size());
+        }
+        const Rgb rgb = distinctColour(i);
+        const ImU32 colour = IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+        list->AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_Closed, 2.0f);
+        list->AddText(centre, colour, fmt::format("{}", i).c_str());
+    }
+}
+
+void drawHelp() {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("Keys", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoCollapse);
+    for (const char* text :
+         {"W A S D, arrows   fly", "E or space        up", "Q or control      down", "shift             fast",
+          "drag the mouse    look around", "1 .. 9            go to a place", "F1                this help",
+          "F2                ids as colours", "F3                regions of the visits",
+          "F4                the panel", "Esc               leave"})
+        ImGui::TextUnformatted(text);
+    ImGui::End();
+}
+
+void drawFigures(const PanelFacts& facts) {
+    const Camera& camera = facts.eye.camera;
+    line(fmt::format("{:.0f} frames a second", facts.framesPerSecond));
+    line(fmt::format("root {}", spaceName(facts.world, facts.eye.root)));
+    line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
+    line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));
+    line(fmt::format("{} visits, {} cells seen", facts.visible.visits.size(),
+                     cellsSeen(facts.world, facts.visible).size()));
+    if (facts.visible.counts.visitsCut > 0)
+        line(fmt::format("{} visits LEFT OUT: budget", facts.visible.counts.visitsCut));
+    line(fmt::format("{} drawn, {} culled, {} triangles", facts.plan.counts.instancesDrawn,
+                     facts.plan.counts.instancesCulled, facts.plan.counts.triangles));
+    line(fmt::format("flood {:.3f} ms, plan {:.3f} ms, {} GL calls", facts.figures.floodMs,
+                     facts.figures.planMs, facts.figures.glCalls));
+    if (ImGui::BeginTable("stages", 4)) {
+        for (const char* heading : {"stage", "draws", "CPU ms", "GPU ms"})
+            ImGui::TableSetupColumn(heading);
+        ImGui::TableHeadersRow();
+        for (const StageFigures& stage : facts.figures.stages) {
+            for (const std::string& text :
+                 {stage.name, fmt::format("{}", stage.draws), fmt::format("{:.3f}", stage.cpuMs),
+                  std::isfinite(stage.gpuMs) ? fmt::format("{:.3f}", stage.gpuMs) : std::string("-")}) {
+                ImGui::TableNextColumn();
+                line(text);
+            }
+        }
+        ImGui::EndTable();
+    }
+}
+
+int drawPlaces(std::span<const world::Place> places) {
+    int clicked = -1;
+    if (!places.empty() && ImGui::CollapsingHeader("Places")) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::string label =
+                i < 9 ? fmt::format("{}  {}", i + 1, places[i].name) : fmt::format("   {}", places[i].name);
+            if (ImGui::Selectable(label.c_str()))
+                clicked = static_cast<int>(i);
+        }
+    }
+    return clicked;
+}
+
+int drawPanel(const PanelFacts& facts) {
+    ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({330.0f, 0.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowBgAlpha(0.75f);
+    ImGui::Begin("Limen (F1 for help)", nullptr, ImGuiWindowFlags_NoSavedSettings);
+    drawFigures(facts);
+    const int clicked = drawPlaces(facts.places);
+    ImGui::TextWrapped("%s, %s", facts.figures.driver.c_str(), facts.figures.textures.c_str());
+    ImGui::End();
+    return clicked;
+}
+
+} // namespace
+
+/// The id image as a texture of the panel's own.
+struct Panel::IdTexture {
+    GLuint name = 0;
+    std::uint32_t width = 0, height = 0;
+    ~IdTexture() { glDeleteTextures(1, &name); }
+
+    void write(const Picture& picture) {
+        if (name == 0 || width != picture.width || height != picture.height) {
+            glDeleteTextures(1, &name);
+            glCreateTextures(GL_TEXTURE_2D, 1, &name);
+            width = picture.width;
+            height = picture.height;
+            glTextureStorage2D(name, 1, GL_RGB8, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+            glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        }
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTextureSubImage2D(name, 0, 0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height), GL_RGB,
+                            GL_UNSIGNED_BYTE, picture.rgb.data());
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    }
+};
+
+Panel::Panel(const Window& window) : idTexture_(std::make_unique<IdTexture>()) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // leaves no file behind
+    ImGui::StyleColorsDark();
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); // chains to the window's own callbacks
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+Panel::~Panel() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+bool Panel::takesMouse() const {
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+void Panel::drawIds(const PanelFacts& facts) {
+    idTexture_->write(pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids));
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    // ImGui's texture id is the GL name in a pointer's clothes.
+    ImGui::GetBackgroundDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(idTexture_->name)), {0, 0}, size);
+}
+
+int Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    if (switches.ids && !facts.ids.empty())
+        drawIds(facts);
+    if (switches.regions)
+        drawRegionOutlines(facts.visible);
+    const int clicked = switches.panel ? drawPanel(facts) : -1;
+    if (switches.help)
+        drawHelp();
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    return clicked;
+}
+
+} // namespace limen::app

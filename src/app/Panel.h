@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/FrameReport.h"
+#include "app/Window.h"
+#include "world/Places.h"
+
+#include <memory>
+#include <span>
+
+namespace limen::app {
+
+/// What the overlay stage shows, switched by keys.
+struct OverlaySwitches {
+    bool help = false, ids = false, regions = false, panel = true;
+};
+
+/// What the panel tells of a frame.
+struct PanelFacts {
+    const world::World& world;
+    const FrameEye& eye;
+    const visibility::VisibleSet& visible;
+    const frame::FramePlan& plan;
+    FrameFigures figures;
+    double framesPerSecond = 0.0;
+    std::span<const world::Place> places;
+    std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
+};
+
+/// The overlay stage of the window: panel, help, places, outlines. Owns the Dear ImGui context and its GL
+/// objects.
+class Panel {
+public:
+    explicit Panel(const Window& window);
+    ~Panel();
+    Panel(const Panel&) = delete;
+    Panel& operator=(const Panel&) = delete;
+
+    /// True while the mouse is over the panel.
+    [[nodiscard]] bool takesMouse() const;
+    /// Draws into the bound framebuffer. Yields the place that was clicked, or -1.
+    int draw(const PanelFacts& facts, const OverlaySwitches& switches);
+
+private:
+    void drawIds(const PanelFacts& facts);
+    struct IdTexture;
+    std::unique_ptr<IdTexture> idTexture_;
+};
+
+} // namespace limen::app

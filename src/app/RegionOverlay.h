@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/Picture.h"
+#include "visibility/VisibleSet.h"
+
+namespace limen::app {
+
+/// Outlines the region of every visit on a picture of the frame, coloured by visit, the visit's number at its
+/// centre.
+void drawRegions(Picture& picture, const visibility::VisibleSet& visible);
+
+/// The id image as colours: void red, sky light blue, every other id a colour of its own.
+[[nodiscard]] Picture pictureOfIds(std::uint32_t width, std::uint32_t height,
+                                   std::span<const std::uint32_t> ids);
+
+} // namespace limen::app

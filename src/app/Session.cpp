@@ -1,0 +1,232 @@
+#include "app/Session.h"
+
+#include "core/Assert.h"
+#include "frame/SceneBuilder.h"
+#include "frame/WorldGraph.h"
+#include "motion/Locate.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <fmt/format.h>
+#include <limits>
+
+namespace limen::app {
+namespace {
+
+/// Milliseconds since it was made.
+class Stopwatch {
+public:
+    [[nodiscard]] double ms() const {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// Blocks that an eye may go from the loaded centre before the next part is loaded, as a share of the radius.
+int leashOf(int radius) {
+    return std::max(1, radius / 2);
+}
+
+Result<world::SpaceIndex> findRoot(const world::World& world, const RootChoice& root, const Vec3& eye,
+                                   bool& ambiguous) {
+    if (root.kind == RootChoice::Kind::Outside)
+        return world::kOutside;
+    if (root.kind == RootChoice::Kind::Auto) {
+        const motion::Located located = motion::locate(world, eye);
+        ambiguous = located.ambiguous;
+        return located.space;
+    }
+    const world::SpaceIndex cell = world::findCell(world, root.cell);
+    if (cell == world::kNone)
+        return fail(ErrorCode::NotFound, "--root",
+                    fmt::format("there is no cell {} in this world", hexId(root.cell)));
+    return cell;
+}
+
+frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
+    frame::FrameView view;
+    view.view = viewOf(eye.camera, eye.size, eye.root);
+    view.width = eye.size.width;
+    view.height = eye.size.height;
+    view.timeOfDay = eye.time;
+    view.seconds = options.seconds;
+    view.weather = eye.weather;
+    view.exactCutOuts = options.ids;
+    return view;
+}
+
+} // namespace
+
+void addSessionOptions(CLI::App& command, SessionOptions& options) {
+    command
+        .add_option("--dat", options.dat,
+                    "directory of client_portal.dat and client_cell_1.dat; the built-in world unless said")
+        ->type_name("DIR")
+        ->group("World")
+        ->check(
+            [](const std::string& text) { return std::string(text.empty() ? "names no directory" : ""); });
+    command
+        .add_option_function<std::string>(
+            "--zones", [&options](const std::string& text) { options.load.mergeZones = text == "merged"; },
+            "merged: cells that cannot hide each other share a zone (default); cells: every cell its own; "
+            "the picture is the same")
+        ->type_name("merged|cells")
+        ->check(CLI::IsMember({"merged", "cells"}))
+        ->group("World");
+    command
+        .add_option_function<std::string>(
+            "--textures",
+            [&options](const std::string& text) {
+                options.textures = text == "bindless" ? gpu::TextureMode::Bindless
+                                   : text == "pages"  ? gpu::TextureMode::ArrayPages
+                                                      : gpu::TextureMode::Auto;
+            },
+            "how textures are bound (auto: bindless where the driver has it)")
+        ->type_name("auto|bindless|pages")
+        ->check(CLI::IsMember({"auto", "bindless", "pages"}))
+        ->group("World");
+}
+
+Result<std::unique_ptr<LoadedWorld>> LoadedWorld::load(const dat::Archive& archive, dat::BlockCoord centre,
+                                                       const world::LoadOptions& options) {
+    Result<world::World> world = world::loadWorld(archive, centre, options);
+    if (!world)
+        return tl::unexpected(world.error());
+    Result<visibility::Graph> graph = frame::visibilityGraph(*world);
+    if (!graph)
+        return tl::unexpected(graph.error());
+    return std::unique_ptr<LoadedWorld>(new LoadedWorld(std::move(*world), std::move(*graph), centre));
+}
+
+Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size) {
+    FrameEye eye;
+    eye.camera = stand.camera;
+    eye.size = size;
+    eye.player = stand.player;
+    if (stand.onGround) {
+        const double ground = world::terrainHeight(loaded.world, stand.camera.eye.x, stand.camera.eye.y);
+        if (!std::isfinite(ground))
+            return fail(ErrorCode::NotFound, "--at",
+                        "there is no ground at these map coordinates in this world");
+        eye.camera.eye.z = ground + kEyeHeight;
+        if (eye.player == stand.camera.eye)
+            eye.player = eye.camera.eye;
+    }
+    const Result<world::SpaceIndex> root =
+        findRoot(loaded.world, stand.root, eye.camera.eye, eye.rootAmbiguous);
+    if (!root)
+        return tl::unexpected(root.error());
+    eye.root = *root;
+    return eye;
+}
+
+Session::Session(WorldSource source, const SessionOptions& options, gpu::GlDevice& device)
+    : source_(std::move(source)), options_(options), device_(device),
+      renderer_(device, {.textures = {.mode = options.textures}}) {}
+
+Session::~Session() = default;
+
+Result<void> Session::load(dat::BlockCoord centre) {
+    if (loaded_ && loaded_->centre == centre)
+        return {};
+    Result<std::unique_ptr<LoadedWorld>> loaded = LoadedWorld::load(source_.archive, centre, options_.load);
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    if (Result<void> uploaded = renderer_.upload(frame::buildScene((*loaded)->world)); !uploaded)
+        return uploaded;
+    loaded_ = std::move(*loaded);
+    return {};
+}
+
+bool Session::follow(const Vec3& eye, world::SpaceIndex& root) {
+    const world::World& before = loaded_->world;
+    const dat::BlockCoord here =
+        root == world::kOutside ? world::blockAt(eye) : dat::blockOf(before.spaces[root].cellId);
+    const int distance = std::max(std::abs(here.x - loaded_->centre.x), std::abs(here.y - loaded_->centre.y));
+    if (distance <= leashOf(options_.load.radius))
+        return false;
+    const dat::RecordId cell = root == world::kOutside ? 0 : before.spaces[root].cellId;
+    if (!load(here))
+        return false;
+    root = cell == 0 ? world::kOutside : world::findCell(loaded_->world, cell);
+    if (root == world::kNone) // its block is damaged or was left out: look again
+        root = motion::locate(loaded_->world, eye).space;
+    return true;
+}
+
+Result<void> Session::fitTarget(PixelSize size) {
+    if (target_ && target_->width() == size.width && target_->height() == size.height)
+        return {};
+    target_.reset(); // room for the new one
+    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(device_, size.width, size.height);
+    if (!made)
+        return tl::unexpected(made.error());
+    target_.emplace(std::move(*made));
+    return {};
+}
+
+Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
+    LIMEN_ASSERT(loaded_ != nullptr, "load before drawing");
+    if (Result<void> fitted = fitTarget(eye.size); !fitted)
+        return fitted;
+    const frame::FrameView view = frameView(eye, options);
+    const Stopwatch flooding;
+    visibility::flood(loaded_->graph, {}, view.view, {}, scratch_, visible_);
+    floodMs_ = flooding.ms();
+    const Stopwatch planning;
+    loaded_->planner.plan(view, visible_, plan_);
+    planMs_ = planning.ms();
+    return renderer_.render(plan_, *target_, {.wantIds = options.ids});
+}
+
+FrameFigures Session::figures() const {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const gpu::FrameReport report = renderer_.report();
+    FrameFigures figures;
+    figures.driver = driver();
+    figures.textures = renderer_.driver().textureMode;
+    figures.glCalls = report.glCalls;
+    figures.floodMs = floodMs_;
+    figures.planMs = planMs_;
+    figures.submitMs = report.cpuMs;
+    figures.gpuMs = 0.0;
+    for (const gpu::StageReport& stage : report.stages) {
+        figures.stages.push_back(
+            {frame::nameOf(stage.kind), stage.draws, stage.cpuMs, stage.gpuMs.value_or(kUnknown)});
+        figures.gpuMs += stage.gpuMs.value_or(kUnknown);
+    }
+    return figures;
+}
+
+std::string Session::driver() const {
+    const gpu::DriverReport report = renderer_.driver();
+    return fmt::format("{}, OpenGL {}", report.renderer, report.version);
+}
+
+Result<HeadlessSession> openHeadless(WorldSource source, const SessionOptions& options) {
+    Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
+    if (!context)
+        return tl::unexpected(context.error());
+    HeadlessSession headless;
+    headless.context = std::make_unique<gpu::HeadlessContext>(std::move(*context));
+    Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
+    if (!device)
+        return tl::unexpected(device.error());
+    headless.device = std::move(*device);
+    headless.session = std::make_unique<Session>(std::move(source), options, *headless.device);
+    return headless;
+}
+
+std::string findingsLine(const world::World& world) {
+    if (world.findings.empty())
+        return {};
+    const world::Finding& first = world.findings.front();
+    const std::string rest =
+        world.findings.size() > 1 ? fmt::format(" (and {} more)", world.findings.size() - 1) : "";
+    return fmt::format("limen: in the world's data: {}: {}{}", hexId(first.record), first.what, rest);
+}
+
+} // namespace limen::app

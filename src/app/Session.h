@@ -1,0 +1,118 @@
+#pragma once
+
+#include "app/FrameReport.h"
+#include "app/WorldSource.h"
+#include "frame/Planner.h"
+#include "gpu/GlDevice.h"
+#include "gpu/HeadlessContext.h"
+#include "gpu/Renderer.h"
+#include "visibility/Flood.h"
+#include "world/Loader.h"
+
+#include <memory>
+
+namespace CLI {
+class App;
+}
+
+namespace limen::app {
+
+/// How a world is loaded and drawn, whatever the verb.
+struct SessionOptions {
+    std::string dat; ///< directory; empty: the built-in world
+    world::LoadOptions load;
+    gpu::TextureMode textures = gpu::TextureMode::Auto;
+};
+void addSessionOptions(CLI::App& command, SessionOptions& options);
+
+/// A part of a world in memory, ready to be flooded and planned. Never moves: the planner and the table refer
+/// to it.
+class LoadedWorld {
+public:
+    /// Errors: the loader's; portals that the graph refuses.
+    [[nodiscard]] static Result<std::unique_ptr<LoadedWorld>>
+    load(const dat::Archive& archive, dat::BlockCoord centre, const world::LoadOptions& options);
+    LoadedWorld(const LoadedWorld&) = delete;
+    LoadedWorld& operator=(const LoadedWorld&) = delete;
+
+    const world::World world;
+    const visibility::Graph graph;
+    const IdTable ids;
+    const dat::BlockCoord centre;
+    frame::Planner planner;
+
+private:
+    LoadedWorld(world::World loaded, visibility::Graph made, dat::BlockCoord around)
+        : world(std::move(loaded)), graph(std::move(made)), ids(world), centre(around), planner(world) {}
+};
+
+/// Eye, root and height of the ground of a standpoint, found in a loaded world. Errors: a root cell that is
+/// not there; no ground where the eye is to stand on it.
+[[nodiscard]] Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size);
+
+/// What the renderer is asked to draw of a frame.
+struct DrawOptions {
+    bool ids = false;     ///< write the id image, cut-outs tested exactly
+    double seconds = 0.0; ///< for what moves by itself
+};
+
+/// One world on one graphics device: archive, loaded part, flood, plan, renderer. Every verb that draws goes
+/// through here. The device must outlive it.
+class Session {
+public:
+    Session(WorldSource source, const SessionOptions& options, gpu::GlDevice& device);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Loads and uploads the blocks around `centre` unless they are there already. On an error the world that
+    /// was there stays.
+    [[nodiscard]] Result<void> load(dat::BlockCoord centre);
+    /// Loads the blocks around a moving eye when it comes near the edge of what is loaded; `root` is
+    /// translated. True if something was loaded. Where nothing can be loaded the old world stays.
+    bool follow(const Vec3& eye, world::SpaceIndex& root);
+    /// Floods, plans and draws one frame. Requires a loaded world.
+    [[nodiscard]] Result<void> draw(const FrameEye& eye, const DrawOptions& options);
+
+    [[nodiscard]] const WorldSource& source() const { return source_; }
+    [[nodiscard]] const LoadedWorld& loaded() const { return *loaded_; }
+    [[nodiscard]] bool isLoaded() const { return loaded_ != nullptr; }
+    /// The last frame.
+    [[nodiscard]] const visibility::VisibleSet& visible() const { return visible_; }
+    [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
+    [[nodiscard]] const gpu::RenderTarget& target() const { return *target_; }
+    [[nodiscard]] FrameFigures figures() const;
+    /// The driver in one line.
+    [[nodiscard]] std::string driver() const;
+
+private:
+    [[nodiscard]] Result<void> fitTarget(PixelSize size);
+
+    WorldSource source_;
+    SessionOptions options_;
+    gpu::GlDevice& device_;
+    gpu::Renderer renderer_;
+    std::optional<gpu::RenderTarget> target_;
+    std::unique_ptr<LoadedWorld> loaded_;
+    visibility::FloodScratch scratch_;
+    visibility::VisibleSet visible_;
+    frame::FramePlan plan_;
+    double floodMs_ = 0.0, planMs_ = 0.0;
+};
+
+/// A session that draws without a window.
+struct HeadlessSession {
+    std::unique_ptr<gpu::HeadlessContext> context;
+    std::unique_ptr<gpu::GlDevice> device;
+    std::unique_ptr<Session> session; ///< goes first
+    HeadlessSession() = default;
+    HeadlessSession(HeadlessSession&&) noexcept = default;
+    HeadlessSession& operator=(HeadlessSession&&) noexcept = default;
+};
+/// Errors: Driver; the world's.
+[[nodiscard]] Result<HeadlessSession> openHeadless(WorldSource source, const SessionOptions& options);
+
+/// What a person should know of a world's data, in one line; empty if there is nothing.
+[[nodiscard]] std::string findingsLine(const world::World& world);
+
+} // namespace limen::app

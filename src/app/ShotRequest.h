@@ -1,0 +1,70 @@
+#pragma once
+
+#include "app/Camera.h"
+#include "app/PlaceNotation.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace limen::app {
+
+/// The options that say what one frame looks at, as typed; empty: not given. The same set serves the command
+/// line of `shot`, each line of its views file and each line of a tour's path file.
+struct ViewArguments {
+    std::string eye, at, yaw, pitch, fov, size, root, player, time, weather;
+};
+
+/// What a frame is asked to be written to; empty: not asked for.
+struct OutputPaths {
+    std::filesystem::path frame, ids, depth, json, overlay;
+    [[nodiscard]] std::vector<std::filesystem::path> all() const; ///< those that are asked for
+};
+
+/// One frame, checked as far as that goes without a world.
+struct ViewRequest {
+    std::optional<Vec3> eye;
+    std::optional<PlaceNotation> at;
+    std::optional<double> yaw, pitch; ///< degrees
+    double fov = 60.0;                ///< vertical, degrees
+    PixelSize size;
+    std::optional<RootChoice> root; ///< only if it was given
+    std::optional<Vec3> player;
+    double time = 0.5; ///< fraction of the day
+    Weather weather = Weather::Clear;
+};
+
+/// Adds the options of ViewArguments to a command. `withSize` leaves out --size where the verb has one for
+/// all frames.
+void addViewOptions(CLI::App& command, ViewArguments& arguments);
+void addOutputOptions(CLI::App& command, OutputPaths& outputs);
+
+/// Checks every argument. Errors: the first that makes no sense; no eye, or two.
+[[nodiscard]] Result<ViewRequest> checkView(const ViewArguments& arguments);
+
+/// One view of a views file.
+struct ListedView {
+    ViewRequest view;
+    OutputPaths outputs;
+};
+
+/// Reads a views file: one line of shot's options each, blank lines and lines that start with '#' left out.
+/// What a line does not say it takes from `common`. Relative output paths of a line are under `directory`; a
+/// line that names none gets `directory`/NNNN.png (and for every output in `common` `directory`/NNNN.<its
+/// file name>), NNNN from 0000 in the order of views. Errors: unreadable, no view in it, a line that makes no
+/// sense (its number is in the message).
+[[nodiscard]] Result<std::vector<ListedView>> readViews(const std::filesystem::path& file,
+                                                        const ViewArguments& common,
+                                                        const OutputPaths& commonOutputs,
+                                                        const std::filesystem::path& directory);
+
+/// Says for all outputs at once whether they can be written, and that no two are the same file.
+[[nodiscard]] Result<void> checkOutputs(std::span<const std::filesystem::path> outputs);
+
+} // namespace limen::app

@@ -1,0 +1,274 @@
+#include "app/FlyCamera.h"
+#include "app/OutputFile.h"
+#include "app/Panel.h"
+#include "app/RootTracker.h"
+#include "app/Session.h"
+#include "app/ShotRequest.h"
+#include "app/Verbs.h"
+#include "app/Window.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace limen::app {
+namespace {
+
+struct ViewOptions {
+    SessionOptions session;
+    ViewArguments view;
+    std::string frames, screenshot;
+    bool json = false;
+};
+
+/// The window's frame loop: hands to camera, camera to frame, frame to window.
+class Viewer {
+public:
+    Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start)
+        : window_(window), device_(device), session_(session), panel_(window), eye_(std::move(start)),
+          tracker_(eye_.root) {
+        device_.restoreState(); // the panel has set up its own things
+    }
+
+    /// One frame; `fixedSeconds` > 0 takes that for the time since the last one.
+    [[nodiscard]] Result<void> frame(double fixedSeconds) {
+        window_.poll(panel_.takesMouse());
+        const double now = window_.seconds();
+        const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : now - lastSeconds_;
+        lastSeconds_ = now;
+        worldSeconds_ += elapsed;
+        if (elapsed > 0.0)
+            framesPerSecond_ += (1.0 / elapsed - framesPerSecond_) * 0.1;
+        for (const Key key : window_.pressed())
+            press(key);
+        moveEye(elapsed);
+        eye_.size = window_.size();
+        if (Result<void> drawn = session_.draw(eye_, {.ids = switches_.ids, .seconds = worldSeconds_});
+            !drawn)
+            return drawn;
+        overlay();
+        return {};
+    }
+
+    [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
+    [[nodiscard]] const FrameEye& eye() const { return eye_; }
+    [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
+
+private:
+    void press(Key key) {
+        switch (key) {
+        case Key::Help:
+            switches_.help = !switches_.help;
+            return;
+        case Key::Ids:
+            switches_.ids = !switches_.ids;
+            return;
+        case Key::Regions:
+            switches_.regions = !switches_.regions;
+            return;
+        case Key::Panel:
+            switches_.panel = !switches_.panel;
+            return;
+        case Key::Leave:
+            leaving_ = true;
+            return;
+        default:
+            goTo(static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::Place1));
+        }
+    }
+
+    void goTo(std::size_t place) {
+        const std::vector<world::Place>& places = session_.source().file.places;
+        if (place >= places.size())
+            return;
+        const Standpoint stand = standpointAt(places[place]);
+        if (!session_.load(stand.centre))
+            return; // its part of the world cannot be loaded: stay
+        Result<FrameEye> eye = placeEye(session_.loaded(), stand, eye_.size);
+        if (!eye)
+            return;
+        eye->camera.fovDegrees = eye_.camera.fovDegrees;
+        eye->time = eye_.time;
+        eye->weather = eye_.weather;
+        eye_ = std::move(*eye);
+        tracker_.place(eye_.root);
+    }
+
+    void moveEye(double seconds) {
+        constexpr double kDegreesPerPixel = 0.15;
+        const HeldInput& held = window_.held();
+        const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
+        FlyInput input;
+        input.forward = axis(held.forward, held.back);
+        input.right = axis(held.right, held.left);
+        input.up = axis(held.up, held.down);
+        input.turnRight = held.lookX * kDegreesPerPixel;
+        input.turnUp = -held.lookY * kDegreesPerPixel;
+        input.fast = held.fast;
+        input.seconds = seconds;
+        const Vec3 from = eye_.camera.eye;
+        eye_.camera = fly(eye_.camera, input);
+        eye_.player = eye_.camera.eye;
+        eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, seconds);
+        if (session_.follow(eye_.camera.eye, eye_.root))
+            tracker_.place(eye_.root);
+    }
+
+    /// The overlay stage, over the frame in the window.
+    void overlay() {
+        const std::vector<std::uint32_t> ids =
+            switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
+        device_.presentToWindow(session_.target().handle(), eye_.size.width, eye_.size.height);
+        const PanelFacts facts{session_.loaded().world,
+                               eye_,
+                               session_.visible(),
+                               session_.plan(),
+                               session_.figures(),
+                               framesPerSecond_,
+                               session_.source().file.places,
+                               ids};
+        const int clicked = panel_.draw(facts, switches_);
+        device_.restoreState();
+        if (clicked >= 0)
+            goTo(static_cast<std::size_t>(clicked));
+    }
+
+    Window& window_;
+    gpu::GlDevice& device_;
+    Session& session_;
+    Panel panel_;
+    FrameEye eye_;
+    RootTracker tracker_;
+    OverlaySwitches switches_;
+    double lastSeconds_ = 0.0, worldSeconds_ = 0.0, framesPerSecond_ = 0.0;
+    bool leaving_ = false;
+};
+
+/// Where the window opens: as the options say, else at the world's first place.
+Result<Standpoint> startOf(const ViewOptions& options, const world::WorldFile& file) {
+    ViewArguments arguments = options.view;
+    if (arguments.eye.empty() && arguments.at.empty()) {
+        const world::Place* place = firstPlace(file);
+        if (place == nullptr)
+            return fail(ErrorCode::BadArgument, "--eye",
+                        "this world's world.json names no place to begin at; give --eye X,Y,Z or --at PLACE");
+        Standpoint stand = standpointAt(*place);
+        arguments.eye = "0,0,0"; // only so that the rest can be checked
+        const Result<ViewRequest> rest = checkView(arguments);
+        if (!rest)
+            return tl::unexpected(rest.error());
+        stand.camera.fovDegrees = rest->fov;
+        return stand;
+    }
+    const Result<ViewRequest> view = checkView(arguments);
+    if (!view)
+        return tl::unexpected(view.error());
+    return standpointOf(*view, file);
+}
+
+Result<std::size_t> frameLimit(const ViewOptions& options) {
+    if (options.frames.empty())
+        return std::size_t{0};
+    const Result<double> frames = parseNumberBetween("--frames", options.frames, 1.0, 1e9);
+    if (!frames)
+        return tl::unexpected(frames.error());
+    return static_cast<std::size_t>(*frames);
+}
+
+std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
+    const FrameEye& eye = viewer.eye();
+    const nlohmann::ordered_json json{{"frames", frames},
+                                      {"eye", {eye.camera.eye.x, eye.camera.eye.y, eye.camera.eye.z}},
+                                      {"yaw", eye.camera.heading.yaw},
+                                      {"pitch", eye.camera.heading.pitch},
+                                      {"root", spaceName(session.loaded().world, eye.root)},
+                                      {"visits", session.visible().visits.size()},
+                                      {"overlays",
+                                       {{"help", viewer.switches().help},
+                                        {"ids", viewer.switches().ids},
+                                        {"regions", viewer.switches().regions},
+                                        {"panel", viewer.switches().panel}}},
+                                      {"gl_calls", session.figures().glCalls}};
+    return json.dump() + "\n";
+}
+
+Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const FrameEye& start,
+                  std::size_t limit, const ViewOptions& options, const Console& console) {
+    constexpr double kScriptStep =
+        1.0 / 60.0; // with --frames the result must not depend on the machine's speed
+    Viewer viewer(window, device, session, start);
+    std::size_t frames = 0;
+    while (!viewer.isLeaving() && (limit == 0 || frames < limit)) {
+        if (Result<void> drawn = viewer.frame(limit > 0 ? kScriptStep : 0.0); !drawn)
+            return tl::unexpected(drawn.error());
+        ++frames;
+        if (frames == limit && !options.screenshot.empty()) {
+            if (Result<void> written = writePicture(options.screenshot, window.read()); !written)
+                return tl::unexpected(written.error());
+        }
+        window.show();
+    }
+    if (options.json)
+        console.data(stateJson(session, viewer, frames));
+    return Exit::Done;
+}
+
+Result<Exit> runView(const ViewOptions& options, const Console& console) {
+    const Result<std::size_t> limit = frameLimit(options);
+    if (!limit)
+        return tl::unexpected(limit.error());
+    if (!options.screenshot.empty() && *limit == 0)
+        return fail(ErrorCode::BadArgument, "--screenshot",
+                    "is taken of the last frame; give --frames N as well");
+    if (!options.screenshot.empty()) {
+        if (Result<void> writable = checkWritable(options.screenshot); !writable)
+            return tl::unexpected(writable.error());
+    }
+    const Result<PixelSize> size =
+        parseSize("--size", options.view.size.empty() ? "1280x720" : options.view.size);
+    if (!size)
+        return tl::unexpected(size.error());
+    Result<WorldSource> source = openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    const Result<Standpoint> stand = startOf(options, source->file);
+    if (!stand)
+        return tl::unexpected(stand.error());
+    const Result<std::unique_ptr<Window>> window = Window::open("Limen", *size);
+    if (!window)
+        return tl::unexpected(window.error());
+    const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
+    if (!device)
+        return tl::unexpected(device.error());
+    Session session(std::move(*source), options.session, **device);
+    if (Result<void> loaded = session.load(stand->centre); !loaded)
+        return tl::unexpected(loaded.error());
+    const Result<FrameEye> start = placeEye(session.loaded(), *stand, *size);
+    if (!start)
+        return tl::unexpected(start.error());
+    return loop(**window, **device, session, *start, *limit, options, console);
+}
+
+} // namespace
+
+void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb = program.add_subcommand("view", "opens a window to fly through a world");
+    const auto options = std::make_shared<ViewOptions>();
+    addViewOptions(*verb, options->view);
+    verb->add_option("--frames", options->frames, "leaves after N frames, for scripts")
+        ->type_name("N")
+        ->group("Scripts");
+    verb->add_option("--screenshot", options->screenshot, "the window's last frame, PNG")
+        ->type_name("FILE")
+        ->group("Scripts");
+    verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
+    addSessionOptions(*verb, options->session);
+    verb->footer("Keys: W A S D fly, E Q up and down, shift fast, drag to look, 1..9 places, F1 help, F2 "
+                 "ids, F3 regions, F4 panel, Esc leaves.");
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runView(*options, console); };
+    });
+}
+
+} // namespace limen::app

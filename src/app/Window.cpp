@@ -1,0 +1,149 @@
+#include "app/Window.h"
+
+#include <epoxy/gl.h>
+
+// After epoxy, which must come before any other GL header.
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <optional>
+
+namespace limen::app {
+namespace {
+
+tl::unexpected<Error> refused(const char* what, const char* advice) {
+    const char* reason = nullptr;
+    (void)glfwGetError(&reason);
+    return fail(ErrorCode::Driver, "view",
+                fmt::format("{} ({}); {}", what, reason != nullptr ? reason : "no reason given", advice));
+}
+
+std::optional<Key> keyOf(int key) {
+    switch (key) {
+    case GLFW_KEY_F1:
+        return Key::Help;
+    case GLFW_KEY_F2:
+        return Key::Ids;
+    case GLFW_KEY_F3:
+        return Key::Regions;
+    case GLFW_KEY_F4:
+        return Key::Panel;
+    case GLFW_KEY_ESCAPE:
+        return Key::Leave;
+    default:
+        break;
+    }
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
+        return static_cast<Key>(static_cast<int>(Key::Place1) + key - GLFW_KEY_1);
+    return {};
+}
+
+} // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const char* title, PixelSize size) {
+    if (glfwInit() != GLFW_TRUE)
+        return refused("there is no display to open a window on", "limen shot and limen tour need none");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    GLFWwindow* window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title,
+                                          nullptr, nullptr);
+    if (window == nullptr) {
+        const auto error =
+            refused("no window with OpenGL 4.5 could be opened", "limen shot tells more of the driver");
+        glfwTerminate();
+        return error;
+    }
+    return std::unique_ptr<Window>(new Window(window));
+}
+
+Window::Window(GLFWwindow* window) : window_(window) {
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+        if (action == GLFW_PRESS)
+            static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveKey(key);
+    });
+    glfwGetCursorPos(window_, &mouseX_, &mouseY_);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::receiveKey(int key) {
+    if (const std::optional<Key> known = keyOf(key))
+        pending_.push_back(*known);
+}
+
+void Window::poll(bool mouseIsTaken) {
+    pending_.clear();
+    glfwPollEvents();
+    pressed_ = pending_;
+    const auto down = [this](auto... keys) { return ((glfwGetKey(window_, keys) == GLFW_PRESS) || ...); };
+    held_ = {};
+    held_.forward = down(GLFW_KEY_W, GLFW_KEY_UP);
+    held_.back = down(GLFW_KEY_S, GLFW_KEY_DOWN);
+    held_.left = down(GLFW_KEY_A, GLFW_KEY_LEFT);
+    held_.right = down(GLFW_KEY_D, GLFW_KEY_RIGHT);
+    held_.up = down(GLFW_KEY_E, GLFW_KEY_SPACE);
+    held_.down = down(GLFW_KEY_Q, GLFW_KEY_LEFT_CONTROL);
+    held_.fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window_, &x, &y);
+    const bool button = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
+                        glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+    const bool drags = button && (dragging_ || !mouseIsTaken);
+    if (drags && dragging_) {
+        held_.lookX = x - mouseX_;
+        held_.lookY = y - mouseY_;
+    }
+    if (drags != dragging_)
+        glfwSetInputMode(window_, GLFW_CURSOR, drags ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    if (drags != dragging_) // the mode change moves the cursor
+        glfwGetCursorPos(window_, &x, &y);
+    dragging_ = drags;
+    mouseX_ = x;
+    mouseY_ = y;
+}
+
+bool Window::wantsToClose() const {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+PixelSize Window::size() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return {static_cast<std::uint32_t>(std::max(1, width)), static_cast<std::uint32_t>(std::max(1, height))};
+}
+
+double Window::seconds() const {
+    return glfwGetTime();
+}
+
+Picture Window::read() const {
+    const PixelSize pixels = size();
+    std::vector<std::uint8_t> rgba(std::size_t{pixels.width} * pixels.height * 4);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glReadBuffer(GL_BACK);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, static_cast<GLsizei>(pixels.width), static_cast<GLsizei>(pixels.height), GL_RGBA,
+                 GL_UNSIGNED_BYTE, rgba.data());
+    const std::size_t row = std::size_t{pixels.width} * 4;
+    for (std::size_t top = 0, bottom = pixels.height - 1; top < bottom; ++top, --bottom)
+        std::swap_ranges(rgba.begin() + static_cast<std::ptrdiff_t>(top * row),
+                         rgba.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
+                         rgba.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+    return pictureFromRgba(pixels.width, pixels.height, rgba);
+}
+
+void Window::show() {
+    glfwSwapBuffers(window_);
+}
+
+} // namespace limen::app

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/Parse.h"
+#include "app/Picture.h"
+
+#include <memory>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace limen::app {
+
+/// The keys that do something once, when pressed.
+enum class Key {
+    Help,
+    Ids,
+    Regions,
+    Panel,
+    Leave,
+    Place1,
+    Place2,
+    Place3,
+    Place4,
+    Place5,
+    Place6,
+    Place7,
+    Place8,
+    Place9
+};
+
+/// What hands hold down just now.
+struct HeldInput {
+    bool forward = false, back = false, left = false, right = false, up = false, down = false, fast = false;
+    double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
+};
+
+/// A window with an OpenGL 4.5 context that is current while it lives.
+class Window {
+public:
+    /// Errors: no display; no window or context of that kind.
+    [[nodiscard]] static Result<std::unique_ptr<Window>> open(const char* title, PixelSize size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Takes in what happened since the last call. `mouseIsTaken`: the panel uses the mouse.
+    void poll(bool mouseIsTaken);
+    [[nodiscard]] const std::vector<Key>& pressed() const { return pressed_; } ///< since the last poll
+    [[nodiscard]] const HeldInput& held() const { return held_; }
+    [[nodiscard]] bool wantsToClose() const;
+    /// Size in pixels; 1x1 at least (a window made small as an icon has none).
+    [[nodiscard]] PixelSize size() const;
+    [[nodiscard]] double seconds() const; ///< since the library started
+    /// Reads what was drawn into the window, before `show`.
+    [[nodiscard]] Picture read() const;
+    void show();
+    [[nodiscard]] GLFWwindow* handle() const { return window_; }
+
+    /// Called by the library.
+    void receiveKey(int key);
+
+private:
+    explicit Window(GLFWwindow* window);
+    GLFWwindow* window_;
+    std::vector<Key> pending_, pressed_;
+    HeldInput held_;
+    double mouseX_ = 0.0, mouseY_ = 0.0;
+    bool dragging_ = false;
+};
+
+} // namespace limen::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/BuiltInWorld.h"
+#include "app/PlaceNotation.h"
+#include "app/ShotRequest.h"
+#include "dat/Archive.h"
+#include "world/Places.h"
+
+#include <optional>
+
+namespace limen::app {
+
+/// The files of one world, opened: the user's directory, or the built-in world in its cache.
+struct WorldSource {
+    std::optional<BuiltInWorld> builtIn; ///< keeps a borrowed directory alive
+    dat::Archive archive;
+    world::WorldFile file;
+    std::string datOption; ///< "" or " --dat DIR", for command lines that are printed
+};
+
+/// Opens the dats of `directory`, or the built-in world when it is empty. Errors: the archive's, the world
+/// file's; the built-in world cannot be written anywhere.
+[[nodiscard]] Result<WorldSource> openWorldSource(const std::string& directory);
+
+/// Where a view stands, before any of the world is loaded.
+struct Standpoint {
+    Camera camera;
+    bool onGround = false; ///< the eye's z is to be the ground's height plus kEyeHeight
+    RootChoice root;
+    Vec3 player{0.0};
+    /// The landblock to load around: the root cell's, else the eye's.
+    dat::BlockCoord centre;
+};
+
+/// Resolves names of places. Errors: a name that the world does not know (some that it knows are in the
+/// message).
+[[nodiscard]] Result<Standpoint> standpointOf(const ViewRequest& view, const world::WorldFile& file);
+
+/// The place a world is first seen from: the first of its tour, the first of its places, else nothing.
+[[nodiscard]] const world::Place* firstPlace(const world::WorldFile& file);
+
+/// The standpoint of a named place.
+[[nodiscard]] Standpoint standpointAt(const world::Place& place);
+
+} // namespace limen::app

@@ -1,0 +1,166 @@
+#include "dat/Archive.h"
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace limen::dat {
+namespace {
+
+constexpr const char* kPortalName = "client_portal.dat";
+constexpr const char* kCellName = "client_cell_1.dat";
+constexpr const char* kHighresName = "client_highres.dat";
+constexpr const char* kLocalName = "client_local_English.dat";
+
+const char* nameOf(FileRole role) {
+    switch (role) {
+    case FileRole::Portal:
+        return "portal";
+    case FileRole::Cell:
+        return "cell";
+    case FileRole::Highres:
+        return "highres";
+    case FileRole::Local:
+        return "local";
+    }
+    return "unknown";
+}
+
+Result<File> openAs(const std::filesystem::path& path, FileRole role) {
+    auto file = File::open(path);
+    if (file && file->role() != role) {
+        return fail(ErrorCode::Malformed, path.string(),
+                    fmt::format("its header says that it is a {} file; a {} file was expected",
+                                nameOf(file->role()), nameOf(role)));
+    }
+    return file;
+}
+
+template <class Record>
+constexpr RecordKind kKind = RecordKind::Other;
+template <>
+constexpr RecordKind kKind<GfxObj> = RecordKind::GfxObj;
+template <>
+constexpr RecordKind kKind<Setup> = RecordKind::Setup;
+template <>
+constexpr RecordKind kKind<Palette> = RecordKind::Palette;
+template <>
+constexpr RecordKind kKind<SurfaceTexture> = RecordKind::SurfaceTexture;
+template <>
+constexpr RecordKind kKind<RenderSurface> = RecordKind::RenderSurface;
+template <>
+constexpr RecordKind kKind<Surface> = RecordKind::Surface;
+template <>
+constexpr RecordKind kKind<Environment> = RecordKind::Environment;
+template <>
+constexpr RecordKind kKind<Scene> = RecordKind::Scene;
+template <>
+constexpr RecordKind kKind<Region> = RecordKind::Region;
+template <>
+constexpr RecordKind kKind<LandBlock> = RecordKind::LandBlock;
+template <>
+constexpr RecordKind kKind<LandBlockInfo> = RecordKind::LandBlockInfo;
+template <>
+constexpr RecordKind kKind<EnvCell> = RecordKind::EnvCell;
+
+bool isOfCells(RecordKind kind) {
+    return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
+}
+
+/// The entry of `id` if `file` has one; a damaged index counts as not having it.
+bool has(const File& file, RecordId id) {
+    const auto entry = file.find(id);
+    return entry && *entry;
+}
+
+} // namespace
+
+Result<Archive> Archive::open(const std::filesystem::path& directory) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(directory, error))
+        return fail(ErrorCode::NotFound, directory.string(), "there is no such directory");
+    auto portal = openAs(directory / kPortalName, FileRole::Portal);
+    if (!portal)
+        return tl::unexpected(portal.error());
+    auto cell = openAs(directory / kCellName, FileRole::Cell);
+    if (!cell)
+        return tl::unexpected(cell.error());
+    Archive archive(directory, std::move(*portal), std::move(*cell));
+    const auto openIfPresent = [&](const char* name, FileRole role,
+                                   std::optional<File>& into) -> Result<void> {
+        if (!std::filesystem::exists(directory / name, error))
+            return {};
+        auto file = openAs(directory / name, role);
+        if (!file)
+            return tl::unexpected(file.error());
+        into = std::move(*file);
+        return {};
+    };
+    if (auto done = openIfPresent(kHighresName, FileRole::Highres, archive.highres_); !done)
+        return tl::unexpected(done.error());
+    if (auto done = openIfPresent(kLocalName, FileRole::Local, archive.local_); !done)
+        return tl::unexpected(done.error());
+    return archive;
+}
+
+const File* Archive::holderOf(RecordKind kind, RecordId id) const {
+    if (isOfCells(kind))
+        return &cell_;
+    if (kind == RecordKind::RenderSurface && highres_ && !has(portal_, id) && has(*highres_, id))
+        return &*highres_;
+    return &portal_;
+}
+
+template <class Record>
+Result<Record> Archive::load(RecordId id) const {
+    constexpr RecordKind kind = kKind<Record>;
+    const File& file = *holderOf(kind, id);
+    if (kindOf(file.role(), id) != kind) {
+        return fail(ErrorCode::NotFound, file.name(),
+                    fmt::format("0x{:08X} is not the id of a {}", id, limen::dat::nameOf(kind)));
+    }
+    Bytes scratch;
+    const auto payload = file.read(id, scratch);
+    if (!payload)
+        return tl::unexpected(payload.error());
+    auto record = decode<Record>(id, *payload);
+    if (!record)
+        record.error().where = file.name() + ", " + record.error().where;
+    return record;
+}
+
+template <class Record>
+bool Archive::contains(RecordId id) const {
+    constexpr RecordKind kind = kKind<Record>;
+    const File& file = *holderOf(kind, id);
+    return kindOf(file.role(), id) == kind && has(file, id);
+}
+
+Result<RecordId> Archive::imageOf(const SurfaceTexture& texture) const {
+    for (const RecordId id : texture.images) {
+        if (contains<RenderSurface>(id))
+            return id;
+    }
+    return fail(
+        ErrorCode::NotFound, fmt::format("{}, record 0x{:08X}", portal_.name(), texture.id),
+        fmt::format("none of its {} images is in the portal file or in highres", texture.images.size()));
+}
+
+#define LIMEN_DAT_RECORD(Record)                                                                             \
+    template Result<Record> Archive::load<Record>(RecordId) const;                                           \
+    template bool Archive::contains<Record>(RecordId) const;
+LIMEN_DAT_RECORD(GfxObj)
+LIMEN_DAT_RECORD(Setup)
+LIMEN_DAT_RECORD(Palette)
+LIMEN_DAT_RECORD(SurfaceTexture)
+LIMEN_DAT_RECORD(RenderSurface)
+LIMEN_DAT_RECORD(Surface)
+LIMEN_DAT_RECORD(Environment)
+LIMEN_DAT_RECORD(Scene)
+LIMEN_DAT_RECORD(Region)
+LIMEN_DAT_RECORD(LandBlock)
+LIMEN_DAT_RECORD(LandBlockInfo)
+LIMEN_DAT_RECORD(EnvCell)
+#undef LIMEN_DAT_RECORD
+
+} // namespace limen::dat

@@ -1,0 +1,112 @@
+#include "dat/File.h"
+
+#include "dat/container/Blocks.h"
+#include "dat/container/Format.h"
+#include "dat/container/HeaderReader.h"
+#include "dat/container/Inflate.h"
+#include "dat/container/Mapping.h"
+#include "dat/container/Tree.h"
+
+#include <fmt/format.h>
+
+namespace limen::dat {
+
+struct File::Impl {
+    Impl(Mapping bytes, std::string fileName, Header h, std::vector<std::string> notes)
+        : mapping(std::move(bytes)), name(std::move(fileName)), header(h), warnings(std::move(notes)),
+          blocks(mapping.bytes(), h.blockSize), tree(blocks, h.root, name) {}
+
+    [[nodiscard]] static Result<std::unique_ptr<Impl>> make(Mapping mapping, std::string name) {
+        std::vector<std::string> warnings;
+        const auto header = readHeader(mapping.bytes(), name, warnings);
+        if (!header)
+            return tl::unexpected(header.error());
+        auto impl = std::make_unique<Impl>(std::move(mapping), std::move(name), *header, std::move(warnings));
+        if (auto root = impl->tree.checkRoot(); !root)
+            return tl::unexpected(root.error());
+        return impl;
+    }
+
+    [[nodiscard]] tl::unexpected<Error> bad(const Entry& entry, std::string reason) const {
+        return fail(ErrorCode::Malformed, fmt::format("{}, record 0x{:08X}", name, entry.id),
+                    std::move(reason));
+    }
+
+    Mapping mapping;
+    std::string name;
+    Header header;
+    std::vector<std::string> warnings;
+    Blocks blocks;
+    Tree tree;
+};
+
+File::File(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+File::File(File&&) noexcept = default;
+File& File::operator=(File&&) noexcept = default;
+File::~File() = default;
+
+Result<File> File::open(const std::filesystem::path& path) {
+    auto mapping = Mapping::open(path);
+    if (!mapping)
+        return tl::unexpected(mapping.error());
+    return Impl::make(std::move(*mapping), path.string()).map([](auto&& impl) {
+        return File(std::move(impl));
+    });
+}
+
+Result<File> File::fromBytes(ByteView bytes, std::string name) {
+    return Impl::make(Mapping::copyOf(bytes), std::move(name)).map([](auto&& impl) {
+        return File(std::move(impl));
+    });
+}
+
+const Header& File::header() const {
+    return impl_->header;
+}
+const std::string& File::name() const {
+    return impl_->name;
+}
+FileRole File::role() const {
+    return roleOf(impl_->header);
+}
+const std::vector<std::string>& File::warnings() const {
+    return impl_->warnings;
+}
+
+Result<std::optional<Entry>> File::find(RecordId id) const {
+    return impl_->tree.find(id);
+}
+
+Result<void> File::forEach(const std::function<bool(const Entry&)>& visit,
+                           std::vector<std::string>* warnings) const {
+    return impl_->tree.forEach(visit, warnings);
+}
+
+Result<ByteView> File::read(const Entry& entry, Bytes& scratch) const {
+    const Blocks& blocks = impl_->blocks;
+    const bool compressed = (entry.flags & kCompressedFlag) != 0;
+    if (!compressed && entry.size <= blocks.capacity() && blocks.isBlock(entry.offset))
+        return ByteView{blocks.payload(entry.offset), entry.size};
+    if (!compressed) {
+        if (const ChainStatus status = blocks.copy(entry.offset, entry.size, scratch); !status.ok())
+            return impl_->bad(entry, inWords(status));
+        return ByteView{scratch};
+    }
+    Bytes stored;
+    if (const ChainStatus status = blocks.copy(entry.offset, entry.size, stored); !status.ok())
+        return impl_->bad(entry, inWords(status));
+    if (std::string reason = inflateRecord(stored, scratch); !reason.empty())
+        return impl_->bad(entry, std::move(reason));
+    return ByteView{scratch};
+}
+
+Result<ByteView> File::read(RecordId id, Bytes& scratch) const {
+    const auto entry = find(id);
+    if (!entry)
+        return tl::unexpected(entry.error());
+    if (!*entry)
+        return fail(ErrorCode::NotFound, impl_->name, fmt::format("there is no record 0x{:08X}", id));
+    return read(**entry, scratch);
+}
+
+} // namespace limen::dat

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "dat/codec/ByteReader.h"
+#include "dat/codec/ByteWriter.h"
+
+#include <fmt/format.h>
+
+// The frame of every codec: one function `layout(io, record)` a record, called with a ByteReader and a
+// Record& or with a ByteWriter and a const Record&, so that reading and writing cannot drift apart.
+namespace limen::dat {
+
+/// Reads or writes a record's own id, which must be its key.
+inline void ownId(ByteReader& io, RecordId key, RecordId& id) {
+    io.value(id);
+    if (id != key && !io.failed())
+        io.failAt(io.offset() - sizeof id, fmt::format("the record says that its id is 0x{:08X}", id));
+}
+inline void ownId(ByteWriter& io, RecordId, const RecordId& id) {
+    io.value(id);
+}
+
+/// Decodes a whole payload with `read(reader, record)`; it must end where the bytes end.
+template <class Record, class Read>
+[[nodiscard]] Result<Record> decodeWith(RecordId id, ByteView payload, Read&& read) {
+    ByteReader io(payload);
+    Result<Record> out{tl::in_place};
+    read(io, *out);
+    if (!io.failed() && io.remaining() != 0)
+        io.fail(fmt::format("the record should end here, but {} bytes follow", io.remaining()));
+    if (io.failed()) {
+        out = fail(io.failureCode(), fmt::format("record 0x{:08X}, offset 0x{:X}", id, io.failureOffset()),
+                   io.failureReason());
+    }
+    return out;
+}
+
+template <class IO, class F>
+void frame(IO& io, F& f) {
+    io.value(f.origin);
+    io.value(f.orientation);
+}
+template <class IO, class P>
+void plane(IO& io, P& p) {
+    io.value(p.n);
+    io.value(p.d);
+}
+template <class IO, class S>
+void sphere(IO& io, S& s) {
+    io.value(s.centre);
+    io.value(s.radius);
+}
+template <class IO, class C>
+void colour(IO& io, C& c) {
+    io.value(c.argb);
+}
+template <class IO, class S>
+void stab(IO& io, S& s) {
+    io.value(s.model);
+    frame(io, s.frame);
+}
+/// A u32 count and as many plain values.
+template <class Count, class IO, class List>
+void values(IO& io, List& list, const char* what) {
+    io.template list<Count>(list, sizeof(typename std::remove_const_t<List>::value_type), what,
+                            [&](auto& one) { io.value(one); });
+}
+
+inline constexpr std::size_t kFrameBytes = 28;
+inline constexpr std::size_t kStabBytes = 4 + kFrameBytes;
+
+} // namespace limen::dat

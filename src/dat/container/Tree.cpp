@@ -1,0 +1,177 @@
+#include "dat/container/Tree.h"
+
+#include <fmt/format.h>
+
+namespace limen::dat {
+
+/// The state of a walk over the whole tree.
+struct Tree::Walk {
+    const std::function<bool(const Entry&)>& visit;
+    std::vector<bool> seen; ///< by block number
+    int leafDepth = -1;
+    bool unevenLeaves = false;
+    bool stopped = false;
+};
+
+Tree::Tree(const Blocks& blocks, std::uint32_t root, std::string name)
+    : blocks_(blocks), root_(root), name_(std::move(name)), blocksPerNode_(blocks.blocksFor(kNodeBytes)),
+      sound_(std::make_unique<std::atomic<std::uint64_t>[]>(blocks.blockCount() / 64 + 1)) {
+    for (std::size_t i = 0; i < kWords; ++i) {
+        wordBlock_[i] = static_cast<std::uint8_t>(i * 4 / blocks.capacity());
+        wordOffset_[i] = static_cast<std::uint16_t>(4 + i * 4 % blocks.capacity());
+    }
+}
+
+Entry Tree::entryAt(const Node& node, std::size_t i) const {
+    const std::size_t at = kEntriesAt / 4 + i * (kEntryBytes / 4);
+    const std::uint32_t first = word(node, at);
+    Entry entry;
+    entry.flags = static_cast<std::uint16_t>(first & 0xFFFF);
+    entry.version = static_cast<std::uint16_t>(first >> 16);
+    entry.id = word(node, at + 1);
+    entry.offset = word(node, at + 2);
+    entry.size = word(node, at + 3);
+    entry.date = word(node, at + 4);
+    entry.iteration = static_cast<std::int32_t>(word(node, at + 5));
+    return entry;
+}
+
+std::size_t Tree::lowerBound(const Node& node, RecordId id) const {
+    std::size_t first = 0;
+    std::size_t count = node.count;
+    while (count > 0) {
+        const std::size_t half = count / 2;
+        if (idAt(node, first + half) < id) {
+            first += half + 1;
+            count -= half + 1;
+        } else {
+            count = half;
+        }
+    }
+    return first;
+}
+
+bool Tree::isSound(std::uint32_t offset) const {
+    const std::size_t block = offset / blocks_.blockSize();
+    return ((sound_[block / 64].load(std::memory_order_relaxed) >> (block % 64)) & 1) != 0;
+}
+
+void Tree::markSound(std::uint32_t offset) const {
+    const std::size_t block = offset / blocks_.blockSize();
+    sound_[block / 64].fetch_or(std::uint64_t{1} << (block % 64), std::memory_order_relaxed);
+}
+
+std::string Tree::inspect(const Node& node) const {
+    for (std::size_t i = 1; i < node.count; ++i) {
+        if (idAt(node, i) <= idAt(node, i - 1))
+            return fmt::format("id 0x{:08X} comes after 0x{:08X}", idAt(node, i), idAt(node, i - 1));
+    }
+    if (node.isLeaf)
+        return {};
+    if (node.count == 0)
+        return "it has a branch but no entries";
+    for (std::size_t i = 0; i <= node.count; ++i) {
+        if (!blocks_.isBlock(branch(node, i)))
+            return fmt::format("branch {} is 0x{:X}, which is not the offset of a block", i, branch(node, i));
+    }
+    return {};
+}
+
+std::string Tree::load(std::uint32_t offset, const Range& range, Node& node) const {
+    node.offset = offset;
+    if (const ChainStatus status = blocks_.offsets(offset, blocksPerNode_, node.blocks.data()); !status.ok())
+        return inWords(status);
+    node.count = word(node, kCountAt / 4);
+    if (node.count > kMaxEntries)
+        return fmt::format("it claims {} entries; {} fit", node.count, kMaxEntries);
+    const std::uint32_t first = branch(node, 0);
+    node.isLeaf = first == 0 || first == kNoBranchFill;
+    if (!isSound(offset)) {
+        if (std::string reason = inspect(node); !reason.empty())
+            return reason;
+        markSound(offset);
+    }
+    if (node.count > 0 && (idAt(node, 0) <= range.low || idAt(node, node.count - 1) >= range.high))
+        return fmt::format("its ids 0x{:08X} to 0x{:08X} are out of the order of the tree", idAt(node, 0),
+                           idAt(node, node.count - 1));
+    return {};
+}
+
+tl::unexpected<Error> Tree::damaged(std::uint32_t offset, std::string reason) const {
+    return fail(ErrorCode::Malformed, fmt::format("{}, index node at 0x{:X}", name_, offset),
+                std::move(reason));
+}
+
+Result<std::optional<Entry>> Tree::find(RecordId id) const {
+    std::uint32_t offset = root_;
+    Range range;
+    if (offset == 0)
+        return std::nullopt;
+    Node node;
+    for (int depth = 0; depth < kMaxDepth; ++depth) {
+        if (std::string reason = load(offset, range, node); !reason.empty())
+            return damaged(offset, std::move(reason));
+        const std::size_t at = lowerBound(node, id);
+        if (at < node.count && idAt(node, at) == id)
+            return entryAt(node, at);
+        if (node.isLeaf)
+            return std::nullopt;
+        if (at > 0)
+            range.low = idAt(node, at - 1);
+        if (at < node.count)
+            range.high = idAt(node, at);
+        offset = branch(node, at);
+    }
+    return damaged(offset, fmt::format("the index is deeper than {} nodes", kMaxDepth));
+}
+
+Result<void> Tree::checkRoot() const {
+    if (root_ == 0)
+        return {};
+    Node node;
+    if (std::string reason = load(root_, {}, node); !reason.empty())
+        return damaged(root_, std::move(reason));
+    return {};
+}
+
+Result<void> Tree::walkNode(std::uint32_t offset, const Range& range, int depth, Walk& walk) const {
+    if (depth >= kMaxDepth)
+        return damaged(offset, fmt::format("the index is deeper than {} nodes", kMaxDepth));
+    Node node;
+    if (std::string reason = load(offset, range, node); !reason.empty())
+        return damaged(offset, std::move(reason));
+    const std::size_t block = offset / blocks_.blockSize();
+    if (walk.seen[block])
+        return damaged(offset, "two branches lead to it");
+    walk.seen[block] = true;
+    if (node.isLeaf) {
+        walk.unevenLeaves = walk.unevenLeaves || (walk.leafDepth >= 0 && walk.leafDepth != depth);
+        walk.leafDepth = depth;
+    }
+    Range below{range.low, range.high};
+    for (std::size_t i = 0; i <= node.count && !walk.stopped; ++i) {
+        below.high = i < node.count ? std::int64_t{idAt(node, i)} : range.high;
+        if (!node.isLeaf) {
+            if (auto done = walkNode(branch(node, i), below, depth + 1, walk); !done)
+                return done;
+        }
+        if (i == node.count || walk.stopped)
+            break;
+        walk.stopped = !walk.visit(entryAt(node, i));
+        below.low = idAt(node, i);
+    }
+    return {};
+}
+
+Result<void> Tree::forEach(const std::function<bool(const Entry&)>& visit,
+                           std::vector<std::string>* warnings) const {
+    if (root_ == 0)
+        return {};
+    Walk walk{visit, std::vector<bool>(blocks_.blockCount()), -1, false, false};
+    auto done = walkNode(root_, {}, 0, walk);
+    if (done && walk.unevenLeaves && warnings != nullptr)
+        warnings->push_back(fmt::format("{}: the leaves of the index lie at unequal depths", name_));
+    return done;
+}
+
+} // namespace limen::dat

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "dat/File.h"
+#include "dat/container/Blocks.h"
+#include "dat/container/Format.h"
+
+#include <array>
+#include <atomic>
+
+namespace limen::dat {
+
+/// The B-tree of a file, read where it lies (formats/container.md §5). A node's chain, count and range are
+/// checked at every visit; the order of its keys and its branches once, after which a bit says that they are
+/// sound. That bit is all that a look-up ever writes, so any number of threads may look up at once.
+class Tree {
+public:
+    /// `root` 0 is a tree without entries. `name` stands in messages.
+    Tree(const Blocks& blocks, std::uint32_t root, std::string name);
+
+    [[nodiscard]] Result<std::optional<Entry>> find(RecordId id) const;
+    [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
+                                       std::vector<std::string>* warnings) const;
+    /// Checks the root node.
+    [[nodiscard]] Result<void> checkRoot() const;
+
+private:
+    static constexpr std::size_t kWords = kNodeBytes / 4;
+    static constexpr std::size_t kMaxNodeBlocks = (kNodeBytes + kMinBlockSize - 5) / (kMinBlockSize - 4);
+
+    /// Ids that a subtree may hold, both ends excluded.
+    struct Range {
+        std::int64_t low = -1;
+        std::int64_t high = std::int64_t{1} << 32;
+    };
+    /// A node in place.
+    struct Node {
+        std::uint32_t offset = 0;
+        std::uint32_t count = 0;
+        bool isLeaf = true;
+        std::array<std::uint32_t, kMaxNodeBlocks> blocks;
+    };
+    struct Walk;
+
+    [[nodiscard]] std::uint32_t word(const Node& node, std::size_t index) const {
+        return blocks_.word(node.blocks[wordBlock_[index]] + wordOffset_[index]);
+    }
+    [[nodiscard]] std::uint32_t branch(const Node& node, std::size_t i) const { return word(node, i); }
+    [[nodiscard]] RecordId idAt(const Node& node, std::size_t i) const {
+        return word(node, kEntriesAt / 4 + i * (kEntryBytes / 4) + 1);
+    }
+    [[nodiscard]] Entry entryAt(const Node& node, std::size_t i) const;
+    /// Index of the first entry whose id is not less than `id`.
+    [[nodiscard]] std::size_t lowerBound(const Node& node, RecordId id) const;
+
+    /// Opens the node at `offset` whose ids must lie in `range`; the reason if it is damaged.
+    [[nodiscard]] std::string load(std::uint32_t offset, const Range& range, Node& node) const;
+    /// The checks that depend on the node's bytes alone.
+    [[nodiscard]] std::string inspect(const Node& node) const;
+    [[nodiscard]] tl::unexpected<Error> damaged(std::uint32_t offset, std::string reason) const;
+    [[nodiscard]] Result<void> walkNode(std::uint32_t offset, const Range& range, int depth,
+                                        Walk& walk) const;
+
+    [[nodiscard]] bool isSound(std::uint32_t offset) const;
+    void markSound(std::uint32_t offset) const;
+
+    Blocks blocks_;
+    std::uint32_t root_ = 0;
+    std::string name_;
+    std::size_t blocksPerNode_ = 0;
+    std::array<std::uint8_t, kWords> wordBlock_{};   ///< which block of the chain holds a word of the node
+    std::array<std::uint16_t, kWords> wordOffset_{}; ///< and where in it, the link included
+    std::unique_ptr<std::atomic<std::uint64_t>[]>
+        sound_; ///< a bit a block: the node there has been inspected
+};
+
+} // namespace limen::dat

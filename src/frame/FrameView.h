@@ -1,0 +1,30 @@
+#pragma once
+
+#include "visibility/View.h"
+
+#include <cstdint>
+
+namespace limen::frame {
+
+enum class Weather : std::uint8_t { Clear, Rain };
+
+/// One frame to plan: the eye and what is not the world's. Positions are global (world/World.h).
+struct FrameView {
+    visibility::View view;                   ///< eye in global metres; root is a world::SpaceIndex
+    std::uint32_t width = 640, height = 360; ///< pixels
+    double nearPlane = 0.02; ///< metres; portals are met at any distance, surfaces only beyond it
+    double timeOfDay = 0.5;  ///< fraction of the day
+    double seconds = 0.0;    ///< for what moves by itself
+    std::uint32_t dayGroup = 0;
+    Weather weather = Weather::Clear;
+    Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shows where the world has a hole
+    bool exactCutOuts = false;          ///< cut-outs at mip 0, nearest texel: for ids and depth
+};
+
+/// A FrameView at `eye` looking along compass direction `yaw` (degrees, 0 = north, +y; 90 = east, +x) and
+/// `pitch` (degrees, positive up), `fovY` degrees high. Requires finite angles, 0 < fovY < 180, width and
+/// height > 0.
+[[nodiscard]] FrameView makeView(const Vec3& eye, double yaw, double pitch, double fovY, std::uint32_t width,
+                                 std::uint32_t height, std::uint32_t root);
+
+} // namespace limen::frame

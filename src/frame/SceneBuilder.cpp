@@ -1,0 +1,153 @@
+#include "frame/SceneBuilder.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace limen::frame {
+
+namespace {
+
+/// A unit vector in signed normalised 10-10-10-2.
+std::uint32_t packNormal(const Vec3f& n) {
+    const auto pack = [](float v) {
+        const long i = std::lround(std::clamp(v, -1.0f, 1.0f) * 511.0f);
+        return static_cast<std::uint32_t>(i) & 0x3FFu;
+    };
+    return pack(n.x) | pack(n.y) << 10 | pack(n.z) << 20;
+}
+
+gpu::Instance packInstance(const world::Instance& in) {
+    gpu::Instance out;
+    // glm matrices are indexed by column first.
+    out.row0 = {in.linear[0][0], in.linear[1][0], in.linear[2][0], in.origin.x};
+    out.row1 = {in.linear[0][1], in.linear[1][1], in.linear[2][1], in.origin.y};
+    out.row2 = {in.linear[0][2], in.linear[1][2], in.linear[2][2], in.origin.z};
+    out.block = in.block;
+    out.idBase = in.idBase;
+    out.firstMaterial = in.firstMaterial;
+    out.kind = static_cast<std::uint32_t>(in.kind);
+    return out;
+}
+
+void addMembers(const world::World& world, const world::Instance& in, SceneUpload& scene,
+                gpu::Instance& out) {
+    out.firstMember = static_cast<std::uint32_t>(scene.members.size());
+    for (std::uint32_t m = in.firstMember; m < in.firstMember + in.memberCount; ++m) {
+        const world::Space& space = world.spaces[world.members[m]];
+        const auto begin = scene.members.begin() + out.firstMember;
+        if (std::none_of(begin, scene.members.end(),
+                         [&](const gpu::Member& x) { return x.zone == space.zone; })) {
+            scene.members.push_back({space.zone, space.lightSet});
+        }
+    }
+    out.memberCount = static_cast<std::uint32_t>(scene.members.size()) - out.firstMember;
+}
+
+gpu::TerrainLayer packLayer(const world::TerrainCell::Layer& in) {
+    return {in.texture, in.alpha, in.rotation, in.tiling};
+}
+
+gpu::TerrainCell packTerrain(const world::TerrainCell& in) {
+    gpu::TerrainCell out;
+    out.base = packLayer(in.base);
+    for (std::size_t i = 0; i < in.overlays.size(); ++i) {
+        out.overlays[i] = packLayer(in.overlays[i]);
+    }
+    for (std::size_t i = 0; i < in.roads.size(); ++i) {
+        out.roads[i] = packLayer(in.roads[i]);
+    }
+    return out;
+}
+
+/// The resident block whose frame a light is stored in: the one it stands in, else any.
+std::uint32_t blockFor(const world::World& world, const Vec3& position) {
+    for (std::uint32_t b = 0; b < world.blocks.size(); ++b) {
+        const Vec3 local = position - world.blocks[b].origin();
+        if (local.x >= 0.0 && local.y >= 0.0 && local.x < world::kBlockSize && local.y < world::kBlockSize) {
+            return b;
+        }
+    }
+    return 0;
+}
+
+gpu::Light packLight(const world::World& world, const world::Light& in) {
+    const std::uint32_t block = blockFor(world, in.position);
+    const Vec3f local(in.position - (world.blocks.empty() ? Vec3(0.0) : world.blocks[block].origin()));
+    return {{local, in.range}, {in.colour, std::bit_cast<float>(block)}};
+}
+
+void addMaterials(const world::World& world, SceneUpload& scene) {
+    for (const world::Material& m : world.materials) {
+        std::uint32_t flags = 0;
+        flags |= (m.flags & world::Material::kClamp) != 0 ? gpu::kMaterialClamp : 0;
+        flags |= (m.flags & world::Material::kAdditive) != 0 ? gpu::kMaterialAdditive : 0;
+        flags |= (m.flags & world::Material::kInvAlpha) != 0 ? gpu::kMaterialInvAlpha : 0;
+        flags |= (m.flags & world::Material::kAlpha) != 0 ? gpu::kMaterialAlpha : 0;
+        scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, m.diffuse});
+    }
+    scene.materialRefs = world.materialRefs;
+}
+
+/// By texture: it is sampled only where clamping to the edge is right (blend maps, pictures whose coordinates all lie
+/// within 0..1). One that anything repeats is repeated for all.
+std::vector<std::uint8_t> clampedTextures(const world::World& world) {
+    std::vector<std::uint8_t> clamped(world.textures.size(), 0);
+    const auto mark = [&](std::uint32_t texture, bool clamp) {
+        if (texture != world::kNone) {
+            clamped[texture] = static_cast<std::uint8_t>(clamped[texture] | (clamp ? 1 : 2));
+        }
+    };
+    for (const world::TerrainCell& cell : world.terrainCells) {
+        for (const world::TerrainCell::Layer& layer : cell.overlays) {
+            mark(layer.alpha, true);
+        }
+        for (const world::TerrainCell::Layer& layer : cell.roads) {
+            mark(layer.alpha, true);
+        }
+    }
+    for (const world::Material& m : world.materials) {
+        mark(m.texture, (m.flags & world::Material::kClamp) != 0);
+    }
+    for (std::uint8_t& c : clamped) {
+        c = c == 1 ? 1 : 0;
+    }
+    return clamped;
+}
+
+void addTextures(const world::World& world, SceneUpload& scene) {
+    const std::vector<std::uint8_t> clamped = clampedTextures(world);
+    for (std::size_t i = 0; i < world.textures.size(); ++i) {
+        const world::Image& image = world.textures[i];
+        scene.textures.push_back({image.width, image.height, image.rgba, clamped[i] != 0});
+    }
+}
+
+} // namespace
+
+SceneUpload buildScene(const world::World& world) {
+    SceneUpload scene;
+    scene.vertices.reserve(world.vertices.size());
+    for (const world::MeshVertex& v : world.vertices) {
+        scene.vertices.push_back({v.position, packNormal(v.normal), v.uv, v.polygon, v.surface});
+    }
+    scene.indices = world.indices;
+    for (const world::Instance& in : world.instances) {
+        gpu::Instance out = packInstance(in);
+        addMembers(world, in, scene, out);
+        scene.instances.push_back(out);
+    }
+    addMaterials(world, scene);
+    addTextures(world, scene);
+    for (const world::TerrainCell& cell : world.terrainCells) {
+        scene.terrainCells.push_back(packTerrain(cell));
+    }
+    for (const world::LightSet& set : world.lightSets) {
+        scene.lightSets.push_back({{set.ambient, set.sky}, set.sun, set.firstLight, set.lightCount, 0});
+    }
+    for (const world::Light& light : world.lights) {
+        scene.lights.push_back(packLight(world, light));
+    }
+    return scene;
+}
+
+} // namespace limen::frame

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "visibility/Graph.h"
+#include "world/World.h"
+
+namespace limen::frame {
+
+/// The world's spaces and portals as a graph to flood; space and portal numbers are the world's.
+[[nodiscard]] Result<visibility::Graph> visibilityGraph(const world::World& world);
+
+} // namespace limen::frame

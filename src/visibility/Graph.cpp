@@ -1,0 +1,123 @@
+#include "visibility/Graph.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace limen::visibility {
+
+namespace {
+
+/// Spaces with more portals than this get a tree of bounds: below it, testing each portal costs less than the
+/// walk.
+constexpr std::uint32_t kPortalsWithoutTree = 12;
+
+Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<const SpaceDesc> spaces,
+                         std::size_t portalCount, std::span<const Vec3> vertices) {
+    const std::string where = fmt::format("portal {}", index);
+    if (portal.space >= spaces.size() ||
+        (portal.destination != kNone && portal.destination >= spaces.size())) {
+        return fail(ErrorCode::BadArgument, where, "names a space that does not exist");
+    }
+    const SpaceDesc& space = spaces[portal.space];
+    if (index < space.firstPortal || index - space.firstPortal >= space.portalCount) {
+        return fail(ErrorCode::BadArgument, where, "is not in the run of portals of its space");
+    }
+    if (portal.reciprocal != kNone && portal.reciprocal >= portalCount) {
+        return fail(ErrorCode::BadArgument, where, "names a reciprocal portal that does not exist");
+    }
+    if (portal.firstVertex > vertices.size() || portal.vertexCount > vertices.size() - portal.firstVertex) {
+        return fail(ErrorCode::BadArgument, where, "has vertices outside the array");
+    }
+    for (const Vec3& v : vertices.subspan(portal.firstVertex, portal.vertexCount)) {
+        if (!isFinite(v)) {
+            return fail(ErrorCode::BadArgument, where, "has a vertex that is not finite");
+        }
+    }
+    return {};
+}
+
+/// Builds the tree of one space by halving the portals along the longest side of their box.
+class BoundsTree {
+public:
+    BoundsTree(std::vector<Graph::BoundsNode>& nodes, std::span<const Aabb> boxes)
+        : nodes_(nodes), boxes_(boxes) {}
+
+    std::uint32_t build(std::span<std::uint32_t> portals) {
+        const auto root = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        fill(root, portals);
+        return root;
+    }
+
+private:
+    void fill(std::uint32_t node, std::span<std::uint32_t> portals) {
+        Aabb box;
+        for (const std::uint32_t p : portals) {
+            box.include(boxes_[p]);
+        }
+        nodes_[node].box = box;
+        if (portals.size() == 1) {
+            nodes_[node].portal = portals[0];
+            return;
+        }
+        const Vec3 size = box.max - box.min;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+        std::sort(portals.begin(), portals.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const double ca = boxes_[a].centre()[axis];
+            const double cb = boxes_[b].centre()[axis];
+            return ca != cb ? ca < cb : a < b;
+        });
+        const auto child = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.resize(nodes_.size() + 2);
+        nodes_[node].child = child;
+        fill(child, portals.first(portals.size() / 2));
+        fill(child + 1, portals.subspan(portals.size() / 2));
+    }
+
+    std::vector<Graph::BoundsNode>& nodes_;
+    std::span<const Aabb> boxes_;
+};
+
+} // namespace
+
+Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const PortalDesc> portals,
+                           std::span<const Vec3> vertices) {
+    Graph graph;
+    graph.vertices_.assign(vertices.begin(), vertices.end());
+    std::vector<Aabb> boxes(portals.size());
+    for (std::size_t i = 0; i < portals.size(); ++i) {
+        const PortalDesc& p = portals[i];
+        if (auto checked = checkPortal(p, i, spaces, portals.size(), vertices); !checked) {
+            return tl::unexpected(checked.error());
+        }
+        const auto polygon = vertices.subspan(p.firstVertex, p.vertexCount);
+        for (const Vec3& v : polygon) {
+            boxes[i].include(v);
+        }
+        graph.portals_.push_back(
+            {planeOf(polygon), p.space, p.destination, p.reciprocal, p.firstVertex, p.vertexCount, p.exact});
+    }
+    std::vector<std::uint32_t> order;
+    for (std::size_t i = 0; i < spaces.size(); ++i) {
+        const SpaceDesc& s = spaces[i];
+        if (s.firstPortal > portals.size() || s.portalCount > portals.size() - s.firstPortal) {
+            return fail(ErrorCode::BadArgument, fmt::format("space {}", i), "has portals outside the array");
+        }
+        Space space{s.firstPortal, s.portalCount, s.zone, kNone};
+        if (s.portalCount > kPortalsWithoutTree) {
+            order.resize(s.portalCount);
+            std::iota(order.begin(), order.end(), s.firstPortal);
+            // A portal without a vertex has no box and is never admitted: leave it out of the tree.
+            std::erase_if(order, [&](std::uint32_t p) { return boxes[p].empty(); });
+            if (!order.empty()) {
+                space.root = BoundsTree(graph.nodes_, boxes).build(order);
+            }
+        }
+        graph.spaces_.push_back(space);
+    }
+    return graph;
+}
+
+} // namespace limen::visibility

@@ -1,0 +1,80 @@
+#include "visibility/Region.h"
+
+#include <algorithm>
+
+namespace limen::visibility {
+
+void clipByEyePlane(std::span<const Vec3> polygon, const Vec3& normal, std::vector<Vec3>& out) {
+    out.clear();
+    if (polygon.empty()) {
+        return;
+    }
+    Vec3 previous = polygon.back();
+    double previousSide = glm::dot(normal, previous);
+    for (const Vec3& current : polygon) {
+        const double side = glm::dot(normal, current);
+        if ((side >= 0.0) != (previousSide >= 0.0)) {
+            out.push_back(previous + (current - previous) * (previousSide / (previousSide - side)));
+        }
+        if (side >= 0.0) {
+            out.push_back(current);
+        }
+        previous = current;
+        previousSide = side;
+    }
+}
+
+double coneSize(std::span<const Vec3> region) {
+    Vec3 sum(0.0);
+    for (std::size_t i = 1; i + 1 < region.size(); ++i) {
+        sum += glm::cross(region[i] - region[0], region[i + 1] - region[0]);
+    }
+    return std::sqrt(glm::dot(sum, sum));
+}
+
+void tidyRegion(std::vector<Vec3>& region) {
+    for (Vec3& v : region) {
+        const double length = std::sqrt(glm::dot(v, v));
+        v = length > 0.0 ? v / length : v;
+    }
+    // Vertices closer than 10⁻¹² rad say nothing more and would make edges without a direction.
+    const auto same = [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) < 1e-24; };
+    region.erase(std::unique(region.begin(), region.end(), same), region.end());
+    while (region.size() > 1 && same(region.front(), region.back())) {
+        region.pop_back();
+    }
+    if (region.size() < 3 || coneSize(region) < kEmptyCone) {
+        region.clear();
+    }
+}
+
+void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, std::vector<Vec3>& out,
+                  std::vector<Vec3>& swap) {
+    out.assign(polygon.begin(), polygon.end());
+    for (std::size_t i = 0; i < region.size() && !out.empty(); ++i) {
+        clipByEyePlane(out, glm::cross(region[i], region[i + 1 == region.size() ? 0 : i + 1]), swap);
+        out.swap(swap);
+    }
+    tidyRegion(out);
+}
+
+Rect boundsOf(std::span<const Vec3> region) {
+    Rect rect;
+    for (const Vec3& v : region) {
+        // On the eye plane only the sign of x and y is known: the screen's edge stands for it.
+        const double x = v.z > 0.0 ? std::clamp(v.x / v.z, -1.0, 1.0) : (v.x > 0.0 ? 1.0 : -1.0);
+        const double y = v.z > 0.0 ? std::clamp(v.y / v.z, -1.0, 1.0) : (v.y > 0.0 ? 1.0 : -1.0);
+        rect.minX = std::min(rect.minX, x);
+        rect.maxX = std::max(rect.maxX, x);
+        rect.minY = std::min(rect.minY, y);
+        rect.maxY = std::max(rect.maxY, y);
+    }
+    return rect;
+}
+
+Rect intersection(const Rect& a, const Rect& b) {
+    return {std::max(a.minX, b.minX), std::max(a.minY, b.minY), std::min(a.maxX, b.maxX),
+            std::min(a.maxY, b.maxY)};
+}
+
+} // namespace limen::visibility

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "visibility/VisibleSet.h"
+
+#include <vector>
+
+namespace limen::visibility {
+
+enum class Containment : std::uint8_t { Outside, Partial, Inside };
+
+/// The visits of one flood as planes, for asking what of a ball can be seen in them. Reuse it: steady frames
+/// allocate nothing.
+class Viewcones {
+public:
+    /// `pixel` is the angle of one pixel in radians: balls are counted as touching a region when they come
+    /// that near.
+    void prepare(const View& view, const VisibleSet& set, double pixel);
+
+    /// How the ball, eye-relative, lies to a visit's region and entry plane. Inside means more: no part of it
+    /// shows in a pixel of another owner in front of it, i.e. it lies wholly within the visit, before the
+    /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
+    /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
+    [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& ball) const;
+
+    /// True if the ball may show within the rectangle (a SeenSpace's) of the screen.
+    [[nodiscard]] bool touches(const Rect& rect, const Sphere& ball) const;
+
+private:
+    struct Cone {
+        Plane entry;
+        std::uint32_t firstEdge = 0, edgeCount = 0, parent = 0;
+    };
+    [[nodiscard]] Containment classifyAlone(const Cone& cone, const Sphere& ball) const;
+    [[nodiscard]] bool descends(std::uint32_t visit, std::uint32_t ancestor) const;
+    std::vector<Cone> cones_;
+    std::vector<Vec3> edges_; ///< unit normals of planes through the eye, positive inside
+    View view_;
+    double pixel_ = 0.0;
+};
+
+} // namespace limen::visibility

@@ -1,0 +1,141 @@
+#include "app/FrameReport.h"
+#include "app/RegionOverlay.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace limen::app {
+namespace {
+
+world::Instance instanceOf(world::Kind kind, std::uint32_t mesh, world::SpaceIndex placedIn,
+                           std::uint64_t object, dat::RecordId record, std::uint32_t idBase) {
+    world::Instance instance;
+    instance.kind = kind;
+    instance.mesh = mesh;
+    instance.placedIn = placedIn;
+    instance.object = object;
+    instance.record = record;
+    instance.idBase = idBase;
+    return instance;
+}
+
+/// Outside with a terrain of two polygons (ids 2, 3), one cell with a shell of three (ids 4..6), an opening
+/// each way.
+world::World smallWorld() {
+    world::World world;
+    world.spaces.resize(2);
+    world.spaces[1].cellId = 0xA9B40105;
+    world.portals.resize(2);
+    world.portals[0].space = 0;
+    world.portals[0].recordIndex = 4;
+    world.portals[1].space = 1;
+    world.portals[1].recordIndex = 2;
+    world.meshes.resize(2);
+    world.meshes[0].polygonCount = 2;
+    world.meshes[1].polygonCount = 3;
+    world.meshes[1].firstPolygonInfo = 2;
+    world.polygonIds = {0, 1, 10, 20, 30};
+    // Out of order on purpose: the table sorts by id.
+    world.instances = {instanceOf(world::Kind::Shell, 1, 1, 0x1122, 0xA9B40105, 4),
+                       instanceOf(world::Kind::Terrain, 0, 0, 0x33, 0xA9B4FFFF, 2)};
+    world.idEnd = 7;
+    return world;
+}
+
+visibility::VisibleSet twoVisits() {
+    visibility::VisibleSet visible;
+    visible.visits.resize(2);
+    visible.regionVertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1},
+                              {0, 0, 0},   {2, 0, 4},  {2, 2, 4}, {0, 2, 4}};
+    visible.visits[0].zone = visible.visits[0].space = 1;
+    visible.visits[0].vertexCount = 4;
+    visibility::Visit& second = visible.visits[1];
+    second.parent = 0;
+    second.portal = 1;
+    second.firstVertex = second.vertexCount = 4;
+    second.depth = 1;
+    visible.seen = {{1, 0, {}}, {0, 1, {}}, {1, 1, {}}};
+    return visible;
+}
+
+nlohmann::ordered_json reportOf(std::span<const std::uint32_t> ids) {
+    const world::World world = smallWorld();
+    const IdTable table(world);
+    FrameEye eye;
+    eye.camera.eye = {1, 2, 3};
+    eye.root = 1;
+    FrameFigures figures;
+    figures.driver = "a driver";
+    figures.stages = {{"solid", 3, 0.5, std::numeric_limits<double>::quiet_NaN()}};
+    return frameJson(world, table, eye, twoVisits(), {}, figures, ids);
+}
+
+TEST(IdTable, tellsEveryIdApart) {
+    const world::World world = smallWorld();
+    const IdTable table(world);
+    EXPECT_EQ(table.meaning(0), (IdMeaning{"none", "void", "0x00000000", "", 0}));
+    EXPECT_EQ(table.meaning(1), (IdMeaning{"outside", "sky", "0x00000000", "", 0}));
+    EXPECT_EQ(table.meaning(3), (IdMeaning{"outside", "terrain", "0xA9B4FFFF", "0000000000000033", 1}));
+    EXPECT_EQ(table.meaning(6), (IdMeaning{"0xA9B40105", "shell", "0xA9B40105", "0000000000001122", 30}));
+    EXPECT_EQ(table.meaning(7).kind, "unknown");
+    EXPECT_EQ(table.meaning(0xFFFFFFFF).kind, "unknown");
+}
+
+TEST(FrameReport, hasTheAgreedShape) {
+    const std::vector<std::uint32_t> ids{0, 1, 4, 4, 2, 0};
+    const auto json = reportOf(ids);
+    EXPECT_EQ(json["root"], "0xA9B40105");
+    EXPECT_EQ(json["eye"], (nlohmann::ordered_json{1.0, 2.0, 3.0}));
+    EXPECT_EQ(json["cells"], (nlohmann::ordered_json::array({"0xA9B40105"})));
+    EXPECT_EQ(json["void_pixels"], 2);
+    ASSERT_EQ(json["ids"].size(), 4u);
+    EXPECT_EQ(json["ids"]["0"]["space"], "none");
+    EXPECT_EQ(json["ids"]["4"]["kind"], "shell");
+    EXPECT_EQ(json["ids"]["4"]["polygon"], 10);
+    ASSERT_EQ(json["visits"].size(), 2u);
+    EXPECT_EQ(json["visits"][0]["parent"], -1);
+    EXPECT_TRUE(json["visits"][0]["portal"].is_null());
+    EXPECT_EQ(json["visits"][0]["region"].size(), 4u);
+    EXPECT_EQ(json["visits"][1]["parent"], 0);
+    EXPECT_EQ(json["visits"][1]["portal"]["space"], "0xA9B40105");
+    EXPECT_EQ(json["visits"][1]["portal"]["index"], 2);
+    // The corner at the eye itself has no place on the screen; the others are divided by w.
+    EXPECT_EQ(json["visits"][1]["region"],
+              (nlohmann::ordered_json::array({{0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}})));
+    EXPECT_EQ(json["stages"][0]["name"], "solid");
+    EXPECT_EQ(json["stages"][0]["draws"], 3);
+    EXPECT_TRUE(json["stages"][0]["gpu_ms"].is_null());
+    EXPECT_EQ(json["driver"], "a driver");
+}
+
+TEST(FrameReport, readsBackAsJson) {
+    const std::vector<std::uint32_t> ids{1};
+    EXPECT_EQ(nlohmann::ordered_json::parse(reportOf(ids).dump()).dump(), reportOf(ids).dump());
+}
+
+TEST(FrameReport, withoutAnIdImageItSaysNothingOfIds) {
+    EXPECT_FALSE(reportOf({}).contains("ids"));
+    EXPECT_FALSE(reportOf({}).contains("void_pixels"));
+}
+
+TEST(FrameReport, reproductionNamesTheRoot) {
+    FrameEye eye;
+    eye.camera.eye = {-1.25, 2, 0.1};
+    eye.camera.heading = {30, -5};
+    eye.root = 1;
+    EXPECT_EQ(reproduction(smallWorld(), eye, " --dat d"),
+              "limen shot --dat d --eye=-1.25,2,0.1 --yaw=30 --pitch=-5 --fov=60 --size=1280x720 "
+              "--root=0xA9B40105 --time=0.5");
+}
+
+TEST(RegionOverlay, outlinesEveryVisitInItsColour) {
+    Picture picture(64, 64);
+    drawRegions(picture, twoVisits());
+    EXPECT_EQ(picture.at(0, 30), distinctColour(0));  // the root's left edge
+    EXPECT_EQ(picture.at(48, 20), distinctColour(1)); // x = 0.5: the opening's right edge
+}
+
+} // namespace
+} // namespace limen::app

@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+// Reads every #include of src/ and fails when a room includes one that it may not know
+// (docs/architecture.md).
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+const fs::path kRoot = LIMEN_SOURCE_DIR;
+
+/// What each room may include beside itself. The keys are all the rooms there may be.
+std::map<std::string, Names> allowedRooms() {
+    return {
+        {"core", {}},
+        {"geometry", {"core"}},
+        {"dat", {"core", "geometry"}},
+        {"demo", {"core", "geometry", "dat"}},
+        {"world", {"core", "geometry", "dat"}},
+        {"motion", {"core", "geometry", "dat", "world"}},
+        {"visibility", {"core", "geometry"}},
+        {"frame", {"core", "geometry", "dat", "world", "visibility"}},
+        {"gpu", {"core", "geometry", "frame"}},
+        {"reference", {"core", "geometry", "dat", "world", "motion"}},
+        {"app",
+         {"core", "geometry", "dat", "demo", "world", "motion", "visibility", "frame", "gpu", "reference"}},
+    };
+}
+
+/// Headers of gpu's neighbour that lead it no further: frame's plan as plain data.
+bool isPlainFrameHeader(const std::string& include) {
+    static const Names kPlain{"frame/FramePlan.h", "frame/GpuLayout.h", "frame/SceneUpload.h"};
+    return kPlain.contains(include);
+}
+
+struct Include {
+    fs::path file;
+    int line = 0;
+    std::string name;
+    [[nodiscard]] std::string place() const {
+        return fs::relative(file, kRoot).string() + ":" + std::to_string(line) + " includes " + name;
+    }
+};
+
+std::vector<Include> includesOf(const fs::path& file) {
+    static const std::regex kPattern(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
+    std::vector<Include> found;
+    std::ifstream in(file);
+    std::string text;
+    for (int line = 1; std::getline(in, text); ++line) {
+        std::smatch match;
+        if (std::regex_search(text, match, kPattern))
+            found.push_back({file, line, match[1]});
+    }
+    return found;
+}
+
+std::vector<Include> includesUnder(const fs::path& folder) {
+    std::vector<Include> found;
+    if (!fs::exists(folder))
+        return found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".h" && extension != ".cpp")
+            continue;
+        const std::vector<Include> more = includesOf(entry.path());
+        found.insert(found.end(), more.begin(), more.end());
+    }
+    return found;
+}
+
+/// The room an include names, or "" for a library's.
+std::string roomOf(const std::string& include) {
+    const std::string first = include.substr(0, include.find('/'));
+    const bool isRoom =
+        first.size() < include.size() && !first.starts_with('.') && fs::is_directory(kRoot / "src" / first);
+    return isRoom ? first : "";
+}
+
+std::vector<std::string> roomsThere() {
+    std::vector<std::string> rooms;
+    for (const auto& entry : fs::directory_iterator(kRoot / "src")) {
+        if (entry.is_directory())
+            rooms.push_back(entry.path().filename());
+    }
+    return rooms;
+}
+
+bool isGlHeader(const std::string& include) {
+    static const std::regex kGl(R"(^(epoxy|GL|GLES[23]?|EGL|KHR|GLFW|glad|vulkan)/)");
+    return std::regex_search(include, kGl);
+}
+
+TEST(IncludeGraph, everyRoomIsKnown) {
+    const auto allowed = allowedRooms();
+    for (const std::string& room : roomsThere())
+        EXPECT_TRUE(allowed.contains(room))
+            << "src/" << room << " has no line in the table of allowed includes";
+}
+
+TEST(IncludeGraph, noRoomIncludesOneItMayNotKnow) {
+    const auto allowed = allowedRooms();
+    std::size_t seen = 0;
+    for (const std::string& room : roomsThere()) {
+        for (const Include& include : includesUnder(kRoot / "src" / room)) {
+            const std::string other = roomOf(include.name);
+            seen += other.empty() ? 0 : 1;
+            EXPECT_TRUE(other.empty() || other == room || allowed.at(room).contains(other))
+                << include.place();
+        }
+    }
+    EXPECT_GT(seen, 50u) << "too few includes found for the test to mean anything";
+}
+
+TEST(IncludeGraph, relativeIncludesDoNotClimbOut) {
+    for (const std::string& room : roomsThere()) {
+        for (const Include& include : includesUnder(kRoot / "src" / room)) {
+            const bool climbs = include.name.starts_with("..");
+            EXPECT_TRUE(!climbs || include.name == "../../shaders/include/SharedLayout.h") << include.place();
+        }
+    }
+}
+
+TEST(IncludeGraph, onlyGpuAndAppKnowOpenGl) {
+    for (const std::string& room : roomsThere()) {
+        if (room == "gpu" || room == "app")
+            continue;
+        for (const Include& include : includesUnder(kRoot / "src" / room))
+            EXPECT_FALSE(isGlHeader(include.name)) << include.place();
+    }
+}
+
+TEST(IncludeGraph, gpuSeesOfFrameOnlyThePlan) {
+    for (const Include& include : includesUnder(kRoot / "src" / "gpu"))
+        EXPECT_TRUE(roomOf(include.name) != "frame" || isPlainFrameHeader(include.name)) << include.place();
+}
+
+TEST(IncludeGraph, thePlansHeadersKnowNoOtherRoom) {
+    for (const char* header : {"FramePlan.h", "GpuLayout.h", "SceneUpload.h"}) {
+        for (const Include& include : includesOf(kRoot / "src" / "frame" / header)) {
+            const std::string room = roomOf(include.name);
+            EXPECT_TRUE(room.empty() || room == "frame" || room == "geometry" || room == "core")
+                << include.place();
+        }
+    }
+}
+
+TEST(IncludeGraph, theAllowedGraphHasNoCycle) {
+    // Repeatedly take away the rooms that need no room that is left; what stays is a cycle.
+    auto left = allowedRooms();
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (auto it = left.begin(); it != left.end();) {
+            const bool free = std::none_of(it->second.begin(), it->second.end(),
+                                           [&](const std::string& room) { return left.contains(room); });
+            it = free ? left.erase(it) : std::next(it);
+            moved = moved || free;
+        }
+    }
+    for (const auto& [room, needs] : left)
+        ADD_FAILURE() << room << " is part of a cycle";
+}
+
+/// The limen targets that a CMakeLists.txt links for the targets that match.
+Names linkedRooms(const fs::path& cmakeLists) {
+    static const std::regex kTarget(R"(limen::(\w+))");
+    std::ifstream in(cmakeLists);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    Names rooms;
+    for (std::sregex_iterator it(text.begin(), text.end(), kTarget), end; it != end; ++it)
+        rooms.insert((*it)[1]);
+    return rooms;
+}
+
+TEST(LinkGraph, noRoomLinksOneItMayNotKnow) {
+    const auto allowed = allowedRooms();
+    for (const std::string& room : roomsThere()) {
+        for (const std::string& other : linkedRooms(kRoot / "src" / room / "CMakeLists.txt")) {
+            // gpu may link nothing of frame's but its headers; the library itself brings world and visibility
+            // along.
+            EXPECT_TRUE(other == room || allowed.at(room).contains(other))
+                << "src/" << room << " links limen::" << other;
+        }
+    }
+}
+
+TEST(Examples, theFloodNeedsOnlyVisibilityGeometryAndCore) {
+    const Names allowed{"visibility", "geometry", "core"};
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / "examples")) {
+        if (entry.path().filename().string().starts_with("flood") && entry.is_regular_file())
+            files.push_back(entry.path());
+    }
+    for (const fs::path& file : files) {
+        for (const Include& include : includesOf(file)) {
+            const std::string room = roomOf(include.name);
+            EXPECT_TRUE(room.empty() || allowed.contains(room)) << include.place();
+            EXPECT_FALSE(isGlHeader(include.name)) << include.place();
+        }
+    }
+}
+
+TEST(Examples, theFloodsTargetLinksOnlyVisibilityGeometryAndCore) {
+    // A target named flood* or example_flood* in examples/CMakeLists.txt: its target_link_libraries line.
+    static const std::regex kLine(R"(target_link_libraries\(\s*((?:example_)?flood\w*)([^)]*)\))");
+    static const std::regex kTarget(R"(limen::(\w+))");
+    std::ifstream in(kRoot / "examples" / "CMakeLists.txt");
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const Names allowed{"visibility", "geometry", "core"};
+    for (std::sregex_iterator it(text.begin(), text.end(), kLine), end; it != end; ++it) {
+        const std::string links = (*it)[2];
+        for (std::sregex_iterator target(links.begin(), links.end(), kTarget); target != end; ++target)
+            EXPECT_TRUE(allowed.contains((*target)[1])) << (*it)[1] << " links limen::" << (*target)[1];
+    }
+}
+
+} // namespace

@@ -1,0 +1,138 @@
+// The built-in world, drawn and held against the ray rule: its places, its tour, and random eyes.
+#include "picture/PictureWorld.h"
+
+#include "demo/Demo.h"
+#include "motion/Locate.h"
+#include "world/Loader.h"
+#include "world/Places.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include <unistd.h>
+
+namespace limen::test {
+namespace {
+
+/// The built-in world, written and loaded once for all tests of this file.
+struct BuiltInWorld : ::testing::TestWithParam<bool> {
+    static void SetUpTestSuite() {
+        directory() = std::filesystem::temp_directory_path() / ("limen-built-in-" + std::to_string(::getpid()));
+        const auto written = demo::writeBuiltInWorld(directory());
+        ASSERT_TRUE(written) << written.error().message();
+        const auto file = world::loadWorldFile(directory());
+        ASSERT_TRUE(file) << file.error().message();
+        places() = *file;
+        ASSERT_FALSE(places().places.empty());
+        for (const bool merge : {true, false}) {
+            worlds()[merge] = std::make_unique<PictureWorld>(directory(), world::blockAt(places().places[0].eye),
+                                                             PictureOptions{merge, 2});
+            worlds()[merge]->width = 64;
+            worlds()[merge]->height = 36;
+        }
+    }
+    static void TearDownTestSuite() {
+        worlds()[0].reset();
+        worlds()[1].reset();
+        std::filesystem::remove_all(directory());
+    }
+    [[nodiscard]] PictureWorld& pictures() const { return *worlds()[GetParam()]; }
+    [[nodiscard]] frame::FrameView look(const Vec3& eye, double yaw, double pitch, world::SpaceIndex root) const {
+        return pictures().look(eye - pictures().homeOrigin(), yaw, pitch, root);
+    }
+
+    static std::filesystem::path& directory() {
+        static std::filesystem::path path;
+        return path;
+    }
+    static world::WorldFile& places() {
+        static world::WorldFile file;
+        return file;
+    }
+    static std::unique_ptr<PictureWorld> (&worlds())[2] {
+        static std::unique_ptr<PictureWorld> both[2];
+        return both;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Zones, BuiltInWorld, ::testing::Bool(),
+                         [](const auto& zones) { return zones.param ? "merged" : "apart"; });
+
+TEST_P(BuiltInWorld, everyPlaceIsClean) {
+    for (const world::Place& place : places().places) {
+        SCOPED_TRACE(place.name);
+        const auto located = motion::locate(pictures().world(), place.eye);
+        EXPECT_FALSE(located.ambiguous);
+        EXPECT_EQ(pictures().world().spaces[located.space].cellId, place.cell);
+        for (const double turn : {0.0, 90.0, 180.0, 270.0}) {
+            SCOPED_TRACE(turn);
+            pictures().expectClean(look(place.eye, place.yaw + turn, place.pitch, located.space));
+        }
+    }
+}
+
+TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
+    const auto& tour = places().tour;
+    ASSERT_GE(tour.size(), 2u);
+    world::SpaceIndex space = motion::locate(pictures().world(), tour[0].eye).space;
+    Vec3 last = tour[0].eye;
+    std::size_t indoors = 0;
+    for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
+        for (const double share : {0.0, 0.31, 0.67}) {
+            const Vec3 eye = glm::mix(tour[i].eye, tour[i + 1].eye, share);
+            space = motion::sweep(pictures().world(), space, last, eye);
+            last = eye;
+            indoors += space == world::kOutside ? 0 : 1;
+            if ((i * 3) % 8 < 3) { // every step is swept, some are drawn
+                SCOPED_TRACE(::testing::Message() << "way point " << i << " + " << share);
+                pictures().expectClean(look(eye, tour[i].yaw, tour[i].pitch, space));
+            }
+        }
+    }
+    EXPECT_GT(indoors, 10u) << "the tour goes inside";
+}
+
+TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
+    std::mt19937 random(GetParam() ? 11 : 12);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const world::World& world = pictures().world();
+    for (int view = 0; view < 250;) {
+        Vec3 eye(0.0);
+        world::SpaceIndex root = world::kOutside;
+        if (view % 5 < 3) {
+            root = 1 + static_cast<world::SpaceIndex>(unit(random) * static_cast<double>(world.spaces.size() - 1));
+            const Aabb& box = world.spaces[root].bounds;
+            eye = box.min + (box.max - box.min) * Vec3(unit(random), unit(random), unit(random));
+            if (!motion::cellContains(world, root, eye)) {
+                continue;
+            }
+        } else {
+            const world::Block& block = world.blocks[static_cast<std::size_t>(unit(random) * static_cast<double>(world.blocks.size()))];
+            eye = block.origin() + Vec3(unit(random), unit(random), 0.0) * world::kBlockSize;
+            eye.z = world::terrainHeight(world, eye.x, eye.y) + 0.3 + unit(random) * 12.0;
+            if (motion::locate(world, eye).space != world::kOutside) {
+                continue;
+            }
+        }
+        SCOPED_TRACE(::testing::Message() << "view " << view);
+        pictures().expectClean(look(eye, unit(random) * 360.0, unit(random) * 120.0 - 60.0, root));
+        ++view;
+    }
+}
+
+TEST_P(BuiltInWorld, everyViewTakesFewCallsAndTheSameForTheSameStages) {
+    std::map<std::vector<std::uint32_t>, std::uint32_t> calls;
+    for (const world::Place& place : places().places) {
+        for (double yaw = 0; yaw < 360; yaw += 60) {
+            const Picture picture =
+                pictures().shoot(look(place.eye, yaw, 0, motion::locate(pictures().world(), place.eye).space));
+            EXPECT_LE(picture.glCalls, 40u);
+            const auto known = calls.try_emplace(picture.stages, picture.glCalls);
+            EXPECT_EQ(known.first->second, picture.glCalls) << place.name;
+        }
+    }
+}
+
+} // namespace
+} // namespace limen::test

@@ -1,0 +1,109 @@
+#include "picture/Comparison.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace limen::test {
+
+namespace {
+
+/// Traces pixels of one view, each at most once.
+class TracedView {
+public:
+    TracedView(const NaiveTracer& tracer, const frame::FrameView& frame)
+        : tracer_(tracer), frame_(frame), answers_((frame.width + 2) * (frame.height + 2)) {}
+
+    const NaiveTracer::Answer& at(int x, int y) {
+        auto& answer =
+            answers_[static_cast<std::size_t>(y + 1) * (frame_.width + 2) + static_cast<std::size_t>(x + 1)];
+        if (!answer) {
+            answer = tracer_.trace(frame_.view.root, rayThrough(frame_, x, y));
+        }
+        return *answer;
+    }
+
+    template <class Test>
+    bool anyAround(int x, int y, Test test) {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (test(at(x + dx, y + dy))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+private:
+    const NaiveTracer& tracer_;
+    const frame::FrameView& frame_;
+    std::vector<std::optional<NaiveTracer::Answer>> answers_;
+};
+
+bool belongsOutside(const world::World& world, std::uint32_t id) {
+    const std::uint32_t instance = instanceOfId(world, id);
+    return id == 1 || (instance != world::kNone && world.instances[instance].placedIn == world::kOutside &&
+                       world.instances[instance].memberCount == 1);
+}
+
+} // namespace
+
+NaiveTracer::Ray rayThrough(const frame::FrameView& frame, int x, int y) {
+    const double sx = ((x + 0.5) / frame.width * 2.0 - 1.0) * frame.view.tanHalfX;
+    const double sy = (1.0 - (y + 0.5) / frame.height * 2.0) * frame.view.tanHalfY;
+    return {frame.view.eye, frame.view.forward + frame.view.right * sx + frame.view.up * sy, frame.nearPlane};
+}
+
+std::uint32_t instanceOfId(const world::World& world, std::uint32_t id) {
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+        const world::Instance& in = world.instances[i];
+        if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount) {
+            return i;
+        }
+    }
+    return world::kNone;
+}
+
+std::string describeId(const world::World& world, std::uint32_t id) {
+    constexpr const char* kNames[] = {"shell",  "terrain", "exterior", "scenery",
+                                      "static", "dynamic", "filling",  "sky"};
+    const std::uint32_t index = instanceOfId(world, id);
+    if (index == world::kNone) {
+        return id == 0 ? "void" : id == 1 ? "sky" : fmt::format("unknown id {}", id);
+    }
+    const world::Instance& in = world.instances[index];
+    return fmt::format("{} 0x{:08X} polygon {}", kNames[static_cast<std::size_t>(in.kind)], in.record,
+                       id - in.idBase);
+}
+
+Comparison compare(const world::World& world, const NaiveTracer& tracer, const frame::FrameView& frame,
+                   const std::vector<std::uint32_t>& ids) {
+    Comparison result;
+    TracedView traced(tracer, frame);
+    for (int y = 0; y < static_cast<int>(frame.height); ++y) {
+        for (int x = 0; x < static_cast<int>(frame.width); ++x) {
+            const std::uint32_t id =
+                ids[static_cast<std::size_t>(y) * frame.width + static_cast<std::size_t>(x)];
+            ++result.pixels;
+            result.voids += id == 0 ? 1 : 0;
+            if (traced.at(x, y).id == id) {
+                continue;
+            }
+            if (belongsOutside(world, id) &&
+                !traced.anyAround(x, y, [](const auto& a) { return a.reachedOutside; })) {
+                ++result.outsideWithoutRay;
+            }
+            if (!traced.anyAround(x, y, [&](const auto& a) { return a.id == id; })) {
+                if (result.disagreeing++ == 0) {
+                    result.first = fmt::format("pixel ({}, {}): drawn {}, traced {}", x, y,
+                                               describeId(world, id), describeId(world, traced.at(x, y).id));
+                }
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace limen::test

@@ -1,0 +1,178 @@
+#include "picture/NaiveTracer.h"
+
+#include "geometry/ConvexPolygon.h"
+
+#include <cmath>
+#include <limits>
+
+namespace limen::test {
+
+namespace {
+
+/// Metres: an eye this near to a portal's plane is in it, and a surface this near is met from both sides.
+constexpr double kTolerance = 0.0002;
+
+} // namespace
+
+NaiveTracer::NaiveTracer(const world::World& world) : world_(world) {
+    for (const world::Instance& instance : world.instances) {
+        addTriangles(instance);
+    }
+}
+
+void NaiveTracer::addTriangles(const world::Instance& instance) {
+    const world::Mesh& mesh = world_.meshes[instance.mesh];
+    Body body{instance.bounds, triangles_.size(), 0};
+    const Vec3 origin = world_.blocks[instance.block].origin() + Vec3(instance.origin);
+    const auto place = [&](const world::MeshVertex& v) {
+        return origin + Mat3(instance.linear) * Vec3(v.position);
+    };
+    for (const auto surfaces : {world::SurfaceClass::Opaque, world::SurfaceClass::CutOut}) {
+        const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
+        for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3) {
+            const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {
+                return world_.vertices[mesh.firstVertex + world_.indices[i + k]];
+            };
+            Triangle t;
+            t.a = place(vertex(0));
+            t.ab = place(vertex(1)) - t.a;
+            t.ac = place(vertex(2)) - t.a;
+            t.uvA = vertex(0).uv;
+            t.uvB = vertex(1).uv;
+            t.uvC = vertex(2).uv;
+            t.id = instance.idBase + vertex(0).polygon;
+            if (surfaces == world::SurfaceClass::CutOut) {
+                t.material = world_.materialRefs[instance.firstMaterial + vertex(0).surface];
+            }
+            triangles_.push_back(t);
+        }
+    }
+    body.triangleCount = triangles_.size() - body.firstTriangle;
+    bodies_.push_back(body);
+}
+
+bool NaiveTracer::isHole(const Triangle& triangle, double v, double w) const {
+    if (triangle.material == world::kNone) {
+        return false;
+    }
+    const world::Material& material = world_.materials[triangle.material];
+    if (material.texture == world::kNone) {
+        return false;
+    }
+    const world::Image& image = world_.textures[material.texture];
+    const Vec2 uv = Vec2(triangle.uvA) * (1.0 - v - w) + Vec2(triangle.uvB) * v + Vec2(triangle.uvC) * w;
+    const auto texel = [&](double coordinate, std::uint32_t size) {
+        const bool clamp = (material.flags & world::Material::kClamp) != 0;
+        const double inside =
+            clamp ? std::min(std::max(coordinate, 0.0), 1.0) : coordinate - std::floor(coordinate);
+        return std::min(static_cast<std::uint32_t>(inside * size), size - 1);
+    };
+    const std::size_t at =
+        (std::size_t{texel(uv.y, image.height)} * image.width + texel(uv.x, image.width)) * 4 + 3;
+    return image.rgba[at] < 128;
+}
+
+void NaiveTracer::nearestIn(const Body& body, const Ray& ray, double after, Answer& best) const {
+    const Vec3 offset = body.bounds.centre - ray.eye;
+    const Vec3 across = glm::cross(offset, glm::normalize(ray.direction));
+    const double reach = body.bounds.radius * 1.0001 + 0.01;
+    if (glm::dot(across, across) > reach * reach) {
+        return;
+    }
+    for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
+        // Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), front faces only.
+        const Triangle& triangle = triangles_[i];
+        const Vec3 p = glm::cross(ray.direction, triangle.ac);
+        const double determinant = glm::dot(triangle.ab, p);
+        if (determinant <= 0.0) {
+            continue;
+        }
+        const Vec3 s = ray.eye - triangle.a;
+        const double v = glm::dot(s, p) / determinant;
+        const Vec3 q = glm::cross(s, triangle.ab);
+        const double w = glm::dot(ray.direction, q) / determinant;
+        const double t = glm::dot(triangle.ac, q) / determinant;
+        if (v < 0.0 || w < 0.0 || v + w > 1.0 || t <= after || t < ray.nearPlane || t >= best.t) {
+            continue;
+        }
+        if (!isHole(triangle, v, w)) {
+            best.t = t;
+            best.id = triangle.id;
+        }
+    }
+}
+
+world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
+                                              world::PortalIndex cameBy, double& t) const {
+    world::PortalIndex nearest = world::kNone;
+    const world::Space& from = world_.spaces[space];
+    for (std::uint32_t i = from.firstPortal; i < from.firstPortal + from.portalCount; ++i) {
+        const world::Portal& portal = world_.portals[i];
+        const double speed = glm::dot(portal.plane.n, ray.direction);
+        if (speed >= 0.0 || (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i)) {
+            continue;
+        }
+        const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+        const double side = portal.plane.signedDistance(ray.eye);
+        const bool inPlane = after <= 0.0 && std::abs(side) <= kTolerance &&
+                             containsProjection(polygon, portal.plane.n, ray.eye, 0.0);
+        const double at = inPlane ? 0.0 : -side / speed;
+        const bool ahead = inPlane || (side > 0.0 && at > after);
+        if (ahead && at < t &&
+            (inPlane || containsProjection(polygon, portal.plane.n, ray.eye + ray.direction * at, 0.0))) {
+            t = at;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+bool NaiveTracer::passesReciprocal(world::PortalIndex index, const Ray& ray) const {
+    const world::Portal& portal = world_.portals[index];
+    if (portal.exact || portal.reciprocal == world::kNone) {
+        return true;
+    }
+    const world::Portal& back = world_.portals[portal.reciprocal];
+    const auto polygon = std::span(world_.portalVertices).subspan(back.firstVertex, back.vertexCount);
+    const double t = -back.plane.signedDistance(ray.eye) / glm::dot(back.plane.n, ray.direction);
+    return containsProjection(polygon, back.plane.n, ray.eye + ray.direction * t, 0.0);
+}
+
+NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) const {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    Answer answer;
+    double t0 = 0.0;
+    world::SpaceIndex space = root;
+    world::PortalIndex cameBy = world::kNone;
+    const double slack = kTolerance / std::sqrt(glm::dot(ray.direction, ray.direction));
+    for (;;) {
+        ++answer.spacesVisited;
+        answer.reachedOutside = answer.reachedOutside || space == world::kOutside;
+        answer.t = kInfinite;
+        answer.id = 0;
+        const world::Space& here = world_.spaces[space];
+        for (std::uint32_t i = here.firstInstance; i < here.firstInstance + here.instanceCount; ++i) {
+            nearestIn(bodies_[world_.spaceInstances[i]], ray, t0 - slack, answer);
+        }
+        double t = kInfinite;
+        const world::PortalIndex portal = nearestPortal(space, ray, t0, cameBy, t);
+        if (portal == world::kNone || answer.t <= t + slack) {
+            break;
+        }
+        if (world_.portals[portal].destination == world::kNone || !passesReciprocal(portal, ray)) {
+            answer.id = 0;
+            answer.t = kInfinite;
+            break;
+        }
+        space = world_.portals[portal].destination;
+        cameBy = portal;
+        t0 = t;
+    }
+    if (answer.id == 0) {
+        answer.id = space == world::kOutside ? 1 : 0;
+        answer.t = answer.id == 1 ? kInfinite : std::numeric_limits<double>::quiet_NaN();
+    }
+    return answer;
+}
+
+} // namespace limen::test

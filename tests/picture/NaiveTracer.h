@@ -1,0 +1,55 @@
+#pragma once
+
+#include "world/World.h"
+
+#include <vector>
+
+namespace limen::test {
+
+/// The ray rule of docs/ray-rule.md done the obvious way, triangle by triangle and
+/// space by space: no zones, no flood, no regions. The oracle that drawn pictures are held against. Shares
+/// nothing with visibility, frame and gpu.
+class NaiveTracer {
+public:
+    /// Keeps a copy of every triangle in global coordinates; `world` must outlive it.
+    explicit NaiveTracer(const world::World& world);
+
+    struct Ray {
+        Vec3 eye{0.0};
+        Vec3 direction{0.0, 1.0, 0.0}; ///< scaled so that its component along the view's axis is 1
+        double nearPlane = 0.02;       ///< surfaces nearer than this along the view's axis are not met
+    };
+    struct Answer {
+        std::uint32_t id = 0; ///< 0 void, 1 sky, else Instance::idBase + polygon
+        double t = 0.0;       ///< in units of `direction`; infinite for sky, NaN for void
+        bool reachedOutside = false;
+        std::uint32_t spacesVisited = 0;
+    };
+    [[nodiscard]] Answer trace(world::SpaceIndex root, const Ray& ray) const;
+
+private:
+    struct Triangle {
+        Vec3 a{0.0}, ab{0.0}, ac{0.0};
+        Vec2f uvA{0.0f}, uvB{0.0f}, uvC{0.0f};
+        std::uint32_t id = 0;
+        std::uint32_t material = world::kNone; ///< of a cut-out, to test its texel; else kNone
+    };
+    struct Body {
+        Sphere bounds;
+        std::size_t firstTriangle = 0, triangleCount = 0;
+    };
+    void addTriangles(const world::Instance& instance);
+    void nearestIn(const Body& body, const Ray& ray, double after, Answer& best) const;
+    [[nodiscard]] bool isHole(const Triangle& triangle, double v, double w) const;
+    [[nodiscard]] world::PortalIndex nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
+                                                   world::PortalIndex cameBy, double& t) const;
+
+    /// An inexact pair is open where both polygons are; through one of them alone a ray meets a hole.
+    [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;
+
+    const world::World& world_;
+    std::vector<Triangle> triangles_;
+    std::vector<Body> bodies_; ///< by instance
+};
+
+} // namespace limen::test

@@ -1,0 +1,135 @@
+#include "picture/PictureWorld.h"
+
+#include "frame/SceneBuilder.h"
+#include "frame/WorldGraph.h"
+#include "gpu/DebugOutput.h"
+#include "gpu/GlDevice.h"
+#include "gpu/HeadlessContext.h"
+#include "gpu/Renderer.h"
+#include "world/Loader.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace limen::test {
+
+namespace {
+
+/// Tests have nobody to hand an error to.
+template <class T>
+T valueOf(Result<T> result) {
+    if (!result) {
+        std::cerr << result.error().message() << '\n';
+        std::abort();
+    }
+    return std::move(*result);
+}
+
+void require(const Result<void>& result) {
+    if (!result) {
+        std::cerr << result.error().message() << '\n';
+        std::abort();
+    }
+}
+
+/// One context and device for the whole test program: shaders compile once.
+struct Driver {
+    gpu::HeadlessContext context = valueOf(gpu::HeadlessContext::create(true));
+    gpu::DebugOutput debug;
+    std::unique_ptr<gpu::Device> device = valueOf(gpu::GlDevice::create());
+};
+
+Driver& driver() {
+    static Driver instance;
+    return instance;
+}
+
+} // namespace
+
+struct PictureWorld::Drawing {
+    gpu::Renderer renderer{*driver().device};
+    std::optional<gpu::RenderTarget> target;
+    frame::FramePlan plan;
+};
+
+PictureWorld::PictureWorld(TestWorld& world, const Options& options) {
+    static int count = 0;
+    const auto directory = std::filesystem::temp_directory_path() /
+                           ("limen-picture-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    require(world.write(directory));
+    load(directory, world.home(), options);
+    std::filesystem::remove_all(directory);
+}
+
+PictureWorld::PictureWorld(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options) {
+    load(directory, centre, options);
+}
+
+PictureWorld::~PictureWorld() = default;
+
+void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options) {
+    const auto archive = valueOf(dat::Archive::open(directory));
+    world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}));
+    origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
+    tracer_ = std::make_unique<NaiveTracer>(world_);
+    graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(world_)));
+    planner_ = std::make_unique<frame::Planner>(world_);
+}
+
+world::SpaceIndex PictureWorld::space(dat::RecordId cellId) const {
+    const world::SpaceIndex found = world::findCell(world_, cellId);
+    EXPECT_NE(found, world::kNone) << "no such cell";
+    return found;
+}
+
+frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch, world::SpaceIndex root) const {
+    frame::FrameView frame = frame::makeView(origin_ + local, yaw, pitch, fov, width, height, root);
+    frame.exactCutOuts = true;
+    return frame;
+}
+
+void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan) {
+    visibility::flood(*graph_, {}, frame.view, {}, scratch_, visible);
+    planner_->plan(frame, visible, plan);
+}
+
+Picture PictureWorld::shoot(const frame::FrameView& frame) {
+    if (!drawing_) {
+        drawing_ = std::make_unique<Drawing>();
+        require(drawing_->renderer.upload(frame::buildScene(world_)));
+    }
+    auto& target = drawing_->target;
+    if (!target || target->width() != frame.width || target->height() != frame.height) {
+        target.emplace(valueOf(gpu::RenderTarget::create(*driver().device, frame.width, frame.height)));
+    }
+    Picture picture;
+    picture.frame = frame;
+    plan(frame, picture.visible, drawing_->plan);
+    require(drawing_->renderer.render(drawing_->plan, *target));
+    picture.ids = target->readIds();
+    picture.depth = target->readDepth();
+    picture.colour = target->readColour();
+    picture.counts = drawing_->plan.counts;
+    picture.glCalls = drawing_->renderer.report().glCalls;
+    for (const frame::Stage& stage : drawing_->plan.stages) {
+        picture.stages.push_back(stage.batchCount);
+    }
+    EXPECT_TRUE(driver().debug.faults().empty()) << driver().debug.faults().front();
+    return picture;
+}
+
+Picture PictureWorld::expectClean(const frame::FrameView& frame) {
+    Picture picture = shoot(frame);
+    const Comparison c = compare(world_, *tracer_, frame, picture.ids);
+    const Vec3 eye = frame.view.eye - origin_;
+    EXPECT_EQ(c.disagreeing, 0u) << c.first << "; eye (" << eye.x << ", " << eye.y << ", " << eye.z << ")";
+    EXPECT_EQ(c.voids, 0u) << "void pixels";
+    EXPECT_EQ(c.outsideWithoutRay, 0u) << "outdoors where no ray got outside";
+    return picture;
+}
+
+} // namespace limen::test

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "picture/Comparison.h"
+#include "support/TestWorld.h"
+
+#include "frame/Planner.h"
+#include "visibility/Flood.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace limen::test {
+
+/// One drawn frame. Images have row 0 on top.
+struct Picture {
+    frame::FrameView frame;
+    std::vector<std::uint32_t> ids;
+    std::vector<float> depth;         ///< as in the depth buffer: near / w, 0 at infinity
+    std::vector<std::uint8_t> colour; ///< R,G,B,A
+    visibility::VisibleSet visible;
+    frame::PlanCounts counts;
+    std::uint32_t glCalls = 0;
+    std::vector<std::uint32_t> stages; ///< numbers of batches, by stage
+
+    [[nodiscard]] std::uint32_t id(std::uint32_t x, std::uint32_t y) const {
+        return ids[y * frame.width + x];
+    }
+};
+
+struct PictureOptions {
+    bool mergeZones = true;
+    int radius = 1;
+};
+
+/// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
+/// Tests of this folder need an OpenGL driver.
+class PictureWorld {
+public:
+    using Options = PictureOptions;
+    /// Writes the world to a temporary directory and loads it around its home block.
+    explicit PictureWorld(TestWorld& world, const Options& options = {});
+    PictureWorld(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options = {});
+    ~PictureWorld();
+
+    [[nodiscard]] const world::World& world() const { return world_; }
+    [[nodiscard]] const NaiveTracer& tracer() const { return *tracer_; }
+    [[nodiscard]] world::SpaceIndex space(dat::RecordId cellId) const;
+    [[nodiscard]] Vec3 homeOrigin() const { return origin_; }
+
+    /// A view from a position local to the home block.
+    [[nodiscard]] frame::FrameView look(const Vec3& local, double yaw, double pitch,
+                                        world::SpaceIndex root) const;
+    [[nodiscard]] Picture shoot(const frame::FrameView& frame);
+    /// Only up to the plan: no driver.
+    void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
+
+    /// Draws, traces and compares; a disagreement, a void or an outdoor pixel without a ray outside fails the
+    /// test.
+    Picture expectClean(const frame::FrameView& frame);
+
+    std::uint32_t width = 96, height = 64; ///< of the views that `look` makes
+    double fov = 75.0;
+
+private:
+    void load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options);
+    world::World world_;
+    Vec3 origin_{0.0};
+    std::unique_ptr<NaiveTracer> tracer_;
+    std::unique_ptr<visibility::Graph> graph_;
+    std::unique_ptr<frame::Planner> planner_;
+    visibility::FloodScratch scratch_;
+    struct Drawing;
+    std::unique_ptr<Drawing> drawing_;
+};
+
+} // namespace limen::test

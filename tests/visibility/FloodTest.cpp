@@ -1,0 +1,230 @@
+#include "visibility/GraphBuilder.h"
+#include "visibility/Region.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::visibility {
+namespace {
+
+using Chain = std::vector<std::uint32_t>;
+
+/// Rooms in a row along +y, 10 m deep, a 2 m × 2 m door in every wall: room i spans y in [10 i, 10 i + 10].
+GraphBuilder rowOfRooms(int count) {
+    GraphBuilder world;
+    for (int i = 0; i < count; ++i) {
+        world.addSpace();
+    }
+    for (int i = 0; i + 1 < count; ++i) {
+        world.link(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1),
+                   uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
+    }
+    return world;
+}
+
+TEST(Flood, seesOnlyTheRootWithoutPortals) {
+    GraphBuilder world;
+    world.addSpace();
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 1u);
+    EXPECT_EQ(set.region(set.visits[0]).size(), 4u);
+    ASSERT_EQ(set.seen.size(), 1u);
+    EXPECT_EQ(set.seen[0].space, 0u);
+}
+
+TEST(Flood, followsDoorsInLine) {
+    const VisibleSet set = floodOnce(rowOfRooms(4).build(), viewFrom({0, 5, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 4u);
+    EXPECT_EQ(chainOf(set, 3), (Chain{0, 1, 2, 3}));
+    // The second door, 15 m away and 2 m wide, is seen through the first: ±1/15 of the screen.
+    const Rect rect = boundsOf(set.region(set.visits[2]));
+    EXPECT_NEAR(rect.maxX, 1.0 / 15.0, 1e-12);
+    EXPECT_NEAR(rect.minY, -1.0 / 15.0, 1e-12);
+    // Eye-relative entry plane: 5 m ahead, beyond is positive.
+    EXPECT_NEAR(set.visits[1].entryPlane.signedDistance({0, 6, 0}), 1.0, 1e-12);
+}
+
+TEST(Flood, doesNotSeeDoorsBehindTheEyeOrOffTheScreen) {
+    EXPECT_EQ(floodOnce(rowOfRooms(4).build(), viewFrom({0, 5, 0}, 180, 0, 0)).visits.size(), 1u);
+    EXPECT_EQ(floodOnce(rowOfRooms(4).build(), viewFrom({0, 5, 0}, 90, 0, 0)).visits.size(), 1u);
+}
+
+TEST(Flood, stopsAtAClosedFilling) {
+    const Graph graph = rowOfRooms(4).build();
+    std::vector<std::uint8_t> closed(graph.portals().size(), 0);
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+        closed[i] = graph.portals()[i].space == 1 && graph.portals()[i].destination == 2;
+    }
+    EXPECT_EQ(floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed).visits.size(), 2u);
+}
+
+TEST(Flood, hasNoDistanceCutOff) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.link(0, 1, uprightRectangle({0, 40000.0, 0}, {0, -1, 0}, 2, 2));
+    EXPECT_EQ(floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0)).visits.size(), 2u);
+}
+
+TEST(Flood, takesOnlyOnePathRoundALoop) {
+    // Two rooms joined by two doors side by side: each door shows the other room once, none leads back.
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.link(0, 1, uprightRectangle({-2, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(0, 1, uprightRectangle({2, 10, 0}, {0, -1, 0}, 2, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    EXPECT_EQ(set.visits.size(), 3u);
+}
+
+TEST(Flood, inThePlaneInsideTheOpeningTheFarHalfBelongsToTheSpaceBehind) {
+    const Graph graph = rowOfRooms(2).build();
+    for (const double offset : {-0.0001, 0.0, 0.0001}) {
+        const VisibleSet set = floodOnce(graph, viewFrom({0.2, 10 + offset, 0.1}, 90, 0, 0));
+        ASSERT_EQ(set.visits.size(), 2u) << offset;
+        EXPECT_TRUE(set.visits[1].inPlane);
+        EXPECT_EQ(chainOf(set, ownerOf(set, {-0.1, 0.3, 1})), (Chain{0, 1})) << "left of the view is north";
+        EXPECT_EQ(chainOf(set, ownerOf(set, {0.1, 0.3, 1})), (Chain{0}));
+    }
+}
+
+TEST(Flood, inThePlaneBesideTheOpeningNothingIsLostOrFlooded) {
+    const VisibleSet set = floodOnce(rowOfRooms(2).build(), viewFrom({3, 10, 0}, 270, 0, 0));
+    EXPECT_EQ(set.visits.size(), 1u);
+    for (const Vec3& v : set.regionVertices) {
+        EXPECT_TRUE(isFinite(v));
+    }
+}
+
+TEST(Flood, justBeforeADoorTheRegionIsTheWholeScreen) {
+    for (const double distance : {0.03, 0.001, 0.00021}) {
+        const VisibleSet set = floodOnce(rowOfRooms(2).build(), viewFrom({0, 10 - distance, 0}, 0, 0, 0));
+        ASSERT_EQ(set.visits.size(), 2u);
+        const Rect rect = boundsOf(set.region(set.visits[1]));
+        EXPECT_NEAR(rect.minX, -1.0, 1e-12);
+        EXPECT_NEAR(rect.maxY, 1.0, 1e-12);
+    }
+}
+
+TEST(Flood, behindThePlaneOfItsOwnDoorTheEyeSeesNothingThroughIt) {
+    EXPECT_EQ(floodOnce(rowOfRooms(2).build(), viewFrom({0, 10.01, 0}, 0, 0, 0)).visits.size(), 1u);
+}
+
+TEST(Flood, opensInexactPairsWhereBothPolygonsAre) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({1, 10, 0}, {0, 1, 0}, 4, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 2u);
+    const Rect rect = boundsOf(set.region(set.visits[1]));
+    EXPECT_NEAR(rect.minX, -0.1, 1e-12);
+    EXPECT_NEAR(rect.maxX, 0.2, 1e-12);
+}
+
+TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
+    // From outside: a near house with a door, and behind it, through the same line of sight, a far house with
+    // a room behind its room. The near opening is drawn last.
+    GraphBuilder world;
+    const std::uint32_t outside = world.addSpace();
+    const std::uint32_t nearRoom = world.addSpace();
+    const std::uint32_t farRoom = world.addSpace();
+    const std::uint32_t farCloset = world.addSpace();
+    world.link(outside, nearRoom, uprightRectangle({0.5, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(outside, farRoom, uprightRectangle({0, 30, 0}, {0, -1, 0}, 8, 8));
+    world.link(farRoom, farCloset, uprightRectangle({0, 35, 0}, {0, -1, 0}, 8, 8));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, outside));
+    ASSERT_EQ(set.visits.size(), 4u);
+    EXPECT_EQ(set.visits[1].space, farRoom);
+    EXPECT_EQ(set.visits[2].space, farCloset);
+    EXPECT_EQ(set.visits[3].space, nearRoom);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.01, 0.01, 1})), (Chain{outside, nearRoom}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.1, 0.0, 1})), (Chain{outside, farRoom, farCloset}));
+}
+
+TEST(Flood, dropsASiblingWhollyCoveredByANearerOne) {
+    GraphBuilder world;
+    const std::uint32_t outside = world.addSpace();
+    world.addSpace();
+    world.addSpace();
+    world.link(outside, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 6, 6));
+    world.link(outside, 2, uprightRectangle({0, 30, 0}, {0, -1, 0}, 2, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, outside));
+    EXPECT_EQ(set.visits.size(), 2u);
+}
+
+TEST(Flood, cutsACircleOfOverlaps) {
+    // Three long strips, each passing in front of the next: no order of whole strips is right.
+    GraphBuilder world;
+    const std::uint32_t outside = world.addSpace();
+    const double turn = 2.0 * 3.14159265358979 / 3.0;
+    for (int i = 0; i < 3; ++i) {
+        world.addSpace();
+        const double a = turn * i;
+        const Vec3 along(std::cos(a), 0.15, std::sin(a)); // tilts away along its length
+        const Vec3 across(-std::sin(a), 0, std::cos(a));
+        const Vec3 centre = Vec3(0, 10, 0) + across * 1.5;
+        world.linkOneWay(outside, static_cast<std::uint32_t>(i + 1),
+                         {centre - along * 5.0 - across * 0.5, centre + along * 5.0 - across * 0.5,
+                          centre + along * 5.0 + across * 0.5, centre - along * 5.0 + across * 0.5});
+    }
+    const View view = viewFrom({0, 0, 0}, 0, 0, outside);
+    const VisibleSet set = floodOnce(world.build(), view);
+    EXPECT_GT(set.counts.cyclesSplit, 0u);
+    EXPECT_GT(set.visits.size(), 4u);
+}
+
+TEST(Flood, keepsTheLargestRegionsWhenTheBudgetIsReached) {
+    GraphBuilder world;
+    const std::uint32_t outside = world.addSpace();
+    for (int i = 0; i < 9; ++i) {
+        const double size = i == 4 ? 1.0 : 0.2;
+        world.link(outside, world.addSpace(), uprightRectangle({-4.0 + i, 10, 0}, {0, -1, 0}, size, size));
+    }
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, outside), Limits{2});
+    ASSERT_EQ(set.visits.size(), 2u);
+    EXPECT_EQ(set.visits[1].space, 5u);
+    EXPECT_EQ(set.counts.visitsCut, 8u);
+}
+
+TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
+    GraphBuilder world;
+    for (int i = 0; i < 4; ++i) {
+        world.addSpace(7);
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        world.link(i, i + 1, uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
+    }
+    const Graph graph = world.build();
+    const VisibleSet ahead = floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0));
+    EXPECT_EQ(ahead.visits.size(), 1u);
+    EXPECT_EQ(ahead.seen.size(), 4u);
+    const VisibleSet away = floodOnce(graph, viewFrom({0, 5, 0}, 180, 0, 0));
+    EXPECT_EQ(away.seen.size(), 1u) << "cells out of sight are culled inside a zone too";
+}
+
+TEST(Flood, doesNotLeakThroughTheScreensEdgeInsideAZone) {
+    // Looking past the door: it is off the screen to the right, half of it behind the eye.
+    GraphBuilder world;
+    for (int i = 0; i < 6; ++i) {
+        world.addSpace(0);
+    }
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        world.link(i, i + 1, uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
+    }
+    EXPECT_EQ(floodOnce(world.build(), viewFrom({3, 9.5, 0}, 225, 0, 0)).seen.size(), 1u);
+}
+
+TEST(Flood, survivesSelfPortalsAndPolygonsWithoutArea) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkOneWay(0, 0, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
+    world.linkOneWay(0, 1, {{0, 5, 0}, {1, 5, 0}, {2, 5, 0}});
+    world.linkOneWay(0, 1, {{0, 5, 0}, {1, 5, 0}});
+    world.linkOneWay(0, 1, {});
+    EXPECT_EQ(floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0)).visits.size(), 1u);
+}
+
+} // namespace
+} // namespace limen::visibility
