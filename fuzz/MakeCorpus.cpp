@@ -1,0 +1,75 @@
+#include "dat/File.h"
+#include "dat/RandomRecords.h"
+#include "dat/Writer.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+// Writes the seeds of both fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container and
+// DIRECTORY/records.
+namespace {
+
+using namespace limen::dat;
+namespace fs = std::filesystem;
+
+bool save(const fs::path& path, const Bytes& bytes) {
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    return static_cast<bool>(out);
+}
+
+/// Records of one type, each behind the byte that picks the type in RecordsFuzzer.
+template <class Record>
+bool saveRecords(const fs::path& directory, std::uint8_t pick) {
+    bool good = true;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        Bytes bytes{static_cast<std::byte>(pick)};
+        const Bytes payload = encode(RandomRecords(seed, seed < 4 ? 1 : 3).make<Record>());
+        bytes.insert(bytes.end(), payload.begin(), payload.end());
+        good = save(directory / (std::to_string(pick) + "-" + std::to_string(seed)), bytes) && good;
+    }
+    return good;
+}
+
+bool saveFiles(const fs::path& directory) {
+    bool good = true;
+    for (const std::uint32_t blockSize : {64u, 256u, 1024u}) {
+        for (const RecordId count : {0u, 1u, 5u, 70u, 130u}) {
+            FileTraits traits = blockSize == 256 ? FileTraits::cell() : FileTraits::portal();
+            traits.blockSize = blockSize;
+            Writer writer(traits);
+            for (RecordId id = 1; id <= count; ++id)
+                writer.add(id * 3, Bytes(id % 7 == 0 ? 150 : id % 5, static_cast<std::byte>(id)),
+                           id % 4 == 0);
+            good =
+                save(directory / (std::to_string(blockSize) + "-" + std::to_string(count)), writer.build()) &&
+                good;
+        }
+    }
+    return good;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: fuzz_make_corpus DIRECTORY\n");
+        return 2;
+    }
+    const fs::path container = fs::path(argv[1]) / "container";
+    const fs::path records = fs::path(argv[1]) / "records";
+    std::error_code error;
+    fs::create_directories(container, error);
+    fs::create_directories(records, error);
+    const bool good = saveFiles(container) && saveRecords<GfxObj>(records, 0) &&
+                      saveRecords<Setup>(records, 1) && saveRecords<Environment>(records, 2) &&
+                      saveRecords<EnvCell>(records, 3) && saveRecords<LandBlock>(records, 4) &&
+                      saveRecords<LandBlockInfo>(records, 5) && saveRecords<Region>(records, 6) &&
+                      saveRecords<Scene>(records, 7) && saveRecords<SurfaceTexture>(records, 8) &&
+                      saveRecords<RenderSurface>(records, 9) && saveRecords<Surface>(records, 10) &&
+                      saveRecords<Palette>(records, 11);
+    if (!good)
+        std::fprintf(stderr, "fuzz_make_corpus: cannot write to %s\n", argv[1]);
+    return good ? 0 : 2;
+}

@@ -1,0 +1,43 @@
+#include "Check.h"
+
+#include "dat/Describe.h"
+
+#include <cstring>
+
+// Any bytes as a record: the first byte picks the type, the rest is the payload. What decodes must encode to
+// the same bytes and can be described.
+namespace {
+
+using namespace limen::dat;
+
+constexpr std::size_t kMaxDescribed = 4096;
+
+template <class Record>
+void check(ByteView payload) {
+    RecordId id = 0;
+    if (payload.size() >= sizeof id)
+        std::memcpy(&id, payload.data(), sizeof id);
+    const auto record = decode<Record>(id, payload);
+    if (!record) {
+        FUZZ_CHECK(!record.error().what.empty() && !record.error().where.empty());
+        return;
+    }
+    const Bytes again = encode(*record);
+    FUZZ_CHECK(std::equal(again.begin(), again.end(), payload.begin(), payload.end()));
+    if (payload.size() <= kMaxDescribed)
+        FUZZ_CHECK(!describe(*record).empty());
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using Check = void (*)(ByteView);
+    constexpr Check kChecks[] = {check<GfxObj>,        check<Setup>,     check<Environment>,
+                                 check<EnvCell>,       check<LandBlock>, check<LandBlockInfo>,
+                                 check<Region>,        check<Scene>,     check<SurfaceTexture>,
+                                 check<RenderSurface>, check<Surface>,   check<Palette>};
+    if (size == 0)
+        return 0;
+    kChecks[data[0] % std::size(kChecks)]({reinterpret_cast<const std::byte*>(data) + 1, size - 1});
+    return 0;
+}

@@ -1,0 +1,233 @@
+#include "demo/Building.h"
+
+#include "core/Assert.h"
+#include "demo/Bsp.h"
+#include "demo/Sight.h"
+
+#include <set>
+
+namespace limen::demo {
+
+namespace {
+
+constexpr std::uint16_t kNowhere = 0xFFFE; ///< while linking: no partner found yet
+
+struct Link {
+    std::uint16_t cell = kNowhere; ///< index into the plan, or dat::kOutdoors
+    std::uint16_t portal = dat::kNoPortal;
+};
+
+using PointSet = std::set<std::array<double, 3>>;
+PointSet pointSet(const Face& face) {
+    PointSet out;
+    for (const Vec3& p : face.points) {
+        out.insert({p.x, p.y, p.z});
+    }
+    return out;
+}
+
+std::vector<const Face*> portalsOf(const std::vector<Face>& faces) {
+    std::vector<const Face*> out;
+    for (const Face& face : faces) {
+        if (face.portal) {
+            out.push_back(&face);
+        }
+    }
+    return out;
+}
+
+/// Pairs portal faces with the same points. What no other cell has leads outside.
+std::vector<std::vector<Link>> linkCells(const std::vector<CellPlan>& cells) {
+    std::vector<std::vector<Link>> links;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        std::vector<Link> own;
+        for (const Face* portal : portalsOf(cells[c].faces)) {
+            Link link{dat::kOutdoors, dat::kNoPortal};
+            for (std::size_t other = 0; other < cells.size(); ++other) {
+                const std::vector<const Face*> theirs = portalsOf(cells[other].faces);
+                for (std::size_t k = 0; other != c && k < theirs.size(); ++k) {
+                    if (pointSet(*theirs[k]) == pointSet(*portal)) {
+                        link = {static_cast<std::uint16_t>(other), static_cast<std::uint16_t>(k)};
+                    }
+                }
+            }
+            own.push_back(link);
+        }
+        links.push_back(std::move(own));
+    }
+    return links;
+}
+
+std::vector<std::uint16_t> reachable(const std::vector<std::vector<Link>>& links, std::uint16_t from) {
+    std::vector<std::uint16_t> order{from};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (const Link& link : links[order[i]]) {
+            if (link.cell != dat::kOutdoors && std::find(order.begin(), order.end(), link.cell) == order.end()) {
+                order.push_back(link.cell);
+            }
+        }
+    }
+    std::sort(order.begin(), order.end());
+    return order;
+}
+
+/// A cell's shape; polygon ids are face indices.
+dat::CellStruct shapeOf(const CellPlan& cell, EncodedMesh& mesh) {
+    dat::CellStruct shape;
+    for (std::size_t i = 0; i < cell.faces.size(); ++i) {
+        if (cell.faces[i].portal) {
+            shape.portalPolygons.push_back(static_cast<std::uint16_t>(i));
+        }
+    }
+    shape.cellBsp = buildCellBsp(cell.faces);
+    PhysicsMesh physics = physicsOf(cell.faces, mesh.polygons);
+    shape.physicsPolygons = std::move(physics.polygons);
+    shape.physicsBsp = std::move(physics.tree);
+    shape.drawingBsp = buildDrawingBsp(cell.faces);
+    shape.vertexArray = std::move(mesh.vertexArray);
+    shape.polygons = std::move(mesh.polygons);
+    return shape;
+}
+
+std::vector<Vec3> facePoints(const CellPlan& cell) {
+    std::vector<Vec3> points;
+    for (const Face& face : cell.faces) {
+        points.insert(points.end(), face.points.begin(), face.points.end());
+    }
+    return points;
+}
+
+SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::vector<Link>>& links) {
+    SightMap map;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        SightMap::Cell cell;
+        const std::vector<const Face*> portals = portalsOf(cells[c].faces);
+        for (const Face& face : cells[c].faces) {
+            cell.planes.push_back(planeOf(face.points));
+        }
+        for (std::size_t k = 0; k < portals.size(); ++k) {
+            const bool outside = links[c][k].cell == dat::kOutdoors;
+            cell.portals.push_back({portals[k]->points, outside ? SightMap::kOutside : links[c][k].cell});
+        }
+        map.cells.push_back(std::move(cell));
+    }
+    return map;
+}
+
+} // namespace
+
+CellPlan roomWithOpenings(const RoomSpec& room, const std::vector<Opening>& openings) {
+    struct Plane {
+        Side side;
+        double at;
+        Rect rect;
+        Material material;
+    };
+    const Vec3& a = room.min;
+    const Vec3& b = room.max;
+    const std::array<Plane, 6> sides{{{Side::West, a.x, {a.y, a.z, b.y, b.z}, room.walls},
+                                      {Side::East, b.x, {a.y, a.z, b.y, b.z}, room.walls},
+                                      {Side::South, a.y, {a.x, a.z, b.x, b.z}, room.walls},
+                                      {Side::North, b.y, {a.x, a.z, b.x, b.z}, room.walls},
+                                      {Side::Floor, a.z, {a.x, a.y, b.x, b.y}, room.floor},
+                                      {Side::Ceiling, b.z, {a.x, a.y, b.x, b.y}, room.ceiling}}};
+    CellPlan cell;
+    cell.name = room.name;
+    for (const Plane& plane : sides) {
+        std::vector<Rect> holes;
+        for (const Opening& opening : openings) {
+            if (opening.side == plane.side) {
+                holes.push_back(opening.rect);
+            }
+        }
+        for (const Rect& rect : withoutHoles(plane.rect, holes)) {
+            cell.faces.push_back(planarFace(rectOnSide(plane.side, plane.at, rect), plane.material));
+        }
+    }
+    for (const Opening& opening : openings) {
+        const auto side = static_cast<std::size_t>(opening.side);
+        cell.faces.push_back(portalFace(rectOnSide(opening.side, sides[side].at, opening.rect)));
+    }
+    closeSeams(cell.faces);
+    return cell;
+}
+
+BlockBuilder::BlockBuilder(ModelSink& sink, dat::BlockCoord coord) : sink_(sink) { info_.id = dat::landBlockInfoId(coord); }
+
+void BlockBuilder::addObject(const Furnishing& object) { info_.objects.push_back({object.model, toFrame(object.at)}); }
+
+void BlockBuilder::finish() { sink_.records().landBlockInfos.push_back(std::move(info_)); }
+
+std::vector<dat::RecordId> BlockBuilder::addBuilding(const BuildingPlan& plan, const Placement& at) {
+    WorldRecords& records = sink_.records();
+    const std::vector<std::vector<Link>> links = linkCells(plan.cells);
+    const SightMap sight = sightMapOf(plan.cells, links);
+    const auto firstCell = static_cast<std::uint16_t>(dat::kFirstCell + info_.numCells);
+    dat::Environment environment;
+    environment.id = 0x0D000100u + static_cast<dat::RecordId>(records.environments.size());
+    std::vector<dat::RecordId> ids;
+    for (std::size_t c = 0; c < plan.cells.size(); ++c) {
+        const CellPlan& cell = plan.cells[c];
+        EncodedMesh mesh = encodeMesh(cell.faces);
+        dat::EnvCell record;
+        record.id = (info_.id & 0xFFFF0000u) | static_cast<dat::RecordId>(firstCell + c);
+        record.environment = static_cast<std::uint16_t>(environment.id & 0xFFFF);
+        record.cellStructure = static_cast<std::uint16_t>(c);
+        record.position = toFrame(at);
+        for (const dat::RecordId surface : mesh.surfaces) {
+            record.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
+        }
+        dat::CellStruct shape = shapeOf(cell, mesh);
+        for (std::size_t k = 0; k < links[c].size(); ++k) {
+            const Link& link = links[c][k];
+            const bool outside = link.cell == dat::kOutdoors;
+            dat::CellPortal portal;
+            portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
+            portal.polygonId = shape.portalPolygons[k];
+            portal.otherCellId = outside ? dat::kOutdoors : static_cast<std::uint16_t>(firstCell + link.cell);
+            portal.otherPortalId = link.portal;
+            record.portals.push_back(portal);
+        }
+        for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c))) {
+            record.visibleCells.push_back(static_cast<std::uint16_t>(firstCell + other));
+        }
+        record.flags |= seesOutside(sight, c) ? dat::EnvCell::kSeenOutside : 0u;
+        for (const Furnishing& f : cell.statics) {
+            record.statics.push_back({f.model, toFrame({place(at, f.at.origin), at.turn + f.at.turn})});
+        }
+        record.flags |= cell.statics.empty() ? 0u : dat::EnvCell::kHasStatics;
+        ids.push_back(record.id);
+        environment.cells.emplace_back(static_cast<std::uint32_t>(c), std::move(shape));
+        records.envCells.push_back(std::move(record));
+    }
+    records.environments.push_back(std::move(environment));
+    info_.numCells += static_cast<std::uint32_t>(plan.cells.size());
+
+    dat::Building building;
+    building.model = sink_.addMesh(plan.exterior);
+    building.frame = toFrame(at);
+    building.numLeaves = leafCount(records.gfxObjs.back().drawingBsp);
+    for (const Face* opening : portalsOf(plan.exterior.faces())) {
+        dat::BuildingPortal portal;
+        portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
+        portal.otherCellId = kNowhere;
+        for (std::size_t c = 0; c < plan.cells.size(); ++c) {
+            const std::vector<const Face*> inner = portalsOf(plan.cells[c].faces);
+            for (std::size_t k = 0; k < inner.size(); ++k) {
+                if (links[c][k].cell == dat::kOutdoors && pointSet(*inner[k]) == pointSet(*opening)) {
+                    portal.otherCellId = static_cast<std::uint16_t>(firstCell + c);
+                    portal.otherPortalId = static_cast<std::uint16_t>(k);
+                    for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c))) {
+                        portal.stabs.push_back(static_cast<std::uint16_t>(firstCell + other));
+                    }
+                }
+            }
+        }
+        LIMEN_ASSERT(portal.otherCellId != kNowhere, "a building portal has no cell behind it");
+        building.portals.push_back(std::move(portal));
+    }
+    info_.buildings.push_back(std::move(building));
+    return ids;
+}
+
+} // namespace limen::demo

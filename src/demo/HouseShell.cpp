@@ -1,0 +1,239 @@
+#include "demo/HouseShell.h"
+
+#include "demo/HouseRoof.h"
+
+namespace limen::demo {
+
+namespace {
+
+constexpr double kPost = 0.17;     ///< width of a timber
+constexpr double kProud = 0.045;   ///< how far timbers stand out from the plaster
+constexpr double kBedded = 0.03;   ///< and how far they reach into it
+constexpr double kPlinthTop = 0.38;
+
+constexpr std::array kWalls{Side::West, Side::East, Side::South, Side::North};
+
+double outerPlane(const HouseShell& h, Side side) {
+    switch (side) {
+    case Side::West: return -h.halfWidth;
+    case Side::East: return h.halfWidth;
+    case Side::South: return 0.0;
+    default: return h.depth;
+    }
+}
+/// +1 if outside is towards larger coordinates.
+double outward(Side side) { return side == Side::East || side == Side::North || side == Side::Ceiling ? 1.0 : -1.0; }
+
+std::pair<double, double> wallSpan(const HouseShell& h, Side side) {
+    return side == Side::West || side == Side::East ? std::pair{0.0, h.depth} : std::pair{-h.halfWidth, h.halfWidth};
+}
+
+/// A box on a wall: u,v on the wall, from `from` to `to` metres outwards from the plane `at`.
+std::pair<Vec3, Vec3> boxOnWall(Side side, double at, const Rect& r, double from, double to) {
+    const double a = at + outward(side) * from;
+    const double b = at + outward(side) * to;
+    const double low = std::min(a, b);
+    const double high = std::max(a, b);
+    if (side == Side::West || side == Side::East) {
+        return {{low, r.u0, r.v0}, {high, r.u1, r.v1}};
+    }
+    if (side == Side::South || side == Side::North) {
+        return {{r.u0, low, r.v0}, {r.u1, high, r.v1}};
+    }
+    return {{r.u0, r.v0, low}, {r.u1, r.v1, high}};
+}
+
+void addTimber(MeshBuilder& mesh, const HouseShell& h, Side side, const Rect& r, double proud = kProud) {
+    const auto [min, max] = boxOnWall(side, outerPlane(h, side), r, -kBedded, proud);
+    mesh.beam(min, max, Material::Beam);
+}
+
+std::vector<Rect> holesOf(const HouseShell& h, Side side, double margin) {
+    std::vector<Rect> out;
+    for (const HouseShell::Hole& hole : h.holes) {
+        if (hole.side == side) {
+            out.push_back({hole.rect.u0 - margin, hole.rect.v0 - margin, hole.rect.u1 + margin, hole.rect.v1 + margin});
+        }
+    }
+    return out;
+}
+
+void addReveals(std::vector<Face>& faces, const HouseShell& h, const HouseShell::Hole& hole) {
+    const std::vector<Vec3> inner = rectOnSide(hole.side, innerPlane(h, hole.side), hole.rect);
+    const std::vector<Vec3> outer = rectOnSide(hole.side, outerPlane(h, hole.side), hole.rect);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        const Material material = i == 0 ? (hole.door ? Material::Flagstones : Material::Beam) : Material::Plaster;
+        faces.push_back(planarFace({inner[i], inner[j], outer[j], outer[i]}, material));
+    }
+    faces.push_back(flipped(portalFace(inner)));
+}
+
+/// The walls themselves with their holes: watertight where wall, reveal and portal meet.
+std::vector<Face> wallFaces(const HouseShell& h) {
+    std::vector<Face> faces;
+    for (const Side side : kWalls) {
+        const auto [u0, u1] = wallSpan(h, side);
+        for (const Rect& r : withoutHoles({u0, h.base, u1, h.top}, holesOf(h, side, 0.0))) {
+            faces.push_back(flipped(planarFace(rectOnSide(side, outerPlane(h, side), r), Material::Plaster)));
+        }
+    }
+    const double ridge = h.top + h.pitch * h.depth / 2.0;
+    for (const double x : {-h.halfWidth, h.halfWidth}) {
+        std::vector<Vec3> gable{{x, 0.0, h.top}, {x, h.depth, h.top}, {x, h.depth / 2.0, ridge}};
+        if (x < 0.0) {
+            std::swap(gable[0], gable[1]);
+        }
+        faces.push_back(planarFace(std::move(gable), Material::Plaster));
+    }
+    for (const HouseShell::Hole& hole : h.holes) {
+        addReveals(faces, h, hole);
+    }
+    closeSeams(faces);
+    return faces;
+}
+
+/// Stones at the foot of the wall, standing out a little, open at doors.
+void addPlinth(MeshBuilder& mesh, const HouseShell& h) {
+    for (const Side side : kWalls) {
+        const auto [u0, u1] = wallSpan(h, side);
+        const bool corner = side == Side::South || side == Side::North;
+        const double extra = corner ? 0.08 : 0.0;
+        for (const Rect& r : withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.0))) {
+            // Below a door's sill the stones carry the steps; they stop short of the floor.
+            const double top = r.v1 < kPlinthTop ? r.v1 - 0.02 : r.v1;
+            const auto [min, max] = boxOnWall(side, outerPlane(h, side), {r.u0, r.v0, r.u1, top}, -kBedded, 0.08);
+            mesh.box(min, max, Material::StoneWall);
+        }
+    }
+}
+
+bool clearOf(const std::vector<Rect>& holes, double u0, double u1) {
+    return std::none_of(holes.begin(), holes.end(), [&](const Rect& r) { return r.u0 < u1 && r.u1 > u0; });
+}
+
+/// Posts, sill beam, head plate and braces; none across an opening.
+void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side) {
+    const auto [u0, u1] = wallSpan(h, side);
+    const std::vector<Rect> holes = holesOf(h, side, 0.02);
+    for (const Rect& r : withoutHoles({u0, kPlinthTop, u1, kPlinthTop + kPost}, holes)) {
+        if (r.v1 > kPlinthTop + 0.9 * kPost) {
+            addTimber(mesh, h, side, r);
+        }
+    }
+    addTimber(mesh, h, side, {u0, h.top - 0.22, u1, h.top}, kProud + 0.01);
+    addTimber(mesh, h, side, {u0 - 0.02, kPlinthTop, u0 + 0.2, h.top}, kProud + 0.02);
+    addTimber(mesh, h, side, {u1 - 0.2, kPlinthTop, u1 + 0.02, h.top}, kProud + 0.02);
+    const int bays = static_cast<int>(std::lround((u1 - u0) / 1.35));
+    for (int k = 1; k < bays; ++k) {
+        const double u = u0 + (u1 - u0) * k / bays;
+        if (clearOf(holesOf(h, side, 0.16), u - kPost / 2, u + kPost / 2)) {
+            addTimber(mesh, h, side, {u - kPost / 2, kPlinthTop + kPost, u + kPost / 2, h.top - 0.22}, kProud - 0.01);
+        }
+    }
+    // Braces in the corner bays.
+    const double at = outerPlane(h, side) + outward(side) * 0.5 * (kProud - kBedded - 0.01);
+    const double bay = (u1 - u0) / bays;
+    for (const bool left : {true, false}) {
+        const double foot = left ? u0 + bay : u1 - bay;
+        const double head = left ? u0 + 0.2 : u1 - 0.2;
+        if (!clearOf(holesOf(h, side, 0.1), std::min(foot, head), std::max(foot, head))) {
+            continue;
+        }
+        const bool alongY = side == Side::West || side == Side::East;
+        const Vec3 a = alongY ? Vec3(at, foot, kPlinthTop + kPost) : Vec3(foot, at, kPlinthTop + kPost);
+        const Vec3 b = alongY ? Vec3(at, head, h.top - 0.4) : Vec3(head, at, h.top - 0.4);
+        mesh.strut(a, b, alongY ? Vec3(1, 0, 0) : Vec3(0, 1, 0), kProud + kBedded - 0.02, 0.14, Material::Beam);
+    }
+}
+
+void addGableFraming(MeshBuilder& mesh, const HouseShell& h) {
+    const double half = h.depth / 2.0;
+    for (const double side : {-1.0, 1.0}) {
+        const double x = side * (h.halfWidth + 0.5 * (kProud - kBedded));
+        const Vec3 out{side, 0.0, 0.0};
+        const auto strut = [&](const Vec2& a, const Vec2& b, double wide) {
+            mesh.strut({x, a.x, a.y}, {x, b.x, b.y}, out, kProud + kBedded, wide, Material::Beam);
+        };
+        const double collar = h.top + h.pitch * half * 0.52;
+        strut({half, h.top}, {half, h.top + h.pitch * half - 0.2}, 0.18);
+        strut({half * 0.52 + 0.05, collar}, {2.0 * half - half * 0.52 - 0.05, collar}, 0.18);
+        strut({half - 1.5, h.top}, {half - 1.5, collar}, 0.15);
+        strut({half + 1.5, h.top}, {half + 1.5, collar}, 0.15);
+        strut({half - 1.5, h.top + 0.1}, {half - 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14);
+        strut({half + 1.5, h.top + 0.1}, {half + 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14);
+    }
+}
+
+/// A cross of bars half way into a window's reveal.
+void addWindowBars(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hole& hole) {
+    const Rect& r = hole.rect;
+    const double middle = 0.5 * (r.u0 + r.u1);
+    const double at = outerPlane(h, hole.side);
+    const auto bar = [&](const Rect& rect, double from, double to) {
+        const auto [min, max] = boxOnWall(hole.side, at, rect, from, to);
+        mesh.beam(min, max, Material::Beam);
+    };
+    bar({middle - 0.03, r.v0, middle + 0.03, r.v1}, -0.17, -0.11);
+    const double rail = r.v0 + 0.58 * (r.v1 - r.v0);
+    bar({r.u0, rail - 0.025, r.u1, rail + 0.025}, -0.165, -0.115);
+    for (const double u : {r.u0, r.u1 - 0.05}) {
+        bar({u, r.v0, u + 0.05, r.v1}, -0.18, -0.10);
+    }
+    for (const double v : {r.v0, r.v1 - 0.05}) {
+        bar({r.u0 + 0.05, v, r.u1 - 0.05, v + 0.05}, -0.18, -0.10);
+    }
+}
+
+void addDoorSteps(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hole& hole) {
+    const double middle = 0.5 * (hole.rect.u0 + hole.rect.u1);
+    const double half = 0.5 * (hole.rect.u1 - hole.rect.u0);
+    const double at = outerPlane(h, hole.side);
+    const double foot = h.ground - 0.5;
+    const double rise = -h.ground;
+    const auto slab = [&](double wide, double from, double to, double top) {
+        const auto [min, max] = boxOnWall(hole.side, at, {middle - half - wide, foot, middle + half + wide, top}, from, to);
+        mesh.box(min, max, Material::Flagstones);
+    };
+    slab(0.22, -0.02, 0.55, -rise / 3.0);
+    slab(0.38, 0.55, 0.95, -2.0 * rise / 3.0);
+}
+
+} // namespace
+
+double innerPlane(const HouseShell& h, Side side) { return outerPlane(h, side) - outward(side) * h.wall; }
+
+void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
+    const double gap = 0.004;
+    const auto bar = [&](const Rect& rect, double depth) {
+        const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));
+        mesh.beam(min, max, Material::Beam);
+    };
+    bar({r.u0 - width, r.v0, r.u0 - gap, r.v1 + gap}, out);
+    bar({r.u1 + gap, r.v0, r.u1 + width, r.v1 + gap}, out);
+    bar({r.u0 - width - 0.05, r.v1 + gap, r.u1 + width + 0.05, r.v1 + width + 0.03}, out * 1.25);
+    if (sill) {
+        bar({r.u0 - width - 0.04, r.v0 - 0.09, r.u1 + width + 0.04, r.v0 - gap}, out * 2.0);
+    }
+}
+
+MeshBuilder buildHouseShell(const HouseShell& h) {
+    MeshBuilder mesh;
+    for (Face& face : wallFaces(h)) {
+        mesh.add(std::move(face));
+    }
+    addPlinth(mesh, h);
+    for (const Side side : kWalls) {
+        addFraming(mesh, h, side);
+    }
+    addGableFraming(mesh, h);
+    for (const HouseShell::Hole& hole : h.holes) {
+        addFrame(mesh, hole.side, outerPlane(h, hole.side), hole.rect, 0.15, -0.06, !hole.door);
+        hole.door ? addDoorSteps(mesh, h, hole) : addWindowBars(mesh, h, hole);
+    }
+    addThatchedRoof(mesh, {h.halfWidth, h.depth, h.top, h.pitch});
+    addChimney(mesh, {h.chimneyX, h.chimneyY, h.top}, h.top + h.pitch * h.depth / 2.0 + 1.1);
+    return mesh;
+}
+
+} // namespace limen::demo

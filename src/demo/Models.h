@@ -1,0 +1,47 @@
+#pragma once
+
+#include "demo/Mesh.h"
+
+namespace limen::demo {
+
+/// A part of a Setup: which GfxObj and where.
+struct SetupPart {
+    dat::RecordId gfxObj = 0;
+    Placement at;
+};
+
+/// A lamp in a Setup, relative to the object.
+struct Lamp {
+    Vec3 position{0.0};
+    std::uint32_t colour = 0xFFFFFFFF; ///< ARGB
+    double intensity = 1.0;
+    double range = 6.0; ///< metres
+};
+
+/// Turns meshes into GfxObj and Setup records and hands out their ids, in the order asked for.
+class ModelSink {
+public:
+    explicit ModelSink(WorldRecords& records) : records_(records) {}
+
+    /// `solid`: with physics polygons, except for what one can walk through (foliage, flames, glass).
+    dat::RecordId addMesh(const MeshBuilder& mesh, bool solid = true);
+    dat::RecordId addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps = {});
+    [[nodiscard]] WorldRecords& records() { return records_; }
+
+private:
+    WorldRecords& records_;
+    dat::RecordId nextGfxObj_ = 0x01000100;
+    dat::RecordId nextSetup_ = 0x02000100;
+};
+
+/// The frame of a placement; exact for quarter turns.
+[[nodiscard]] dat::Frame toFrame(const Placement& placement);
+
+/// The physics polygons of a mesh: those whose faces one cannot walk through. Ids are the drawing polygons' ids.
+struct PhysicsMesh {
+    dat::PolygonList polygons;
+    dat::BspTree tree;
+};
+[[nodiscard]] PhysicsMesh physicsOf(const std::vector<Face>& faces, const dat::PolygonList& polygons);
+
+} // namespace limen::demo

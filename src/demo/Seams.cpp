@@ -1,0 +1,143 @@
+#include "demo/Mesh.h"
+
+#include <set>
+#include <tuple>
+
+namespace limen::demo {
+
+namespace {
+
+/// Metres. Fine enough to be invisible, coarse enough that block-local floats hold every point exactly (24 bits of
+/// mantissa reach 2^-13 up to 1024 m).
+constexpr double kGrid = 1.0 / 8192.0;
+/// A point this near (metres) to an edge lies on it: rounding moves points by up to 0.87 grid steps.
+constexpr double kOnEdge = 2.0 * kGrid;
+
+struct Less {
+    bool operator()(const Vec3& a, const Vec3& b) const {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    }
+};
+
+double snap(double v) { return std::round(v / kGrid) * kGrid; }
+
+/// Where between a and b the point lies on their line, or no value (-1) if it does not lie strictly between.
+double positionOnEdge(const Vec3& a, const Vec3& b, const Vec3& p) {
+    const Vec3 along = b - a;
+    const double t = glm::dot(p - a, along) / glm::dot(along, along);
+    if (t <= 0.0 || t >= 1.0 || p == a || p == b) {
+        return -1.0;
+    }
+    return glm::length(p - (a + along * t)) <= kOnEdge ? t : -1.0;
+}
+
+void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
+    Face out = face;
+    out.points.clear();
+    out.uvs.clear();
+    out.normals.clear();
+    const std::size_t n = face.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t j = (i + 1) % n;
+        const auto push = [&](double t, const Vec3& p) {
+            out.points.push_back(p);
+            if (!face.uvs.empty()) {
+                out.uvs.push_back(face.uvs[i] + (face.uvs[j] - face.uvs[i]) * t);
+            }
+            if (!face.normals.empty()) {
+                out.normals.push_back(glm::normalize(face.normals[i] + (face.normals[j] - face.normals[i]) * t));
+            }
+        };
+        push(0.0, face.points[i]);
+        std::vector<std::pair<double, Vec3>> between;
+        for (const Vec3& p : points) {
+            const double t = positionOnEdge(face.points[i], face.points[j], p);
+            if (t > 0.0) {
+                between.emplace_back(t, p);
+            }
+        }
+        std::sort(between.begin(), between.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [t, p] : between) {
+            push(t, p);
+        }
+    }
+    face = std::move(out);
+}
+
+bool straight(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 cross = glm::cross(b - a, c - b);
+    return glm::length(cross) <= kOnEdge * glm::length(c - a);
+}
+
+void rotate(Face& face, std::size_t first) {
+    const auto turn = [first](auto& list) {
+        if (!list.empty()) {
+            std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(first), list.end());
+        }
+    };
+    turn(face.points);
+    turn(face.uvs);
+    turn(face.normals);
+}
+
+/// Polygons are drawn as fans from their first vertex. With vertices along straight edges a badly chosen first vertex
+/// gives triangles without area, whose long side no longer has the vertices that the neighbours have. Turns the
+/// polygon to a good first vertex; false if it has none.
+bool chooseFan(Face& face) {
+    const std::size_t n = face.points.size();
+    const auto at = [&](std::size_t i) -> const Vec3& { return face.points[i % n]; };
+    for (std::size_t first = 0; first < n; ++first) {
+        bool good = true;
+        for (std::size_t k = 1; good && k + 1 < n; ++k) {
+            good = !straight(at(first), at(first + k), at(first + k + 1));
+        }
+        if (good) {
+            rotate(face, first);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Triangles around the middle: always a good fan.
+void splitAtCentre(const Face& face, std::vector<Face>& out) {
+    const std::size_t n = face.points.size();
+    Vec3 centre(0.0);
+    Vec2 uv(0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+        centre += face.points[i] / static_cast<double>(n);
+        uv += face.uvs[i] / static_cast<double>(n);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t j = (i + 1) % n;
+        Face part = face;
+        part.normals.clear();
+        part.points = {centre, face.points[i], face.points[j]};
+        part.uvs = {uv, face.uvs[i], face.uvs[j]};
+        out.push_back(std::move(part));
+    }
+}
+
+} // namespace
+
+void closeSeams(std::vector<Face>& faces) {
+    std::set<Vec3, Less> points;
+    for (Face& face : faces) {
+        for (Vec3& p : face.points) {
+            p = {snap(p.x), snap(p.y), snap(p.z)};
+            points.insert(p);
+        }
+    }
+    std::vector<Face> out;
+    for (Face& face : faces) {
+        insertVertices(face, points);
+        if (chooseFan(face) || face.portal) {
+            out.push_back(std::move(face));
+        } else {
+            splitAtCentre(face, out);
+        }
+    }
+    faces = std::move(out);
+}
+
+} // namespace limen::demo

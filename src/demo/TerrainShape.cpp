@@ -1,0 +1,157 @@
+#include "demo/TerrainShape.h"
+
+#include "demo/Noise.h"
+
+#include <algorithm>
+#include <array>
+
+namespace limen::demo {
+
+namespace {
+
+constexpr int kSiteIndex = 85;
+// The vertices between which the ground is level: both cottages' landcells.
+constexpr double kSiteWest = 11.0, kSiteEast = 12.0, kSiteSouth = 11.0, kSiteNorth = 13.0;
+
+double distanceToSite(double vx, double vy) {
+    const double dx = std::max({kSiteWest - vx, vx - kSiteEast, 0.0});
+    const double dy = std::max({kSiteSouth - vy, vy - kSiteNorth, 0.0});
+    return std::hypot(dx, dy);
+}
+
+double distanceToLane(double vx, double vy) {
+    double nearest = 1e9;
+    for (const auto& [lx, ly] : lanePath()) {
+        nearest = std::min(nearest, std::hypot(lx - vx, ly - vy));
+    }
+    return nearest;
+}
+
+/// The land before it is put on the table; vertices.
+double wildHeight(double vx, double vy) {
+    const double u = vx / (kVertices - 1);
+    const double v = vy / (kVertices - 1);
+    const double rolling = 5.5 * fbm(u, v, 5, 5, 3, 4001);
+    const double far = std::max(std::abs(vx - 12.0), std::abs(vy - 12.0));
+    const double rim = 27.0 * smoothStep(6.5, 12.0, far) * (0.8 + 0.9 * fbm(u, v, 4, 4, 2, 4003));
+    const double hill = 24.0 * std::exp(-((vx - 3.4) * (vx - 3.4) + (vy - 17.2) * (vy - 17.2)) / (2.0 * 2.3 * 2.3));
+    const double northSlope = 11.0 * smoothStep(13.0, 18.0, vy);
+    const double southDip = -3.5 * std::exp(-(vy - 9.0) * (vy - 9.0) / 3.0);
+    const double wild = heightOfIndex(kSiteIndex) + rolling + rim + hill + northSlope + southDip;
+    const double blend = smoothStep(0.0, 3.2, distanceToSite(vx, vy));
+    return heightOfIndex(kSiteIndex) + (wild - heightOfIndex(kSiteIndex)) * blend;
+}
+
+int heightIndex(int vx, int vy) {
+    const double wanted = wildHeight(vx, vy);
+    int best = 0;
+    for (int i = 1; i < 256; ++i) {
+        if (std::abs(heightOfIndex(i) - wanted) < std::abs(heightOfIndex(best) - wanted)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+double vertexHeight(int vx, int vy) { return heightOfIndex(heightIndex(vx, vy)); }
+
+struct Cover {
+    TerrainKind kind = TerrainKind::Grassland;
+    std::uint32_t scene = 0;
+};
+
+Cover coverAt(int vx, int vy) {
+    const double u = static_cast<double>(vx) / (kVertices - 1);
+    const double v = static_cast<double>(vy) / (kVertices - 1);
+    const double site = distanceToSite(vx, vy);
+    const double lane = distanceToLane(vx, vy);
+    if (site < 0.5) {
+        return vy == 12 ? Cover{TerrainKind::PackedDirt, 1} : Cover{TerrainKind::LushGrass, 1};
+    }
+    const double slope = std::hypot(wildHeight(vx + 0.5, vy) - wildHeight(vx - 0.5, vy), wildHeight(vx, vy + 0.5) - wildHeight(vx, vy - 0.5));
+    const double wood = fbm(u, v, 5, 5, 3, 4011) + 0.16 * smoothStep(14.5, 18.0, vy) - 0.5 * std::exp(-std::pow(std::hypot(vx - 3.4, vy - 17.2) / 1.6, 2.0));
+    if (slope > 11.5) {
+        return {TerrainKind::BarrenRock, 1};
+    }
+    if (wood > 0.02 && lane > 1.4 && site > 1.9) {
+        return hash(static_cast<std::uint32_t>(vx), static_cast<std::uint32_t>(vy), 4013) % 4 == 0
+                   ? Cover{TerrainKind::Moss, 1}
+                   : Cover{TerrainKind::ForestFloor, wood > 0.2 ? 2u : 1u};
+    }
+    if (wood > -0.05 && lane > 1.1 && site > 1.5) {
+        return {TerrainKind::Grassland, 2};
+    }
+    if (lane < 0.9) {
+        return {TerrainKind::PatchyGrass, 1};
+    }
+    return fbm(u, v, 8, 8, 2, 4015) > 0.05 ? Cover{TerrainKind::LushGrass, 1} : Cover{TerrainKind::Grassland, 1};
+}
+
+std::uint16_t terrainWord(int vx, int vy) {
+    const Cover cover = coverAt(vx, vy);
+    const std::vector<std::pair<int, int>> lane = lanePath();
+    const bool road = std::find(lane.begin(), lane.end(), std::pair{vx, vy}) != lane.end();
+    return static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(cover.kind) << 2 | cover.scene << 11);
+}
+
+/// formats/landscape.md §5: true if the landcell's diagonal runs from south-west to north-east.
+bool splitsSouthWest(int vx, int vy) {
+    const auto x = static_cast<std::uint32_t>(kSouthWest.x * kCellsPerBlock + vx);
+    const auto y = static_cast<std::uint32_t>(kSouthWest.y * kCellsPerBlock + vy);
+    return x * y * 0x0CCAC033u + y * 0x6C1AC587u - x * 0x421BE3BDu - 0x519B8F25u >= 0x80000000u;
+}
+
+} // namespace
+
+double heightOfIndex(int index) { return std::round((0.25 * index + 0.0012 * index * index) * 64.0) / 64.0; }
+
+double siteLevel() { return heightOfIndex(kSiteIndex); }
+
+double groundHeight(double x, double y) {
+    const int cx = std::clamp(static_cast<int>(std::floor(x / kLandcell)), 0, kVertices - 2);
+    const int cy = std::clamp(static_cast<int>(std::floor(y / kLandcell)), 0, kVertices - 2);
+    const double fx = x / kLandcell - cx;
+    const double fy = y / kLandcell - cy;
+    const double sw = vertexHeight(cx, cy);
+    const double se = vertexHeight(cx + 1, cy);
+    const double ne = vertexHeight(cx + 1, cy + 1);
+    const double nw = vertexHeight(cx, cy + 1);
+    if (splitsSouthWest(cx, cy)) {
+        return fx >= fy ? sw + (se - sw) * fx + (ne - se) * fy : sw + (ne - nw) * fx + (nw - sw) * fy;
+    }
+    return fx + fy <= 1.0 ? sw + (se - sw) * fx + (nw - sw) * fy : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
+}
+
+std::vector<std::pair<int, int>> lanePath() {
+    std::vector<std::pair<int, int>> path{{0, 18}, {1, 18}, {2, 17}, {3, 16}, {4, 15}, {5, 14}, {6, 13}, {7, 13}};
+    for (int x = 8; x <= 15; ++x) {
+        path.emplace_back(x, 12);
+    }
+    path.insert(path.end(), {{16, 11}, {17, 10}, {18, 9}, {19, 9}, {20, 9}, {21, 8}, {22, 8}, {23, 8}, {24, 7}});
+    return path;
+}
+
+Vec3 toGlobal(const Vec3& area) { return area + Vec3(kSouthWest.x * 192.0, kSouthWest.y * 192.0, 0.0); }
+
+void addLandBlocks(WorldRecords& records, const std::vector<dat::BlockCoord>& withObjects) {
+    for (int bx = 0; bx < kBlocksAcross; ++bx) {
+        for (int by = 0; by < kBlocksAcross; ++by) {
+            const dat::BlockCoord coord{kSouthWest.x + bx, kSouthWest.y + by};
+            dat::LandBlock block;
+            block.id = dat::landBlockId(coord);
+            block.hasObjects = std::find(withObjects.begin(), withObjects.end(), coord) != withObjects.end() ? 1u : 0u;
+            for (int x = 0; x <= kCellsPerBlock; ++x) {
+                for (int y = 0; y <= kCellsPerBlock; ++y) {
+                    const auto index = static_cast<std::size_t>(x * (kCellsPerBlock + 1) + y);
+                    const int vx = bx * kCellsPerBlock + x;
+                    const int vy = by * kCellsPerBlock + y;
+                    block.heights[index] = static_cast<std::uint8_t>(heightIndex(vx, vy));
+                    block.terrain[index] = terrainWord(vx, vy);
+                }
+            }
+            records.landBlocks.push_back(block);
+        }
+    }
+}
+
+} // namespace limen::demo

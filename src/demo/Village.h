@@ -1,0 +1,11 @@
+#pragma once
+
+#include "demo/Models.h"
+#include "demo/Places.h"
+
+namespace limen::demo {
+
+/// Builds the village block: both cottages and what stands in their yards. Returns where things are.
+[[nodiscard]] VillageMap addVillage(ModelSink& sink);
+
+} // namespace limen::demo

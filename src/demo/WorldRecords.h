@@ -1,0 +1,32 @@
+#pragma once
+
+#include "dat/records/Cells.h"
+#include "dat/records/Landscape.h"
+#include "dat/records/Models.h"
+#include "dat/records/Textures.h"
+#include "dat/Ids.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+namespace limen::demo {
+
+/// A whole world as records, in the order they were made; ids are inside them, except a Surface's.
+struct WorldRecords {
+    std::vector<dat::Palette> palettes;
+    std::vector<dat::SurfaceTexture> surfaceTextures;
+    std::vector<dat::RenderSurface> renderSurfaces;
+    std::vector<std::pair<dat::RecordId, dat::Surface>> surfaces;
+    std::vector<dat::GfxObj> gfxObjs;
+    std::vector<dat::Setup> setups;
+    std::vector<dat::Environment> environments;
+    std::vector<dat::Scene> scenes;
+    std::vector<dat::Region> regions;
+    std::vector<dat::LandBlock> landBlocks;
+    std::vector<dat::LandBlockInfo> landBlockInfos;
+    std::vector<dat::EnvCell> envCells;
+    nlohmann::ordered_json worldFile; ///< `world.json`
+};
+
+} // namespace limen::demo
