@@ -10,11 +10,12 @@ struct LoadOptions {
     bool mergeZones = true; ///< false: every cell its own zone; the picture must be the same
 };
 
-/// Loads the landblocks around `centre` with all they hold. Blocks and records that do not exist are skipped; a block
-/// whose own data is damaged is left out and reported in World::findings. Errors: nothing at all could be loaded, or
-/// the Region is unreadable while there is terrain (a world without a Region is dungeons only).
-/// A centre block that is a pure dungeon is loaded alone.
-[[nodiscard]] Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, const LoadOptions& options);
+/// Loads the landblocks around `centre` with all they hold. Blocks and records that do not exist are skipped;
+/// a block whose own data is damaged is left out and reported in World::findings. Errors: nothing at all
+/// could be loaded, or the Region is unreadable while there is terrain (a world without a Region is dungeons
+/// only). A centre block that is a pure dungeon is loaded alone.
+[[nodiscard]] Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre,
+                                      const LoadOptions& options);
 
 /// The space of a cell id, or kNone.
 [[nodiscard]] SpaceIndex findCell(const World& world, dat::RecordId cellId);

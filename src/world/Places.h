@@ -13,9 +13,9 @@ namespace limen::world {
 /// A named standing eye.
 struct Place {
     std::string name;
-    Vec3 eye{0.0};     ///< global
-    double yaw = 0.0;  ///< degrees, 0 north, 90 east
-    double pitch = 0.0; ///< degrees, positive up
+    Vec3 eye{0.0};          ///< global
+    double yaw = 0.0;       ///< degrees, 0 north, 90 east
+    double pitch = 0.0;     ///< degrees, positive up
     dat::RecordId cell = 0; ///< 0: outside
 };
 
@@ -25,7 +25,8 @@ struct WorldFile {
     std::vector<Place> tour; ///< way points, walked in straight lines
 };
 
-/// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: unreadable or not of this shape.
+/// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: unreadable or not of this
+/// shape.
 [[nodiscard]] Result<WorldFile> loadWorldFile(const std::filesystem::path& directory);
 
 } // namespace limen::world

@@ -34,7 +34,7 @@ struct SkyState {
 
 /// One sky object as it stands at a time of day.
 struct SkyPlacement {
-    std::uint32_t part = 0;  ///< index into Sky::parts
+    std::uint32_t part = 0;   ///< index into Sky::parts
     glm::mat3 rotation{1.0f}; ///< world from model, about the eye
     float transparent = 0.0f; ///< 0 opaque .. 1 hidden
     float luminosity = 1.0f;
@@ -45,6 +45,7 @@ struct SkyPlacement {
 [[nodiscard]] SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time);
 
 /// The sky objects visible then, in drawing order. `out` is overwritten and keeps its capacity.
-void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds, std::vector<SkyPlacement>& out);
+void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds,
+                   std::vector<SkyPlacement>& out);
 
 } // namespace limen::world

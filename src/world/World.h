@@ -9,16 +9,17 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
-// The resident world as plain arrays that index each other. Built by world/Loader.h, immutable afterwards, shared by
-// motion, visibility (as a graph), frame and reference.
+// The resident world as plain arrays that index each other. Built by world/Loader.h, immutable afterwards,
+// shared by motion, visibility (as a graph), frame and reference.
 //
 // Space: "global" is metres from the south-west corner of landblock 0x0000, x east, y north, z up, in double.
-// "Block-local" is metres from the south-west corner of a landblock, in float: everything static is stored so, because
-// 192 m in a float is exact to 0.02 mm anywhere on the map, and because vertices that two meshes share have the very
-// same block-local bits and so project to the same point (watertight).
+// "Block-local" is metres from the south-west corner of a landblock, in float: everything static is stored
+// so, because 192 m in a float is exact to 0.02 mm anywhere on the map, and because vertices that two meshes
+// share have the very same block-local bits and so project to the same point (watertight).
 namespace limen::world {
 
 using SpaceIndex = std::uint32_t;
@@ -27,7 +28,7 @@ using ZoneIndex = std::uint32_t;
 using InstanceIndex = std::uint32_t;
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-inline constexpr SpaceIndex kOutside = 0;   ///< spaces[0] is always the outside
+inline constexpr SpaceIndex kOutside = 0;    ///< spaces[0] is always the outside
 inline constexpr ZoneIndex kOutsideZone = 0; ///< zones[0] holds the outside alone
 inline constexpr double kBlockSize = 192.0;
 
@@ -42,21 +43,23 @@ struct Block {
 
 /// A cell, or the outside.
 struct Space {
-    dat::RecordId cellId = 0; ///< 0 for outside
-    std::uint32_t block = kNone; ///< index into blocks; kNone for outside
+    dat::RecordId cellId = 0;                       ///< 0 for outside
+    std::uint32_t block = kNone;                    ///< index into blocks; kNone for outside
     std::uint32_t firstPortal = 0, portalCount = 0; ///< its portals: a run of World::portals
-    std::uint32_t firstInstance = 0, instanceCount = 0; ///< a run of World::spaceInstances: instances that are members
+    std::uint32_t firstInstance = 0,
+                  instanceCount = 0; ///< a run of World::spaceInstances: instances that are members
     ZoneIndex zone = kNone;
     InstanceIndex shell = kNone; ///< the cell's own polygons; kNone for outside
     std::uint32_t lightSet = 0;  ///< index into lightSets
     bool seenOutside = false;    ///< the record's flag: light it by the sun as well
-    bool ofBuilding = false;     ///< reached from a building portal: may hold a position found without history
-    Aabb bounds;                 ///< global; of the shell's and the portals' vertices
-    std::uint32_t firstBspNode = 0, bspNodeCount = 0; ///< cell BSP in World::cellBspNodes; none: contains nothing
+    bool ofBuilding = false; ///< reached from a building portal: may hold a position found without history
+    Aabb bounds;             ///< global; of the shell's and the portals' vertices
+    std::uint32_t firstBspNode = 0,
+                  bspNodeCount = 0; ///< cell BSP in World::cellBspNodes; none: contains nothing
 };
 
-/// A node of a cell BSP in global coordinates: a point with signedDistance < -0.2 mm is outside the cell; else the walk
-/// goes on in `positive` (kNone: inside). formats/cells.md, "Point in cell".
+/// A node of a cell BSP in global coordinates: a point with signedDistance < -0.2 mm is outside the cell;
+/// else the walk goes on in `positive` (kNone: inside). formats/cells.md, "Point in cell".
 struct CellBspNode {
     Plane plane;
     std::uint32_t positive = kNone; ///< index relative to the space's firstBspNode
@@ -68,12 +71,13 @@ struct Portal {
     SpaceIndex space = kNone;
     SpaceIndex destination = kNone; ///< kNone: not resident, or the data names nothing
     PortalIndex reciprocal = kNone; ///< the way back; kNone: one-way
-    std::uint32_t firstVertex = 0, vertexCount = 0; ///< World::portalVertices, counter-clockwise seen from inside `space`
-    Plane plane;                     ///< global; `space` lies on the positive side
-    std::uint32_t block = kNone;     ///< the block whose local frame its vertices are exact in
-    std::uint16_t recordIndex = 0;   ///< index in the cell's portal list; for outside: in the building's
-    std::uint16_t polygonId = 0;     ///< in the CellStruct
-    bool exact = true;               ///< false: both polygons bound the opening
+    std::uint32_t firstVertex = 0,
+                  vertexCount = 0; ///< World::portalVertices, counter-clockwise seen from inside `space`
+    Plane plane;                   ///< global; `space` lies on the positive side
+    std::uint32_t block = kNone;   ///< the block whose local frame its vertices are exact in
+    std::uint16_t recordIndex = 0; ///< index in the cell's portal list; for outside: in the building's
+    std::uint16_t polygonId = 0;   ///< in the CellStruct
+    bool exact = true;             ///< false: both polygons bound the opening
 };
 
 /// Connected, closed and pairwise disjoint cells: depth alone decides what is in front inside one (docs/ray-rule.md).
@@ -88,25 +92,29 @@ enum class SurfaceClass : std::uint8_t { Opaque, CutOut, Blended };
 
 /// One vertex of the arena. Vertices are not shared between polygons.
 struct MeshVertex {
-    Vec3f position{0.0f};  ///< model space; for shells, exteriors and terrain: block-local
+    Vec3f position{0.0f}; ///< model space; for shells, exteriors and terrain: block-local
     Vec3f normal{0.0f};
-    Vec2f uv{0.0f};        ///< v grows downwards; for terrain: position in the landcell, (0,0) at its south-west corner
-    std::uint16_t polygon = 0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number each side)
+    Vec2f uv{
+        0.0f}; ///< v grows downwards; for terrain: position in the landcell, (0,0) at its south-west corner
+    std::uint16_t polygon =
+        0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number each side)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
 };
 
-/// Geometry that instances share. Triangles are counter-clockwise from the front; back faces are never drawn (two-sided
-/// polygons are in twice).
+/// Geometry that instances share. Triangles are counter-clockwise from the front; back faces are never drawn
+/// (two-sided polygons are in twice).
 struct Mesh {
     struct Range {
         std::uint32_t firstIndex = 0, indexCount = 0;
     };
-    std::uint64_t contentKey = 0; ///< what it was made from, e.g. the GfxObj id; never depends on where the player is
+    std::uint64_t contentKey =
+        0; ///< what it was made from, e.g. the GfxObj id; never depends on where the player is
     std::uint32_t firstVertex = 0, vertexCount = 0;
     std::array<Range, 3> ranges{}; ///< by SurfaceClass; indices are relative to firstVertex
     std::uint32_t polygonCount = 0;
-    std::uint32_t firstPolygonInfo = 0; ///< run of World::polygonIds: the polygon's id in its record, by number
-    Sphere bounds;                 ///< model space, of the vertices
+    std::uint32_t firstPolygonInfo =
+        0;         ///< run of World::polygonIds: the polygon's id in its record, by number
+    Sphere bounds; ///< model space, of the vertices
 };
 
 /// Something drawn: a shell, a building exterior, a block's terrain, or one part of an object.
@@ -118,11 +126,13 @@ struct Instance {
     Vec3f origin{0.0f};          ///< block-local
     Sphere bounds;               ///< global
     SpaceIndex placedIn = kNone;
-    std::uint32_t firstMember = 0, memberCount = 0; ///< World::members: the spaces it belongs to, placedIn first
-    std::uint64_t object = 0;  ///< identity: parts of one object share it; unique across landblocks
-    dat::RecordId record = 0;  ///< GfxObj, EnvCell (shell) or LandBlock (terrain) id
-    std::uint32_t firstMaterial = 0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
-    std::uint32_t idBase = 0;  ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
+    std::uint32_t firstMember = 0,
+                  memberCount = 0; ///< World::members: the spaces it belongs to, placedIn first
+    std::uint64_t object = 0;      ///< identity: parts of one object share it; unique across landblocks
+    dat::RecordId record = 0;      ///< GfxObj, EnvCell (shell) or LandBlock (terrain) id
+    std::uint32_t firstMaterial =
+        0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
+    std::uint32_t idBase = 0; ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
 };
 
 /// What a surface looks like.
@@ -131,14 +141,14 @@ struct Material {
     std::uint32_t texture = kNone; ///< index into textures; kNone: colour alone
     SurfaceClass surfaceClass = SurfaceClass::Opaque;
     std::uint32_t flags = 0;
-    Vec4f colour{1.0f};     ///< of a solid surface, else white; alpha = 1 - translucency
+    Vec4f colour{1.0f};      ///< of a solid surface, else white; alpha = 1 - translucency
     float luminosity = 0.0f; ///< light it always has, 0..1
     float diffuse = 1.0f;
     dat::RecordId surface = 0;
 };
 
-/// How one landcell's ground is painted (formats/landscape.md §7): base, then overlays and roads through alpha maps
-/// where 1 keeps what is underneath.
+/// How one landcell's ground is painted (formats/landscape.md §7): base, then overlays and roads through
+/// alpha maps where 1 keeps what is underneath.
 struct TerrainCell {
     struct Layer {
         std::uint32_t texture = kNone; ///< index into textures; kNone: no such layer
@@ -160,9 +170,9 @@ struct Light {
 
 /// How a space is lit: sun and sky, or its own ambient, and the lamps that reach it.
 struct LightSet {
-    Vec3f ambient{0.0f};   ///< added to the sky's times `sky`
-    float sky = 1.0f;      ///< share of the sky's ambient, 0..1
-    float sun = 1.0f;      ///< share of the sun, 0..1
+    Vec3f ambient{0.0f};                          ///< added to the sky's times `sky`
+    float sky = 1.0f;                             ///< share of the sky's ambient, 0..1
+    float sun = 1.0f;                             ///< share of the sun, 0..1
     std::uint32_t firstLight = 0, lightCount = 0; ///< run of World::lights, at most 8, brightest first
 };
 
@@ -200,5 +210,10 @@ struct World {
     std::vector<Finding> findings;
     std::uint32_t idEnd = 2; ///< one past the last id in use
 };
+
+/// The corners of a portal: global, counter-clockwise seen from inside its space.
+[[nodiscard]] inline std::span<const Vec3> polygonOf(const World& world, const Portal& portal) {
+    return std::span<const Vec3>(world.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+}
 
 } // namespace limen::world

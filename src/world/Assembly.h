@@ -1,0 +1,61 @@
+#pragma once
+
+#include "world/BlockContent.h"
+#include "world/Lights.h"
+#include "world/Materials.h"
+#include "world/MeshArena.h"
+
+namespace limen::world {
+
+/// Joins blocks into a World: indices made global, portals and zones numbered, meshes put into the arenas,
+/// members, ids and lights found. Blocks must be added in ascending order of (x, y); then the result depends
+/// on nothing else.
+class Assembly {
+public:
+    Assembly(Records& records, Models& models, const dat::Region* region);
+
+    void add(const BlockContent& block);
+    [[nodiscard]] World finish();
+
+private:
+    void addTerrain(const BlockContent& block);
+    void addSpaces(const BlockContent& block);
+    void addPortals(const BlockContent& block);
+    void addShells(const BlockContent& block);
+    void addExteriors(const BlockContent& block);
+    void addObjects(const BlockContent& block);
+    void addPart(const PlacedModel& object, const ModelPart& part);
+    Instance& addBaked(Kind kind, const MeshData& data, std::uint64_t key, std::uint64_t object,
+                       dat::RecordId record);
+    std::uint32_t materialRun(std::span<const dat::RecordId> surfaces, const std::vector<bool>& clamp);
+    std::uint32_t partMaterials(const PartMesh& part);
+    std::uint32_t terrainRun(const Ground& ground);
+    [[nodiscard]] TerrainCell paint(const CellCorners& corners);
+    [[nodiscard]] SpaceIndex spaceOf(std::uint32_t local) const;
+
+    void gatherOutdoorPortals();
+    void findMembers();
+    void listInstances();
+    void numberPolygons();
+    void addSky();
+
+    Records& records_;
+    Models& models_;
+    const dat::Region* region_;
+    World world_;
+    Materials materials_;
+    MeshArena arena_;
+    std::unordered_map<dat::RecordId, std::uint32_t> partMaterials_;
+    std::map<std::uint32_t, TerrainCell> painted_; ///< by palette code
+    std::vector<Portal> outdoorPortals_;           ///< moved to the front at the end
+    std::vector<PlacedLamp> lamps_;
+    struct Group {
+        InstanceIndex first = 0, count = 0;
+        Sphere bounds; ///< global, of all parts
+    };
+    std::vector<Group> objects_; ///< instances whose members are to be found
+    std::uint32_t block_ = 0;    ///< index of the block being added
+    SpaceIndex firstSpace_ = 0;  ///< of its cells
+};
+
+} // namespace limen::world

@@ -1,0 +1,155 @@
+#include "world/BlockBuilder.h"
+
+#include "world/Buildings.h"
+#include "world/CellBuilder.h"
+#include "world/PortalLinks.h"
+#include "world/Scenery.h"
+#include "world/Zones.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+/// Identity of the `index`-th thing of a record.
+std::uint64_t objectId(dat::RecordId record, std::size_t index) {
+    return static_cast<std::uint64_t>(record) << 32 | static_cast<std::uint32_t>(index);
+}
+
+constexpr std::size_t kBuildingObjects =
+    0x80000000u; ///< indices of buildings start here, those of objects at 0
+
+/// Loads a record of the cell file; one that exists but cannot be read is a finding.
+template <class Record>
+std::optional<Record> load(const dat::Archive& archive, dat::RecordId id, std::vector<Finding>& findings) {
+    if (!archive.contains<Record>(id))
+        return std::nullopt;
+    Result<Record> record = archive.load<Record>(id);
+    if (record)
+        return std::move(*record);
+    note(findings, id, record.error().message());
+    return std::nullopt;
+}
+
+std::set<int> builtCells(const dat::LandBlockInfo* info) {
+    std::set<int> cells;
+    for (std::size_t i = 0; info != nullptr && i < info->buildings.size(); ++i) {
+        const Vec3 origin = poseOf(info->buildings[i].frame).origin;
+        if (origin.x >= 0.0 && origin.y >= 0.0 && origin.x < kBlockSize && origin.y < kBlockSize)
+            cells.insert(static_cast<int>(origin.x / kLandcellSize) * 8 +
+                         static_cast<int>(origin.y / kLandcellSize));
+    }
+    return cells;
+}
+
+PlacedModel placed(Kind kind, const dat::Stab& stab, std::uint64_t object, std::uint32_t cell) {
+    const Pose pose = poseOf(stab.frame);
+    return {kind, stab.model, object, pose.origin, pose.orientation, 1.0, cell};
+}
+
+} // namespace
+
+bool isPureDungeon(const dat::LandBlock& land, const dat::LandBlockInfo* info) {
+    const bool flat =
+        std::all_of(land.heights.begin(), land.heights.end(), [](std::uint8_t h) { return h == 0; });
+    return flat && info != nullptr && info->numCells > 0 && info->buildings.empty();
+}
+
+std::optional<BlockContent> BlockBuilder::build(dat::BlockCoord coord) {
+    BlockContent block;
+    block.coord = coord;
+    const dat::Archive& archive = records_.archive();
+    const std::optional<dat::LandBlock> land =
+        load<dat::LandBlock>(archive, dat::landBlockId(coord), block.findings);
+    const std::optional<dat::LandBlockInfo> info =
+        load<dat::LandBlockInfo>(archive, dat::landBlockInfoId(coord), block.findings);
+    if (!land && !info && block.findings.empty())
+        return std::nullopt;
+    if (info)
+        buildCells(*info, block);
+    block.zones = groupIntoZones(block, mergeZones_);
+    if (land && region_ != nullptr && !isPureDungeon(*land, info ? &*info : nullptr))
+        buildGround(*land, info ? &*info : nullptr, block);
+    if (info)
+        placeObjects(*info, block);
+    return block;
+}
+
+void BlockBuilder::buildCells(const dat::LandBlockInfo& info, BlockContent& block) {
+    BlockGeometry geometry;
+    std::vector<CellDraft> drafts;
+    std::uint32_t missing = 0;
+    const std::uint32_t count = std::min<std::uint32_t>(info.numCells, dat::kLastCell - dat::kFirstCell + 1);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const dat::RecordId id = dat::blockWord(block.coord) | (dat::kFirstCell + i);
+        if (!records_.archive().contains<dat::EnvCell>(id)) {
+            ++missing;
+            continue;
+        }
+        if (std::optional<dat::EnvCell> record = load<dat::EnvCell>(records_.archive(), id, block.findings)) {
+            if (std::optional<CellDraft> draft =
+                    draftCell(std::move(*record), records_, geometry, block.findings))
+                drafts.push_back(std::move(*draft));
+        }
+    }
+    if (missing > 0 || count < info.numCells)
+        note(block.findings, info.id,
+             std::to_string(missing + (info.numCells - count)) + " of its cells do not exist");
+    std::vector<BuildingDraft> buildings;
+    for (std::size_t i = 0; i < info.buildings.size(); ++i)
+        buildings.push_back(draftBuilding(info.buildings[i], objectId(info.id, kBuildingObjects + i),
+                                          records_, models_, geometry, block.findings));
+    geometry.bake();
+    for (const CellDraft& draft : drafts)
+        finishCell(draft, geometry, records_, block);
+    linkCellPortals(block);
+    for (std::size_t i = 0; i < info.buildings.size(); ++i) {
+        finishBuilding(buildings[i], geometry, records_, block);
+        linkBuilding(block, info.buildings[i], buildings[i].portalPolygons, info.id);
+    }
+    finishBuildings(block);
+    for (std::uint32_t cell = 0; cell < drafts.size(); ++cell) {
+        const dat::EnvCell& record = drafts[cell].record;
+        for (std::size_t i = 0; i < record.statics.size(); ++i)
+            block.objects.push_back(placed(Kind::Static, record.statics[i], objectId(record.id, i), cell));
+    }
+}
+
+void BlockBuilder::buildGround(const dat::LandBlock& record, const dat::LandBlockInfo* info,
+                               BlockContent& block) {
+    block.ground = groundOf(record, *region_);
+    block.heightIndices.assign(record.heights.begin(), record.heights.end());
+    block.terrain = terrainMesh(*block.ground, [this](int x, int y) { return heightAt(x, y); });
+    const std::vector<SceneryObject> scenery =
+        growScenery(*block.ground, *region_, builtCells(info), records_);
+    for (std::size_t i = 0; i < scenery.size(); ++i) {
+        block.objects.push_back({Kind::Scenery, scenery[i].model, objectId(record.id, i), scenery[i].origin,
+                                 scenery[i].orientation, scenery[i].scale, kOutdoorSpace});
+    }
+}
+
+void BlockBuilder::placeObjects(const dat::LandBlockInfo& info, BlockContent& block) {
+    for (std::size_t i = 0; i < info.objects.size(); ++i)
+        block.objects.push_back(placed(Kind::Static, info.objects[i], objectId(info.id, i), kOutdoorSpace));
+}
+
+std::optional<float> BlockBuilder::heightAt(int globalX, int globalY) {
+    if (globalX < 0 || globalY < 0 || region_ == nullptr)
+        return std::nullopt;
+    // A vertex on a border is in both blocks; either will do. The last row of the map has no block beyond.
+    const dat::BlockCoord block{std::min(globalX / 8, 254), std::min(globalY / 8, 254)};
+    const int x = globalX - block.x * 8, y = globalY - block.y * 8;
+    if (x > 8 || y > 8)
+        return std::nullopt;
+    const auto [entry, fresh] = neighbours_.try_emplace(dat::landBlockId(block));
+    if (fresh) {
+        if (Result<dat::LandBlock> record = records_.archive().load<dat::LandBlock>(dat::landBlockId(block)))
+            entry->second = *record;
+    }
+    if (!entry->second)
+        return std::nullopt;
+    const float z = region_->landDefs.heights[entry->second->heights[static_cast<std::size_t>(x * 9 + y)]];
+    return std::isfinite(z) ? std::optional(z) : std::nullopt;
+}
+
+} // namespace limen::world

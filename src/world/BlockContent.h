@@ -1,0 +1,79 @@
+#pragma once
+
+#include "world/Models.h"
+#include "world/Terrain.h"
+
+namespace limen::world {
+
+/// In PortalContent: the outside. (kNone is nowhere.)
+inline constexpr std::uint32_t kOutdoorSpace = kNone - 1;
+
+/// A portal of a cell or of a building, its indices relative to the block.
+struct PortalContent {
+    std::uint32_t space = kNone;       ///< cell, or kOutdoorSpace
+    std::uint32_t destination = kNone; ///< cell, kOutdoorSpace or kNone
+    std::uint32_t reciprocal = kNone;  ///< portal
+    std::vector<Vec3f> points; ///< block-local, counter-clockwise seen from `space`; empty: not to be trusted
+    Plane plane{Vec3(0.0), 0.0}; ///< block-local, `space` in front
+    bool exact = true;
+    std::uint16_t recordIndex = 0, polygonId = 0;
+    std::uint16_t flags = 0, otherCell = 0, otherPortal = 0; ///< as in the record
+
+    [[nodiscard]] std::vector<Vec3> polygon() const { return {points.begin(), points.end()}; }
+};
+
+/// What deciding about zones needs of a cell. Block-local.
+struct CellShape {
+    bool closed = false; ///< every edge of shell and portals is shared by as many polygons each way
+    Aabb bounds;
+    std::vector<Vec3> points;  ///< vertices of shell and portals
+    std::vector<Vec3> normals; ///< directions of its faces, one of each, sign dropped
+    std::vector<Vec3> edges;   ///< directions of its edges, likewise
+};
+
+struct CellContent {
+    dat::RecordId id = 0;
+    bool seenOutside = false, ofBuilding = false;
+    MeshData shell; ///< block-local
+    std::vector<dat::RecordId> surfaces;
+    std::uint32_t firstPortal = 0, portalCount = 0; ///< run of BlockContent::portals
+    std::vector<CellBspNode> bsp;                   ///< block-local planes
+    CellShape shape;
+};
+
+/// A part of a building's exterior, block-local.
+struct ExteriorContent {
+    dat::RecordId gfxObj = 0;
+    std::uint64_t object = 0;
+    MeshData mesh;
+    std::vector<dat::RecordId> surfaces;
+};
+
+/// A model standing in the block.
+struct PlacedModel {
+    Kind kind = Kind::Static;
+    dat::RecordId model = 0;
+    std::uint64_t object = 0;
+    Vec3 origin{0.0}; ///< block-local
+    Quat orientation{1.0, 0.0, 0.0, 0.0};
+    double scale = 1.0;
+    std::uint32_t cell = kOutdoorSpace;
+};
+
+/// Everything one landblock holds, in its own frame and with its own indices: nothing in it depends on which
+/// other blocks are resident, so blocks can be built apart and in any order.
+struct BlockContent {
+    dat::BlockCoord coord;
+    std::optional<Ground> ground;
+    std::vector<std::uint8_t> heightIndices;
+    MeshData terrain;
+    std::vector<CellContent> cells;     ///< ascending ids
+    std::vector<PortalContent> portals; ///< by cell, then the buildings'
+    std::uint32_t firstOutdoorPortal = 0;
+    std::vector<std::vector<std::uint32_t>> zones; ///< cells
+    std::vector<ExteriorContent> exteriors;
+    std::vector<PlacedModel> objects;
+    std::vector<Finding> findings;
+};
+
+} // namespace limen::world

@@ -1,0 +1,48 @@
+#include "world/BlockGeometry.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+constexpr double kFarthest = 500000.0; ///< metres; leaves the welder's grid room
+
+/// Takes normals along with positions under any scale: the cofactor matrix.
+Mat3 normalMatrix(const Mat3& m) {
+    return Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+}
+
+} // namespace
+
+std::uint32_t BlockGeometry::add(SourcePolygon polygon, const Placement& placement) {
+    const Mat3 normals = normalMatrix(placement.linear);
+    StitchLoop loop;
+    for (SourcePolygon::Corner& corner : polygon.corners) {
+        corner.position = placement.origin + placement.linear * corner.position;
+        const Vec3& p = corner.position;
+        if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kFarthest))
+            return kNone;
+    }
+    for (const SourcePolygon::Corner& corner : polygon.corners) {
+        const Vec3 n = normals * corner.normal;
+        const double length = glm::length(n);
+        loop.push_back({welder_.add(corner.position), length > 0.0 ? Vec3f(n / length) : Vec3f(0.0f),
+                        corner.front, corner.back});
+    }
+    polygon.corners.clear();
+    sources_.push_back(std::move(polygon));
+    loops_.push_back({std::move(loop)});
+    return static_cast<std::uint32_t>(sources_.size() - 1);
+}
+
+void BlockGeometry::bake() {
+    welder_.weld();
+    Stitcher stitcher(welder_.positions());
+    for (std::vector<StitchLoop>& loops : loops_) {
+        for (StitchCorner& corner : loops.front())
+            corner.vertex = welder_.vertexOf(corner.vertex);
+        loops = stitcher.stitch(loops.front());
+    }
+}
+
+} // namespace limen::world

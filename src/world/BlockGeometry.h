@@ -1,0 +1,37 @@
+#pragma once
+
+#include "world/PolygonSource.h"
+#include "world/Stitch.h"
+#include "world/Weld.h"
+
+#include <memory>
+
+namespace limen::world {
+
+/// Block-local from a record's space.
+struct Placement {
+    Mat3 linear{1.0};
+    Vec3 origin{0.0};
+};
+
+/// All polygons of one block that must meet without cracks: shells, exteriors, portal polygons. They are
+/// added, then baked together: corners welded to common float positions, T-junctions stitched.
+class BlockGeometry {
+public:
+    /// Yields a handle, or kNone if the polygon comes to lie absurdly far away.
+    std::uint32_t add(SourcePolygon polygon, const Placement& placement);
+    void bake();
+
+    /// The polygon as it was read; its corners are emptied.
+    [[nodiscard]] const SourcePolygon& source(std::uint32_t handle) const { return sources_[handle]; }
+    /// What became of it: none if it was thinner than the weld tolerance. Corners index vertices().
+    [[nodiscard]] const std::vector<StitchLoop>& loops(std::uint32_t handle) const { return loops_[handle]; }
+    [[nodiscard]] std::span<const Vec3f> vertices() const { return welder_.positions(); }
+
+private:
+    Welder welder_;
+    std::vector<SourcePolygon> sources_;
+    std::vector<std::vector<StitchLoop>> loops_;
+};
+
+} // namespace limen::world

@@ -1,0 +1,162 @@
+#include "world/CellBuilder.h"
+
+#include "world/CellClosure.h"
+#include "world/CellPortals.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+/// Faces and edges beyond these many directions are not asked to prove two cells disjoint.
+constexpr std::size_t kMaxNormals = 64, kMaxEdges = 32;
+
+const dat::CellStruct* findShape(const dat::EnvCell& cell, Records& records) {
+    const dat::Environment* environment = records.environment(0x0D000000u | cell.environment);
+    if (environment == nullptr)
+        return nullptr;
+    for (const auto& [key, shape] : environment->cells) {
+        if (key == cell.cellStructure)
+            return &shape;
+    }
+    return nullptr;
+}
+
+void addDirection(std::vector<Vec3>& directions, Vec3 direction, std::size_t limit) {
+    const double length = glm::length(direction);
+    if (!(length > 1e-9) || directions.size() >= limit)
+        return;
+    direction /= length;
+    const bool known = std::any_of(directions.begin(), directions.end(), [&](const Vec3& d) {
+        return std::abs(glm::dot(d, direction)) > 1.0 - 1e-8;
+    });
+    if (!known)
+        directions.push_back(direction);
+}
+
+void addToShape(CellShape& shape, std::span<const Vec3> points) {
+    addDirection(shape.normals, planeOf(points).n, kMaxNormals);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        addDirection(shape.edges, points[(i + 1) % points.size()] - points[i], kMaxEdges);
+        shape.bounds.include(points[i]);
+        shape.points.push_back(points[i]);
+    }
+}
+
+/// The chain of positive children, in block-local planes. A tree whose planes make no sense contains nothing.
+std::vector<CellBspNode> chainOf(const dat::BspTree& tree, const Pose& pose) {
+    std::vector<CellBspNode> chain;
+    std::size_t at = 0;
+    while (at < tree.nodes.size() && tree.nodes[at].tag != dat::BspTag::Leaf &&
+           chain.size() < tree.nodes.size()) {
+        const Vec3 n(tree.nodes[at].plane.n);
+        const double length = glm::length(n), d = tree.nodes[at].plane.d;
+        if (!(length > 1e-6) || !std::isfinite(length) || !std::isfinite(d))
+            return {};
+        CellBspNode node;
+        node.plane.n = pose.orientation * (n / length);
+        node.plane.d = d / length - glm::dot(node.plane.n, pose.origin);
+        if (!chain.empty())
+            chain.back().positive = static_cast<std::uint32_t>(chain.size());
+        chain.push_back(node);
+        if (tree.nodes[at].positive < 0)
+            break;
+        at = static_cast<std::size_t>(tree.nodes[at].positive);
+    }
+    return chain;
+}
+
+/// Which polygon each portal of the cell means.
+std::vector<std::uint16_t> portalPolygonIds(const dat::EnvCell& cell, const dat::CellStruct& shape,
+                                            std::vector<Finding>& findings) {
+    std::vector<std::uint16_t> ids;
+    for (std::size_t i = 0; i < cell.portals.size(); ++i) {
+        ids.push_back(cell.portals[i].polygonId);
+        if (i < shape.portalPolygons.size() && shape.portalPolygons[i] != ids.back())
+            note(findings, cell.id,
+                 "portal " + std::to_string(i) + " names another polygon than its shape does");
+    }
+    if (shape.portalPolygons.size() > cell.portals.size())
+        note(findings, cell.id, "its shape has more portal polygons than the cell has portals");
+    return ids;
+}
+
+} // namespace
+
+std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BlockGeometry& geometry,
+                                   std::vector<Finding>& findings) {
+    CellDraft draft;
+    draft.record = std::move(record);
+    const dat::EnvCell& cell = draft.record;
+    draft.shape = findShape(cell, records);
+    if (draft.shape == nullptr) {
+        note(findings, cell.id, "its shape does not exist");
+        return std::nullopt;
+    }
+    const std::vector<std::uint16_t> portalIds = portalPolygonIds(cell, *draft.shape, findings);
+    std::set<std::uint16_t> portals(draft.shape->portalPolygons.begin(), draft.shape->portalPolygons.end());
+    portals.insert(portalIds.begin(), portalIds.end());
+    const Pose pose = poseOf(cell.position);
+    const Placement placement{glm::mat3_cast(pose.orientation), pose.origin};
+    std::unordered_map<std::uint16_t, std::uint32_t> handles;
+    for (SourcePolygon& polygon : readPolygons(draft.shape->vertexArray, draft.shape->polygons,
+                                               cell.surfaces.size(), portals, cell.id, findings)) {
+        const std::uint16_t id = polygon.id;
+        const bool drawn = polygon.isDrawn();
+        const std::uint32_t handle = geometry.add(std::move(polygon), placement);
+        if (handle == kNone)
+            note(findings, cell.id, "polygon " + std::to_string(id) + " lies absurdly far away");
+        else if (drawn)
+            draft.polygons.push_back(handle);
+        else
+            handles.emplace(id, handle);
+    }
+    for (const std::uint16_t id : portalIds) {
+        const auto found = handles.find(id);
+        draft.portals.push_back(found == handles.end() ? kNone : found->second);
+    }
+    return draft;
+}
+
+void finishCell(const CellDraft& draft, const BlockGeometry& geometry, Records& records,
+                BlockContent& block) {
+    CellContent cell;
+    cell.id = draft.record.id;
+    cell.seenOutside = (draft.record.flags & dat::EnvCell::kSeenOutside) != 0;
+    for (const std::uint16_t surface : draft.record.surfaces)
+        cell.surfaces.push_back(0x08000000u | surface);
+    MeshBuilder builder(classesOf(cell.surfaces, records));
+    CellClosure closure(geometry.vertices());
+    std::vector<Vec3> points;
+    for (const std::uint32_t handle : draft.polygons) {
+        const SourcePolygon& source = geometry.source(handle);
+        builder.beginPolygon(source.id, source.frontSlot, source.backSlot);
+        for (const StitchLoop& loop : geometry.loops(handle)) {
+            builder.addLoop(loop, geometry.vertices());
+            points.clear();
+            for (const StitchCorner& corner : loop)
+                points.emplace_back(geometry.vertices()[corner.vertex]);
+            addToShape(cell.shape, points);
+            closure.addDrawn(loop, source.frontSlot >= 0, source.backSlot >= 0);
+        }
+    }
+    cell.shell = builder.finish();
+    cell.bsp = chainOf(draft.shape->cellBsp, poseOf(draft.record.position));
+    if (!draft.shape->cellBsp.nodes.empty() && cell.bsp.empty() &&
+        draft.shape->cellBsp.nodes[0].tag != dat::BspTag::Leaf)
+        note(block.findings, cell.id, "its cell tree has a plane without direction");
+    cell.firstPortal = static_cast<std::uint32_t>(block.portals.size());
+    cell.portalCount = static_cast<std::uint32_t>(draft.portals.size());
+    const auto index = static_cast<std::uint32_t>(block.cells.size());
+    for (PortalContent& portal :
+         cellPortals(draft, index, geometry, closure, cell.shape.points, block.findings)) {
+        addToShape(cell.shape, portal.polygon());
+        block.portals.push_back(std::move(portal));
+    }
+    cell.shape.closed = closure.isClosed();
+    if (!cell.shape.closed)
+        note(block.findings, cell.id, "its shell is not closed: " + closure.describe());
+    block.cells.push_back(std::move(cell));
+}
+
+} // namespace limen::world

@@ -1,0 +1,86 @@
+#include "world/CellClosure.h"
+
+#include "geometry/ConvexPolygon.h"
+#include "world/PolygonDistance.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+/// An edge this far inside a wall's border lies in its middle; one this near to its plane lies on it. Metres.
+constexpr double kInside = 0.001;
+
+std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+} // namespace
+
+void CellClosure::addDrawn(const StitchLoop& loop, bool front, bool back) {
+    std::vector<Vec3> wall;
+    for (const StitchCorner& corner : loop)
+        wall.emplace_back(vertices_[corner.vertex]);
+    walls_.push_back(std::move(wall));
+    if (front != back)
+        addEdges(loop, front ? 1 : -1);
+}
+
+void CellClosure::addEdges(const StitchLoop& loop, int direction) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t a = loop[i].vertex, b = loop[(i + 1) % loop.size()].vertex;
+        balance_[edgeKey(a, b)] += a < b ? direction : -direction;
+    }
+}
+
+int CellClosure::fit(const StitchLoop& portal) const {
+    int fit = 0;
+    for (std::size_t i = 0; i < portal.size(); ++i) {
+        const std::uint32_t a = portal[i].vertex, b = portal[(i + 1) % portal.size()].vertex;
+        const auto found = balance_.find(edgeKey(a, b));
+        if (found != balance_.end() && found->second != 0)
+            fit += (found->second < 0) == (a < b) ? 1 : -1;
+    }
+    return fit;
+}
+
+bool CellClosure::isOnAWall(std::uint32_t a, std::uint32_t b) const {
+    const Vec3 from(vertices_[a]), to(vertices_[b]), middle = (from + to) * 0.5;
+    return std::any_of(walls_.begin(), walls_.end(), [&](const std::vector<Vec3>& wall) {
+        const Plane plane = planeOf(wall);
+        return plane.n != Vec3(0.0) && std::abs(plane.signedDistance(middle)) < kInside &&
+               containsProjection(wall, plane.n, middle, -kInside) &&
+               distanceToPolygon(wall, plane, from) < kInside && distanceToPolygon(wall, plane, to) < kInside;
+    });
+}
+
+std::size_t CellClosure::openEdges(std::size_t limit, std::uint64_t* first) const {
+    std::size_t open = 0;
+    std::size_t tested = 0;
+    for (const auto& [key, balance] : balance_) {
+        if (balance == 0)
+            continue;
+        // Only so many edges are worth the search; a cell with more is open beyond doubt.
+        if (++tested <= 256 &&
+            isOnAWall(static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)))
+            continue;
+        if (first != nullptr && (open == 0 || key < *first))
+            *first = key;
+        if (++open >= limit)
+            break;
+    }
+    return open;
+}
+
+std::string CellClosure::describe() const {
+    std::uint64_t first = 0;
+    const std::size_t open = openEdges(vertices_.size() * 2 + 1, &first);
+    const Vec3f a = vertices_[static_cast<std::uint32_t>(first >> 32)],
+                b = vertices_[static_cast<std::uint32_t>(first)];
+    const auto text = [](const Vec3f& p) {
+        return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
+    };
+    return std::to_string(open) + " open edges, one from " + text(a) + " to " + text(b);
+}
+
+} // namespace limen::world

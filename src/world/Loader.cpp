@@ -1,0 +1,111 @@
+#include "world/Loader.h"
+
+#include "world/Assembly.h"
+#include "world/BlockBuilder.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+constexpr int kMapSize = 255; ///< blocks each way
+
+/// The blocks to load, ascending by (x, y).
+std::vector<dat::BlockCoord> blocksAround(dat::BlockCoord centre, int radius) {
+    std::vector<dat::BlockCoord> blocks;
+    for (int x = std::max(centre.x - radius, 0); x <= std::min(centre.x + radius, kMapSize - 1); ++x) {
+        for (int y = std::max(centre.y - radius, 0); y <= std::min(centre.y + radius, kMapSize - 1); ++y)
+            blocks.push_back({x, y});
+    }
+    return blocks;
+}
+
+bool isDungeon(const dat::Archive& archive, dat::BlockCoord coord) {
+    const Result<dat::LandBlock> land = archive.load<dat::LandBlock>(dat::landBlockId(coord));
+    const Result<dat::LandBlockInfo> info = archive.load<dat::LandBlockInfo>(dat::landBlockInfoId(coord));
+    return land && info && isPureDungeon(*land, &*info);
+}
+
+/// The Region, null if the world has none. Errors: it is there and cannot be read although some block needs
+/// it.
+Result<std::unique_ptr<dat::Region>> loadRegion(const dat::Archive& archive,
+                                                std::span<const dat::BlockCoord> blocks) {
+    if (!archive.contains<dat::Region>(dat::kRegionId))
+        return nullptr;
+    Result<dat::Region> region = archive.load<dat::Region>(dat::kRegionId);
+    if (region)
+        return std::make_unique<dat::Region>(std::move(*region));
+    const bool needed = std::any_of(blocks.begin(), blocks.end(), [&](dat::BlockCoord coord) {
+        return archive.contains<dat::LandBlock>(dat::landBlockId(coord)) && !isDungeon(archive, coord);
+    });
+    if (needed)
+        return tl::unexpected(region.error());
+    return nullptr;
+}
+
+const Block* findBlock(const World& world, dat::BlockCoord coord) {
+    const auto before = [](const Block& block, dat::BlockCoord c) {
+        return block.coord.x != c.x ? block.coord.x < c.x : block.coord.y < c.y;
+    };
+    const auto found = std::lower_bound(world.blocks.begin(), world.blocks.end(), coord, before);
+    return found != world.blocks.end() && found->coord == coord ? &*found : nullptr;
+}
+
+} // namespace
+
+Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, const LoadOptions& options) {
+    if (centre.x < 0 || centre.y < 0 || centre.x >= kMapSize || centre.y >= kMapSize || options.radius < 0)
+        return fail(ErrorCode::BadArgument, archive.directory().string(),
+                    "no landblock there: blocks run from 0 to 254");
+    const int radius = isDungeon(archive, centre) ? 0 : std::min(options.radius, kMapSize);
+    const std::vector<dat::BlockCoord> blocks = blocksAround(centre, radius);
+    Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
+    if (!region)
+        return tl::unexpected(region.error());
+    Records records(archive);
+    Models models(records);
+    BlockBuilder builder(records, models, region->get(), options.mergeZones);
+    Assembly assembly(records, models, region->get());
+    bool any = false;
+    for (const dat::BlockCoord coord : blocks) {
+        if (const std::optional<BlockContent> block = builder.build(coord)) {
+            assembly.add(*block);
+            any = true;
+        }
+    }
+    if (!any)
+        return fail(ErrorCode::NotFound, archive.directory().string(),
+                    "no landblock around the place asked for");
+    return assembly.finish();
+}
+
+SpaceIndex findCell(const World& world, dat::RecordId cellId) {
+    // Spaces follow their blocks, and those are in the order of their ids.
+    const auto begin = world.spaces.begin() + std::min<std::ptrdiff_t>(1, std::ssize(world.spaces));
+    const auto found =
+        std::lower_bound(begin, world.spaces.end(), cellId,
+                         [](const Space& space, dat::RecordId id) { return space.cellId < id; });
+    return found != world.spaces.end() && found->cellId == cellId
+               ? static_cast<SpaceIndex>(found - world.spaces.begin())
+               : kNone;
+}
+
+dat::BlockCoord blockAt(const Vec3& position) {
+    const auto clamped = [](double v) {
+        const double block = std::floor(v / kBlockSize);
+        return block > 0.0 ? static_cast<int>(std::min(block, kMapSize - 1.0)) : 0;
+    };
+    return {clamped(position.x), clamped(position.y)};
+}
+
+double terrainHeight(const World& world, double x, double y) {
+    const Block* block = findBlock(world, blockAt({x, y, 0.0}));
+    if (block == nullptr || !block->hasTerrain)
+        return std::numeric_limits<double>::quiet_NaN();
+    const Vec3 origin = block->origin();
+    if (x < origin.x || y < origin.y || x > origin.x + kBlockSize || y > origin.y + kBlockSize)
+        return std::numeric_limits<double>::quiet_NaN();
+    return groundAt(block->coord, block->heights, x - origin.x, y - origin.y).z;
+}
+
+} // namespace limen::world

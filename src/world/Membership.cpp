@@ -1,0 +1,38 @@
+#include "world/Membership.h"
+
+#include "world/PolygonDistance.h"
+
+#include <algorithm>
+
+namespace limen::world {
+
+Membership::Membership(const World& world) : world_(world) {
+    bounds_.reserve(world.portals.size());
+    for (const Portal& portal : world.portals)
+        bounds_.push_back(boundingSphere(polygonOf(world, portal)));
+}
+
+bool Membership::reaches(PortalIndex portal, const Sphere& ball) const {
+    const Vec3 offset = bounds_[portal].centre - ball.centre;
+    const double reach = bounds_[portal].radius + ball.radius;
+    if (bounds_[portal].radius < 0.0 || glm::dot(offset, offset) > reach * reach)
+        return false;
+    const Portal& p = world_.portals[portal];
+    return distanceToPolygon(polygonOf(world_, p), p.plane, ball.centre) <= ball.radius;
+}
+
+void Membership::reach(SpaceIndex start, const Sphere& ball, std::vector<SpaceIndex>& out) const {
+    out.assign(1, start);
+    if (ball.radius < 0.0)
+        return;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const Space& space = world_.spaces[out[i]];
+        for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            const SpaceIndex next = world_.portals[p].destination;
+            if (next != kNone && reaches(p, ball) && std::find(out.begin(), out.end(), next) == out.end())
+                out.push_back(next);
+        }
+    }
+}
+
+} // namespace limen::world

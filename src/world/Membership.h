@@ -1,0 +1,24 @@
+#pragma once
+
+#include "world/World.h"
+
+namespace limen::world {
+
+/// Finds the spaces that a ball reaches through open portals (semantics.md, Membership). Remembers the
+/// portals' bounds, so the world's spaces and portals must not change while it lives.
+class Membership {
+public:
+    explicit Membership(const World& world);
+
+    /// The spaces reached from `start`, which comes first, in the order they are reached. `out` is
+    /// overwritten.
+    void reach(SpaceIndex start, const Sphere& ball, std::vector<SpaceIndex>& out) const;
+
+private:
+    [[nodiscard]] bool reaches(PortalIndex portal, const Sphere& ball) const;
+
+    const World& world_;
+    std::vector<Sphere> bounds_; ///< by portal
+};
+
+} // namespace limen::world

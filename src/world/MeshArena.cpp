@@ -1,0 +1,36 @@
+#include "world/MeshArena.h"
+
+namespace limen::world {
+
+std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
+    Mesh mesh;
+    mesh.contentKey = key;
+    mesh.firstVertex = static_cast<std::uint32_t>(world_.vertices.size());
+    mesh.vertexCount = static_cast<std::uint32_t>(data.vertices.size());
+    mesh.polygonCount = static_cast<std::uint32_t>(data.polygonIds.size());
+    mesh.firstPolygonInfo = static_cast<std::uint32_t>(world_.polygonIds.size());
+    for (std::size_t i = 0; i < data.indices.size(); ++i) {
+        mesh.ranges[i].firstIndex = static_cast<std::uint32_t>(world_.indices.size());
+        mesh.ranges[i].indexCount = static_cast<std::uint32_t>(data.indices[i].size());
+        world_.indices.insert(world_.indices.end(), data.indices[i].begin(), data.indices[i].end());
+    }
+    std::vector<Vec3> points;
+    points.reserve(data.vertices.size());
+    for (const MeshVertex& vertex : data.vertices)
+        points.emplace_back(vertex.position);
+    mesh.bounds = boundingSphere(points);
+    world_.vertices.insert(world_.vertices.end(), data.vertices.begin(), data.vertices.end());
+    world_.polygonIds.insert(world_.polygonIds.end(), data.polygonIds.begin(), data.polygonIds.end());
+    world_.meshes.push_back(mesh);
+    return static_cast<std::uint32_t>(world_.meshes.size() - 1);
+}
+
+std::uint32_t MeshArena::shared(const PartMesh& part) {
+    const std::uint64_t key = contentKey(MeshSource::GfxObj, part.gfxObj);
+    const auto [entry, fresh] = byContent_.try_emplace(key, kNone);
+    if (fresh)
+        entry->second = add(part.mesh, key);
+    return entry->second;
+}
+
+} // namespace limen::world

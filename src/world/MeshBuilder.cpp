@@ -1,0 +1,61 @@
+#include "world/MeshBuilder.h"
+
+#include "core/Assert.h"
+#include "geometry/ConvexPolygon.h"
+
+namespace limen::world {
+namespace {
+
+Vec3f unitOr(const Vec3f& v, const Vec3f& fallback) {
+    const float length = std::sqrt(glm::dot(v, v));
+    return length > 1e-6f ? v / length : fallback;
+}
+
+} // namespace
+
+void MeshBuilder::beginPolygon(std::uint16_t id, std::int32_t frontSlot, std::int32_t backSlot) {
+    LIMEN_ASSERT(mesh_.polygonIds.size() < 0x10000, "polygon numbers are 16 bits wide");
+    mesh_.polygonIds.push_back(id);
+    frontSlot_ = frontSlot;
+    backSlot_ = backSlot;
+}
+
+void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Vec3f> vertices) {
+    points_.clear();
+    for (const StitchCorner& corner : loop)
+        points_.push_back(vertices[corner.vertex]);
+    triangles_.clear();
+    triangulate(points_, triangles_);
+    if (triangles_.empty())
+        return;
+    if (frontSlot_ >= 0)
+        emitSide(loop, frontSlot_, false);
+    if (backSlot_ >= 0)
+        emitSide(loop, backSlot_, true);
+}
+
+void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back) {
+    const std::vector<Vec3> exact(points_.begin(), points_.end());
+    const Vec3f flat(planeOf(exact).n);
+    const auto base = static_cast<std::uint32_t>(mesh_.vertices.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        MeshVertex vertex;
+        vertex.position = points_[i];
+        vertex.normal = unitOr(loop[i].normal, flat) * (back ? -1.0f : 1.0f);
+        vertex.uv = back ? loop[i].back : loop[i].front;
+        vertex.polygon = static_cast<std::uint16_t>(mesh_.polygonIds.size() - 1);
+        vertex.surface = static_cast<std::uint16_t>(slot);
+        mesh_.vertices.push_back(vertex);
+    }
+    const auto slotIndex = static_cast<std::size_t>(slot);
+    const SurfaceClass surfaceClass =
+        slotIndex < classes_.size() ? classes_[slotIndex] : SurfaceClass::Opaque;
+    std::vector<std::uint32_t>& indices = mesh_.indices[static_cast<std::size_t>(surfaceClass)];
+    for (const TriangleCorners& t : triangles_) {
+        indices.push_back(base + t[0]);
+        indices.push_back(base + (back ? t[2] : t[1]));
+        indices.push_back(base + (back ? t[1] : t[2]));
+    }
+}
+
+} // namespace limen::world

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "world/Stitch.h"
+#include "world/Triangulate.h"
+#include "world/World.h"
+
+namespace limen::world {
+
+/// A mesh before it joins the world's arenas. `vertices`, `polygonIds` as in World; indices by SurfaceClass.
+struct MeshData {
+    std::vector<MeshVertex> vertices;
+    std::array<std::vector<std::uint32_t>, 3> indices;
+    std::vector<std::uint16_t> polygonIds;
+
+    [[nodiscard]] bool empty() const { return vertices.empty(); }
+};
+
+/// Collects polygons into a MeshData: two-sided ones twice, the second time reversed and with negated
+/// normals.
+class MeshBuilder {
+public:
+    /// `classes`: by surface slot.
+    explicit MeshBuilder(std::vector<SurfaceClass> classes) : classes_(std::move(classes)) {}
+
+    /// Starts a polygon; the loops added next are parts of it and share its number.
+    void beginPolygon(std::uint16_t id, std::int32_t frontSlot, std::int32_t backSlot);
+    /// `vertices` are the positions that the corners index. Requires beginPolygon.
+    void addLoop(std::span<const StitchCorner> loop, std::span<const Vec3f> vertices);
+    [[nodiscard]] MeshData finish() { return std::move(mesh_); }
+
+private:
+    void emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back);
+
+    std::vector<SurfaceClass> classes_;
+    MeshData mesh_;
+    std::int32_t frontSlot_ = -1, backSlot_ = -1;
+    std::vector<Vec3f> points_;
+    std::vector<TriangleCorners> triangles_;
+};
+
+} // namespace limen::world

@@ -1,0 +1,143 @@
+#include "world/Models.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+/// The frames of the pose for static display: resting, else default, else the first there is.
+const dat::AnimationFrame* restingPose(const dat::Setup& setup) {
+    for (const std::uint32_t wanted : {dat::Setup::kPlacementResting, dat::Setup::kPlacementDefault}) {
+        for (const auto& [placement, frame] : setup.placementFrames) {
+            if (placement == wanted)
+                return &frame;
+        }
+    }
+    return setup.placementFrames.empty() ? nullptr : &setup.placementFrames.front().second;
+}
+
+Vec3 scaleOf(const dat::Setup& setup, std::size_t part) {
+    const Vec3 scale = part < setup.scales.size() ? Vec3(setup.scales[part]) : Vec3(1.0);
+    return isFinite(scale) ? scale : Vec3(1.0);
+}
+
+std::vector<ModelLight> lightsOf(const dat::Setup& setup) {
+    std::vector<ModelLight> lights;
+    for (const auto& [index, info] : setup.lights) {
+        if (!std::isfinite(info.intensity) || !(info.falloff > 0.0f) || !std::isfinite(info.falloff))
+            continue;
+        const std::uint32_t argb = info.colour.argb;
+        const Vec3f colour(static_cast<float>(argb >> 16 & 255u), static_cast<float>(argb >> 8 & 255u),
+                           static_cast<float>(argb & 255u));
+        lights.push_back({poseOf(info.frame).origin, colour / 255.0f * info.intensity, info.falloff});
+    }
+    return lights;
+}
+
+bool staysWithinUnit(const MeshData& mesh, std::size_t slot) {
+    constexpr float kSlack = 0.001f;
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const MeshVertex& v) {
+        return v.surface != slot ||
+               (std::min(v.uv.x, v.uv.y) >= -kSlack && std::max(v.uv.x, v.uv.y) <= 1.0f + kSlack);
+    });
+}
+
+} // namespace
+
+Pose poseOf(const dat::Frame& frame) {
+    const Quat q(frame.orientation);
+    const double length = glm::length(q);
+    const Vec3 origin(frame.origin);
+    Pose pose;
+    if (std::isfinite(length) && length > 1e-6)
+        pose.orientation = q / length;
+    if (isFinite(origin))
+        pose.origin = origin;
+    return pose;
+}
+
+std::vector<SurfaceClass> classesOf(std::span<const dat::RecordId> surfaces, Records& records) {
+    std::vector<SurfaceClass> classes;
+    for (const dat::RecordId id : surfaces) {
+        const dat::Surface* surface = records.surface(id);
+        classes.push_back(surface != nullptr ? surfaceClassOf(*surface) : SurfaceClass::Opaque);
+    }
+    return classes;
+}
+
+const Model& Models::model(dat::RecordId id) {
+    std::unique_ptr<Model>& entry = models_[id];
+    if (entry == nullptr)
+        entry = std::make_unique<Model>(read(id));
+    return *entry;
+}
+
+Model Models::read(dat::RecordId id) {
+    Model model;
+    if (id >> 24 == 0x01) {
+        model.parts.push_back({id, Mat3(1.0), Vec3(0.0)});
+    } else if (const dat::Setup* setup = records_.setup(id)) {
+        const dat::AnimationFrame* frames = restingPose(*setup);
+        for (std::size_t i = 0; i < setup->parts.size(); ++i) {
+            const Pose pose =
+                frames != nullptr && i < frames->parts.size() ? poseOf(frames->parts[i]) : Pose();
+            const Vec3 scale = scaleOf(*setup, i);
+            Mat3 linear = glm::mat3_cast(pose.orientation);
+            for (int axis = 0; axis < 3; ++axis)
+                linear[axis] *= scale[axis];
+            model.parts.push_back({setup->parts[i], linear, pose.origin});
+        }
+        model.lights = lightsOf(*setup);
+    }
+    std::vector<Vec3> points;
+    for (const ModelPart& posed : model.parts) {
+        if (const PartMesh* mesh = part(posed.gfxObj)) {
+            for (const MeshVertex& vertex : mesh->mesh.vertices)
+                points.push_back(posed.origin + posed.linear * Vec3(vertex.position));
+        }
+    }
+    model.bounds = boundingSphere(points);
+    return model;
+}
+
+const PartMesh* Models::part(dat::RecordId gfxObj) {
+    const auto [entry, fresh] = parts_.try_emplace(gfxObj);
+    if (fresh)
+        entry->second = build(gfxObj);
+    return entry->second.get();
+}
+
+std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
+    const dat::GfxObj* record = records_.gfxObj(gfxObj);
+    if (record == nullptr)
+        return nullptr;
+    auto part = std::make_unique<PartMesh>();
+    part->gfxObj = gfxObj;
+    part->surfaces = record->surfaces;
+    std::set<std::uint16_t> portals;
+    for (const PortalPolygonRef& ref : portalRefs(*record, kAnyPortalCount))
+        portals.insert(ref.polygonId);
+    MeshBuilder builder(classesOf(record->surfaces, records_));
+    std::vector<Vec3f> points;
+    for (const SourcePolygon& polygon :
+         readPolygons(record->vertexArray, record->polygons, record->surfaces.size(), portals, gfxObj,
+                      records_.findings())) {
+        if (!polygon.isDrawn())
+            continue;
+        points.clear();
+        StitchLoop loop;
+        for (const SourcePolygon::Corner& corner : polygon.corners) {
+            loop.push_back(
+                {static_cast<std::uint32_t>(points.size()), Vec3f(corner.normal), corner.front, corner.back});
+            points.emplace_back(corner.position);
+        }
+        builder.beginPolygon(polygon.id, polygon.frontSlot, polygon.backSlot);
+        builder.addLoop(loop, points);
+    }
+    part->mesh = builder.finish();
+    for (std::size_t slot = 0; slot < part->surfaces.size(); ++slot)
+        part->clamp.push_back(staysWithinUnit(part->mesh, slot));
+    return part;
+}
+
+} // namespace limen::world

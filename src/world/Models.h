@@ -1,0 +1,66 @@
+#pragma once
+
+#include "world/MeshBuilder.h"
+#include "world/PolygonSource.h"
+#include "world/Records.h"
+
+namespace limen::world {
+
+/// A GfxObj as a mesh in its own space.
+struct PartMesh {
+    dat::RecordId gfxObj = 0;
+    MeshData mesh;
+    std::vector<dat::RecordId> surfaces; ///< by slot
+    std::vector<bool> clamp;             ///< by slot: texture coordinates stay within 0..1
+};
+
+/// One part of a model, posed: object space from part space.
+struct ModelPart {
+    dat::RecordId gfxObj = 0;
+    Mat3 linear{1.0}; ///< rotation and scale
+    Vec3 origin{0.0};
+};
+
+struct ModelLight {
+    Vec3 position{0.0}; ///< object space
+    Vec3f colour{1.0f}; ///< times intensity
+    float range = 0.0f;
+};
+
+/// A GfxObj or a Setup in its resting pose (formats/geometry.md, Setup).
+struct Model {
+    std::vector<ModelPart> parts;
+    std::vector<ModelLight> lights;
+    Sphere bounds; ///< object space at scale 1, of the vertices
+};
+
+/// Reads models once each. References stay valid as long as the object. One per thread.
+class Models {
+public:
+    explicit Models(Records& records) : records_(records) {}
+
+    [[nodiscard]] const Model& model(dat::RecordId id);
+    /// Null if the record is missing or damaged.
+    [[nodiscard]] const PartMesh* part(dat::RecordId gfxObj);
+
+private:
+    [[nodiscard]] Model read(dat::RecordId id);
+    [[nodiscard]] std::unique_ptr<PartMesh> build(dat::RecordId gfxObj);
+
+    Records& records_;
+    std::unordered_map<dat::RecordId, std::unique_ptr<Model>> models_;
+    std::unordered_map<dat::RecordId, std::unique_ptr<PartMesh>> parts_;
+};
+
+/// Surface classes by slot; a missing Surface counts as opaque.
+[[nodiscard]] std::vector<SurfaceClass> classesOf(std::span<const dat::RecordId> surfaces, Records& records);
+
+/// A frame as unit quaternion and finite origin; a broken one becomes the identity.
+struct Pose {
+    Quat orientation{1.0, 0.0, 0.0, 0.0};
+    Vec3 origin{0.0};
+    [[nodiscard]] Vec3 apply(const Vec3& p) const { return origin + orientation * p; }
+};
+[[nodiscard]] Pose poseOf(const dat::Frame& frame);
+
+} // namespace limen::world

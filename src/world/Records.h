@@ -1,0 +1,65 @@
+#pragma once
+
+#include "dat/Archive.h"
+#include "world/World.h"
+
+#include <memory>
+#include <unordered_map>
+
+namespace limen::world {
+
+/// Adds a finding.
+void note(std::vector<Finding>& findings, dat::RecordId record, std::string what);
+
+/// Records of the portal file, decoded once each. A record that is missing or damaged is said once, and is
+/// null from then on. Pointers stay valid as long as the object. One per thread.
+class Records {
+public:
+    explicit Records(const dat::Archive& archive) : archive_(&archive) {}
+
+    [[nodiscard]] const dat::GfxObj* gfxObj(dat::RecordId id) { return get(id, gfxObjs_); }
+    [[nodiscard]] const dat::Setup* setup(dat::RecordId id) { return get(id, setups_); }
+    [[nodiscard]] const dat::Environment* environment(dat::RecordId id) { return get(id, environments_); }
+    [[nodiscard]] const dat::Scene* scene(dat::RecordId id) { return get(id, scenes_); }
+    [[nodiscard]] const dat::Surface* surface(dat::RecordId id) { return get(id, surfaces_); }
+    [[nodiscard]] const dat::SurfaceTexture* surfaceTexture(dat::RecordId id) {
+        return get(id, surfaceTextures_);
+    }
+    [[nodiscard]] const dat::Palette* palette(dat::RecordId id) { return get(id, palettes_); }
+
+    [[nodiscard]] const dat::Archive& archive() const { return *archive_; }
+    [[nodiscard]] std::vector<Finding>& findings() { return findings_; }
+
+private:
+    template <class Record>
+    using Cache = std::unordered_map<dat::RecordId, std::unique_ptr<const Record>>;
+
+    template <class Record>
+    const Record* get(dat::RecordId id, Cache<Record>& cache) {
+        const auto [entry, fresh] = cache.try_emplace(id);
+        if (fresh) {
+            if (Result<Record> record = archive_->load<Record>(id))
+                entry->second = std::make_unique<const Record>(std::move(*record));
+            else
+                note(findings_, id, record.error().message());
+        }
+        return entry->second.get();
+    }
+
+    const dat::Archive* archive_;
+    Cache<dat::GfxObj> gfxObjs_;
+    Cache<dat::Setup> setups_;
+    Cache<dat::Environment> environments_;
+    Cache<dat::Scene> scenes_;
+    Cache<dat::Surface> surfaces_;
+    Cache<dat::SurfaceTexture> surfaceTextures_;
+    Cache<dat::Palette> palettes_;
+    std::vector<Finding> findings_;
+};
+
+/// The bits of a Surface that decide how it is drawn (formats/textures.md): Alpha, InvAlpha, Additive and
+/// Translucent (or a translucency between 0 and 1) blend, clip maps cut out, everything else is opaque,
+/// whatever its texels' alpha.
+[[nodiscard]] SurfaceClass surfaceClassOf(const dat::Surface& surface);
+
+} // namespace limen::world

@@ -1,0 +1,92 @@
+#include "world/Stitch.h"
+
+#include "world/Weld.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+/// An inserted vertex bends its edge by up to the tolerance, which can bring further vertices within reach of
+/// the parts. It settles at once in real data; the bound keeps hostile data from growing without end.
+constexpr int kRounds = 4;
+
+StitchCorner between(const StitchCorner& a, const StitchCorner& b, float t, std::uint32_t vertex) {
+    return {vertex, glm::mix(a.normal, b.normal, t), glm::mix(a.front, b.front, t),
+            glm::mix(a.back, b.back, t)};
+}
+
+/// Cuts a loop wherever it comes back to a vertex.
+std::vector<StitchLoop> simpleLoops(const StitchLoop& loop) {
+    std::vector<StitchLoop> loops;
+    StitchLoop open;
+    for (const StitchCorner& corner : loop) {
+        const auto seen = std::find_if(open.begin(), open.end(),
+                                       [&](const StitchCorner& c) { return c.vertex == corner.vertex; });
+        if (seen == open.end()) {
+            open.push_back(corner);
+            continue;
+        }
+        if (open.end() - seen >= 3)
+            loops.emplace_back(seen, open.end());
+        open.erase(seen + 1, open.end());
+    }
+    if (open.size() >= 3)
+        loops.push_back(std::move(open));
+    return loops;
+}
+
+} // namespace
+
+Stitcher::Stitcher(std::span<const Vec3f> vertices) : vertices_(vertices), tree_(vertices) {}
+
+const std::vector<Stitcher::Inserted>& Stitcher::onEdge(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t low = std::min(a, b), high = std::max(a, b);
+    const auto [entry, fresh] = edges_.try_emplace((static_cast<std::uint64_t>(low) << 32) | high);
+    if (fresh) {
+        const Vec3 from(vertices_[low]), to(vertices_[high]);
+        near_.clear();
+        tree_.nearSegment(from, to, kWeldTolerance, near_);
+        for (const std::uint32_t v : near_) {
+            if (v != low && v != high)
+                entry->second.push_back({v, distanceToSegment(Vec3(vertices_[v]), from, to).t});
+        }
+        std::sort(entry->second.begin(), entry->second.end(), [](const Inserted& i, const Inserted& j) {
+            return i.t != j.t ? i.t < j.t : i.vertex < j.vertex;
+        });
+    }
+    return entry->second;
+}
+
+bool Stitcher::insertInto(const StitchLoop& in, StitchLoop& out) {
+    out.clear();
+    bool changed = false;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const StitchCorner& a = in[i];
+        const StitchCorner& b = in[(i + 1) % in.size()];
+        if (a.vertex == b.vertex) {
+            changed = true;
+            continue;
+        }
+        out.push_back(a);
+        const std::vector<Inserted>& inserted = onEdge(a.vertex, b.vertex);
+        changed = changed || !inserted.empty();
+        if (a.vertex < b.vertex) {
+            for (const Inserted& v : inserted)
+                out.push_back(between(a, b, static_cast<float>(v.t), v.vertex));
+        } else {
+            for (auto v = inserted.rbegin(); v != inserted.rend(); ++v)
+                out.push_back(between(a, b, static_cast<float>(1.0 - v->t), v->vertex));
+        }
+    }
+    return changed;
+}
+
+std::vector<StitchLoop> Stitcher::stitch(const StitchLoop& polygon) {
+    StitchLoop current = polygon, next;
+    for (int round = 0; round < kRounds && insertInto(current, next); ++round)
+        std::swap(current, next);
+    return simpleLoops(current);
+}
+
+} // namespace limen::world

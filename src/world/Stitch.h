@@ -1,0 +1,46 @@
+#pragma once
+
+#include "world/PointTree.h"
+
+#include <unordered_map>
+#include <utility>
+
+namespace limen::world {
+
+/// A corner of a polygon whose vertex is known, with what is interpolated along its edges.
+struct StitchCorner {
+    std::uint32_t vertex = 0; ///< canonical (world/Weld.h)
+    Vec3f normal{0.0f};
+    Vec2f front{0.0f}, back{0.0f}; ///< texture coordinates of the two sides
+};
+using StitchLoop = std::vector<StitchCorner>;
+
+/// Removes T-junctions: every vertex that lies within kWeldTolerance of the interior of a polygon's edge
+/// becomes a corner of that polygon. What is inserted into an edge depends on the edge's two vertices and on
+/// the set of vertices alone, so two polygons that share an edge still share all of its parts. Cost: O(log n)
+/// an edge.
+class Stitcher {
+public:
+    /// `vertices` must outlive the stitcher.
+    explicit Stitcher(std::span<const Vec3f> vertices);
+
+    /// Yields the polygon with the vertices inserted. A vertex that comes up twice cuts the polygon in two;
+    /// parts with fewer than three corners (slivers thinner than the tolerance) vanish, and leave their
+    /// neighbours matching.
+    [[nodiscard]] std::vector<StitchLoop> stitch(const StitchLoop& polygon);
+
+private:
+    struct Inserted {
+        std::uint32_t vertex = 0;
+        double t = 0.0; ///< from the edge's smaller vertex
+    };
+    const std::vector<Inserted>& onEdge(std::uint32_t a, std::uint32_t b);
+    bool insertInto(const StitchLoop& in, StitchLoop& out);
+
+    std::span<const Vec3f> vertices_;
+    PointTree tree_;
+    std::unordered_map<std::uint64_t, std::vector<Inserted>> edges_;
+    std::vector<std::uint32_t> near_;
+};
+
+} // namespace limen::world

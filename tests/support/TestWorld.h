@@ -1,0 +1,164 @@
+#pragma once
+
+#include "dat/Writer.h"
+#include "support/TestShapes.h"
+
+#include <deque>
+#include <map>
+
+namespace limen::test {
+
+/// Builds small worlds as dat records: convex cells with openings, linked any way, buildings, terrain,
+/// objects.
+///
+///     TestWorld world;
+///     auto a = world.addBox({0, 0, 0}, {4, 4, 3});
+///     auto b = world.addBox({4, 0, 0}, {8, 4, 3}, "red");
+///     world.link(a, rectangle({4, 1, 0}, {4, 2, 2}), b);            // cuts the door out of both walls
+///     auto door = world.openOutside(a, rectangle({0, 1, 0}, {0, 2, 2}));
+///     world.addBuilding(boxExterior({-0.2, -0.2, 0}, {8.2, 4.2, 3.2}), {door});
+///     world.setFlatTerrain(world.home(), 0);
+///     world.write(directory);
+///
+/// All positions are block-local metres of the cell's (building's, object's) own block, `home()` unless said
+/// otherwise. Cells get the ids 0x0100, 0x0101, ... of their block in the order they are added.
+class TestWorld {
+public:
+    using Cell = std::size_t; ///< handle
+
+    struct CellOptions {
+        std::optional<dat::BlockCoord> block; ///< home() if not given
+        dat::Frame frame; ///< where the record places the cell; its vertices are stored relative to it
+        bool seenOutside = false;
+        bool bsp = true; ///< write the cell BSP, one plane a wall: right for convex cells only
+    };
+    struct LinkOptions {
+        bool exact = true;            ///< flag bit 0, on both sides
+        bool insideIsPositive = true; ///< how the polygon is wound, and flag bit 1 with it
+        bool wrongSideFlag = false;   ///< let flag bit 1 contradict the winding
+        bool oneWay = false;          ///< the second cell gets an opening, but no way back is named
+        std::vector<Vec3> polygonInB; ///< another opening in the second cell; empty: the same
+    };
+    /// A portal by its cell and its index in the cell's list.
+    struct Portal {
+        Cell cell = 0;
+        std::uint16_t index = 0;
+    };
+    struct BuildingOptions {
+        std::optional<dat::BlockCoord> block;
+        dat::Frame frame;
+        Vec3 portalShift{0.0};           ///< moves the building's own portal polygons away from the cells'
+        bool portalPolygonsDrawn = true; ///< gives them a surface, which must not be drawn
+        bool swapPortalRefs = false;     ///< writes (portalIndex, polygonId)
+    };
+
+    explicit TestWorld(dat::BlockCoord home = {0x20, 0x30});
+
+    [[nodiscard]] dat::BlockCoord home() const { return home_; }
+
+    // --- surfaces: used by name; an unknown name is made a solid of a colour that follows from the name
+    std::uint32_t solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0,
+                        float translucency = 0);
+    std::uint32_t picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type);
+    [[nodiscard]] std::uint32_t surfaceId(const std::string& name);
+
+    // --- cells
+    Cell addBox(const Vec3& min, const Vec3& max, const std::string& surface = "grey") {
+        return addBox(min, max, surface, CellOptions());
+    }
+    Cell addBox(const Vec3& min, const Vec3& max, const std::string& surface, const CellOptions& options) {
+        return addCell(boxWalls(min, max, surface), options);
+    }
+    Cell addCell(Walls walls) { return addCell(std::move(walls), CellOptions()); }
+    Cell addCell(Walls walls, const CellOptions& options);
+    [[nodiscard]] dat::RecordId id(Cell cell) const { return cells_[cell].record.id; }
+    [[nodiscard]] Walls& walls(Cell cell) { return cells_[cell].walls; }
+    [[nodiscard]] dat::EnvCell& record(Cell cell) {
+        return cells_[cell].record;
+    } ///< for odd flags, statics, links
+
+    /// Opens `polygon` (any winding) between two cells of one block and links them both ways.
+    std::pair<Portal, Portal> link(Cell a, std::vector<Vec3> polygon, Cell b) {
+        return link(a, std::move(polygon), b, LinkOptions());
+    }
+    std::pair<Portal, Portal> link(Cell a, std::vector<Vec3> polygon, Cell b, const LinkOptions& options);
+    /// Opens `polygon` to the outdoors.
+    Portal openOutside(Cell cell, std::vector<Vec3> polygon) {
+        return openOutside(cell, std::move(polygon), LinkOptions());
+    }
+    Portal openOutside(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options);
+    /// The polygon of a portal as it is stored: block-local, wound as LinkOptions said.
+    [[nodiscard]] const std::vector<Vec3>& polygon(Portal portal) const {
+        return cells_[portal.cell].portals[portal.index];
+    }
+
+    // --- outdoors
+    /// A building whose walls (seen from outside) are cut open at `exits`. Yields the model's id.
+    std::uint32_t addBuilding(Walls exterior, std::vector<Portal> exits) {
+        return addBuilding(std::move(exterior), std::move(exits), BuildingOptions());
+    }
+    std::uint32_t addBuilding(Walls exterior, std::vector<Portal> exits, const BuildingOptions& options);
+    [[nodiscard]] dat::LandBlock& terrain(dat::BlockCoord block); ///< made (all zero) on first use
+    void setFlatTerrain(dat::BlockCoord block, std::uint8_t heightIndex, std::uint8_t type = 0);
+    [[nodiscard]] dat::LandBlockInfo& info(dat::BlockCoord block); ///< made on first use
+    [[nodiscard]] dat::Region& region() {
+        return region_;
+    } ///< heights[i] = 2 i; types 0..3 and the road are there
+    void omitRegion() { writeRegion_ = false; }
+    void add(const dat::Scene& scene) { portalFile_.add(scene); }
+
+    // --- objects
+    std::uint32_t addModel(const Walls& walls); ///< a GfxObj in its own space
+    std::uint32_t addSetup(dat::Setup setup);   ///< its id is filled in
+    void addObject(std::uint32_t model, const dat::Frame& frame) { addObject(home_, model, frame); }
+    void addObject(dat::BlockCoord block, std::uint32_t model, const dat::Frame& frame);
+    void addStatic(Cell cell, std::uint32_t model, const dat::Frame& frame);
+
+    [[nodiscard]] dat::Writer& portalFile() {
+        return portalFile_;
+    } ///< for records that the builder does not know
+    [[nodiscard]] dat::Writer& cellFile() { return cellFile_; }
+
+    /// Writes client_portal.dat and client_cell_1.dat to `directory`, which is made if it is missing.
+    [[nodiscard]] Result<void> write(const std::filesystem::path& directory);
+
+private:
+    struct CellData {
+        dat::EnvCell record;
+        dat::BlockCoord block;
+        Walls walls;
+        std::vector<std::vector<Vec3>> portals;
+        bool bsp = true;
+    };
+    Portal addPortal(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options,
+                     std::uint16_t otherCell);
+    [[nodiscard]] dat::CellStruct cellStruct(CellData& cell);
+    void addSolidTexture(std::uint32_t texture, std::uint32_t image, std::uint32_t argb);
+    void makeRegion();
+
+    dat::BlockCoord home_;
+    dat::Writer portalFile_, cellFile_;
+    std::deque<CellData> cells_; ///< a deque, so that record() stays valid
+    std::map<std::string, std::uint32_t> surfaces_;
+    std::map<dat::RecordId, dat::LandBlock> terrain_;
+    std::map<dat::RecordId, dat::LandBlockInfo> infos_;
+    std::map<dat::RecordId, std::uint32_t> cellCounts_;
+    dat::Region region_;
+    bool writeRegion_ = true;
+    std::uint32_t nextSurface_ = 0x08000001, nextModel_ = 0x01000001, nextSetup_ = 0x02000001;
+    std::uint32_t nextTexture_ = 0x05000100, nextImage_ = 0x06000100;
+};
+
+/// A solid block: the outside of a box-shaped building.
+[[nodiscard]] inline Walls boxExterior(const Vec3& min, const Vec3& max,
+                                       const std::string& surface = "stone") {
+    return insideOut(boxWalls(min, max, surface));
+}
+
+/// A frame: origin, and a turn about +z in degrees, counter-clockwise seen from above.
+[[nodiscard]] dat::Frame frameAt(const Vec3& origin, double turnDegrees = 0.0);
+
+/// An image of one colour in A8R8G8B8.
+[[nodiscard]] dat::RenderSurface solidImage(std::int32_t width, std::int32_t height, std::uint32_t argb);
+
+} // namespace limen::test
