@@ -37,6 +37,19 @@ LIMEN_CONST kBindOwnership = 11;   // OwnershipVertex
 LIMEN_CONST kBindClipSets = 12;    // ClipSet
 LIMEN_CONST kBindSky = 13;         // SkyInstance
 
+// Texture units: the ownership target, then the array pages (none in bindless mode).
+LIMEN_CONST kUnitOwnership = 0;
+LIMEN_CONST kUnitFirstPage = 1;
+
+// Fragment outputs. What is blended has a location of its own: blending stays switched on for that draw buffer and
+// off for the others, and no stage has to change it.
+LIMEN_CONST kOutputColour = 0;
+LIMEN_CONST kOutputId = 1;
+LIMEN_CONST kOutputBlended = 2;
+
+LIMEN_CONST kOutside = 0u; // the outdoor zone
+LIMEN_CONST kMaxLights = 8u; // lamps per light set
+
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;
 LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
 LIMEN_CONST kSkyId = 1u;
@@ -105,11 +118,15 @@ LIMEN_STRUCT(Material) {
     float diffuse LIMEN_ZERO;
 };
 
-// Where a texture lives: array pages: x = page, y = layer; bindless: the 64-bit handle. z,w: width and height.
+// Where a texture lives. x: array pages: the layer; bindless: the low half of the 64-bit handle. y: the page, or the
+// high half. z, w: width and height in texels; z also carries kTextureClamp. Filled by TextureStore.
+LIMEN_CONST kTextureClamp = 0x80000000u;
 LIMEN_STRUCT(TextureRef) {
     uvec4 place LIMEN_ZERO;
 };
 
+// One texture of a landcell. Absent: texture == kNoTexture. `alpha`: blend map, read from its alpha channel (1 keeps
+// what is underneath), kNoTexture for none; turned by `rotation` quarter turns. `tiling`: repeats across the cell.
 struct TerrainLayer {
     uint texture LIMEN_ZERO;
     uint alpha LIMEN_ZERO;

@@ -1,0 +1,27 @@
+// Translucent surfaces of the late stage, back to front. Output is premultiplied, so that one blend function
+// (one, one minus source alpha) serves all: alpha (c a, a), additive (c a, 0), inverse alpha (c (1-a), 1-a).
+// No id and no depth.
+#include "surface.glsl"
+
+layout(location = kOutputBlended) out vec4 outColour;
+
+void main() {
+    vec2 dx = dFdx(vUv);
+    vec2 dy = dFdy(vUv);
+    Instance instance = instances[vInstance];
+    Keep keep = keepOf(instance, vEyeRelative);
+    if (!keep.kept) {
+        discard;
+    }
+    Material material = materials[vSurface];
+    vec4 texel = vec4(1.0);
+    if (material.texture != kNoTexture) {
+        texel = sampleTexture(material.texture, vUv, dx, dy);
+    }
+    float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
+    alpha *= material.colour.a;
+    vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, vEyeRelative, vNormal);
+    colour = highlighted(colour, instance.highlight) * alpha;
+    float covered = (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha;
+    outColour = vec4(mix(colour, frame.fogColour.rgb * covered, fogShare(keep, vEyeRelative)), covered);
+}

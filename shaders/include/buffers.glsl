@@ -1,0 +1,17 @@
+// Every storage buffer of a frame, by the names the shaders use. Layout: SharedLayout.h.
+#include "SharedLayout.h"
+
+layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frame; };
+layout(std430, binding = kBindBlocks) readonly buffer BlockBuffer { vec4 blocks[]; };
+layout(std430, binding = kBindVisits) readonly buffer VisitBuffer { Visit visits[]; };
+layout(std430, binding = kBindInstances) readonly buffer InstanceBuffer { Instance instances[]; };
+layout(std430, binding = kBindMembers) readonly buffer MemberBuffer { Member members[]; };
+layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Material materials[]; };
+layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
+layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { TerrainCell terrainCells[]; };
+layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightSet lightSets[]; };
+layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights[]; };
+layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
+layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
+layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
+layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };

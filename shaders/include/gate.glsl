@@ -1,0 +1,79 @@
+// The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
+// a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
+// visit's entry plane and not beyond the entry plane of the next visit of the chain.
+#include "buffers.glsl"
+
+layout(binding = kUnitOwnership) uniform usampler2D ownership;
+
+// Metres. What lies in a portal's plane (jambs, sills, panes, the terrain at a threshold) belongs to both sides.
+const float kPlaneTolerance = 0.001;
+// Per metre of distance: what float positions and interpolation lose grows with the distance from the eye.
+const float kPlaneToleranceSlope = 4.0e-7;
+
+// Where a fragment was kept, and by which light set it is lit there.
+struct Keep {
+    bool kept;
+    uint zone;
+    uint lightSet;
+};
+
+uint leafVisit() {
+    return texelFetch(ownership, ivec2(gl_FragCoord.xy), 0).r;
+}
+
+bool findMember(Instance instance, uint zone, out uint lightSet) {
+    lightSet = 0u;
+    for (uint i = 0u; i < instance.memberCount; ++i) {
+        Member member = members[instance.firstMember + i];
+        if (member.zone == zone) {
+            lightSet = member.lightSet;
+            return true;
+        }
+    }
+    return false;
+}
+
+// Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends.
+Keep walkChain(Instance instance, vec3 eyeRelative) {
+    float tolerance = kPlaneTolerance + kPlaneToleranceSlope * length(eyeRelative);
+    vec4 next = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit: nothing is beyond it
+    uint visitIndex = leafVisit();
+    while (visitIndex < frame.visitCount) {
+        Visit visit = visits[visitIndex];
+        uint lightSet;
+        bool beyondEntry = dot(visit.entryPlane, vec4(eyeRelative, 1.0)) >= -tolerance;
+        bool beforeNext = dot(next, vec4(eyeRelative, 1.0)) <= tolerance;
+        if (beyondEntry && beforeNext && findMember(instance, visit.zone, lightSet)) {
+            return Keep(true, visit.zone, lightSet);
+        }
+        next = visit.entryPlane;
+        visitIndex = visit.parent;
+    }
+    return Keep(false, 0u, 0u);
+}
+
+// What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
+Keep keepUngated(Instance instance, vec3 eyeRelative) {
+    Member first = members[instance.firstMember];
+    if (instance.memberCount > 1u) {
+        uint lightSet;
+        if (frame.visitCount > 1u) {
+            Keep keep = walkChain(instance, eyeRelative);
+            if (keep.kept) {
+                return keep;
+            }
+        } else if (findMember(instance, frame.rootZone, lightSet)) {
+            return Keep(true, frame.rootZone, lightSet);
+        }
+    }
+    return Keep(true, first.zone, first.lightSet);
+}
+
+// GATED: the caller discards when `kept` is false.
+Keep keepOf(Instance instance, vec3 eyeRelative) {
+#ifdef GATED
+    return walkChain(instance, eyeRelative);
+#else
+    return keepUngated(instance, eyeRelative);
+#endif
+}

@@ -1,0 +1,26 @@
+// What every mesh fragment receives from mesh.vert, and its material's colour.
+#include "textures.glsl"
+#include "lighting.glsl"
+
+layout(location = 0) in vec3 vEyeRelative;
+layout(location = 1) in vec3 vNormal;
+layout(location = 2) in vec2 vUv;
+layout(location = 3) flat in uint vInstance;
+layout(location = 4) flat in uint vSurface;
+layout(location = 5) flat in uint vId;
+
+// Colour and alpha of the material here. Derivatives are parameters: see textures.glsl.
+vec4 materialColour(Material material, vec2 dx, vec2 dy) {
+    vec4 colour = material.colour;
+    if (material.texture != kNoTexture) {
+        colour *= sampleTexture(material.texture, vUv, dx, dy);
+    }
+    return colour;
+}
+
+// Lit, fogged and highlighted colour of an opaque surface.
+vec4 opaqueColour(vec3 albedo, float luminosity, float diffuse, Instance instance, Keep keep) {
+    vec3 colour = lit(albedo, luminosity, diffuse, keep, vEyeRelative, vNormal);
+    colour = mix(colour, frame.fogColour.rgb, fogShare(keep, vEyeRelative));
+    return vec4(highlighted(colour, instance.highlight), 1.0);
+}

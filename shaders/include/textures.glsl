@@ -1,0 +1,48 @@
+// Textures by index, the same for both bindings of TextureStore: handles (BINDLESS) or array pages (PAGE_COUNT of
+// them, one unit each; EACH_PAGE(x) is x(0) x(1) ... and comes from TextureStore with PAGE_COUNT). Within one draw the texture differs from fragment to fragment, so that derivatives are taken
+// by the caller in uniform control flow, and units are chosen by constant index only.
+#include "buffers.glsl"
+
+#ifndef BINDLESS
+#if PAGE_COUNT > 0
+layout(binding = kUnitFirstPage) uniform sampler2DArray pages[PAGE_COUNT];
+#endif
+#endif
+
+ivec2 textureSizeOf(TextureRef ref) {
+    return ivec2(ref.place.z & ~kTextureClamp, ref.place.w);
+}
+
+// Texels at `uv`, filtered, with the given derivatives of uv. v runs downwards from the top row.
+vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
+    TextureRef ref = textureRefs[index];
+#ifdef BINDLESS
+    return textureGrad(sampler2DArray(ref.place.xy), vec3(uv, 0.0), dx, dy);
+#else
+    vec3 at = vec3(uv, float(ref.place.x));
+    switch (int(ref.place.y)) {
+#define SAMPLE_PAGE(i) case i: return textureGrad(pages[i], at, dx, dy);
+        EACH_PAGE(SAMPLE_PAGE)
+    }
+    return vec4(1.0);
+#endif
+}
+
+// The texel of mip 0 that holds `uv`: no filter, no driver's choice. For ids and depth of cut-outs.
+vec4 nearestTexel(uint index, vec2 uv) {
+    TextureRef ref = textureRefs[index];
+    ivec2 size = textureSizeOf(ref);
+    bool isClamped = (ref.place.z & kTextureClamp) != 0u;
+    vec2 within = isClamped ? clamp(uv, 0.0, 1.0) : uv - floor(uv);
+    ivec2 texel = min(ivec2(within * vec2(size)), size - 1);
+#ifdef BINDLESS
+    return texelFetch(sampler2DArray(ref.place.xy), ivec3(texel, 0), 0);
+#else
+    ivec3 at = ivec3(texel, int(ref.place.x));
+    switch (int(ref.place.y)) {
+#define FETCH_PAGE(i) case i: return texelFetch(pages[i], at, 0);
+        EACH_PAGE(FETCH_PAGE)
+    }
+    return vec4(1.0);
+#endif
+}

@@ -1,0 +1,28 @@
+// The one way from a model's vertex to the screen. Walls and the portal polygons between them go through the same
+// expressions, marked precise, so that equal inputs give equal bits in every program: that is what makes openings
+// watertight.
+#include "buffers.glsl"
+
+// Block-local metres from model space. A baked mesh has the identity, whose products and sums are exact.
+vec3 blockFromModel(vec3 model, vec4 row0, vec4 row1, vec4 row2) {
+    precise vec3 result = vec3(row0.x * model.x + row0.y * model.y + row0.z * model.z + row0.w,
+                               row1.x * model.x + row1.y * model.y + row1.z * model.z + row1.w,
+                               row2.x * model.x + row2.y * model.y + row2.z * model.z + row2.w);
+    return result;
+}
+
+// Eye-relative metres from block-local ones. The eye comes in two floats: subtracting the rounded part from something
+// near it is exact (Sterbenz), and the low part is what the rounding left.
+vec3 eyeFromBlock(vec3 local, uint block) {
+    precise vec3 offset = local + blocks[block].xyz;
+    precise vec3 high = offset - frame.eyeHigh.xyz;
+    precise vec3 result = high - frame.eyeLow.xyz;
+    return result;
+}
+
+// Clip space from eye-relative.
+vec4 clipFromEye(vec3 p) {
+    precise vec4 result = frame.clipFromEye[0] * p.x + frame.clipFromEye[1] * p.y + frame.clipFromEye[2] * p.z +
+                          frame.clipFromEye[3];
+    return result;
+}

@@ -1,0 +1,19 @@
+// Opaque surfaces. Out: colour; the polygon's id.
+#include "surface.glsl"
+
+layout(location = kOutputColour) out vec4 outColour;
+layout(location = kOutputId) out uint outId;
+
+void main() {
+    vec2 dx = dFdx(vUv);
+    vec2 dy = dFdy(vUv);
+    Instance instance = instances[vInstance];
+    Keep keep = keepOf(instance, vEyeRelative);
+    if (!keep.kept) {
+        discard;
+    }
+    Material material = materials[vSurface];
+    vec3 albedo = materialColour(material, dx, dy).rgb;
+    outColour = opaqueColour(albedo, material.luminosity, material.diffuse, instance, keep);
+    outId = vId;
+}

@@ -1,0 +1,26 @@
+// Sky objects, unlit, blended over the plain sky in drawing order. Out: premultiplied colour; no id, no depth.
+#include "textures.glsl"
+#include "gate.glsl"
+
+layout(location = 0) in vec2 vUv;
+layout(location = 1) flat in uint vInstance;
+layout(location = 2) flat in uint vMaterial;
+layout(location = kOutputBlended) out vec4 outColour;
+
+void main() {
+    vec2 dx = dFdx(vUv);
+    vec2 dy = dFdy(vUv);
+    if (visits[leafVisit()].zone != kOutside) {
+        discard;
+    }
+    SkyInstance object = skyInstances[vInstance];
+    Material material = materials[vMaterial];
+    vec4 texel = vec4(1.0);
+    if (material.texture != kNoTexture) {
+        texel = sampleTexture(material.texture, vUv, dx, dy);
+    }
+    float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
+    alpha *= material.colour.a * object.opacity;
+    vec3 colour = material.colour.rgb * texel.rgb * object.luminosity;
+    outColour = vec4(colour * alpha, (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha);
+}

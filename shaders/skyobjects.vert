@@ -1,0 +1,21 @@
+// Meshes of the sky, around the eye and infinitely far. In: one vertex of the arena; gl_BaseInstance: the sky instance.
+#extension GL_ARB_shader_draw_parameters : require
+#include "transform.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 2) in vec2 inUv;
+layout(location = 4) in uint inSurface;
+
+layout(location = 0) out vec2 vUv;
+layout(location = 1) flat out uint vInstance;
+layout(location = 2) flat out uint vMaterial;
+
+void main() {
+    uint index = uint(gl_BaseInstanceARB);
+    SkyInstance object = skyInstances[index];
+    vec4 clip = clipFromEye(blockFromModel(inPosition, object.row0, object.row1, object.row2));
+    gl_Position = vec4(clip.xy, 0.0, clip.w);
+    vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
+    vInstance = index;
+    vMaterial = materialRefs[object.firstMaterial + inSurface];
+}

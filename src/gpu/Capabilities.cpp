@@ -1,0 +1,107 @@
+#include "gpu/Capabilities.h"
+
+#include "frame/GpuLayout.h"
+#include "gpu/GlObjects.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace limen::gpu {
+namespace {
+
+// Of the storage buffers in SharedLayout.h, each stage may use all.
+constexpr int kStorageBindings = static_cast<int>(frame::gpu::kBindSky) + 1;
+// The ownership target and at least one array page for each way of wrapping.
+constexpr int kLeastTextureUnits = 3;
+constexpr int kDrawBuffers = static_cast<int>(frame::gpu::kOutputBlended) + 1;
+
+GLint limitOf(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+std::string text(GLenum name) {
+    const GLubyte* value = glGetString(name);
+    return value == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(value));
+}
+
+DriverLimits askLimits() {
+    DriverLimits limits;
+    limits.version = epoxy_gl_version();
+    limits.coreProfile =
+        epoxy_is_desktop_gl() && (limitOf(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+    limits.shaderDrawParameters =
+        limits.version >= 46 || epoxy_has_gl_extension("GL_ARB_shader_draw_parameters");
+    limits.vertexStorageBlocks = limitOf(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
+    limits.fragmentStorageBlocks = limitOf(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS);
+    limits.combinedStorageBlocks = limitOf(GL_MAX_COMBINED_SHADER_STORAGE_BLOCKS);
+    limits.storageBindings = limitOf(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
+    limits.textureUnits = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS);
+    limits.drawBuffers = limitOf(GL_MAX_DRAW_BUFFERS);
+    return limits;
+}
+
+float askAnisotropy() {
+    if (epoxy_gl_version() < 46 && !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
+        !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
+        return 1.0f;
+    }
+    GLfloat value = 1.0f;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &value);
+    return value;
+}
+
+} // namespace
+
+std::vector<std::string> missingFrom(const DriverLimits& limits) {
+    std::vector<std::string> missing;
+    // 4.5 core brings direct state access, clip control, buffer storage, multi-draw-indirect and integer
+    // targets.
+    if (limits.version < 45) {
+        missing.push_back(fmt::format("OpenGL 4.5 (it has {}.{})", limits.version / 10, limits.version % 10));
+    } else if (!limits.coreProfile) {
+        missing.push_back("a core profile context");
+    }
+    if (!limits.shaderDrawParameters) {
+        missing.push_back("GL_ARB_shader_draw_parameters");
+    }
+    const auto need = [&](int has, int needed, const char* what) {
+        if (has < needed) {
+            missing.push_back(fmt::format("{} {} (it has {})", needed, what, has));
+        }
+    };
+    need(limits.vertexStorageBlocks, kStorageBindings, "storage blocks in the vertex stage");
+    need(limits.fragmentStorageBlocks, kStorageBindings, "storage blocks in the fragment stage");
+    need(limits.combinedStorageBlocks, 2 * kStorageBindings, "storage blocks in all stages");
+    need(limits.storageBindings, kStorageBindings, "storage buffer bindings");
+    need(limits.textureUnits, kLeastTextureUnits, "texture units");
+    need(limits.drawBuffers, kDrawBuffers, "draw buffers");
+    return missing;
+}
+
+Result<Capabilities> queryCapabilities() {
+    const std::vector<std::string> missing = missingFrom(askLimits());
+    if (!missing.empty()) {
+        return fail(ErrorCode::Driver, driverString(),
+                    fmt::format("the driver lacks {}", fmt::join(missing, ", ")));
+    }
+    Capabilities caps;
+    caps.vendor = text(GL_VENDOR);
+    caps.renderer = text(GL_RENDERER);
+    caps.version = text(GL_VERSION);
+    caps.bindless = epoxy_has_gl_extension("GL_ARB_bindless_texture");
+    caps.software = caps.renderer.find("llvmpipe") != std::string::npos ||
+                    caps.renderer.find("softpipe") != std::string::npos;
+    caps.maxAnisotropy = askAnisotropy();
+    caps.textureUnits = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_IMAGE_UNITS));
+    caps.maxTextureSize = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_SIZE));
+    caps.maxArrayLayers = static_cast<std::uint32_t>(limitOf(GL_MAX_ARRAY_TEXTURE_LAYERS));
+    caps.storageAlignment =
+        static_cast<std::size_t>(std::max(limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT), 16));
+    return caps;
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,155 @@
+#pragma once
+
+#include "core/Error.h"
+#include "frame/FramePlan.h"
+#include "gpu/Capabilities.h"
+#include "gpu/ShaderLibrary.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+// What the renderer asks of a graphics device, at the level of "bind, clear, draw". Two implementations:
+// GlDevice and NullDevice, which records. Handles are the device's own numbers; using one that was destroyed
+// is a mistake of the programmer.
+namespace limen::gpu {
+
+enum class BufferHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
+enum class TextureHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
+enum class ProgramHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
+enum class TargetHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
+
+/// The images of a render target: RGBA8, R32UI, D32F (reversed: 0 is infinitely far), R32UI.
+enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership };
+
+/// Which images a draw writes. Each is a framebuffer of the target.
+enum class Pass : std::uint8_t {
+    Ownership,  ///< ownership only; no depth
+    Solid,      ///< colour, id, depth
+    SolidNoIds, ///< colour, depth
+    Blended     ///< colour, blended (one, one minus source alpha), and depth
+};
+inline constexpr std::size_t kPassCount = 4;
+
+/// The whole pipeline as far as it varies. Fixed for good: depth test >= (reversed depth, so equal means
+/// "later wins"), lower-left origin, depth 0..1, counter-clockwise fronts, blending for the Blended pass's
+/// output.
+struct DrawState {
+    ProgramHandle program = ProgramHandle::Invalid;
+    bool cullBackFaces = true;
+    bool writeDepth = true;
+};
+
+/// A range of a buffer, or (buffer Invalid) of this frame's ring memory. Never empty.
+struct StorageRange {
+    BufferHandle buffer = BufferHandle::Invalid;
+    std::size_t offset = 0, size = 0;
+};
+
+/// An array texture: `levels` mips, RGBA8.
+struct TextureShape {
+    std::uint32_t width = 1, height = 1, layers = 1, levels = 1;
+    bool clamp = false;
+    float anisotropy = 1.0f;
+};
+
+/// What an image is cleared to: colour, visit number or id, depth.
+using ClearValue = std::variant<glm::vec4, std::uint32_t, float>;
+
+/// Milliseconds of GPU time per stage, of the latest frame whose results have arrived.
+using StageTimes = std::array<std::optional<double>, frame::kStageCount>;
+
+/// Calls between beginFrame and endFrame, both included.
+class Device {
+public:
+    Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    virtual ~Device() = default;
+
+    [[nodiscard]] virtual const Capabilities& capabilities() const = 0;
+
+    // Resources. None of these during a frame.
+
+    /// Immutable copy of `bytes`; may be empty.
+    [[nodiscard]] virtual BufferHandle createBuffer(std::string_view label,
+                                                    std::span<const std::byte> bytes) = 0;
+    virtual void destroyBuffer(BufferHandle buffer) = 0;
+    /// Errors: Unsupported, if larger than the capabilities allow.
+    [[nodiscard]] virtual Result<TextureHandle> createTexture(std::string_view label,
+                                                              const TextureShape& shape) = 0;
+    /// One level of one layer, tightly packed R,G,B,A, top row first (v runs downwards in all our data).
+    virtual void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
+                              std::uint32_t width, std::uint32_t height,
+                              std::span<const std::uint8_t> rgba) = 0;
+    /// The texture's bindless handle, resident until it is destroyed. Requires capabilities().bindless.
+    [[nodiscard]] virtual std::uint64_t residentHandle(TextureHandle texture) = 0;
+    virtual void destroyTexture(TextureHandle texture) = 0;
+    [[nodiscard]] virtual Result<ProgramHandle> createProgram(const ProgramSource& source) = 0;
+    virtual void destroyProgram(ProgramHandle program) = 0;
+    [[nodiscard]] virtual Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) = 0;
+    virtual void destroyTarget(TargetHandle target) = 0;
+    /// Reads an image, bottom row first, 4 bytes a pixel (R,G,B,A; uint32; float). Waits for the GPU.
+    virtual void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) = 0;
+    /// The vertex and index arena that indexed draws use from now on.
+    virtual void setGeometry(BufferHandle vertices, BufferHandle indices) = 0;
+    /// Makes room for `bytes` of ring memory a frame; waits for frames in flight when it has to grow.
+    [[nodiscard]] virtual Result<void> reserveRing(std::size_t bytes) = 0;
+
+    // A frame.
+
+    /// Starts a frame on `target`; yields this frame's ring memory, at least what was reserved. Waits if the
+    /// GPU is three frames behind.
+    [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target) = 0;
+    /// Binds storage ranges to bindings 0, 1, ...
+    virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
+    /// Binds the target's ownership image to unit 0 and textures to units 1, 2, ...
+    virtual void bindTextures(std::span<const TextureHandle> pages) = 0;
+    virtual void clear(TargetImage image, const ClearValue& value) = 0;
+    virtual void beginStage(frame::StageKind stage) = 0;
+    virtual void endStage(frame::StageKind stage) = 0;
+    virtual void beginPass(Pass pass) = 0;
+    virtual void setState(const DrawState& state) = 0;
+    /// Triangles without vertex input.
+    virtual void drawVertices(std::uint32_t first, std::uint32_t count) = 0;
+    /// `count` frame::gpu::DrawCommands at `offset` of the ring memory.
+    virtual void drawIndirect(std::size_t offset, std::uint32_t count) = 0;
+    virtual void endFrame() = 0;
+
+    // What happened.
+
+    /// GL calls from beginFrame to endFrame of the last frame, timer queries not counted.
+    [[nodiscard]] virtual std::uint32_t glCalls() const = 0;
+    /// Frames that had to wait for the GPU, and times the ring grew.
+    [[nodiscard]] virtual std::uint32_t ringStalls() const = 0;
+    /// Never waits.
+    [[nodiscard]] virtual StageTimes stageTimes() = 0;
+};
+
+/// Compares pipeline descriptions, so that only what differs is set. Knows nothing of GL.
+class StateTracker {
+public:
+    /// What has to be set to get from the last state to `next`.
+    struct Changes {
+        bool program = false, cull = false, depthWrite = false;
+        [[nodiscard]] std::uint32_t count() const {
+            return std::uint32_t{program} + std::uint32_t{cull} + std::uint32_t{depthWrite};
+        }
+    };
+    [[nodiscard]] Changes apply(const DrawState& next);
+    /// True if depth writes have to be switched on; they are then taken to be on.
+    [[nodiscard]] bool enableDepthWrite();
+    /// True if culling has to be switched on; it is then taken to be on.
+    [[nodiscard]] bool enableCulling();
+    /// The current program is not what was set last (foreign code, or it was destroyed).
+    void forgetProgram() { current_.program = ProgramHandle::Invalid; }
+
+private:
+    DrawState current_;
+};
+
+} // namespace limen::gpu

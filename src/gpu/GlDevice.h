@@ -1,0 +1,98 @@
+#pragma once
+
+#include "gpu/Device.h"
+#include "gpu/GlObjects.h"
+#include "gpu/StageTimers.h"
+
+#include <memory>
+
+namespace limen::gpu {
+
+/// The device on the OpenGL context that is current. The context must outlive it and stay current on the
+/// thread that uses it. Counts every GL call it makes in a frame but timer queries.
+class GlDevice final : public Device {
+public:
+    /// Errors: Driver, naming everything the driver lacks. Sets the fixed part of the pipeline (see
+    /// DrawState).
+    [[nodiscard]] static Result<std::unique_ptr<GlDevice>> create();
+    ~GlDevice() override;
+
+    [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
+    [[nodiscard]] BufferHandle createBuffer(std::string_view label,
+                                            std::span<const std::byte> bytes) override;
+    void destroyBuffer(BufferHandle buffer) override;
+    [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
+                                                      const TextureShape& shape) override;
+    void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
+                      std::uint32_t height, std::span<const std::uint8_t> rgba) override;
+    [[nodiscard]] std::uint64_t residentHandle(TextureHandle texture) override;
+    void destroyTexture(TextureHandle texture) override;
+    [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override;
+    void destroyProgram(ProgramHandle program) override;
+    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) override;
+    void destroyTarget(TargetHandle target) override;
+    void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
+    void setGeometry(BufferHandle vertices, BufferHandle indices) override;
+    [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override;
+
+    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
+    void bindStorage(std::span<const StorageRange> ranges) override;
+    void bindTextures(std::span<const TextureHandle> pages) override;
+    void clear(TargetImage image, const ClearValue& value) override;
+    void beginStage(frame::StageKind stage) override { timers_.begin(stage); }
+    void endStage(frame::StageKind stage) override { timers_.end(stage); }
+    void beginPass(Pass pass) override;
+    void setState(const DrawState& state) override;
+    void drawVertices(std::uint32_t first, std::uint32_t count) override;
+    void drawIndirect(std::size_t offset, std::uint32_t count) override;
+    void endFrame() override;
+
+    [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }
+    [[nodiscard]] std::uint32_t ringStalls() const override { return ringStalls_; }
+    [[nodiscard]] StageTimes stageTimes() override { return timers_.poll(); }
+
+    /// Sets everything again that the device relies on. Call after code that is not ours has used the context
+    /// (the panel), outside a frame.
+    void restoreState();
+    /// Copies the target's colour to the window's framebuffer, scaled to `width` x `height` pixels, and
+    /// leaves that framebuffer bound for what is drawn over it. Outside a frame.
+    void presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height);
+
+private:
+    static constexpr std::size_t kRingFrames = 3;
+
+    struct Target {
+        std::uint32_t width = 0, height = 0;
+        Texture colour, id, depth, ownership;
+        std::array<Framebuffer, kPassCount> passes;
+    };
+
+    explicit GlDevice(Capabilities capabilities);
+
+    // Every GL call of a frame goes through here.
+    template <class Function, class... Arguments>
+    auto call(Function function, Arguments... arguments) {
+        ++frameCalls_;
+        return function(arguments...);
+    }
+    void waitForFence(std::size_t slot, bool counted);
+    [[nodiscard]] Result<void> makePasses(Target& target);
+
+    Capabilities capabilities_;
+    std::vector<Buffer> buffers_;
+    std::vector<Texture> textures_;
+    std::vector<Program> programs_;
+    std::vector<std::unique_ptr<Target>> targets_;
+    VertexArray vertexArray_;
+    StateTracker state_;
+    StageTimers timers_;
+
+    Buffer ring_;
+    std::size_t ringSlotSize_ = 0, ringSlot_ = 0;
+    std::array<GLsync, kRingFrames> fences_{};
+
+    const Target* frameTarget_ = nullptr; // between beginFrame and endFrame
+    std::uint32_t frameCalls_ = 0, lastFrameCalls_ = 0, ringStalls_ = 0;
+};
+
+} // namespace limen::gpu

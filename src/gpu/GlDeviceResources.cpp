@@ -1,0 +1,219 @@
+#include "gpu/GlDevice.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+// The part of GlDevice that makes and destroys things.
+namespace limen::gpu {
+namespace {
+
+// Puts an object into the first free place of a table and yields its index.
+template <class Object, class IsFree>
+std::uint32_t place(std::vector<Object>& table, Object&& object, IsFree isFree) {
+    const auto free = std::find_if(table.begin(), table.end(), isFree);
+    if (free != table.end()) {
+        *free = std::move(object);
+        return static_cast<std::uint32_t>(free - table.begin());
+    }
+    table.push_back(std::move(object));
+    return static_cast<std::uint32_t>(table.size() - 1);
+}
+
+template <class Object>
+std::uint32_t placeNamed(std::vector<Object>& table, Object&& object) {
+    return place(table, std::move(object), [](const Object& other) { return other.empty(); });
+}
+
+// The vertex format of the one arena (frame::gpu::Vertex).
+void describeVertices(GLuint vertexArray) {
+    using frame::gpu::Vertex;
+    const auto floats = [&](GLuint location, GLint count, GLenum type, GLboolean normalised,
+                            std::size_t offset) {
+        glEnableVertexArrayAttrib(vertexArray, location);
+        glVertexArrayAttribFormat(vertexArray, location, count, type, normalised,
+                                  static_cast<GLuint>(offset));
+        glVertexArrayAttribBinding(vertexArray, location, 0);
+    };
+    const auto integer = [&](GLuint location, std::size_t offset) {
+        glEnableVertexArrayAttrib(vertexArray, location);
+        glVertexArrayAttribIFormat(vertexArray, location, 1, GL_UNSIGNED_INT, static_cast<GLuint>(offset));
+        glVertexArrayAttribBinding(vertexArray, location, 0);
+    };
+    floats(0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
+    floats(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(Vertex, normal));
+    floats(2, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
+    integer(3, offsetof(Vertex, polygon));
+    integer(4, offsetof(Vertex, surface));
+}
+
+} // namespace
+
+GlDevice::GlDevice(Capabilities capabilities)
+    : capabilities_(std::move(capabilities)), vertexArray_(VertexArray::create("mesh vertices")) {
+    describeVertices(vertexArray_.id());
+    restoreState();
+}
+
+GlDevice::~GlDevice() {
+    for (GLsync fence : fences_) {
+        if (fence != nullptr) {
+            glDeleteSync(fence);
+        }
+    }
+}
+
+Result<std::unique_ptr<GlDevice>> GlDevice::create() {
+    Result<Capabilities> capabilities = queryCapabilities();
+    if (!capabilities) {
+        return tl::unexpected(capabilities.error());
+    }
+    return std::unique_ptr<GlDevice>(new GlDevice(std::move(*capabilities)));
+}
+
+BufferHandle GlDevice::createBuffer(std::string_view label, std::span<const std::byte> bytes) {
+    return static_cast<BufferHandle>(placeNamed(buffers_, Buffer::createStatic(label, bytes)));
+}
+
+void GlDevice::destroyBuffer(BufferHandle buffer) {
+    buffers_[static_cast<std::size_t>(buffer)] = Buffer{};
+}
+
+Result<TextureHandle> GlDevice::createTexture(std::string_view label, const TextureShape& shape) {
+    if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
+        shape.layers > capabilities_.maxArrayLayers) {
+        return fail(ErrorCode::Unsupported, std::string(label),
+                    fmt::format("{} layers of {} x {} texels are more than {} allows", shape.layers,
+                                shape.width, shape.height, capabilities_.renderer));
+    }
+    const float anisotropy = std::min(shape.anisotropy, capabilities_.maxAnisotropy);
+    Texture texture = Texture::createArray(label, shape.width, shape.height, shape.layers, shape.levels,
+                                           shape.clamp, anisotropy);
+    return static_cast<TextureHandle>(placeNamed(textures_, std::move(texture)));
+}
+
+void GlDevice::writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
+                            std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
+    LIMEN_ASSERT(rgba.size() == std::size_t{width} * height * 4, "four bytes a texel");
+    glTextureSubImage3D(textures_[static_cast<std::size_t>(texture)].id(), static_cast<GLint>(level), 0, 0,
+                        static_cast<GLint>(layer), static_cast<GLsizei>(width), static_cast<GLsizei>(height),
+                        1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+}
+
+std::uint64_t GlDevice::residentHandle(TextureHandle texture) {
+    LIMEN_ASSERT(capabilities_.bindless, "handles need ARB_bindless_texture");
+    return textures_[static_cast<std::size_t>(texture)].residentHandle();
+}
+
+void GlDevice::destroyTexture(TextureHandle texture) {
+    textures_[static_cast<std::size_t>(texture)] = Texture{};
+}
+
+Result<ProgramHandle> GlDevice::createProgram(const ProgramSource& source) {
+    const Result<std::string> vertex = shaderText(source.vertexShader, source);
+    const Result<std::string> fragment = shaderText(source.fragmentShader, source);
+    if (!vertex || !fragment) {
+        return tl::unexpected(vertex ? fragment.error() : vertex.error());
+    }
+    Result<Program> program =
+        Program::link(source.label, {{GL_VERTEX_SHADER, source.vertexShader, *vertex},
+                                     {GL_FRAGMENT_SHADER, source.fragmentShader, *fragment}});
+    if (!program) {
+        return tl::unexpected(program.error());
+    }
+    return static_cast<ProgramHandle>(placeNamed(programs_, std::move(*program)));
+}
+
+void GlDevice::destroyProgram(ProgramHandle program) {
+    programs_[static_cast<std::size_t>(program)] = Program{};
+    state_.forgetProgram();
+}
+
+Result<void> GlDevice::makePasses(Target& target) {
+    const auto make = [&](Pass pass, const char* label, std::span<const Attachment> attachments,
+                          std::span<const GLenum> drawBuffers) -> Result<void> {
+        Result<Framebuffer> framebuffer = Framebuffer::create(label, attachments, drawBuffers);
+        if (!framebuffer) {
+            return tl::unexpected(framebuffer.error());
+        }
+        target.passes[static_cast<std::size_t>(pass)] = std::move(*framebuffer);
+        return {};
+    };
+    const Attachment owner{GL_COLOR_ATTACHMENT0, target.ownership.id()};
+    const std::array<Attachment, 3> all{Attachment{GL_COLOR_ATTACHMENT0, target.colour.id()},
+                                        Attachment{GL_COLOR_ATTACHMENT1, target.id.id()},
+                                        Attachment{GL_DEPTH_ATTACHMENT, target.depth.id()}};
+    const std::array<Attachment, 2> noIds{all[0], all[2]};
+    const std::array<GLenum, 1> one{GL_COLOR_ATTACHMENT0};
+    const std::array<GLenum, 2> colourAndId{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    const std::array<GLenum, 3> blended{GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT0}; // kOutputBlended
+    return make(Pass::Ownership, "ownership", {&owner, 1}, one)
+        .and_then([&] { return make(Pass::Solid, "solid", all, colourAndId); })
+        .and_then([&] { return make(Pass::SolidNoIds, "solid without ids", noIds, one); })
+        .and_then([&] { return make(Pass::Blended, "blended", noIds, blended); });
+}
+
+Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height) {
+    if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
+        return fail(
+            ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
+            fmt::format("a picture has 1 to {} pixels a side on this driver", capabilities_.maxTextureSize));
+    }
+    auto target = std::make_unique<Target>();
+    target->width = width;
+    target->height = height;
+    target->colour = Texture::createImage("colour", GL_RGBA8, width, height);
+    target->id = Texture::createImage("id", GL_R32UI, width, height);
+    target->depth = Texture::createImage("depth", GL_DEPTH_COMPONENT32F, width, height);
+    target->ownership = Texture::createImage("ownership", GL_R32UI, width, height);
+    if (Result<void> made = makePasses(*target); !made) {
+        return tl::unexpected(made.error());
+    }
+    const auto isFree = [](const std::unique_ptr<Target>& other) { return other == nullptr; };
+    return static_cast<TargetHandle>(place(targets_, std::move(target), isFree));
+}
+
+void GlDevice::destroyTarget(TargetHandle target) {
+    targets_[static_cast<std::size_t>(target)].reset();
+}
+
+void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) {
+    const Target& from = *targets_[static_cast<std::size_t>(target)];
+    LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * 4, "four bytes a pixel");
+    const auto read = [&](const Texture& texture, GLenum format, GLenum type) {
+        glGetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
+    };
+    switch (image) {
+    case TargetImage::Colour:
+        return read(from.colour, GL_RGBA, GL_UNSIGNED_BYTE);
+    case TargetImage::Id:
+        return read(from.id, GL_RED_INTEGER, GL_UNSIGNED_INT);
+    case TargetImage::Depth:
+        return read(from.depth, GL_DEPTH_COMPONENT, GL_FLOAT);
+    case TargetImage::Ownership:
+        return read(from.ownership, GL_RED_INTEGER, GL_UNSIGNED_INT);
+    }
+}
+
+void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
+    glVertexArrayVertexBuffer(vertexArray_.id(), 0, buffers_[static_cast<std::size_t>(vertices)].id(), 0,
+                              sizeof(frame::gpu::Vertex));
+    glVertexArrayElementBuffer(vertexArray_.id(), buffers_[static_cast<std::size_t>(indices)].id());
+    glBindVertexArray(vertexArray_.id());
+}
+
+void GlDevice::presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height) {
+    const Target& from = *targets_[static_cast<std::size_t>(target)];
+    const auto size = [](std::uint32_t pixels) { return static_cast<GLint>(pixels); };
+    glNamedFramebufferReadBuffer(from.passes[static_cast<std::size_t>(Pass::Solid)].id(),
+                                 GL_COLOR_ATTACHMENT0);
+    const bool isScaled = width != from.width || height != from.height;
+    glBlitNamedFramebuffer(from.passes[static_cast<std::size_t>(Pass::Solid)].id(), 0, 0, 0, size(from.width),
+                           size(from.height), 0, 0, size(width), size(height), GL_COLOR_BUFFER_BIT,
+                           isScaled ? GL_LINEAR : GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,155 @@
+#include "gpu/NullDevice.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+
+namespace limen::gpu {
+
+NullDevice::NullDevice(Capabilities capabilities) : capabilities_(std::move(capabilities)) {}
+
+Capabilities NullDevice::defaultCapabilities() {
+    Capabilities capabilities;
+    capabilities.vendor = "Limen";
+    capabilities.renderer = "null device";
+    capabilities.version = "none";
+    return capabilities;
+}
+
+BufferHandle NullDevice::createBuffer(std::string_view, std::span<const std::byte> bytes) {
+    ++liveObjects_;
+    buffers_.emplace_back(bytes.begin(), bytes.end());
+    return static_cast<BufferHandle>(buffers_.size() - 1);
+}
+
+void NullDevice::destroyBuffer(BufferHandle buffer) {
+    --liveObjects_;
+    buffers_[static_cast<std::size_t>(buffer)].clear();
+}
+
+Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {
+    if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
+        shape.layers > capabilities_.maxArrayLayers) {
+        return fail(ErrorCode::Unsupported, std::string(label), "larger than this device allows");
+    }
+    ++liveObjects_;
+    textures_.push_back(shape);
+    return static_cast<TextureHandle>(textures_.size() - 1);
+}
+
+void NullDevice::writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
+                              std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
+    const TextureShape& shape = textures_[static_cast<std::size_t>(texture)];
+    LIMEN_ASSERT(layer < shape.layers && level < shape.levels, "a layer and level of the texture");
+    LIMEN_ASSERT(width == std::max(1u, shape.width >> level) && height == std::max(1u, shape.height >> level),
+                 "the level's size");
+    LIMEN_ASSERT(rgba.size() == std::size_t{width} * height * 4, "four bytes a texel");
+}
+
+std::uint64_t NullDevice::residentHandle(TextureHandle texture) {
+    LIMEN_ASSERT(capabilities_.bindless, "handles need ARB_bindless_texture");
+    return static_cast<std::uint64_t>(texture) + 1;
+}
+
+void NullDevice::destroyTexture(TextureHandle) {
+    --liveObjects_;
+}
+
+Result<ProgramHandle> NullDevice::createProgram(const ProgramSource& source) {
+    for (const std::string& name : {source.vertexShader, source.fragmentShader}) {
+        if (const Result<std::string> text = shaderText(name, source); !text) {
+            return tl::unexpected(text.error());
+        }
+    }
+    ++liveObjects_;
+    programs_.push_back(source);
+    return static_cast<ProgramHandle>(programs_.size() - 1);
+}
+
+void NullDevice::destroyProgram(ProgramHandle) {
+    --liveObjects_;
+    state_.forgetProgram();
+}
+
+Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t height) {
+    if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
+        return fail(ErrorCode::BadArgument, "target",
+                    "a picture has at least one pixel and at most the device's limit");
+    }
+    ++liveObjects_;
+    return static_cast<TargetHandle>(targets_++);
+}
+
+void NullDevice::destroyTarget(TargetHandle) {
+    --liveObjects_;
+}
+
+void NullDevice::readTarget(TargetHandle, TargetImage, std::span<std::byte> out) {
+    std::fill(out.begin(), out.end(), std::byte{0});
+}
+
+void NullDevice::setGeometry(BufferHandle, BufferHandle) {}
+
+Result<void> NullDevice::reserveRing(std::size_t bytes) {
+    if (bytes > ring_.size()) {
+        ring_.resize(bytes + bytes / 2);
+    }
+    return {};
+}
+
+std::span<std::byte> NullDevice::beginFrame(TargetHandle) {
+    commands_.clear();
+    frameCalls_ = 3; // wait for the slot's fence, delete it; viewport
+    return ring_;
+}
+
+void NullDevice::record(Command::Kind kind, std::size_t a, std::size_t b, std::uint32_t glCalls) {
+    commands_.push_back({kind, a, b});
+    frameCalls_ += glCalls;
+}
+
+void NullDevice::bindStorage(std::span<const StorageRange> ranges) {
+    storage_.assign(ranges.begin(), ranges.end());
+    record(Command::Kind::BindStorage, ranges.size(), 0, 1);
+}
+
+void NullDevice::bindTextures(std::span<const TextureHandle> pages) {
+    record(Command::Kind::BindTextures, pages.size(), 0, 1);
+}
+
+void NullDevice::clear(TargetImage image, const ClearValue&) {
+    const bool isMasked = image == TargetImage::Depth && state_.enableDepthWrite();
+    record(Command::Kind::Clear, static_cast<std::size_t>(image), 0, isMasked ? 2 : 1);
+}
+
+void NullDevice::beginStage(frame::StageKind stage) {
+    record(Command::Kind::BeginStage, static_cast<std::size_t>(stage), 0, 0);
+}
+
+void NullDevice::endStage(frame::StageKind stage) {
+    record(Command::Kind::EndStage, static_cast<std::size_t>(stage), 0, 0);
+}
+
+void NullDevice::beginPass(Pass pass) {
+    record(Command::Kind::BeginPass, static_cast<std::size_t>(pass), 0, 1);
+}
+
+void NullDevice::setState(const DrawState& state) {
+    record(Command::Kind::SetState, static_cast<std::size_t>(state.program), 0, state_.apply(state).count());
+}
+
+void NullDevice::drawVertices(std::uint32_t first, std::uint32_t count) {
+    record(Command::Kind::DrawVertices, first, count, 1);
+}
+
+void NullDevice::drawIndirect(std::size_t offset, std::uint32_t count) {
+    record(Command::Kind::DrawIndirect, offset, count, 1);
+}
+
+void NullDevice::endFrame() {
+    frameCalls_ +=
+        std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.enableCulling()} + 1; // and the fence
+    lastFrameCalls_ = frameCalls_;
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "gpu/Device.h"
+
+#include <array>
+
+namespace limen::gpu {
+
+/// What the program of a batch is built from. Ownership and sky have one variant: `gated` changes nothing
+/// there.
+[[nodiscard]] ProgramSource programSource(frame::Program program, bool gated, const TextureBinding& textures);
+
+/// Which images a program writes.
+[[nodiscard]] Pass passOf(frame::Program program, bool wantIds);
+
+/// All programs of a frame, for one way of binding textures. Destroyed with this.
+class Programs {
+public:
+    /// Errors: Driver, with the log of the first that does not build.
+    [[nodiscard]] static Result<Programs> create(Device& device, const TextureBinding& textures);
+    Programs(Programs&& other) noexcept;
+    Programs& operator=(Programs&& other) noexcept;
+    ~Programs();
+
+    [[nodiscard]] ProgramHandle get(frame::Program program, bool gated) const;
+    [[nodiscard]] const TextureBinding& textures() const { return textures_; }
+
+private:
+    static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
+    Programs(Device& device, const TextureBinding& textures);
+
+    Device* device_ = nullptr;
+    TextureBinding textures_;
+    std::array<std::array<ProgramHandle, 2>, kPrograms> handles_{}; // [program][gated]
+};
+
+} // namespace limen::gpu

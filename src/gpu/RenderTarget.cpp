@@ -1,0 +1,82 @@
+#include "gpu/RenderTarget.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace limen::gpu {
+
+Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, std::uint32_t height) {
+    const Result<TargetHandle> handle = device.createTarget(width, height);
+    if (!handle) {
+        return tl::unexpected(handle.error());
+    }
+    return RenderTarget(device, *handle, width, height);
+}
+
+RenderTarget::RenderTarget(RenderTarget&& other) noexcept
+    : device_(other.device_), handle_(std::exchange(other.handle_, TargetHandle::Invalid)),
+      width_(other.width_), height_(other.height_) {}
+
+RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(handle_, other.handle_);
+    std::swap(width_, other.width_);
+    std::swap(height_, other.height_);
+    return *this;
+}
+
+RenderTarget::~RenderTarget() {
+    if (handle_ != TargetHandle::Invalid) {
+        device_->destroyTarget(handle_);
+    }
+}
+
+template <class T>
+std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const {
+    const std::size_t row = std::size_t{width_} * perPixel;
+    std::vector<T> pixels(row * height_);
+    device_->readTarget(handle_, image, std::as_writable_bytes(std::span(pixels)));
+    for (std::size_t y = 0; y < height_ / 2; ++y) {
+        const auto top = pixels.begin() + static_cast<std::ptrdiff_t>(y * row);
+        const auto bottom = pixels.end() - static_cast<std::ptrdiff_t>((y + 1) * row);
+        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+    }
+    return pixels;
+}
+
+std::vector<std::uint8_t> RenderTarget::readColour() const {
+    return read<std::uint8_t>(TargetImage::Colour, 4);
+}
+
+std::vector<std::uint32_t> RenderTarget::readIds() const {
+    return read<std::uint32_t>(TargetImage::Id, 1);
+}
+
+std::vector<float> RenderTarget::readDepth() const {
+    return read<float>(TargetImage::Depth, 1);
+}
+
+std::vector<std::uint32_t> RenderTarget::readOwnership() const {
+    return read<std::uint32_t>(TargetImage::Ownership, 1);
+}
+
+std::vector<float> RenderTarget::readDistances(const frame::gpu::FrameConstants& constants) const {
+    std::vector<float> values = readDepth();
+    const glm::dmat4 eyeFromClip = glm::inverse(glm::dmat4(constants.clipFromEye));
+    for (std::uint32_t y = 0; y < height_; ++y) {
+        for (std::uint32_t x = 0; x < width_; ++x) {
+            float& value = values[std::size_t{y} * width_ + x];
+            const glm::dvec2 ndc{(x + 0.5) / width_ * 2.0 - 1.0, 1.0 - (y + 0.5) / height_ * 2.0};
+            const glm::dvec4 point = eyeFromClip * glm::dvec4(ndc, static_cast<double>(value), 1.0);
+            value = value > 0.0f ? static_cast<float>(glm::length(glm::dvec3(point) / point.w))
+                                 : std::numeric_limits<float>::infinity();
+        }
+    }
+    return values;
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "gpu/Device.h"
+
+#include <vector>
+
+namespace limen::gpu {
+
+/// The images that a frame is drawn into. Readbacks have the top row first and wait for the GPU.
+class RenderTarget {
+public:
+    /// Errors: BadArgument for a size of 0 or beyond the driver's limit; Driver.
+    [[nodiscard]] static Result<RenderTarget> create(Device& device, std::uint32_t width,
+                                                     std::uint32_t height);
+    RenderTarget(RenderTarget&& other) noexcept;
+    RenderTarget& operator=(RenderTarget&& other) noexcept;
+    ~RenderTarget();
+
+    [[nodiscard]] std::uint32_t width() const { return width_; }
+    [[nodiscard]] std::uint32_t height() const { return height_; }
+    [[nodiscard]] TargetHandle handle() const { return handle_; }
+
+    /// R,G,B,A bytes.
+    [[nodiscard]] std::vector<std::uint8_t> readColour() const;
+    /// Ids: kVoidId, kSkyId, or what the planner gave. Undefined after a frame without ids.
+    [[nodiscard]] std::vector<std::uint32_t> readIds() const;
+    /// Depth as stored: near plane / view depth; 0 where nothing was met.
+    [[nodiscard]] std::vector<float> readDepth() const;
+    /// Number of the leaf visit.
+    [[nodiscard]] std::vector<std::uint32_t> readOwnership() const;
+    /// Metres from the eye along the ray through the pixel's centre, of the frame drawn with these constants;
+    /// +inf where nothing was met.
+    [[nodiscard]] std::vector<float> readDistances(const frame::gpu::FrameConstants& constants) const;
+
+private:
+    RenderTarget(Device& device, TargetHandle handle, std::uint32_t width, std::uint32_t height)
+        : device_(&device), handle_(handle), width_(width), height_(height) {}
+    template <class T>
+    [[nodiscard]] std::vector<T> read(TargetImage image, std::size_t perPixel) const;
+
+    Device* device_ = nullptr;
+    TargetHandle handle_ = TargetHandle::Invalid;
+    std::uint32_t width_ = 0, height_ = 0;
+};
+
+} // namespace limen::gpu

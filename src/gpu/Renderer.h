@@ -1,0 +1,61 @@
+#pragma once
+
+#include "frame/FramePlan.h"
+#include "frame/SceneUpload.h"
+#include "gpu/Device.h"
+#include "gpu/FrameReport.h"
+#include "gpu/Programs.h"
+#include "gpu/RenderTarget.h"
+#include "gpu/TextureStore.h"
+
+#include <memory>
+
+namespace limen::gpu {
+
+struct RendererOptions {
+    TextureStoreOptions textures;
+};
+
+struct RenderOptions {
+    bool wantIds = true; ///< write the id image
+};
+
+/// Draws frame plans on a device: one GL draw call per batch, whatever it holds. The device must outlive it.
+class Renderer {
+public:
+    explicit Renderer(Device& device, RendererOptions options = {});
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+    ~Renderer();
+
+    /// Replaces the static scene. Errors: BadArgument for indices that lead nowhere; what textures and
+    /// programs report. On an error the scene that was there stays.
+    [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
+    /// Draws one frame. Requires an uploaded scene and a plan made for it: at least one visit, parents before
+    /// children, batches within the commands. Errors: Driver, if memory for the frame's arrays cannot be had.
+    [[nodiscard]] Result<void> render(const frame::FramePlan& plan, RenderTarget& target,
+                                      const RenderOptions& options = {});
+
+    /// The last frame; GPU times are the latest known.
+    [[nodiscard]] FrameReport report() const;
+    [[nodiscard]] DriverReport driver() const;
+
+private:
+    // The static arrays on the device, in the order of their bindings.
+    struct Scene;
+    // Where this frame's arrays lie in the ring.
+    struct RingLayout;
+
+    [[nodiscard]] RingLayout layOutRing(const frame::FramePlan& plan) const;
+    void bindAll(const RingLayout& layout);
+    void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
+    void drawStages(const frame::FramePlan& plan, const RingLayout& layout, const RenderOptions& options);
+    void drawBatch(const frame::Batch& batch, std::size_t commandsOffset);
+
+    Device* device_;
+    RendererOptions options_;
+    std::unique_ptr<Scene> scene_;
+    FrameReport report_;
+};
+
+} // namespace limen::gpu

@@ -1,0 +1,60 @@
+#include "GlFixture.h"
+
+#include <gmock/gmock.h>
+
+namespace limen::gpu::test {
+namespace {
+
+using ::testing::ElementsAre;
+
+// A grey wall 2 m north; something translucent over the left half, 1 m north.
+class BlendedGlTest : public GlTest {
+protected:
+    Frame drawOver(std::uint32_t flags, std::uint8_t texelAlpha, float materialAlpha, bool gated = false) {
+        SceneBuilder scene;
+        scene.root(1);
+        scene.addWall('A', {-2, -2}, {2, 2}, 2,
+                      {.members = {{1, 0}}, .material = scene.addMaterial({0.4f, 0.4f, 0.4f, 1})});
+        const std::uint32_t texture = scene.addTexture(1, 1, {255, 0, 0, texelAlpha});
+        QuadOptions options{.members = {{1, 0}}, .program = frame::Program::Blended, .gated = gated};
+        options.material = scene.addMaterial({1, 1, 1, materialAlpha}, texture, flags);
+        scene.addWall('B', {-1, -1}, {0, 1}, 1, options);
+        return render(scene, 2);
+    }
+};
+
+TEST_F(BlendedGlTest, alphaCoversByItsAlpha) {
+    const Frame frame = drawOver(layout::kMaterialAlpha, 204, 0.5f); // 0.4 of red over 0.4 grey
+    EXPECT_EQ(frame.at(0, 0), glm::ivec3(163, 61, 61));
+    EXPECT_EQ(frame.at(1, 0), glm::ivec3(102));
+    EXPECT_THAT(frame.picture(), ElementsAre("AA", "AA")) << "no id";
+    EXPECT_FLOAT_EQ(frame.depth[0], frame.depth[1]) << "no depth";
+}
+
+TEST_F(BlendedGlTest, additiveAdds) {
+    EXPECT_EQ(drawOver(layout::kMaterialAdditive, 51, 1.0f).at(0, 0), glm::ivec3(153, 102, 102));
+}
+
+TEST_F(BlendedGlTest, inverseAlphaCoversByOneMinusAlpha) {
+    EXPECT_EQ(drawOver(layout::kMaterialInvAlpha, 153, 1.0f).at(0, 0), glm::ivec3(163, 61, 61));
+}
+
+TEST_F(BlendedGlTest, gatedVariantIsTheSameWithOneVisit) {
+    EXPECT_EQ(drawOver(layout::kMaterialAlpha, 128, 1, true).colour,
+              drawOver(layout::kMaterialAlpha, 128, 1, false).colour);
+}
+
+TEST_F(BlendedGlTest, hiddenBehindSolidSurfacesAndOutsideItsZone) {
+    SceneBuilder scene;
+    scene.root(1);
+    scene.addWall('A', {-2, -2}, {2, 2}, 2, {.members = {{1, 0}}});
+    QuadOptions options{.members = {{1, 0}}, .program = frame::Program::Blended, .gated = true};
+    options.material = scene.addMaterial({1, 0, 0, 1});
+    scene.addWall('B', {-3, -3}, {3, 3}, 3, options); // behind
+    options.members = {{2, 0}};
+    scene.addWall('C', {-1, -1}, {1, 1}, 1, options); // before, of a zone no ray visits
+    EXPECT_EQ(render(scene, 2).at(1, 1), glm::ivec3(255));
+}
+
+} // namespace
+} // namespace limen::gpu::test

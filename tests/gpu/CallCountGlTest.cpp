@@ -1,0 +1,101 @@
+#include "GlFixture.h"
+#include "gpu/NullDevice.h"
+
+namespace limen::gpu::test {
+namespace {
+
+constexpr std::uint32_t kBudget = 40; // GL calls a frame, architecture.md
+
+class CallCountGlTest : public GlTest {
+protected:
+    // A scene that uses every program and variant, `copies` times, behind a row of `copies` openings.
+    static SceneBuilder everything(std::uint32_t copies) {
+        SceneBuilder scene;
+        scene.root(1);
+        scene.upload.terrainCells.resize(1);
+        scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        for (layout::TerrainLayer* layer :
+             {scene.upload.terrainCells[0].overlays, scene.upload.terrainCells[0].roads}) {
+            layer[0].texture = layer[1].texture = layout::kNoTexture;
+        }
+        scene.upload.terrainCells[0].overlays[2].texture = layout::kNoTexture;
+        for (std::uint32_t i = 0; i < copies; ++i) {
+            const float y = 2.0f + static_cast<float>(i);
+            scene.visitThrough({-1, -1}, {1, 1}, y, i % 2 == 0 ? 0 : 1, i);
+            for (const frame::Program program : {frame::Program::Opaque, frame::Program::CutOut,
+                                                 frame::Program::Terrain, frame::Program::Blended}) {
+                for (const bool gated : {false, true}) {
+                    scene.addWall('A', {-1, -1}, {1, 1}, y,
+                                  {.members = {{1, 0}, {0, 0}}, .program = program, .gated = gated});
+                }
+            }
+            scene.addSky({-1, -1}, {1, 1}, 1, 0, 0.5f);
+        }
+        return scene;
+    }
+    std::vector<std::uint32_t> countCalls(Device& device, SceneBuilder& scene, int frames,
+                                          std::uint32_t size) {
+        Renderer renderer(device);
+        const Result<void> uploaded = renderer.upload(scene.upload);
+        EXPECT_TRUE(uploaded) << uploaded.error().message();
+        Result<RenderTarget> target = RenderTarget::create(device, size, size);
+        EXPECT_TRUE(target);
+        const frame::FramePlan& plan = scene.finish(true);
+        std::vector<std::uint32_t> counts;
+        for (int i = 0; i < frames; ++i) {
+            EXPECT_TRUE(renderer.render(plan, *target));
+            counts.push_back(renderer.report().glCalls);
+        }
+        return counts;
+    }
+};
+
+TEST_F(CallCountGlTest, everyStageTogetherStaysWithinTheBudget_whateverIsDrawn) {
+    std::vector<std::uint32_t> all;
+    for (const std::uint32_t copies : {0u, 1u, 3u, 40u}) {
+        SceneBuilder scene = everything(copies);
+        const std::vector<std::uint32_t> counts = countCalls(*device_, scene, 5, 8 + copies);
+        all.insert(all.end(), counts.begin(), counts.end());
+    }
+    EXPECT_LE(all.front(), kBudget);
+    RecordProperty("glCalls", static_cast<int>(all.front()));
+    EXPECT_EQ(std::count(all.begin(), all.end(), all.front()), static_cast<std::ptrdiff_t>(all.size()))
+        << "first frames, later frames, few draws and many make the same calls";
+}
+
+TEST_F(CallCountGlTest, nullDeviceCountsWhatTheDriverGets) {
+    for (const bool all : {true, false}) {
+        SceneBuilder scene = everything(2);
+        scene.finish(all);
+        NullDevice null;
+        Renderer real(*device_), recorded(null);
+        ASSERT_TRUE(real.upload(scene.upload));
+        ASSERT_TRUE(recorded.upload(scene.upload));
+        Result<RenderTarget> realTarget = RenderTarget::create(*device_, 8, 8),
+                             nullTarget = RenderTarget::create(null, 8, 8);
+        for (const bool wantIds : {true, false, true}) {
+            ASSERT_TRUE(real.render(scene.plan, *realTarget, {wantIds}));
+            ASSERT_TRUE(recorded.render(scene.plan, *nullTarget, {wantIds}));
+            EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
+        }
+    }
+}
+
+TEST_F(CallCountGlTest, gpuTimesArriveWithoutWaiting) {
+    SceneBuilder scene = everything(3);
+    Renderer renderer(*device_);
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    Result<RenderTarget> target = RenderTarget::create(*device_, 64, 64);
+    for (int i = 0; i < 6; ++i) {
+        ASSERT_TRUE(renderer.render(scene.finish(), *target));
+        (void)target->readDepth(); // lets the GPU catch up
+    }
+    for (const StageReport& stage : renderer.report().stages) {
+        ASSERT_TRUE(stage.gpuMs) << frame::nameOf(stage.kind);
+        EXPECT_GE(*stage.gpuMs, 0.0);
+        EXPECT_LT(*stage.gpuMs, 10'000.0);
+    }
+}
+
+} // namespace
+} // namespace limen::gpu::test

@@ -1,0 +1,197 @@
+#include "SceneBuilder.h"
+
+namespace limen::gpu::test {
+namespace {
+
+constexpr float kNear = 0.02f;
+constexpr std::uint32_t kNormalSouth = (0x3FFu & static_cast<std::uint32_t>(-511)) << 10;
+
+layout::ClipSet keepAll() {
+    layout::ClipSet set;
+    for (glm::vec4& plane : set.planes) {
+        plane = {0, 0, 0, 1};
+    }
+    return set;
+}
+
+} // namespace
+
+SceneBuilder::SceneBuilder() {
+    layout::FrameConstants& c = plan.constants;
+    c.clipFromEye = glm::mat4(1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, kNear, 0);
+    c.nearPlane = kNear;
+    c.sunDirection = {0, -1, 0, 0};
+    c.fogRange = {1e9f, 2e9f, 0, 0};
+    c.voidColour = {1, 0, 1, 1};
+    plan.blocks.push_back({0, 0, 0, 0});
+    plan.clipSets.push_back(keepAll());
+    upload.lightSets.emplace_back();
+    upload.lightSets.back().ambient = {1, 1, 1, 0};
+    addMaterial({1, 1, 1, 1});
+}
+
+std::uint32_t SceneBuilder::addMaterial(const glm::vec4& colour, std::uint32_t texture, std::uint32_t flags) {
+    layout::Material material;
+    material.colour = colour;
+    material.texture = texture;
+    material.flags = flags;
+    material.diffuse = 1.0f;
+    upload.materials.push_back(material);
+    return static_cast<std::uint32_t>(upload.materials.size() - 1);
+}
+
+std::uint32_t SceneBuilder::addTexture(std::uint32_t width, std::uint32_t height,
+                                       std::vector<std::uint8_t> rgba, bool clamp) {
+    pixels_.push_back(std::move(rgba));
+    upload.textures.push_back({width, height, pixels_.back(), clamp});
+    return static_cast<std::uint32_t>(upload.textures.size() - 1);
+}
+
+std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3, 4>& corners,
+                                    const QuadOptions& options) {
+    layout::Instance instance;
+    instance.row0 = options.rows[0];
+    instance.row1 = options.rows[1];
+    instance.row2 = options.rows[2];
+    instance.block = options.block;
+    instance.idBase = id;
+    instance.highlight = options.highlight;
+    instance.firstMember = static_cast<std::uint32_t>(upload.members.size());
+    instance.memberCount = static_cast<std::uint32_t>(options.members.size());
+    upload.members.insert(upload.members.end(), options.members.begin(), options.members.end());
+    if (options.program == frame::Program::Terrain) {
+        instance.firstMaterial = options.material;
+    } else {
+        instance.firstMaterial = static_cast<std::uint32_t>(upload.materialRefs.size());
+        upload.materialRefs.push_back(options.material);
+    }
+    const auto baseVertex = static_cast<std::int32_t>(upload.vertices.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], 0, 0});
+    }
+    const auto firstIndex = static_cast<std::uint32_t>(upload.indices.size());
+    upload.indices.insert(upload.indices.end(), {0, 1, 2, 0, 2, 3});
+    const auto index = static_cast<std::uint32_t>(upload.instances.size());
+    upload.instances.push_back(instance);
+    instanceDraws_.push_back({6, 1, firstIndex, baseVertex, index});
+    drawAgain(index, options.program, options.gated);
+    return index;
+}
+
+std::uint32_t SceneBuilder::addWall(std::uint32_t id, glm::vec2 min, glm::vec2 max, float y,
+                                    const QuadOptions& options) {
+    return addQuad(id, {glm::vec3{min.x, y, min.y}, {max.x, y, min.y}, {max.x, y, max.y}, {min.x, y, max.y}},
+                   options);
+}
+
+void SceneBuilder::addWallWithOpening(std::uint32_t id, float outer, float half, float y,
+                                      const QuadOptions& options) {
+    addWall(id, {-outer, -outer}, {-half, outer}, y, options);
+    addWall(id, {half, -outer}, {outer, outer}, y, options);
+    addWall(id, {-half, -outer}, {half, -half}, y, options);
+    addWall(id, {-half, half}, {half, outer}, y, options);
+}
+
+void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity) {
+    QuadOptions options;
+    options.material = material;
+    options.program = frame::Program::SkyObjects;
+    addWall(0, min, max, y, options);
+    layout::SkyInstance object;
+    object.row0 = {1, 0, 0, 0};
+    object.row1 = {0, 1, 0, 0};
+    object.row2 = {0, 0, 1, 0};
+    object.firstMaterial = upload.instances.back().firstMaterial;
+    object.opacity = opacity;
+    object.luminosity = 1.0f;
+    draws_[{frame::Program::SkyObjects, false}].back().baseInstance =
+        static_cast<std::uint32_t>(plan.skyInstances.size());
+    plan.skyInstances.push_back(object);
+}
+
+void SceneBuilder::drawAgain(std::uint32_t instance, frame::Program program, bool gated) {
+    draws_[{program, gated}].push_back(instanceDraws_[instance]);
+}
+
+void SceneBuilder::root(std::uint32_t zone) {
+    layout::Visit visit;
+    visit.entryPlane = {0, 0, 0, 1};
+    visit.zone = zone;
+    visit.parent = layout::kNoVisit;
+    plan.visits.push_back(visit);
+    plan.constants.rootZone = zone;
+}
+
+std::uint32_t SceneBuilder::visitThrough(glm::vec2 min, glm::vec2 max, float y, std::uint32_t zone,
+                                         std::uint32_t parent, std::uint32_t clipSet) {
+    const auto number = static_cast<std::uint32_t>(plan.visits.size());
+    layout::Visit visit;
+    visit.entryPlane = {0, 1, 0, -(y - plan.constants.eyeHigh.y)};
+    visit.zone = zone;
+    visit.parent = parent;
+    plan.visits.push_back(visit);
+    const std::array<glm::vec3, 4> corners{
+        glm::vec3{min.x, y, min.y}, {max.x, y, min.y}, {max.x, y, max.y}, {min.x, y, max.y}};
+    for (const std::size_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) {
+        layout::OwnershipVertex vertex;
+        vertex.position = corners[corner];
+        vertex.visit = number;
+        vertex.clipSet = clipSet;
+        plan.ownershipVertices.push_back(vertex);
+    }
+    return number;
+}
+
+const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
+    using frame::Program;
+    plan.constants.visitCount = static_cast<std::uint32_t>(plan.visits.size());
+    plan.commands.clear();
+    plan.batches.clear();
+    plan.stages.clear();
+    const auto indexed = [&](Program program, bool gated) {
+        const std::vector<layout::DrawCommand>& draws = draws_[{program, gated}];
+        if (!draws.empty() || allBatches) {
+            plan.batches.push_back({program, gated, static_cast<std::uint32_t>(plan.commands.size()),
+                                    static_cast<std::uint32_t>(draws.size())});
+            plan.commands.insert(plan.commands.end(), draws.begin(), draws.end());
+        }
+    };
+    const auto stage = [&](frame::StageKind kind, std::size_t firstBatch) {
+        plan.stages.push_back({kind, static_cast<std::uint32_t>(firstBatch),
+                               static_cast<std::uint32_t>(plan.batches.size() - firstBatch)});
+    };
+    plan.batches.push_back(
+        {Program::Ownership, false, 0, static_cast<std::uint32_t>(plan.ownershipVertices.size())});
+    stage(frame::StageKind::Ownership, 0);
+    std::size_t first = plan.batches.size();
+    for (const Program program : {Program::Terrain, Program::Opaque, Program::CutOut}) {
+        indexed(program, false);
+        indexed(program, true);
+    }
+    stage(frame::StageKind::Solid, first);
+    first = plan.batches.size();
+    plan.batches.push_back({Program::SkyPlain, false, 0, 1});
+    indexed(Program::SkyObjects, false);
+    stage(frame::StageKind::Sky, first);
+    first = plan.batches.size();
+    indexed(Program::Blended, false);
+    indexed(Program::Blended, true);
+    stage(frame::StageKind::Late, first);
+    stage(frame::StageKind::Overlay, plan.batches.size());
+    return plan;
+}
+
+std::vector<std::string> picture(const std::vector<std::uint32_t>& ids, std::size_t width) {
+    std::vector<std::string> rows;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (i % width == 0) {
+            rows.emplace_back();
+        }
+        rows.back() += ids[i] == layout::kVoidId  ? '.'
+                       : ids[i] == layout::kSkyId ? '~'
+                                                  : static_cast<char>(ids[i]);
+    }
+    return rows;
+}
+
+} // namespace limen::gpu::test

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "frame/FramePlan.h"
+#include "frame/SceneUpload.h"
+
+#include <deque>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limen::gpu::test {
+
+namespace layout = frame::gpu;
+
+/// How a quad is drawn.
+struct QuadOptions {
+    std::vector<layout::Member> members{{0, 0}};
+    std::uint32_t material = 0;
+    frame::Program program = frame::Program::Opaque;
+    bool gated = false;
+    std::uint32_t block = 0;
+    std::uint32_t highlight = 0;
+    std::array<glm::vec4, 3> rows{glm::vec4{1, 0, 0, 0}, glm::vec4{0, 1, 0, 0}, glm::vec4{0, 0, 1, 0}};
+    std::array<glm::vec2, 4> uv{glm::vec2{0, 1}, glm::vec2{1, 1}, glm::vec2{1, 0}, glm::vec2{0, 0}};
+};
+
+/// Builds small scenes by hand. The camera looks north (+Y) from the eye with 90 degrees of view both ways,
+/// so that at distance d a square picture shows x and z from -d to d. Material 0 is white, light set 0 shows
+/// albedo as it is.
+class SceneBuilder {
+public:
+    SceneBuilder();
+
+    /// Yields the material's index. Textures are clamped or repeated as `addTexture` said.
+    std::uint32_t addMaterial(const glm::vec4& colour, std::uint32_t texture = layout::kNoTexture,
+                              std::uint32_t flags = 0);
+    std::uint32_t addTexture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> rgba,
+                             bool clamp = true);
+    /// A quad by its corners, counter-clockwise seen from its front, first corner uv (0,1). Its id is `id`.
+    /// Yields the instance's index.
+    std::uint32_t addQuad(std::uint32_t id, const std::array<glm::vec3, 4>& corners,
+                          const QuadOptions& options = {});
+    /// An upright rectangle that faces the camera (south).
+    std::uint32_t addWall(std::uint32_t id, glm::vec2 min, glm::vec2 max, float y,
+                          const QuadOptions& options = {});
+    /// A wall with a square opening of half-size `half` about x = z = 0; reaches `outer` to each side.
+    void addWallWithOpening(std::uint32_t id, float outer, float half, float y,
+                            const QuadOptions& options = {});
+    /// A rectangle of the sky: relative to the eye.
+    void addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity);
+    /// The same draw again, in the given way.
+    void drawAgain(std::uint32_t instance, frame::Program program, bool gated);
+
+    /// The root visit; call first. Zone of the eye.
+    void root(std::uint32_t zone);
+    /// A visit behind a rectangle in the plane y, entered northwards; yields its number.
+    std::uint32_t visitThrough(glm::vec2 min, glm::vec2 max, float y, std::uint32_t zone,
+                               std::uint32_t parent, std::uint32_t clipSet = 0);
+
+    /// Fills in the batches and stages and yields the plan. `allBatches`: one of every program and variant,
+    /// even empty.
+    const frame::FramePlan& finish(bool allBatches = false);
+
+    frame::SceneUpload upload;
+    frame::FramePlan plan;
+
+private:
+    std::deque<std::vector<std::uint8_t>> pixels_; // what the texture uploads view
+    std::map<std::pair<frame::Program, bool>, std::vector<layout::DrawCommand>> draws_;
+    std::vector<layout::DrawCommand> instanceDraws_;
+};
+
+/// The id image as text, top row first: '.' void, '~' sky, else the id as a character.
+[[nodiscard]] std::vector<std::string> picture(const std::vector<std::uint32_t>& ids, std::size_t width);
+
+} // namespace limen::gpu::test

@@ -1,0 +1,37 @@
+#include "GlFixture.h"
+
+namespace limen::gpu::test {
+namespace {
+
+class ShadersGlTest : public GlTest {};
+
+TEST_F(ShadersGlTest, everyVariantBuilds) {
+    std::vector<TextureBinding> bindings{
+        {false, 0}, {false, 1}, {false, device_->capabilities().textureUnits - 1}};
+    if (device_->capabilities().bindless) {
+        bindings.push_back({true, 0});
+    }
+    for (const TextureBinding& binding : bindings) {
+        const Result<Programs> programs = Programs::create(*device_, binding);
+        EXPECT_TRUE(programs) << programs.error().message();
+    }
+}
+
+TEST_F(ShadersGlTest, failureNamesFileLineAndDriver) {
+    ProgramSource source = programSource(frame::Program::Opaque, true, {false, 1});
+    source.defines.emplace_back("walkChain"); // breaks include/gate.glsl where the function is defined
+    const Result<ProgramHandle> program = device_->createProgram(source);
+    ASSERT_FALSE(program);
+    EXPECT_EQ(program.error().code, ErrorCode::Driver);
+    EXPECT_NE(program.error().what.find("include/gate.glsl:"), std::string::npos) << program.error().what;
+    EXPECT_NE(program.error().what.find(device_->capabilities().renderer), std::string::npos);
+    debug_->clear(); // the driver repeats it as a debug message
+}
+
+TEST_F(ShadersGlTest, targetOfAbsurdSizeIsRefused) {
+    EXPECT_FALSE(RenderTarget::create(*device_, 0, 5));
+    EXPECT_FALSE(RenderTarget::create(*device_, 100000, 100000));
+}
+
+} // namespace
+} // namespace limen::gpu::test

@@ -1,0 +1,154 @@
+#include "GlFixture.h"
+
+#include <random>
+
+namespace limen::gpu::test {
+namespace {
+
+// Many textures of several sizes and both ways of wrapping, on slanted quads that need every mip, in one
+// draw; half of them cut-outs; and a landcell.
+SceneBuilder manyTextures() {
+    SceneBuilder scene;
+    scene.root(0);
+    std::mt19937 random(7);
+    const std::array<glm::uvec2, 5> sizes{glm::uvec2{1, 1}, {4, 4}, {64, 32}, {37, 5}, {16, 128}};
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        const glm::uvec2 size = sizes[i % sizes.size()];
+        std::vector<std::uint8_t> rgba(std::size_t{size.x} * size.y * 4);
+        for (std::uint8_t& byte : rgba) {
+            byte = static_cast<std::uint8_t>(random());
+        }
+        QuadOptions options;
+        options.material =
+            scene.addMaterial({1, 1, 1, 1}, scene.addTexture(size.x, size.y, rgba, i % 2 == 0));
+        options.program = i % 4 < 2 ? frame::Program::Opaque : frame::Program::CutOut;
+        options.gated = i % 3 == 0;
+        const float s = 3.0f;
+        options.uv = {glm::vec2{-s, s}, {s, s}, {s, -s}, {-s, -s}};
+        const float x = static_cast<float>(i % 5) - 2.5f, z = static_cast<float>(i / 5) - 2.0f;
+        scene.addQuad('A' + i, {glm::vec3{x, 2, z}, {x + 1, 2.5f, z}, {x + 1, 9, z + 1}, {x, 5, z + 1}},
+                      options);
+    }
+    layout::TerrainCell cell{{2, layout::kNoTexture, 0, 3.0f}, {}, {}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        cell.overlays[i] = {i, 3 + i, i, 2.0f};
+    }
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        cell.roads[i] = {9, 7 + i, i + 2, 1.0f};
+    }
+    scene.upload.terrainCells.push_back(cell);
+    scene.addQuad('a', {glm::vec3{-9, 1, -1}, {9, 1, -1}, {9, 30, -0.5f}, {-9, 30, -0.5f}},
+                  {.program = frame::Program::Terrain});
+    return scene;
+}
+
+class TextureGlTest : public GlTest {};
+
+TEST_F(TextureGlTest, bindlessAndArrayPagesGiveTheSameImage) {
+    if (!device_->capabilities().bindless) {
+        GTEST_SKIP() << "no GL_ARB_bindless_texture on " << device_->capabilities().renderer;
+    }
+    SceneBuilder scene = manyTextures();
+    const Frame pages = render(scene, 128, {.textures = {.mode = TextureMode::ArrayPages}});
+    const Frame bindless = render(scene, 128, {.textures = {.mode = TextureMode::Bindless}});
+    EXPECT_EQ(pages.colour, bindless.colour);
+    EXPECT_EQ(pages.ids, bindless.ids);
+    EXPECT_EQ(pages.depth, bindless.depth);
+}
+
+TEST_F(TextureGlTest, drawsAreAsIfEachHadItsTextureAlone) {
+    // The same quads, each in a scene of one texture only: what one page and no divergence give.
+    SceneBuilder all = manyTextures();
+    const Frame together = render(all, 64);
+    std::size_t compared = 0;
+    for (std::uint32_t i = 0; i < 20; i += 3) { // every size, both wrappings, all programs
+        SceneBuilder alone = manyTextures();
+        const frame::TextureUpload kept = alone.upload.textures[i];
+        alone.upload.textures = {kept};
+        alone.upload.terrainCells.clear();
+        for (layout::Material& material : alone.upload.materials) {
+            material.texture = material.texture == i ? 0 : layout::kNoTexture;
+        }
+        alone.upload.terrainCells.push_back({{layout::kNoTexture, 0, 0, 1}, {}, {}});
+        for (layout::TerrainLayer& layer : alone.upload.terrainCells[0].overlays) {
+            layer.texture = layer.alpha = layout::kNoTexture;
+        }
+        for (layout::TerrainLayer& layer : alone.upload.terrainCells[0].roads) {
+            layer.texture = layer.alpha = layout::kNoTexture;
+        }
+        alone.upload.terrainCells[0].base.alpha = layout::kNoTexture;
+        const Frame frame = render(alone, 64);
+        for (std::size_t p = 0; p < frame.ids.size(); ++p) {
+            if (together.ids[p] == 'A' + i && frame.ids[p] == 'A' + i) {
+                EXPECT_TRUE(
+                    std::equal(&frame.colour[4 * p], &frame.colour[4 * p] + 4, &together.colour[4 * p]));
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 100u);
+}
+
+TEST_F(TextureGlTest, fewPages_keepExactCutOutsAndReportWhatWasResampled) {
+    const auto draw = [this](std::uint32_t pageLimit, DriverReport& report) {
+        SceneBuilder scene;
+        scene.root(0);
+        scene.plan.constants.flags = layout::kFrameExactCutOuts;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const std::uint32_t size = 8u << i;
+            std::vector<std::uint8_t> rgba;
+            for (std::uint32_t t = 0; t < size * size; ++t) {
+                rgba.insert(
+                    rgba.end(),
+                    {255, 255, 255, static_cast<std::uint8_t>((t * 7 + t / size * 5) % 3 == 0 ? 255 : 0)});
+            }
+            const std::uint32_t material =
+                scene.addMaterial({1, 1, 1, 1}, scene.addTexture(size, size, rgba));
+            const float x = static_cast<float>(i) - 1.5f;
+            scene.addWall('A' + i, {x, -1.5f}, {x + 1, 1.5f}, 1.7f,
+                          {.material = material, .program = frame::Program::CutOut});
+        }
+        Renderer renderer(*device_, {.textures = {.mode = TextureMode::ArrayPages, .pageLimit = pageLimit}});
+        EXPECT_TRUE(renderer.upload(scene.upload));
+        report = renderer.driver();
+        return renderWith(renderer, scene.finish(), 61, 61);
+    };
+    DriverReport enough, few;
+    const Frame full = draw(0, enough);
+    const Frame limited = draw(2, few);
+    EXPECT_EQ(enough.pages, 3u);
+    EXPECT_EQ(enough.resampledTextures, 0u);
+    EXPECT_EQ(few.pages, 2u);
+    EXPECT_EQ(few.resampledTextures, 1u);
+    EXPECT_EQ(full.ids, limited.ids);
+}
+
+TEST_F(TextureGlTest, wrappingIsTheTexturesOwn) {
+    for (const bool clamp : {true, false}) {
+        SceneBuilder scene;
+        scene.root(0);
+        const std::uint32_t texture = scene.addTexture(2, 1, {255, 0, 0, 255, 0, 255, 0, 255}, clamp);
+        QuadOptions options{.material = scene.addMaterial({1, 1, 1, 1}, texture)};
+        options.uv = {glm::vec2{0, 1}, {2, 1}, {2, 0}, {0, 0}};
+        scene.addWall('A', {-1, -1}, {1, 1}, 1, options);
+        const Frame frame = render(scene, 4);
+        EXPECT_EQ(frame.at(0, 1), glm::ivec3(255, 0, 0));
+        EXPECT_EQ(frame.at(1, 1), glm::ivec3(0, 255, 0));
+        EXPECT_EQ(frame.at(2, 1), clamp ? glm::ivec3(0, 255, 0) : glm::ivec3(255, 0, 0));
+    }
+}
+
+TEST_F(TextureGlTest, uploadAgain_replacesTheScene) {
+    Renderer renderer(*device_);
+    for (const std::uint8_t level : std::initializer_list<std::uint8_t>{50, 100}) {
+        SceneBuilder scene;
+        scene.root(0);
+        const std::uint32_t texture = scene.addTexture(1, 1, {level, level, level, 255});
+        scene.addWall('A', {-1, -1}, {1, 1}, 1, {.material = scene.addMaterial({1, 1, 1, 1}, texture)});
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        EXPECT_EQ(renderWith(renderer, scene.finish(), 2, 2).at(0, 0), glm::ivec3(level));
+    }
+}
+
+} // namespace
+} // namespace limen::gpu::test

@@ -1,0 +1,67 @@
+#include "gpu/TextureStore.h"
+
+#include "SceneBuilder.h"
+#include "gpu/NullDevice.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::gpu::test {
+namespace {
+
+SceneBuilder threeTextures() {
+    SceneBuilder scene;
+    scene.addTexture(2, 2, std::vector<std::uint8_t>(16), true);
+    scene.addTexture(4, 2, std::vector<std::uint8_t>(32), false);
+    scene.addTexture(2, 2, std::vector<std::uint8_t>(16), true);
+    return scene;
+}
+
+TEST(TextureStore, arrayPages_shareSizesAndTellTheShaderWhere) {
+    NullDevice device;
+    SceneBuilder scene = threeTextures();
+    {
+        const Result<TextureStore> store = TextureStore::create(device, scene.upload.textures, {});
+        ASSERT_TRUE(store);
+        EXPECT_EQ(store->binding(), (TextureBinding{false, 2}));
+        EXPECT_EQ(store->refs()[0].place, glm::uvec4(0, 0, 2 | layout::kTextureClamp, 2));
+        EXPECT_EQ(store->refs()[1].place, glm::uvec4(0, 1, 4, 2));
+        EXPECT_EQ(store->refs()[2].place, glm::uvec4(1, 0, 2 | layout::kTextureClamp, 2));
+        EXPECT_EQ(device.textures()[0].levels, 2u);
+        EXPECT_EQ(device.liveObjects(), 2u);
+    }
+    EXPECT_EQ(device.liveObjects(), 0u) << "the store takes its textures along";
+}
+
+TEST(TextureStore, bindless_hasAHandleForEachAndBindsNothing) {
+    Capabilities capabilities = NullDevice::defaultCapabilities();
+    capabilities.bindless = true;
+    NullDevice device(capabilities);
+    SceneBuilder scene = threeTextures();
+    const Result<TextureStore> store = TextureStore::create(device, scene.upload.textures, {});
+    ASSERT_TRUE(store);
+    EXPECT_EQ(store->binding(), (TextureBinding{true, 0}));
+    EXPECT_TRUE(store->pages().empty());
+    EXPECT_NE(store->refs()[0].place.x, store->refs()[2].place.x);
+}
+
+TEST(TextureStore, whatTheDeviceCannotDoIsRefusedAndNothingStays) {
+    Capabilities capabilities = NullDevice::defaultCapabilities();
+    capabilities.maxTextureSize = 3;
+    NullDevice device(capabilities);
+    SceneBuilder scene = threeTextures();
+    EXPECT_FALSE(TextureStore::create(device, scene.upload.textures, {}));
+    EXPECT_FALSE(TextureStore::create(device, scene.upload.textures, {.mode = TextureMode::Bindless}));
+    EXPECT_EQ(device.liveObjects(), 0u);
+}
+
+TEST(TextureStore, softwareDriversFilterWithoutAnisotropy) {
+    Capabilities capabilities = NullDevice::defaultCapabilities();
+    capabilities.software = true;
+    NullDevice device(capabilities);
+    SceneBuilder scene = threeTextures();
+    ASSERT_TRUE(TextureStore::create(device, scene.upload.textures, {.anisotropy = 8.0f}));
+    EXPECT_EQ(device.textures()[0].anisotropy, 1.0f);
+}
+
+} // namespace
+} // namespace limen::gpu::test
