@@ -18,7 +18,7 @@ namespace limen::app {
 /// The rows as a table for people, one line each under a heading.
 [[nodiscard]] std::string benchTable(std::span<const bench::BenchRow> rows);
 
-/// One row as design/performance.md writes it.
+/// One row as docs/performance.md describes it.
 [[nodiscard]] nlohmann::ordered_json benchJson(const bench::BenchRow& row);
 
 } // namespace limen::app

@@ -39,7 +39,7 @@ struct FrameEye {
     Weather weather = Weather::Clear;
 };
 
-/// The frame as JSON (design/interface.md, frame.json). `ids` is the id image, or empty if it was not drawn.
+/// The frame as JSON (docs/interface.md). `ids` is the id image, or empty if it was not drawn.
 [[nodiscard]] nlohmann::ordered_json frameJson(const world::World& world, const IdTable& table,
                                                const FrameEye& eye, const visibility::VisibleSet& visible,
                                                const frame::FramePlan& plan, const FrameFigures& figures,

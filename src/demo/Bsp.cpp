@@ -42,7 +42,9 @@ dat::SphereF sphereOf(const std::vector<Fragment>& fragments) {
     return {Vec3f(s.centre), points.empty() ? 0.0f : static_cast<float>(s.radius)};
 }
 
-dat::PlaneF toRecord(const Plane& plane) { return {Vec3f(plane.n), static_cast<float>(plane.d)}; }
+dat::PlaneF toRecord(const Plane& plane) {
+    return {Vec3f(plane.n), static_cast<float>(plane.d)};
+}
 
 /// Few cuts and an even share on both sides.
 std::size_t chooseSplitter(const std::vector<Fragment>& fragments) {
@@ -83,9 +85,15 @@ Split splitBy(const Plane& plane, std::vector<Fragment>&& fragments) {
     std::vector<Vec3> part;
     for (Fragment& f : fragments) {
         switch (classify(f, plane)) {
-        case Where::Front: out.front.push_back(std::move(f)); break;
-        case Where::Back: out.back.push_back(std::move(f)); break;
-        case Where::InPlane: out.inPlane.push_back(std::move(f)); break;
+        case Where::Front:
+            out.front.push_back(std::move(f));
+            break;
+        case Where::Back:
+            out.back.push_back(std::move(f));
+            break;
+        case Where::InPlane:
+            out.inPlane.push_back(std::move(f));
+            break;
         case Where::Across: {
             Fragment other = f;
             clipPolygon(f.points, plane, 0.0, part);
@@ -153,7 +161,8 @@ private:
             }
             n.tag = dat::BspTag::Port;
             const dat::PortalRef ref{f.polygon, static_cast<std::uint16_t>(f.portal)};
-            if (std::none_of(n.portals.begin(), n.portals.end(), [&](const auto& p) { return p.polygonId == ref.polygonId; })) {
+            if (std::none_of(n.portals.begin(), n.portals.end(),
+                             [&](const auto& p) { return p.polygonId == ref.polygonId; })) {
                 n.portals.push_back(ref);
             }
         }
@@ -208,7 +217,9 @@ private:
 
 } // namespace
 
-dat::BspTree buildDrawingBsp(std::span<const Face> faces) { return DrawingBuilder().build(fragmentsOf(faces)); }
+dat::BspTree buildDrawingBsp(std::span<const Face> faces) {
+    return DrawingBuilder().build(fragmentsOf(faces));
+}
 
 dat::BspTree buildPhysicsBsp(std::span<const Face> faces, std::span<const std::uint16_t> ids) {
     LIMEN_ASSERT(faces.size() == ids.size(), "one id per face");
@@ -243,8 +254,9 @@ dat::BspTree buildCellBsp(std::span<const Face> faces) {
 }
 
 std::uint32_t leafCount(const dat::BspTree& tree) {
-    return static_cast<std::uint32_t>(std::count_if(tree.nodes.begin(), tree.nodes.end(),
-                                                    [](const dat::BspNode& n) { return n.tag == dat::BspTag::Leaf; }));
+    return static_cast<std::uint32_t>(
+        std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                      [](const dat::BspNode& n) { return n.tag == dat::BspTag::Leaf; }));
 }
 
 } // namespace limen::demo

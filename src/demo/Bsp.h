@@ -8,15 +8,16 @@
 
 namespace limen::demo {
 
-/// A drawing tree over a mesh: inner nodes list the polygons in their plane; polygons that others' planes cut are listed
-/// in both halves. Faces marked as portals become PORT nodes that name (polygon id, portal index) in order of face.
+/// A drawing tree over a mesh: inner nodes list the polygons in their plane; polygons that others' planes cut
+/// are listed in both halves. Faces marked as portals become PORT nodes that name (polygon id, portal index)
+/// in order of face.
 [[nodiscard]] dat::BspTree buildDrawingBsp(std::span<const Face> faces);
 
 /// A physics tree: polygons in the leaves in front of them, solid leaves behind. `ids` names the faces.
 [[nodiscard]] dat::BspTree buildPhysicsBsp(std::span<const Face> faces, std::span<const std::uint16_t> ids);
 
-/// The chain "in front of every plane" for a convex cell whose faces look inwards. Requires every face to be a face of
-/// one convex solid.
+/// The chain "in front of every plane" for a convex cell whose faces look inwards. Requires every face to be
+/// a face of one convex solid.
 [[nodiscard]] dat::BspTree buildCellBsp(std::span<const Face> faces);
 
 [[nodiscard]] std::uint32_t leafCount(const dat::BspTree& tree);

@@ -62,7 +62,8 @@ std::vector<std::uint16_t> reachable(const std::vector<std::vector<Link>>& links
     std::vector<std::uint16_t> order{from};
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (const Link& link : links[order[i]]) {
-            if (link.cell != dat::kOutdoors && std::find(order.begin(), order.end(), link.cell) == order.end()) {
+            if (link.cell != dat::kOutdoors &&
+                std::find(order.begin(), order.end(), link.cell) == order.end()) {
                 order.push_back(link.cell);
             }
         }
@@ -89,14 +90,6 @@ dat::CellStruct shapeOf(const CellPlan& cell, EncodedMesh& mesh) {
     return shape;
 }
 
-std::vector<Vec3> facePoints(const CellPlan& cell) {
-    std::vector<Vec3> points;
-    for (const Face& face : cell.faces) {
-        points.insert(points.end(), face.points.begin(), face.points.end());
-    }
-    return points;
-}
-
 SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::vector<Link>>& links) {
     SightMap map;
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -112,6 +105,18 @@ SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::v
         map.cells.push_back(std::move(cell));
     }
     return map;
+}
+
+} // namespace
+
+namespace {
+
+void joinAtPortals(BuildingPlan& plan) {
+    std::vector<std::vector<Face>*> meshes{&plan.exterior.faces()};
+    for (CellPlan& cell : plan.cells) {
+        meshes.push_back(&cell.faces);
+    }
+    closePortalSeams(meshes);
 }
 
 } // namespace
@@ -152,13 +157,20 @@ CellPlan roomWithOpenings(const RoomSpec& room, const std::vector<Opening>& open
     return cell;
 }
 
-BlockBuilder::BlockBuilder(ModelSink& sink, dat::BlockCoord coord) : sink_(sink) { info_.id = dat::landBlockInfoId(coord); }
+BlockBuilder::BlockBuilder(ModelSink& sink, dat::BlockCoord coord) : sink_(sink) {
+    info_.id = dat::landBlockInfoId(coord);
+}
 
-void BlockBuilder::addObject(const Furnishing& object) { info_.objects.push_back({object.model, toFrame(object.at)}); }
+void BlockBuilder::addObject(const Furnishing& object) {
+    info_.objects.push_back({object.model, toFrame(object.at)});
+}
 
-void BlockBuilder::finish() { sink_.records().landBlockInfos.push_back(std::move(info_)); }
+void BlockBuilder::finish() {
+    sink_.records().landBlockInfos.push_back(std::move(info_));
+}
 
-std::vector<dat::RecordId> BlockBuilder::addBuilding(const BuildingPlan& plan, const Placement& at) {
+std::vector<dat::RecordId> BlockBuilder::addBuilding(BuildingPlan plan, const Placement& at) {
+    joinAtPortals(plan);
     WorldRecords& records = sink_.records();
     const std::vector<std::vector<Link>> links = linkCells(plan.cells);
     const SightMap sight = sightMapOf(plan.cells, links);
@@ -226,6 +238,12 @@ std::vector<dat::RecordId> BlockBuilder::addBuilding(const BuildingPlan& plan, c
         LIMEN_ASSERT(portal.otherCellId != kNowhere, "a building portal has no cell behind it");
         building.portals.push_back(std::move(portal));
     }
+    std::size_t exits = 0;
+    for (const std::vector<Link>& own : links) {
+        exits += static_cast<std::size_t>(
+            std::count_if(own.begin(), own.end(), [](const Link& l) { return l.cell == dat::kOutdoors; }));
+    }
+    LIMEN_ASSERT(exits == building.portals.size(), "a cell's opening leads to no other cell and not outside");
     info_.buildings.push_back(std::move(building));
     return ids;
 }

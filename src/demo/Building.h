@@ -14,8 +14,9 @@ struct Furnishing {
     Placement at;
 };
 
-/// A cell in its building's coordinates: a closed convex shell that looks inwards. Its portals are its portal faces, in
-/// order; each either matches, point for point, a portal face of another cell of the plan, or leads outside.
+/// A cell in its building's coordinates: a closed convex shell that looks inwards. Its portals are its portal
+/// faces, in order; each either matches, point for point, a portal face of another cell of the plan, or leads
+/// outside.
 struct CellPlan {
     std::string name;
     std::vector<Face> faces;
@@ -30,14 +31,16 @@ struct Opening {
 
 /// A box-shaped room and the pictures on its sides.
 struct RoomSpec {
-    std::string name;
+    std::string name{};
     Vec3 min{0.0}, max{0.0};
     Material floor = Material::Planks, walls = Material::InnerPlaster, ceiling = Material::Planks;
 };
-/// The closed shell of a room: its sides without the openings, and a portal face for each opening, in their order.
+/// The closed shell of a room: its sides without the openings, and a portal face for each opening, in their
+/// order.
 [[nodiscard]] CellPlan roomWithOpenings(const RoomSpec& room, const std::vector<Opening>& openings);
 
-/// A building: an exterior whose portal faces (outward) match portal faces of cells that no other cell matches.
+/// A building: an exterior whose portal faces (outward) match portal faces of cells that no other cell
+/// matches.
 struct BuildingPlan {
     std::string name;
     MeshBuilder exterior;
@@ -50,11 +53,14 @@ public:
     BlockBuilder(ModelSink& sink, dat::BlockCoord coord);
 
     void addObject(const Furnishing& object);
-    /// Adds exterior and cells. All of them share one frame, so that points that agree in the plan agree to the bit in
-    /// the world. Returns the cells' ids in the plan's order. Requires: every portal face finds its partner.
-    std::vector<dat::RecordId> addBuilding(const BuildingPlan& plan, const Placement& at);
+    /// Adds exterior and cells. All of them share one frame, so that points that agree in the plan agree to
+    /// the bit in the world. Returns the cells' ids in the plan's order. Requires: every portal face finds
+    /// its partner.
+    std::vector<dat::RecordId> addBuilding(BuildingPlan plan, const Placement& at);
     /// True if the block needs no LandBlockInfo.
-    [[nodiscard]] bool empty() const { return info_.objects.empty() && info_.buildings.empty() && info_.numCells == 0; }
+    [[nodiscard]] bool empty() const {
+        return info_.objects.empty() && info_.buildings.empty() && info_.numCells == 0;
+    }
     /// Adds the LandBlockInfo to the records.
     void finish();
 

@@ -53,7 +53,8 @@ void drawLeaf(Canvas& canvas, const Leaf& leaf, bool wrap) {
             if (edge <= 0.0) {
                 continue;
             }
-            const float rib = static_cast<float>(1.0 + 0.18 * std::exp(-across * across * 24.0) - 0.12 * (across > 0.0));
+            const float rib =
+                static_cast<float>(1.0 + 0.18 * std::exp(-across * across * 24.0) - 0.12 * (across > 0.0));
             const Vec4f colour{Vec3f(leaf.colour) * rib, leaf.colour.w};
             blendOver(canvas.wrapped(x, y), colour, edge * 0.5 * leaf.width + 0.3);
         }

@@ -29,7 +29,9 @@ public:
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] Vec4f& at(int x, int y) { return texels_[static_cast<std::size_t>(y * width_ + x)]; }
-    [[nodiscard]] const Vec4f& at(int x, int y) const { return texels_[static_cast<std::size_t>(y * width_ + x)]; }
+    [[nodiscard]] const Vec4f& at(int x, int y) const {
+        return texels_[static_cast<std::size_t>(y * width_ + x)];
+    }
     /// The texel there when the picture repeats in both directions.
     [[nodiscard]] Vec4f& wrapped(int x, int y) {
         return at(((x % width_) + width_) % width_, ((y % height_) + height_) % height_);
@@ -57,8 +59,8 @@ struct Leaf {
 /// `wrap` repeats it across the borders; otherwise what lies outside is cut off.
 void drawLeaf(Canvas& canvas, const Leaf& leaf, bool wrap);
 
-/// Gives transparent texels the colour of opaque ones near by (no dark fringes when the picture is filtered); the alpha
-/// is kept.
+/// Gives transparent texels the colour of opaque ones near by (no dark fringes when the picture is filtered);
+/// the alpha is kept.
 void bleedColour(Canvas& canvas);
 
 } // namespace limen::demo

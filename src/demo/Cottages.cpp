@@ -24,8 +24,10 @@ HouseShell cottageShell() {
     shell.ground = -kFloorAboveGround;
     shell.chimneyX = 5.15;
     shell.chimneyY = 2.5;
-    shell.holes = {{Side::South, {-0.6, 0.0, 0.6, 2.1}, true},   {Side::South, {-4.1, 0.9, -2.9, 2.0}, false},
-                   {Side::South, {2.9, 0.9, 4.1, 2.0}, false},   {Side::North, {-0.9, 0.8, 0.9, 2.0}, false},
+    shell.holes = {{Side::South, {-0.6, 0.0, 0.6, 2.1}, true},
+                   {Side::South, {-4.1, 0.9, -2.9, 2.0}, false},
+                   {Side::South, {2.9, 0.9, 4.1, 2.0}, false},
+                   {Side::North, {-0.9, 0.8, 0.9, 2.0}, false},
                    {Side::East, {6.6, 0.9, 7.8, 2.0}, false}};
     return shell;
 }
@@ -50,9 +52,13 @@ CellPlan frontRoom(ModelSink& sink, const Furniture& f) {
     const Rect west{-4.1, 0.9, -2.9, 2.0};
     const Rect east{2.9, 0.9, 4.1, 2.0};
     const Rect inner{-0.8, 0.0, 0.8, 2.1};
-    CellPlan cell = roomWithOpenings({.name = "front", .min = {-5.7, 0.3, 0.0}, .max = {5.7, 4.7, kRoomHeight}, .floor = Material::Planks},
-                                     {{Side::South, door}, {Side::South, west}, {Side::South, east}, {Side::North, inner}});
-    const dat::RecordId trim = addTrim(sink, {{{Side::South, door}, 0.3}, {{Side::South, west}, 0.3}, {{Side::South, east}, 0.3}, {{Side::North, inner}, 4.7}});
+    CellPlan cell = roomWithOpenings(
+        {.name = "front", .min = {-5.7, 0.3, 0.0}, .max = {5.7, 4.7, kRoomHeight}, .floor = Material::Planks},
+        {{Side::South, door}, {Side::South, west}, {Side::South, east}, {Side::North, inner}});
+    const dat::RecordId trim = addTrim(sink, {{{Side::South, door}, 0.3},
+                                              {{Side::South, west}, 0.3},
+                                              {{Side::South, east}, 0.3},
+                                              {{Side::North, inner}, 4.7}});
     cell.statics = {{trim, {}},
                     {addJoists(sink, 4.4, 11.4, 1.9), {{0.0, 2.5, kRoomHeight}, 90.0}},
                     {f.fireplace, {{5.69, 2.5, 0.0}, -90.0}},
@@ -77,9 +83,11 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
     const Rect north{-0.9, 0.8, 0.9, 2.0};
     const Rect east{6.6, 0.9, 7.8, 2.0};
     const Rect stairs{-2.2, kStairsTopY, -1.0, 9.5};
-    CellPlan cell = roomWithOpenings({.name = "rear", .min = {-5.7, 4.9, 0.0}, .max = {5.7, 9.7, kRoomHeight}, .floor = Material::Planks},
-                                     {{Side::South, inner}, {Side::North, north}, {Side::East, east}, {Side::Floor, stairs}});
-    const dat::RecordId trim = addTrim(sink, {{{Side::South, inner}, 4.9}, {{Side::North, north}, 9.7}, {{Side::East, east}, 5.7}});
+    CellPlan cell = roomWithOpenings(
+        {.name = "rear", .min = {-5.7, 4.9, 0.0}, .max = {5.7, 9.7, kRoomHeight}, .floor = Material::Planks},
+        {{Side::South, inner}, {Side::North, north}, {Side::East, east}, {Side::Floor, stairs}});
+    const dat::RecordId trim =
+        addTrim(sink, {{{Side::South, inner}, 4.9}, {{Side::North, north}, 9.7}, {{Side::East, east}, 5.7}});
     const dat::RecordId railing = addRailing(sink, 3.6);
     cell.statics = {{trim, {}},
                     {addJoists(sink, 4.8, 11.4, 1.9), {{0.0, 7.3, kRoomHeight}, 90.0}},
@@ -103,7 +111,10 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
 CellPlan stairwell(ModelSink& sink) {
     const Rect top{-2.2, kStairsTopY, -1.0, 9.5};
     const Rect side{8.55, -2.6, 9.45, -0.6};
-    CellPlan cell = roomWithOpenings({.name = "stairs", .min = {-2.2, kStairsTopY, -2.6}, .max = {-1.0, 9.5, 0.0}, .floor = Material::Flagstones,
+    CellPlan cell = roomWithOpenings({.name = "stairs",
+                                      .min = {-2.2, kStairsTopY, -2.6},
+                                      .max = {-1.0, 9.5, 0.0},
+                                      .floor = Material::Flagstones,
                                       .walls = Material::StoneWall},
                                      {{Side::Ceiling, top}, {Side::East, side}});
     cell.statics = {{addStairs(sink, {}), {{kStairsX, kStairsTopY, 0.0}, 0.0}}};
@@ -112,8 +123,12 @@ CellPlan stairwell(ModelSink& sink) {
 
 CellPlan cellar(ModelSink& sink, const Furniture& f) {
     const Rect door{8.55, -2.6, 9.45, -0.6};
-    CellPlan cell = roomWithOpenings({.name = "cellar", .min = {-0.8, 3.2, -2.6}, .max = {5.2, 9.5, -0.45}, .floor = Material::Flagstones,
-                                      .walls = Material::StoneWall, .ceiling = Material::OldPlanks},
+    CellPlan cell = roomWithOpenings({.name = "cellar",
+                                      .min = {-0.8, 3.2, -2.6},
+                                      .max = {5.2, 9.5, -0.45},
+                                      .floor = Material::Flagstones,
+                                      .walls = Material::StoneWall,
+                                      .ceiling = Material::OldPlanks},
                                      {{Side::West, door}});
     constexpr double kFloor = -2.6;
     cell.statics = {{addTrim(sink, {{{Side::West, door}, -0.8}}), {}},
@@ -133,10 +148,12 @@ CellPlan cellar(ModelSink& sink, const Furniture& f) {
     return cell;
 }
 
-CellPlan doorway(const char* name, const Vec3& min, const Vec3& max, bool alongY, Material walls, Material floor) {
+CellPlan doorway(const char* name, const Vec3& min, const Vec3& max, bool alongY, Material walls,
+                 Material floor) {
     const Rect rect = alongY ? Rect{min.x, min.z, max.x, max.z} : Rect{min.y, min.z, max.y, max.z};
-    return roomWithOpenings({.name = name, .min = min, .max = max, .floor = floor, .walls = walls, .ceiling = Material::Beam},
-                            {{alongY ? Side::South : Side::West, rect}, {alongY ? Side::North : Side::East, rect}});
+    return roomWithOpenings(
+        {.name = name, .min = min, .max = max, .floor = floor, .walls = walls, .ceiling = Material::Beam},
+        {{alongY ? Side::South : Side::West, rect}, {alongY ? Side::North : Side::East, rect}});
 }
 
 } // namespace
@@ -146,10 +163,12 @@ BuildingPlan planCottage(ModelSink& sink, const Furniture& furniture) {
     plan.name = "cottage";
     plan.exterior = buildHouseShell(cottageShell());
     plan.cells.push_back(frontRoom(sink, furniture));
-    plan.cells.push_back(doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, true, Material::Beam, Material::Oak));
+    plan.cells.push_back(
+        doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, true, Material::Beam, Material::Oak));
     plan.cells.push_back(rearRoom(sink, furniture));
     plan.cells.push_back(stairwell(sink));
-    plan.cells.push_back(doorway("cellar.doorway", {-1.0, 8.55, -2.6}, {-0.8, 9.45, -0.6}, false, Material::StoneWall, Material::Flagstones));
+    plan.cells.push_back(doorway("cellar.doorway", {-1.0, 8.55, -2.6}, {-0.8, 9.45, -0.6}, false,
+                                 Material::StoneWall, Material::Flagstones));
     plan.cells.push_back(cellar(sink, furniture));
     return plan;
 }
@@ -168,7 +187,11 @@ BuildingPlan planNeighbour(ModelSink& sink, const Furniture& f) {
     }
     openings.push_back({Side::North, inner});
     trims.emplace_back(openings.back(), 4.4);
-    CellPlan room = roomWithOpenings({.name = "room", .min = {-3.7, 0.3, 0.0}, .max = {3.7, 4.4, kRoomHeight}, .floor = Material::Flagstones}, openings);
+    CellPlan room = roomWithOpenings({.name = "room",
+                                      .min = {-3.7, 0.3, 0.0},
+                                      .max = {3.7, 4.4, kRoomHeight},
+                                      .floor = Material::Flagstones},
+                                     openings);
     room.statics = {{addTrim(sink, trims), {}},
                     {addJoists(sink, 4.1, 7.4, 1.8), {{0.0, 2.35, kRoomHeight}, 90.0}},
                     {f.fireplace, {{-3.69, 2.4, 0.0}, 90.0}},
@@ -181,10 +204,12 @@ BuildingPlan planNeighbour(ModelSink& sink, const Furniture& f) {
                     {f.rug, {{-1.3, 2.2, 0.0}, 90.0}},
                     {f.barrel, {{-1.3, 4.0, 0.0}, 0.0}}};
     plan.cells.push_back(std::move(room));
-    plan.cells.push_back(doorway("doorway", {-0.6, 4.4, 0.0}, {0.6, 4.6, 2.1}, true, Material::Beam, Material::Oak));
+    plan.cells.push_back(
+        doorway("doorway", {-0.6, 4.4, 0.0}, {0.6, 4.6, 2.1}, true, Material::Beam, Material::Oak));
     const Rect window = shell.holes[3].rect;
-    CellPlan back = roomWithOpenings({.name = "back", .min = {-3.7, 4.6, 0.0}, .max = {3.7, 6.7, kRoomHeight}, .floor = Material::Planks},
-                                     {{Side::South, inner}, {Side::North, window}});
+    CellPlan back = roomWithOpenings(
+        {.name = "back", .min = {-3.7, 4.6, 0.0}, .max = {3.7, 6.7, kRoomHeight}, .floor = Material::Planks},
+        {{Side::South, inner}, {Side::North, window}});
     back.statics = {{addTrim(sink, {{{Side::South, inner}, 4.6}, {{Side::North, window}, 6.7}}), {}},
                     {f.bed, {{-2.4, 5.9, 0.0}, 90.0}},
                     {f.chest, {{2.6, 6.35, 0.0}, 0.0}},

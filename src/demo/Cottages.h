@@ -5,12 +5,13 @@
 
 namespace limen::demo {
 
-/// The cottage north of the lane: front room with the front door, rear room with a window in line with it, stairs down
-/// to a cellar below grade. Cells in the order of CottageCell.
+/// The cottage north of the lane: front room with the front door, rear room with a window in line with it,
+/// stairs down to a cellar below grade. Cells in the order of CottageCell.
 enum class CottageCell : std::uint32_t { Front, Doorway, Rear, Stairwell, CellarDoorway, Cellar };
 [[nodiscard]] BuildingPlan planCottage(ModelSink& sink, const Furniture& furniture);
 
-/// The neighbour's, across the lane: a room with door and windows, a back room with a window in line with the door.
+/// The neighbour's, across the lane: a room with door and windows, a back room with a window in line with the
+/// door.
 enum class NeighbourCell : std::uint32_t { Room, Doorway, BackRoom };
 [[nodiscard]] BuildingPlan planNeighbour(ModelSink& sink, const Furniture& furniture);
 

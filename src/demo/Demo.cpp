@@ -29,7 +29,8 @@ Result<void> writeText(const std::filesystem::path& path, const std::string& tex
     if (!file || error) {
         std::error_code ignored;
         std::filesystem::remove(part, ignored);
-        return fail(ErrorCode::Unreadable, path.string(), "cannot be written; check the folder's permissions and free space");
+        return fail(ErrorCode::Unreadable, path.string(),
+                    "cannot be written; check the folder's permissions and free space");
     }
     return {};
 }
@@ -40,7 +41,8 @@ Result<void> writeBuiltInWorld(const std::filesystem::path& directory) {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     if (error) {
-        return fail(ErrorCode::Unreadable, directory.string(), "the folder cannot be made: " + error.message());
+        return fail(ErrorCode::Unreadable, directory.string(),
+                    "the folder cannot be made: " + error.message());
     }
     const WorldRecords records = buildBuiltInWorld();
     dat::Writer portal(dat::FileTraits::portal());

@@ -7,10 +7,13 @@ namespace {
 constexpr std::uint32_t kCandleLight = 0xFFFFC070;
 constexpr std::uint32_t kFireLight = 0xFFFF9040;
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) { return sink.addSetup({{sink.addMesh(mesh), {}}}); }
+dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
+    return sink.addSetup({{sink.addMesh(mesh), {}}});
+}
 
 /// Four legs and what rests on them, as parts.
-dat::RecordId onLegs(ModelSink& sink, const MeshBuilder& top, double x, double y, double height, double thick) {
+dat::RecordId onLegs(ModelSink& sink, const MeshBuilder& top, double x, double y, double height,
+                     double thick) {
     MeshBuilder leg;
     leg.beam({-thick / 2, -thick / 2, 0.0}, {thick / 2, thick / 2, height}, Material::Oak);
     const dat::RecordId legId = sink.addMesh(leg);
@@ -100,12 +103,32 @@ dat::RecordId addShelf(ModelSink& sink) {
     }
     mesh.beam({-0.57, -0.02, 0.0}, {0.57, 0.0, 1.95}, Material::OldPlanks);
     for (const double z : {0.58, 1.05}) {
-        mesh.card({Vec3(-0.52, -0.24, z), Vec3(0.28, -0.24, z), Vec3(0.28, -0.24, z + 0.33), Vec3(-0.52, -0.24, z + 0.33)}, Material::Books, false);
+        mesh.card({Vec3(-0.52, -0.24, z), Vec3(0.28, -0.24, z), Vec3(0.28, -0.24, z + 0.33),
+                   Vec3(-0.52, -0.24, z + 0.33)},
+                  Material::Books, false);
         mesh.box({-0.52, -0.235, z}, {0.28, -0.03, z + 0.27}, Material::Linen);
     }
-    mesh.cylinder({.base = {0.42, -0.16, 1.05}, .lower = 0.07, .upper = 0.09, .height = 0.16, .sides = 10, .side = Material::Brick, .cap = Material::Brick});
-    mesh.cylinder({.base = {-0.3, -0.16, 1.52}, .lower = 0.10, .upper = 0.06, .height = 0.24, .sides = 10, .side = Material::Brick, .cap = Material::Iron});
-    mesh.cylinder({.base = {0.1, -0.16, 1.52}, .lower = 0.08, .upper = 0.10, .height = 0.12, .sides = 10, .side = Material::Brick, .cap = Material::Iron});
+    mesh.cylinder({.base = {0.42, -0.16, 1.05},
+                   .lower = 0.07,
+                   .upper = 0.09,
+                   .height = 0.16,
+                   .sides = 10,
+                   .side = Material::Brick,
+                   .cap = Material::Brick});
+    mesh.cylinder({.base = {-0.3, -0.16, 1.52},
+                   .lower = 0.10,
+                   .upper = 0.06,
+                   .height = 0.24,
+                   .sides = 10,
+                   .side = Material::Brick,
+                   .cap = Material::Iron});
+    mesh.cylinder({.base = {0.1, -0.16, 1.52},
+                   .lower = 0.08,
+                   .upper = 0.10,
+                   .height = 0.12,
+                   .sides = 10,
+                   .side = Material::Brick,
+                   .cap = Material::Iron});
     mesh.box({-0.4, -0.26, 0.11}, {0.2, -0.04, 0.36}, Material::OldPlanks);
     return single(sink, mesh);
 }
@@ -116,7 +139,8 @@ dat::RecordId addFireplace(ModelSink& sink) {
     mesh.box({0.62, -0.62, 0.0}, {1.05, 0.0, 1.25}, Material::StoneWall);
     mesh.beam({-1.12, -0.68, 1.25}, {1.12, 0.0, 1.45}, Material::Beam);
     mesh.box({-0.85, -0.52, 1.45}, {0.85, 0.0, 2.5}, Material::StoneWall);
-    mesh.polygon({{-0.62, -0.03, 0.0}, {0.62, -0.03, 0.0}, {0.62, -0.03, 1.25}, {-0.62, -0.03, 1.25}}, Material::Brick);
+    mesh.polygon({{-0.62, -0.03, 0.0}, {0.62, -0.03, 0.0}, {0.62, -0.03, 1.25}, {-0.62, -0.03, 1.25}},
+                 Material::Brick);
     mesh.box({-1.15, -1.05, 0.0}, {1.15, -0.62, 0.05}, Material::Flagstones);
     mesh.box({-0.62, -0.62, 0.0}, {0.62, -0.03, 0.05}, Material::Brick);
     for (const double x : {-0.28, 0.28}) {
@@ -128,8 +152,12 @@ dat::RecordId addFireplace(ModelSink& sink) {
     MeshBuilder flames;
     for (const double x : {-0.16, 0.0, 0.17}) {
         const double high = x == 0.0 ? 0.52 : 0.36;
-        flames.card({Vec3(x - 0.15, -0.27, 0.15), Vec3(x + 0.15, -0.27, 0.15), Vec3(x + 0.15, -0.27, 0.15 + high), Vec3(x - 0.15, -0.27, 0.15 + high)}, Material::Flame, true);
-        flames.card({Vec3(x, -0.40, 0.15), Vec3(x, -0.14, 0.15), Vec3(x, -0.14, 0.12 + high), Vec3(x, -0.40, 0.12 + high)}, Material::Flame, true);
+        flames.card({Vec3(x - 0.15, -0.27, 0.15), Vec3(x + 0.15, -0.27, 0.15),
+                     Vec3(x + 0.15, -0.27, 0.15 + high), Vec3(x - 0.15, -0.27, 0.15 + high)},
+                    Material::Flame, true);
+        flames.card({Vec3(x, -0.40, 0.15), Vec3(x, -0.14, 0.15), Vec3(x, -0.14, 0.12 + high),
+                     Vec3(x, -0.40, 0.12 + high)},
+                    Material::Flame, true);
     }
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flames, false), {}}},
                          {{{0.0, -0.75, 0.55}, kFireLight, 1.0, 7.0}});
@@ -137,11 +165,18 @@ dat::RecordId addFireplace(ModelSink& sink) {
 
 dat::RecordId addBarrel(ModelSink& sink) {
     MeshBuilder mesh;
-    const std::array<Vec2, 5> rings{Vec2{0.29, 0.0}, Vec2{0.345, 0.24}, Vec2{0.365, 0.45}, Vec2{0.345, 0.66}, Vec2{0.29, 0.90}};
+    const std::array<Vec2, 5> rings{Vec2{0.29, 0.0}, Vec2{0.345, 0.24}, Vec2{0.365, 0.45}, Vec2{0.345, 0.66},
+                                    Vec2{0.29, 0.90}};
     for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
         MeshBuilder ring;
-        ring.cylinder({.base = {0, 0, rings[k].y}, .lower = rings[k].x, .upper = rings[k + 1].x, .height = rings[k + 1].y - rings[k].y,
-                       .sides = 14, .side = Material::BarrelStaves, .wrapOnce = true, .caps = false});
+        ring.cylinder({.base = {0, 0, rings[k].y},
+                       .lower = rings[k].x,
+                       .upper = rings[k + 1].x,
+                       .height = rings[k + 1].y - rings[k].y,
+                       .sides = 14,
+                       .side = Material::BarrelStaves,
+                       .wrapOnce = true,
+                       .caps = false});
         for (Face& face : ring.faces()) {
             for (std::size_t i = 0; i < face.uvs.size(); ++i) {
                 face.uvs[i].y = 1.0 - face.points[i].z / 0.90;
@@ -150,7 +185,13 @@ dat::RecordId addBarrel(ModelSink& sink) {
         }
     }
     MeshBuilder lid;
-    lid.cylinder({.base = {0, 0, 0.0}, .lower = 0.28, .upper = 0.28, .height = 0.87, .sides = 14, .side = Material::Oak, .cap = Material::OldPlanks});
+    lid.cylinder({.base = {0, 0, 0.0},
+                  .lower = 0.28,
+                  .upper = 0.28,
+                  .height = 0.87,
+                  .sides = 14,
+                  .side = Material::Oak,
+                  .cap = Material::OldPlanks});
     mesh.add(lid.faces()[lid.faces().size() - 2]);
     return single(sink, mesh);
 }
@@ -172,51 +213,91 @@ dat::RecordId addCrate(ModelSink& sink) {
 
 dat::RecordId addSacks(ModelSink& sink) {
     MeshBuilder sack;
-    const std::array<Vec2, 5> rings{Vec2{0.24, 0.0}, Vec2{0.30, 0.18}, Vec2{0.26, 0.42}, Vec2{0.10, 0.56}, Vec2{0.15, 0.64}};
+    const std::array<Vec2, 5> rings{Vec2{0.24, 0.0}, Vec2{0.30, 0.18}, Vec2{0.26, 0.42}, Vec2{0.10, 0.56},
+                                    Vec2{0.15, 0.64}};
     for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
-        sack.cylinder({.base = {0, 0, rings[k].y}, .lower = rings[k].x, .upper = rings[k + 1].x, .height = rings[k + 1].y - rings[k].y,
-                       .sides = 10, .side = Material::Linen, .cap = Material::Linen, .caps = k + 2 == rings.size()});
+        sack.cylinder({.base = {0, 0, rings[k].y},
+                       .lower = rings[k].x,
+                       .upper = rings[k + 1].x,
+                       .height = rings[k + 1].y - rings[k].y,
+                       .sides = 10,
+                       .side = Material::Linen,
+                       .cap = Material::Linen,
+                       .caps = k + 2 == rings.size()});
     }
     const dat::RecordId id = sink.addMesh(sack);
-    return sink.addSetup({{id, {{-0.3, 0.0, 0.0}, 15.0}}, {id, {{0.28, 0.06, 0.0}, 80.0}}, {id, {{0.0, -0.45, 0.0}, 140.0}}});
+    return sink.addSetup(
+        {{id, {{-0.3, 0.0, 0.0}, 15.0}}, {id, {{0.28, 0.06, 0.0}, 80.0}}, {id, {{0.0, -0.45, 0.0}, 140.0}}});
 }
 
 void addFlameCards(MeshBuilder& mesh, const Vec3& foot, double size) {
     const double w = 0.35 * size;
-    mesh.card({foot + Vec3(-w, 0, 0), foot + Vec3(w, 0, 0), foot + Vec3(w, 0, size), foot + Vec3(-w, 0, size)}, Material::Flame, true);
-    mesh.card({foot + Vec3(0, -w, 0), foot + Vec3(0, w, 0), foot + Vec3(0, w, size), foot + Vec3(0, -w, size)}, Material::Flame, true);
+    mesh.card(
+        {foot + Vec3(-w, 0, 0), foot + Vec3(w, 0, 0), foot + Vec3(w, 0, size), foot + Vec3(-w, 0, size)},
+        Material::Flame, true);
+    mesh.card(
+        {foot + Vec3(0, -w, 0), foot + Vec3(0, w, 0), foot + Vec3(0, w, size), foot + Vec3(0, -w, size)},
+        Material::Flame, true);
 }
 
 dat::RecordId addCandle(ModelSink& sink) {
     MeshBuilder mesh;
-    mesh.cylinder({.base = {0, 0, 0}, .lower = 0.075, .upper = 0.065, .height = 0.02, .sides = 10, .side = Material::Iron, .cap = Material::Iron});
-    mesh.cylinder({.base = {0, 0, 0.02}, .lower = 0.024, .upper = 0.022, .height = 0.15, .sides = 8, .side = Material::Wax, .cap = Material::Wax});
+    mesh.cylinder({.base = {0, 0, 0},
+                   .lower = 0.075,
+                   .upper = 0.065,
+                   .height = 0.02,
+                   .sides = 10,
+                   .side = Material::Iron,
+                   .cap = Material::Iron});
+    mesh.cylinder({.base = {0, 0, 0.02},
+                   .lower = 0.024,
+                   .upper = 0.022,
+                   .height = 0.15,
+                   .sides = 8,
+                   .side = Material::Wax,
+                   .cap = Material::Wax});
     MeshBuilder flame;
     addFlameCards(flame, {0, 0, 0.17}, 0.09);
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flame, false), {}}}, {{{0, 0, 0.32}, kCandleLight, 0.8, 6.0}});
+    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flame, false), {}}},
+                         {{{0, 0, 0.32}, kCandleLight, 0.8, 6.0}});
 }
 
 dat::RecordId addLantern(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-0.006, -0.006, -0.22}, {0.006, 0.006, 0.0}, Material::Iron);
-    mesh.cylinder({.base = {0, 0, -0.30}, .lower = 0.13, .upper = 0.03, .height = 0.09, .sides = 8, .side = Material::Iron, .cap = Material::Iron});
+    mesh.cylinder({.base = {0, 0, -0.30},
+                   .lower = 0.13,
+                   .upper = 0.03,
+                   .height = 0.09,
+                   .sides = 8,
+                   .side = Material::Iron,
+                   .cap = Material::Iron});
     mesh.box({-0.10, -0.10, -0.58}, {0.10, 0.10, -0.55}, Material::Iron);
     for (const double x : {-0.095, 0.075}) {
         for (const double y : {-0.095, 0.075}) {
             mesh.beam({x, y, -0.55}, {x + 0.02, y + 0.02, -0.30}, Material::Iron);
         }
     }
-    mesh.cylinder({.base = {0, 0, -0.55}, .lower = 0.025, .upper = 0.022, .height = 0.10, .sides = 8, .side = Material::Wax, .cap = Material::Wax});
+    mesh.cylinder({.base = {0, 0, -0.55},
+                   .lower = 0.025,
+                   .upper = 0.022,
+                   .height = 0.10,
+                   .sides = 8,
+                   .side = Material::Wax,
+                   .cap = Material::Wax});
     MeshBuilder glass;
     addFlameCards(glass, {0, 0, -0.45}, 0.10);
     glass.box({-0.078, -0.078, -0.545}, {0.078, 0.078, -0.31}, Material::LampGlass);
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(glass, false), {}}}, {{{0, 0, -0.72}, kCandleLight, 1.0, 8.0}});
+    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(glass, false), {}}},
+                         {{{0, 0, -0.72}, kCandleLight, 1.0, 8.0}});
 }
 
 dat::RecordId addRug(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.box({-1.1, -0.75, 0.0}, {1.1, 0.75, 0.012}, Material::Linen);
-    mesh.card({Vec3(-1.1, -0.75, 0.014), Vec3(1.1, -0.75, 0.014), Vec3(1.1, 0.75, 0.014), Vec3(-1.1, 0.75, 0.014)}, Material::Rug, false);
+    mesh.card(
+        {Vec3(-1.1, -0.75, 0.014), Vec3(1.1, -0.75, 0.014), Vec3(1.1, 0.75, 0.014), Vec3(-1.1, 0.75, 0.014)},
+        Material::Rug, false);
     return single(sink, mesh);
 }
 
@@ -239,11 +320,29 @@ Furniture addFurniture(ModelSink& sink) {
     f.candle = addCandle(sink);
     f.lantern = addLantern(sink);
     MeshBuilder jug;
-    jug.cylinder({.base = {0, 0, 0}, .lower = 0.06, .upper = 0.085, .height = 0.10, .sides = 10, .side = Material::Brick, .caps = false});
-    jug.cylinder({.base = {0, 0, 0.10}, .lower = 0.085, .upper = 0.05, .height = 0.12, .sides = 10, .side = Material::Brick, .cap = Material::Iron});
+    jug.cylinder({.base = {0, 0, 0},
+                  .lower = 0.06,
+                  .upper = 0.085,
+                  .height = 0.10,
+                  .sides = 10,
+                  .side = Material::Brick,
+                  .caps = false});
+    jug.cylinder({.base = {0, 0, 0.10},
+                  .lower = 0.085,
+                  .upper = 0.05,
+                  .height = 0.12,
+                  .sides = 10,
+                  .side = Material::Brick,
+                  .cap = Material::Iron});
     f.jug = single(sink, jug);
     MeshBuilder bowl;
-    bowl.cylinder({.base = {0, 0, 0}, .lower = 0.05, .upper = 0.12, .height = 0.06, .sides = 12, .side = Material::Oak, .cap = Material::Linen});
+    bowl.cylinder({.base = {0, 0, 0},
+                   .lower = 0.05,
+                   .upper = 0.12,
+                   .height = 0.06,
+                   .sides = 12,
+                   .side = Material::Oak,
+                   .cap = Material::Linen});
     f.bowl = single(sink, bowl);
     return f;
 }
@@ -253,7 +352,8 @@ dat::RecordId addJoists(ModelSink& sink, double across, double along, double spa
     const int count = std::max(1, static_cast<int>(along / spacing));
     for (int k = 0; k < count; ++k) {
         const double y = along * ((k + 0.5) / count - 0.5);
-        mesh.beam({-across / 2 + 0.01, y - 0.07, -0.17}, {across / 2 - 0.01, y + 0.07, -0.002}, Material::Beam);
+        mesh.beam({-across / 2 + 0.01, y - 0.07, -0.17}, {across / 2 - 0.01, y + 0.07, -0.002},
+                  Material::Beam);
     }
     return single(sink, mesh);
 }

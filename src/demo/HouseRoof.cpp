@@ -8,7 +8,8 @@ constexpr double kOverhang = 0.55; ///< beyond the wall, measured level
 constexpr double kGableOverhang = 0.42;
 constexpr double kThick = 0.42;
 
-/// One slope's outline from the eave to the ridge, as (y, z) with the normal of each point; the other slope is its mirror.
+/// One slope's outline from the eave to the ridge, as (y, z) with the normal of each point; the other slope
+/// is its mirror.
 struct Outline {
     Vec2 point, normal;
 };
@@ -34,15 +35,22 @@ std::vector<Outline> slopeOutline(const RoofSpec& r) {
 
 Face slopeStrip(const RoofSpec& r, const Outline& a, const Outline& b, double along, bool south) {
     const double x = r.halfWidth + kGableOverhang;
-    const auto at = [&](double px, const Outline& o) { return Vec3(px, south ? o.point.x : r.depth - o.point.x, o.point.y); };
-    const auto normal = [&](const Outline& o) { return Vec3(0.0, south ? o.normal.x : -o.normal.x, o.normal.y); };
+    const auto at = [&](double px, const Outline& o) {
+        return Vec3(px, south ? o.point.x : r.depth - o.point.x, o.point.y);
+    };
+    const auto normal = [&](const Outline& o) {
+        return Vec3(0.0, south ? o.normal.x : -o.normal.x, o.normal.y);
+    };
     const double tile = metresPerTile(Material::Thatch);
     const double next = along + glm::length(b.point - a.point);
     Face face;
     face.material = Material::Thatch;
     face.points = {at(-x, a), at(x, a), at(x, b), at(-x, b)};
     face.normals = {normal(a), normal(a), normal(b), normal(b)};
-    face.uvs = {{-x / tile, -along / tile}, {x / tile, -along / tile}, {x / tile, -next / tile}, {-x / tile, -next / tile}};
+    face.uvs = {{-x / tile, -along / tile},
+                {x / tile, -along / tile},
+                {x / tile, -next / tile},
+                {-x / tile, -next / tile}};
     return south ? face : flipped(face);
 }
 
@@ -63,8 +71,11 @@ void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
     const auto y = [&](double v) { return south ? v : r.depth - v; };
     const double half = r.depth / 2.0;
     const Vec2 eave = outline.front().point;
-    Face under = planarFace({{-x, y(half), r.top + half * r.pitch}, {x, y(half), r.top + half * r.pitch},
-                             {x, y(eave.x), eave.y}, {-x, y(eave.x), eave.y}}, Material::OldPlanks);
+    Face under = planarFace({{-x, y(half), r.top + half * r.pitch},
+                             {x, y(half), r.top + half * r.pitch},
+                             {x, y(eave.x), eave.y},
+                             {-x, y(eave.x), eave.y}},
+                            Material::OldPlanks);
     mesh.add(south ? std::move(under) : flipped(std::move(under)));
     // The thickness seen at the gable ends, in pieces from the underside up to the outline.
     for (const double side : {-1.0, 1.0}) {
@@ -74,7 +85,8 @@ void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
                 return Vec3(side * x, y(v), r.top + v * r.pitch);
             };
             const auto onTop = [&](const Outline& o) { return Vec3(side * x, y(o.point.x), o.point.y); };
-            std::vector<Vec3> piece{below(outline[i]), below(outline[i + 1]), onTop(outline[i + 1]), onTop(outline[i])};
+            std::vector<Vec3> piece{below(outline[i]), below(outline[i + 1]), onTop(outline[i + 1]),
+                                    onTop(outline[i])};
             if (glm::length(piece[0] - piece[1]) < 1e-6) {
                 piece.erase(piece.begin());
             }
@@ -105,7 +117,8 @@ void addRidge(MeshBuilder& mesh, const RoofSpec& r) {
         quad(crest, edge);
         quad(edge, foot);
         for (const double end : {-1.0, 1.0}) {
-            std::vector<Vec3> piece{at(end * x, {0.0, -0.1}), at(end * x, foot), at(end * x, edge), at(end * x, crest)};
+            std::vector<Vec3> piece{at(end * x, {0.0, -0.1}), at(end * x, foot), at(end * x, edge),
+                                    at(end * x, crest)};
             if (end * side < 0.0) {
                 std::reverse(piece.begin(), piece.end());
             }
@@ -125,9 +138,16 @@ void addThatchedRoof(MeshBuilder& mesh, const RoofSpec& roof) {
 void addChimney(MeshBuilder& mesh, const Vec3& foot, double top) {
     const Vec3 wide(0.52, 0.45, 0.0);
     mesh.box(foot - wide, Vec3(foot.x, foot.y, top - 0.25) + wide, Material::StoneWall);
-    mesh.box(Vec3(foot.x, foot.y, top - 0.25) - wide * 1.17, Vec3(foot.x, foot.y, top - 0.1) + wide * 1.17, Material::StoneWall);
-    mesh.box(Vec3(foot.x, foot.y, top - 0.1) - wide * 1.04, Vec3(foot.x, foot.y, top) + wide * 1.04, Material::StoneWall);
-    mesh.cylinder({.base = {foot.x, foot.y, top}, .lower = 0.19, .upper = 0.15, .height = 0.4, .sides = 10, .side = Material::Brick,
+    mesh.box(Vec3(foot.x, foot.y, top - 0.25) - wide * 1.17, Vec3(foot.x, foot.y, top - 0.1) + wide * 1.17,
+             Material::StoneWall);
+    mesh.box(Vec3(foot.x, foot.y, top - 0.1) - wide * 1.04, Vec3(foot.x, foot.y, top) + wide * 1.04,
+             Material::StoneWall);
+    mesh.cylinder({.base = {foot.x, foot.y, top},
+                   .lower = 0.19,
+                   .upper = 0.15,
+                   .height = 0.4,
+                   .sides = 10,
+                   .side = Material::Brick,
                    .cap = Material::Iron});
 }
 

@@ -6,26 +6,33 @@ namespace limen::demo {
 
 namespace {
 
-constexpr double kPost = 0.17;     ///< width of a timber
-constexpr double kProud = 0.045;   ///< how far timbers stand out from the plaster
-constexpr double kBedded = 0.03;   ///< and how far they reach into it
+constexpr double kPost = 0.17;   ///< width of a timber
+constexpr double kProud = 0.045; ///< how far timbers stand out from the plaster
+constexpr double kBedded = 0.03; ///< and how far they reach into it
 constexpr double kPlinthTop = 0.38;
 
 constexpr std::array kWalls{Side::West, Side::East, Side::South, Side::North};
 
 double outerPlane(const HouseShell& h, Side side) {
     switch (side) {
-    case Side::West: return -h.halfWidth;
-    case Side::East: return h.halfWidth;
-    case Side::South: return 0.0;
-    default: return h.depth;
+    case Side::West:
+        return -h.halfWidth;
+    case Side::East:
+        return h.halfWidth;
+    case Side::South:
+        return 0.0;
+    default:
+        return h.depth;
     }
 }
 /// +1 if outside is towards larger coordinates.
-double outward(Side side) { return side == Side::East || side == Side::North || side == Side::Ceiling ? 1.0 : -1.0; }
+double outward(Side side) {
+    return side == Side::East || side == Side::North || side == Side::Ceiling ? 1.0 : -1.0;
+}
 
 std::pair<double, double> wallSpan(const HouseShell& h, Side side) {
-    return side == Side::West || side == Side::East ? std::pair{0.0, h.depth} : std::pair{-h.halfWidth, h.halfWidth};
+    return side == Side::West || side == Side::East ? std::pair{0.0, h.depth}
+                                                    : std::pair{-h.halfWidth, h.halfWidth};
 }
 
 /// A box on a wall: u,v on the wall, from `from` to `to` metres outwards from the plane `at`.
@@ -52,7 +59,8 @@ std::vector<Rect> holesOf(const HouseShell& h, Side side, double margin) {
     std::vector<Rect> out;
     for (const HouseShell::Hole& hole : h.holes) {
         if (hole.side == side) {
-            out.push_back({hole.rect.u0 - margin, hole.rect.v0 - margin, hole.rect.u1 + margin, hole.rect.v1 + margin});
+            out.push_back(
+                {hole.rect.u0 - margin, hole.rect.v0 - margin, hole.rect.u1 + margin, hole.rect.v1 + margin});
         }
     }
     return out;
@@ -63,7 +71,8 @@ void addReveals(std::vector<Face>& faces, const HouseShell& h, const HouseShell:
     const std::vector<Vec3> outer = rectOnSide(hole.side, outerPlane(h, hole.side), hole.rect);
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
-        const Material material = i == 0 ? (hole.door ? Material::Flagstones : Material::Beam) : Material::Plaster;
+        const Material material =
+            i == 0 ? (hole.door ? Material::Flagstones : Material::Beam) : Material::Plaster;
         faces.push_back(planarFace({inner[i], inner[j], outer[j], outer[i]}, material));
     }
     faces.push_back(flipped(portalFace(inner)));
@@ -99,10 +108,12 @@ void addPlinth(MeshBuilder& mesh, const HouseShell& h) {
         const auto [u0, u1] = wallSpan(h, side);
         const bool corner = side == Side::South || side == Side::North;
         const double extra = corner ? 0.08 : 0.0;
-        for (const Rect& r : withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.0))) {
+        for (const Rect& r :
+             withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.0))) {
             // Below a door's sill the stones carry the steps; they stop short of the floor.
             const double top = r.v1 < kPlinthTop ? r.v1 - 0.02 : r.v1;
-            const auto [min, max] = boxOnWall(side, outerPlane(h, side), {r.u0, r.v0, r.u1, top}, -kBedded, 0.08);
+            const auto [min, max] =
+                boxOnWall(side, outerPlane(h, side), {r.u0, r.v0, r.u1, top}, -kBedded, 0.08);
             mesh.box(min, max, Material::StoneWall);
         }
     }
@@ -128,7 +139,8 @@ void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side) {
     for (int k = 1; k < bays; ++k) {
         const double u = u0 + (u1 - u0) * k / bays;
         if (clearOf(holesOf(h, side, 0.16), u - kPost / 2, u + kPost / 2)) {
-            addTimber(mesh, h, side, {u - kPost / 2, kPlinthTop + kPost, u + kPost / 2, h.top - 0.22}, kProud - 0.01);
+            addTimber(mesh, h, side, {u - kPost / 2, kPlinthTop + kPost, u + kPost / 2, h.top - 0.22},
+                      kProud - 0.01);
         }
     }
     // Braces in the corner bays.
@@ -143,7 +155,8 @@ void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side) {
         const bool alongY = side == Side::West || side == Side::East;
         const Vec3 a = alongY ? Vec3(at, foot, kPlinthTop + kPost) : Vec3(foot, at, kPlinthTop + kPost);
         const Vec3 b = alongY ? Vec3(at, head, h.top - 0.4) : Vec3(head, at, h.top - 0.4);
-        mesh.strut(a, b, alongY ? Vec3(1, 0, 0) : Vec3(0, 1, 0), kProud + kBedded - 0.02, 0.14, Material::Beam);
+        mesh.strut(a, b, alongY ? Vec3(1, 0, 0) : Vec3(0, 1, 0), kProud + kBedded - 0.02, 0.14,
+                   Material::Beam);
     }
 }
 
@@ -192,7 +205,8 @@ void addDoorSteps(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hole
     const double foot = h.ground - 0.5;
     const double rise = -h.ground;
     const auto slab = [&](double wide, double from, double to, double top) {
-        const auto [min, max] = boxOnWall(hole.side, at, {middle - half - wide, foot, middle + half + wide, top}, from, to);
+        const auto [min, max] =
+            boxOnWall(hole.side, at, {middle - half - wide, foot, middle + half + wide, top}, from, to);
         mesh.box(min, max, Material::Flagstones);
     };
     slab(0.22, -0.02, 0.55, -rise / 3.0);
@@ -201,7 +215,9 @@ void addDoorSteps(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hole
 
 } // namespace
 
-double innerPlane(const HouseShell& h, Side side) { return outerPlane(h, side) - outward(side) * h.wall; }
+double innerPlane(const HouseShell& h, Side side) {
+    return outerPlane(h, side) - outward(side) * h.wall;
+}
 
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
     const double gap = 0.004;

@@ -4,17 +4,19 @@
 
 namespace limen::demo {
 
-/// A timber-framed house with a thatched gable roof, as seen from outside. Its own coordinates: z = 0 is the ground
-/// floor, the front wall lies at y = 0 and looks south, the ridge runs along x.
+/// A timber-framed house with a thatched gable roof, as seen from outside. Its own coordinates: z = 0 is the
+/// ground floor, the front wall lies at y = 0 and looks south, the ridge runs along x.
 struct HouseShell {
-    double halfWidth = 6.0, depth = 10.0; ///< outer measures: x from -halfWidth to halfWidth, y from 0 to depth
-    double wall = 0.3;                    ///< thickness
-    double base = -1.4, top = 2.75;       ///< the walls' lower and upper end
-    double pitch = 1.0;                   ///< rise of the roof per metre
-    double ground = -0.35;                ///< where the terrain lies
+    double halfWidth = 6.0,
+           depth = 10.0;            ///< outer measures: x from -halfWidth to halfWidth, y from 0 to depth
+    double wall = 0.3;              ///< thickness
+    double base = -1.4, top = 2.75; ///< the walls' lower and upper end
+    double pitch = 1.0;             ///< rise of the roof per metre
+    double ground = -0.35;          ///< where the terrain lies
     double chimneyX = 0.0, chimneyY = 0.0;
 
-    /// A hole through an outer wall. The portal lies in the wall's inner face; the reveals belong to the exterior.
+    /// A hole through an outer wall. The portal lies in the wall's inner face; the reveals belong to the
+    /// exterior.
     struct Hole {
         Side side = Side::South;
         Rect rect;
@@ -29,8 +31,9 @@ struct HouseShell {
 /// Walls, reveals, portals (in the order of the holes), plinth, timbers, roof, chimney, steps.
 [[nodiscard]] MeshBuilder buildHouseShell(const HouseShell& house);
 
-/// A timber frame around an opening, on the wall's face at `at`, reaching `out` metres from it into the room that the
-/// side looks into (negative: away from it). Leaves the opening itself free.
-void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& opening, double width, double out, bool sill);
+/// A timber frame around an opening, on the wall's face at `at`, reaching `out` metres from it into the room
+/// that the side looks into (negative: away from it). Leaves the opening itself free.
+void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& opening, double width, double out,
+              bool sill);
 
 } // namespace limen::demo

@@ -9,16 +9,16 @@ namespace limen::demo {
 
 /// What surfaces of the built-in world are made of. The order fixes the ids of the records.
 enum class Material : std::uint8_t {
-    Planks,      ///< floor boards, grain along u
-    OldPlanks,   ///< rough grey-brown boards: fences, crates, doors
-    Beam,        ///< dark oak, grain along u
-    Oak,         ///< furniture wood, grain along u
-    Plaster,     ///< lime-washed outer walls
+    Planks,    ///< floor boards, grain along u
+    OldPlanks, ///< rough grey-brown boards: fences, crates, doors
+    Beam,      ///< dark oak, grain along u
+    Oak,       ///< furniture wood, grain along u
+    Plaster,   ///< lime-washed outer walls
     InnerPlaster,
     StoneWall,
     Flagstones,
     Brick,
-    Thatch,      ///< stalks run down v
+    Thatch, ///< stalks run down v
     Bark,
     Rock,
     Leaves,      ///< cut-out
@@ -32,10 +32,10 @@ enum class Material : std::uint8_t {
     Books,
     BarrelStaves,
     LogEnds,
-    Iron,   ///< solid colour
-    Wax,    ///< solid colour
-    Embers, ///< glows
-    Flame,  ///< glows, additive
+    Iron,      ///< solid colour
+    Wax,       ///< solid colour
+    Embers,    ///< glows
+    Flame,     ///< glows, additive
     LampGlass, ///< glows, translucent
     WaterDark,
     SkyNight,
@@ -48,9 +48,20 @@ enum class Material : std::uint8_t {
 };
 
 /// Ground pictures, in the order of their ids.
-enum class Ground : std::uint8_t { Grassland, LushGrass, PatchyGrass, PackedDirt, ForestFloor, Rock, Moss, Road, Count };
+enum class Ground : std::uint8_t {
+    Grassland,
+    LushGrass,
+    PatchyGrass,
+    PackedDirt,
+    ForestFloor,
+    Rock,
+    Moss,
+    Road,
+    Count
+};
 
-/// Metres of surface that one repeat of the picture covers, along u and v. Unused for pictures drawn once on a card.
+/// Metres of surface that one repeat of the picture covers, along u and v. Unused for pictures drawn once on
+/// a card.
 [[nodiscard]] double metresPerTile(Material material);
 /// Id of the Surface record.
 [[nodiscard]] dat::RecordId surfaceId(Material material);

@@ -35,7 +35,9 @@ std::array<std::vector<Vec3>, 6> boxFaces(const Vec3& a, const Vec3& b) {
 }
 
 Vec2 shiftFor(const Vec3& p) {
-    const auto key = [](double v) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::llround(v * 64.0))); };
+    const auto key = [](double v) {
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::llround(v * 64.0)));
+    };
     const std::uint32_t h = hash(key(p.x), key(p.y), key(p.z));
     return {4.0 * random01(h, 1), 4.0 * random01(h, 2)};
 }
@@ -92,9 +94,13 @@ Face flipped(Face face) {
     return face;
 }
 
-Vec3 faceNormal(const Face& face) { return planeOf(face.points).n; }
+Vec3 faceNormal(const Face& face) {
+    return planeOf(face.points).n;
+}
 
-Vec3 place(const Placement& placement, const Vec3& point) { return placement.origin + turned(placement.turn, point); }
+Vec3 place(const Placement& placement, const Vec3& point) {
+    return placement.origin + turned(placement.turn, point);
+}
 
 void MeshBuilder::card(const std::array<Vec3, 4>& c, Material material, bool twoSided) {
     Face face;
@@ -113,14 +119,17 @@ void MeshBuilder::box(const Vec3& min, const Vec3& max, Material material) {
 
 void MeshBuilder::beam(const Vec3& min, const Vec3& max, Material material) {
     const Vec3 size = max - min;
-    const Vec3 grain = size.x >= size.y && size.x >= size.z ? Vec3(1, 0, 0) : size.y >= size.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+    const Vec3 grain = size.x >= size.y && size.x >= size.z ? Vec3(1, 0, 0)
+                       : size.y >= size.z                   ? Vec3(0, 1, 0)
+                                                            : Vec3(0, 0, 1);
     const Vec2 shift = shiftFor(min + max);
     for (auto& points : boxFaces(min, max)) {
         add(grainedFace(std::move(points), material, grain, shift));
     }
 }
 
-void MeshBuilder::strut(const Vec3& a, const Vec3& b, const Vec3& side, double wide, double deep, Material material) {
+void MeshBuilder::strut(const Vec3& a, const Vec3& b, const Vec3& side, double wide, double deep,
+                        Material material) {
     const double length = glm::length(b - a);
     const Vec3 along = (b - a) / length;
     const Vec3 across = glm::normalize(side - along * glm::dot(side, along));
@@ -135,7 +144,8 @@ void MeshBuilder::strut(const Vec3& a, const Vec3& b, const Vec3& side, double w
 
 void MeshBuilder::cylinder(const Round& r) {
     const double tile = metresPerTile(r.side);
-    const double around = r.wrapOnce ? 1.0 : std::max(1.0, std::round(2.0 * kPi * std::max(r.lower, r.upper) / tile));
+    const double around =
+        r.wrapOnce ? 1.0 : std::max(1.0, std::round(2.0 * kPi * std::max(r.lower, r.upper) / tile));
     const double down = r.wrapOnce ? 1.0 : r.height / tile;
     std::vector<Vec3> bottom;
     std::vector<Vec3> top;
@@ -214,7 +224,8 @@ public:
             vertex.normal = n;
             array_.vertices.emplace_back(static_cast<std::uint16_t>(slot->second), std::move(vertex));
         }
-        return {static_cast<std::uint16_t>(slot->second), uv != nullptr ? uvIndex(slot->second, Vec2f(*uv)) : std::uint8_t{0}};
+        return {static_cast<std::uint16_t>(slot->second),
+                uv != nullptr ? uvIndex(slot->second, Vec2f(*uv)) : std::uint8_t{0}};
     }
     dat::VertexArray take() { return std::move(array_); }
 

@@ -22,8 +22,10 @@ struct Face {
 
 /// A face whose picture is laid on in metres: u runs level (or east on floors), v runs down (or south).
 [[nodiscard]] Face planarFace(std::vector<Vec3> points, Material material);
-/// A face of timber: u runs along `grain`; `shift` (metres) moves the picture so that no two beams look alike.
-[[nodiscard]] Face grainedFace(std::vector<Vec3> points, Material material, const Vec3& grain, const Vec2& shift);
+/// A face of timber: u runs along `grain`; `shift` (metres) moves the picture so that no two beams look
+/// alike.
+[[nodiscard]] Face grainedFace(std::vector<Vec3> points, Material material, const Vec3& grain,
+                               const Vec2& shift);
 [[nodiscard]] Face portalFace(std::vector<Vec3> points);
 /// The face seen from behind.
 [[nodiscard]] Face flipped(Face face);
@@ -40,15 +42,20 @@ struct Placement {
 class MeshBuilder {
 public:
     void add(Face face) { faces_.push_back(std::move(face)); }
-    void polygon(std::vector<Vec3> points, Material material) { add(planarFace(std::move(points), material)); }
-    /// A polygon with its picture given: once over the whole quad a,b,c,d = lower left, lower right, upper right, upper left.
+    void polygon(std::vector<Vec3> points, Material material) {
+        add(planarFace(std::move(points), material));
+    }
+    /// A polygon with its picture given: once over the whole quad a,b,c,d = lower left, lower right, upper
+    /// right, upper left.
     void card(const std::array<Vec3, 4>& corners, Material material, bool twoSided);
     void box(const Vec3& min, const Vec3& max, Material material);
     /// A box whose grain runs along its longest side.
     void beam(const Vec3& min, const Vec3& max, Material material);
-    /// A square timber from a to b; `wide` across (along `side`, made perpendicular), `deep` in the third direction.
+    /// A square timber from a to b; `wide` across (along `side`, made perpendicular), `deep` in the third
+    /// direction.
     void strut(const Vec3& a, const Vec3& b, const Vec3& side, double wide, double deep, Material material);
-    /// A round post standing on `base`, smooth; picture once around, or `metresPerTile` if `wrapOnce` is false.
+    /// A round post standing on `base`, smooth; picture once around, or `metresPerTile` if `wrapOnce` is
+    /// false.
     struct Round {
         Vec3 base{0.0};
         double lower = 0.5, upper = 0.5, height = 1.0;
@@ -67,9 +74,14 @@ private:
     std::vector<Face> faces_;
 };
 
-/// Adds to every face the vertices of other faces that lie on its edges, so that edges match one to one and no crack or
-/// T-junction is left. Points are first rounded to a grid of 2^-13 m, on which they are exact as floats.
+/// Adds to every face the vertices of other faces that lie on its edges, so that edges match one to one and
+/// no crack or T-junction is left. Points are first rounded to a grid of 2^-13 m, on which they are exact as
+/// floats.
 void closeSeams(std::vector<Face>& faces);
+
+/// The same between meshes that meet at openings: a vertex that one of them has on the border of a portal
+/// face is given to all. The meshes' own seams must be closed.
+void closePortalSeams(const std::vector<std::vector<Face>*>& meshes);
 
 /// A mesh as a record stores it. Face i has polygon id i.
 struct EncodedMesh {

@@ -18,8 +18,10 @@ bool canWalkThrough(const Face& face) {
     case Material::GrassTuft:
     case Material::Flowers:
     case Material::Flame:
-    case Material::LampGlass: return true;
-    default: return face.portal;
+    case Material::LampGlass:
+        return true;
+    default:
+        return face.portal;
     }
 }
 
@@ -111,7 +113,8 @@ dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std
     setup.sortingSphere = toSphere(bounds);
     setup.selectionSphere = setup.sortingSphere;
     setup.height = static_cast<float>(bounds.max.z);
-    setup.radius = static_cast<float>(0.5 * std::hypot(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y));
+    setup.radius =
+        static_cast<float>(0.5 * std::hypot(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y));
     setup.stepUp = 0.4f;
     setup.stepDown = 0.4f;
     for (std::size_t k = 0; k < lamps.size(); ++k) {

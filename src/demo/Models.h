@@ -37,7 +37,8 @@ private:
 /// The frame of a placement; exact for quarter turns.
 [[nodiscard]] dat::Frame toFrame(const Placement& placement);
 
-/// The physics polygons of a mesh: those whose faces one cannot walk through. Ids are the drawing polygons' ids.
+/// The physics polygons of a mesh: those whose faces one cannot walk through. Ids are the drawing polygons'
+/// ids.
 struct PhysicsMesh {
     dat::PolygonList polygons;
     dat::BspTree tree;

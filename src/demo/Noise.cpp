@@ -7,7 +7,9 @@ namespace limen::demo {
 
 namespace {
 
-double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+double fade(double t) {
+    return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+}
 
 std::uint32_t wrap(int i, int period) {
     const int m = i % period;
@@ -16,9 +18,14 @@ std::uint32_t wrap(int i, int period) {
 
 double gradientAt(int ix, int iy, double dx, double dy, int cellsU, int cellsV, std::uint32_t seed) {
     constexpr double kDiagonal = 0.70710678118654752;
-    constexpr std::array<Vec2, 8> kDirections{Vec2{1, 0},  Vec2{-1, 0}, Vec2{0, 1},  Vec2{0, -1},
-                                              Vec2{kDiagonal, kDiagonal}, Vec2{-kDiagonal, kDiagonal},
-                                              Vec2{kDiagonal, -kDiagonal}, Vec2{-kDiagonal, -kDiagonal}};
+    constexpr std::array<Vec2, 8> kDirections{Vec2{1, 0},
+                                              Vec2{-1, 0},
+                                              Vec2{0, 1},
+                                              Vec2{0, -1},
+                                              Vec2{kDiagonal, kDiagonal},
+                                              Vec2{-kDiagonal, kDiagonal},
+                                              Vec2{kDiagonal, -kDiagonal},
+                                              Vec2{-kDiagonal, -kDiagonal}};
     const Vec2 g = kDirections[hash(wrap(ix, cellsU), wrap(iy, cellsV), seed) & 7u];
     return g.x * dx + g.y * dy;
 }
@@ -56,7 +63,8 @@ double fbm(double u, double v, int cellsU, int cellsV, int octaves, std::uint32_
     double sum = 0.0;
     double weight = 0.5;
     for (int o = 0; o < octaves; ++o) {
-        sum += weight * gradientNoise(u, v, cellsU << o, cellsV << o, seed + static_cast<std::uint32_t>(o) * 101u);
+        sum += weight *
+               gradientNoise(u, v, cellsU << o, cellsV << o, seed + static_cast<std::uint32_t>(o) * 101u);
         weight *= 0.5;
     }
     return sum;
@@ -67,7 +75,8 @@ double ridged(double u, double v, int cellsU, int cellsV, int octaves, std::uint
     double weight = 0.5;
     for (int o = 0; o < octaves; ++o) {
         const std::uint32_t s = seed + static_cast<std::uint32_t>(o) * 131u;
-        sum += weight * (1.0 - std::min(1.0, std::abs(gradientNoise(u, v, cellsU << o, cellsV << o, s)) * 2.0));
+        sum +=
+            weight * (1.0 - std::min(1.0, std::abs(gradientNoise(u, v, cellsU << o, cellsV << o, s)) * 2.0));
         weight *= 0.5;
     }
     return sum;

@@ -4,7 +4,9 @@ namespace limen::demo {
 
 namespace {
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) { return sink.addSetup({{sink.addMesh(mesh), {}}}); }
+dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
+    return sink.addSetup({{sink.addMesh(mesh), {}}});
+}
 
 dat::RecordId addFence(ModelSink& sink) {
     MeshBuilder mesh;
@@ -26,9 +28,15 @@ dat::RecordId addWell(ModelSink& sink) {
         return Vec3(radius * std::cos(a), radius * std::sin(a), z);
     };
     for (int k = 0; k < kSides; ++k) {
-        ring.polygon({at(kOuter, k, -0.5), at(kOuter, k + 1, -0.5), at(kOuter, k + 1, 0.85), at(kOuter, k, 0.85)}, Material::StoneWall);
-        ring.polygon({at(kInner, k + 1, -0.5), at(kInner, k, -0.5), at(kInner, k, 0.85), at(kInner, k + 1, 0.85)}, Material::StoneWall);
-        ring.polygon({at(kOuter, k, 0.85), at(kOuter, k + 1, 0.85), at(kInner, k + 1, 0.85), at(kInner, k, 0.85)}, Material::Flagstones);
+        ring.polygon(
+            {at(kOuter, k, -0.5), at(kOuter, k + 1, -0.5), at(kOuter, k + 1, 0.85), at(kOuter, k, 0.85)},
+            Material::StoneWall);
+        ring.polygon(
+            {at(kInner, k + 1, -0.5), at(kInner, k, -0.5), at(kInner, k, 0.85), at(kInner, k + 1, 0.85)},
+            Material::StoneWall);
+        ring.polygon(
+            {at(kOuter, k, 0.85), at(kOuter, k + 1, 0.85), at(kInner, k + 1, 0.85), at(kInner, k, 0.85)},
+            Material::Flagstones);
     }
     std::vector<Vec3> water;
     for (int k = 0; k < kSides; ++k) {
@@ -42,22 +50,37 @@ dat::RecordId addWell(ModelSink& sink) {
     roof.beam({-1.0, -0.05, 2.10}, {1.0, 0.05, 2.20}, Material::Beam);
     roof.strut({-0.80, 0.0, 1.55}, {0.80, 0.0, 1.55}, {0, 0, 1}, 0.14, 0.14, Material::Oak);
     for (const double side : {-1.0, 1.0}) {
-        roof.strut({0.0, side * 0.02, 2.32}, {0.0, side * 0.92, 1.78}, {1, 0, 0}, 2.2, 0.06, Material::OldPlanks);
+        roof.strut({0.0, side * 0.02, 2.32}, {0.0, side * 0.92, 1.78}, {1, 0, 0}, 2.2, 0.06,
+                   Material::OldPlanks);
     }
     MeshBuilder bucket;
-    bucket.cylinder({.base = {0, 0, 0}, .lower = 0.13, .upper = 0.17, .height = 0.28, .sides = 10, .side = Material::BarrelStaves,
-                     .cap = Material::WaterDark, .wrapOnce = true});
+    bucket.cylinder({.base = {0, 0, 0},
+                     .lower = 0.13,
+                     .upper = 0.17,
+                     .height = 0.28,
+                     .sides = 10,
+                     .side = Material::BarrelStaves,
+                     .cap = Material::WaterDark,
+                     .wrapOnce = true});
     bucket.beam({-0.008, -0.008, 0.28}, {0.008, 0.008, 0.62}, Material::Linen);
-    return sink.addSetup({{sink.addMesh(ring), {}}, {sink.addMesh(roof), {}}, {sink.addMesh(bucket), {{0.15, 0.0, 0.93}, 0.0}}});
+    return sink.addSetup({{sink.addMesh(ring), {}},
+                          {sink.addMesh(roof), {}},
+                          {sink.addMesh(bucket), {{0.15, 0.0, 0.93}, 0.0}}});
 }
 
 dat::RecordId addWoodpile(ModelSink& sink) {
     MeshBuilder mesh;
-    mesh.card({Vec3(-1.1, -0.35, 0.0), Vec3(1.1, -0.35, 0.0), Vec3(1.1, -0.35, 1.05), Vec3(-1.1, -0.35, 1.05)}, Material::LogEnds, false);
-    mesh.card({Vec3(1.1, 0.35, 0.0), Vec3(-1.1, 0.35, 0.0), Vec3(-1.1, 0.35, 1.05), Vec3(1.1, 0.35, 1.05)}, Material::LogEnds, false);
-    mesh.polygon({{1.1, -0.35, 0.0}, {1.1, 0.35, 0.0}, {1.1, 0.35, 1.05}, {1.1, -0.35, 1.05}}, Material::Bark);
-    mesh.polygon({{-1.1, 0.35, 0.0}, {-1.1, -0.35, 0.0}, {-1.1, -0.35, 1.05}, {-1.1, 0.35, 1.05}}, Material::Bark);
-    mesh.polygon({{-1.1, -0.35, 1.05}, {1.1, -0.35, 1.05}, {1.1, 0.35, 1.05}, {-1.1, 0.35, 1.05}}, Material::Bark);
+    mesh.card(
+        {Vec3(-1.1, -0.35, 0.0), Vec3(1.1, -0.35, 0.0), Vec3(1.1, -0.35, 1.05), Vec3(-1.1, -0.35, 1.05)},
+        Material::LogEnds, false);
+    mesh.card({Vec3(1.1, 0.35, 0.0), Vec3(-1.1, 0.35, 0.0), Vec3(-1.1, 0.35, 1.05), Vec3(1.1, 0.35, 1.05)},
+              Material::LogEnds, false);
+    mesh.polygon({{1.1, -0.35, 0.0}, {1.1, 0.35, 0.0}, {1.1, 0.35, 1.05}, {1.1, -0.35, 1.05}},
+                 Material::Bark);
+    mesh.polygon({{-1.1, 0.35, 0.0}, {-1.1, -0.35, 0.0}, {-1.1, -0.35, 1.05}, {-1.1, 0.35, 1.05}},
+                 Material::Bark);
+    mesh.polygon({{-1.1, -0.35, 1.05}, {1.1, -0.35, 1.05}, {1.1, 0.35, 1.05}, {-1.1, 0.35, 1.05}},
+                 Material::Bark);
     for (const double x : {-1.16, 1.16}) {
         mesh.beam({x - 0.05, -0.36, -0.4}, {x + 0.05, -0.26, 1.3}, Material::Beam);
         mesh.beam({x - 0.05, 0.26, -0.4}, {x + 0.05, 0.36, 1.3}, Material::Beam);
@@ -89,7 +112,8 @@ dat::RecordId addTrough(ModelSink& sink) {
     mesh.beam({-0.9, 0.24, -0.1}, {0.9, 0.32, 0.5}, Material::OldPlanks);
     mesh.beam({-0.9, -0.24, -0.1}, {-0.82, 0.24, 0.5}, Material::OldPlanks);
     mesh.beam({0.82, -0.24, -0.1}, {0.9, 0.24, 0.5}, Material::OldPlanks);
-    mesh.polygon({{-0.82, -0.24, 0.40}, {0.82, -0.24, 0.40}, {0.82, 0.24, 0.40}, {-0.82, 0.24, 0.40}}, Material::WaterDark);
+    mesh.polygon({{-0.82, -0.24, 0.40}, {0.82, -0.24, 0.40}, {0.82, 0.24, 0.40}, {-0.82, 0.24, 0.40}},
+                 Material::WaterDark);
     return single(sink, mesh);
 }
 
@@ -99,11 +123,18 @@ dat::RecordId addLampPost(ModelSink& sink) {
     post.beam({-0.04, -0.62, 2.36}, {0.04, 0.0, 2.44}, Material::Beam);
     post.strut({0.0, -0.04, 2.0}, {0.0, -0.42, 2.36}, {1, 0, 0}, 0.05, 0.06, Material::Beam);
     post.box({-0.10, -0.66, 1.84}, {0.10, -0.46, 1.87}, Material::Iron);
-    post.cylinder({.base = {0, -0.56, 2.12}, .lower = 0.14, .upper = 0.03, .height = 0.10, .sides = 8, .side = Material::Iron, .cap = Material::Iron});
+    post.cylinder({.base = {0, -0.56, 2.12},
+                   .lower = 0.14,
+                   .upper = 0.03,
+                   .height = 0.10,
+                   .sides = 8,
+                   .side = Material::Iron,
+                   .cap = Material::Iron});
     post.beam({-0.007, -0.567, 2.2}, {0.007, -0.553, 2.37}, Material::Iron);
     MeshBuilder glass;
     glass.box({-0.075, -0.635, 1.88}, {0.075, -0.485, 2.11}, Material::LampGlass);
-    return sink.addSetup({{sink.addMesh(post), {}}, {sink.addMesh(glass, false), {}}}, {{{0.0, -0.56, 1.7}, 0xFFFFC070, 1.0, 9.0}});
+    return sink.addSetup({{sink.addMesh(post), {}}, {sink.addMesh(glass, false), {}}},
+                         {{{0.0, -0.56, 1.7}, 0xFFFFC070, 1.0, 9.0}});
 }
 
 } // namespace

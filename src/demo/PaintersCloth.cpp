@@ -9,7 +9,9 @@ namespace {
 
 constexpr int kSize = 256;
 
-Vec3f mixColour(Vec3f a, Vec3f b, double t) { return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0)); }
+Vec3f mixColour(Vec3f a, Vec3f b, double t) {
+    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
+}
 
 /// Threads crossing over and under, about 1.
 float weave(double u, double v, int threads) {
@@ -61,15 +63,19 @@ Canvas paintBlanket() {
             return s < 0.42 ? 0 : s < 0.52 ? 1 : s < 0.62 ? 2 : s < 0.72 ? 1 : 0;
         };
         const std::array<Vec3f, 3> colours{green, wool, rust};
-        const Vec3f mixed = (colours[static_cast<std::size_t>(stripe(u))] + colours[static_cast<std::size_t>(stripe(v))]) * 0.5f;
-        return Vec4f(mixed * weave(u, v, 48) * static_cast<float>(1.0 + 0.15 * fbm(u, v, 3, 3, 3, 921)), 1.0f);
+        const Vec3f mixed =
+            (colours[static_cast<std::size_t>(stripe(u))] + colours[static_cast<std::size_t>(stripe(v))]) *
+            0.5f;
+        return Vec4f(mixed * weave(u, v, 48) * static_cast<float>(1.0 + 0.15 * fbm(u, v, 3, 3, 3, 921)),
+                     1.0f);
     });
 }
 
 Canvas paintLinen() {
     return Canvas::paint(kSize, kSize, [](double u, double v) {
         const double folds = fbm(u, v, 3, 2, 4, 931);
-        return Vec4f(Vec3f(0.80f, 0.76f, 0.67f) * weave(u, v, 80) * static_cast<float>(1.0 + 0.14 * folds), 1.0f);
+        return Vec4f(Vec3f(0.80f, 0.76f, 0.67f) * weave(u, v, 80) * static_cast<float>(1.0 + 0.14 * folds),
+                     1.0f);
     });
 }
 
@@ -83,8 +89,9 @@ Canvas paintBooks() {
         if (v < top || across < 0.03) {
             return Vec4f(0.05f, 0.035f, 0.025f, 1.0f);
         }
-        const std::array<Vec3f, 5> leather{Vec3f(0.38f, 0.15f, 0.10f), Vec3f(0.16f, 0.22f, 0.15f), Vec3f(0.32f, 0.23f, 0.12f),
-                                           Vec3f(0.15f, 0.16f, 0.25f), Vec3f(0.47f, 0.37f, 0.22f)};
+        const std::array<Vec3f, 5> leather{Vec3f(0.38f, 0.15f, 0.10f), Vec3f(0.16f, 0.22f, 0.15f),
+                                           Vec3f(0.32f, 0.23f, 0.12f), Vec3f(0.15f, 0.16f, 0.25f),
+                                           Vec3f(0.47f, 0.37f, 0.22f)};
         Vec3f colour = leather[hash(book, 5, 941) % leather.size()];
         const double round = 1.0 - 1.6 * (across - 0.5) * (across - 0.5);
         const double t = (v - top) / (1.0 - top);
@@ -114,7 +121,8 @@ Canvas paintFlame() {
         const double half = 0.40 * std::sqrt(std::max(0.0, height + 0.02)) * (1.0 - height) * 1.9;
         const double across = std::abs(u - 0.5 - sway) / std::max(half, 1e-6);
         const double body = std::clamp(1.0 - across, 0.0, 1.0);
-        const Vec3f colour = mixColour(Vec3f(0.95f, 0.34f, 0.05f), Vec3f(1.0f, 0.92f, 0.60f), body * 1.6 - 0.2);
+        const Vec3f colour =
+            mixColour(Vec3f(0.95f, 0.34f, 0.05f), Vec3f(1.0f, 0.92f, 0.60f), body * 1.6 - 0.2);
         return Vec4f(colour, static_cast<float>(smoothStep(0.0, 0.6, body)));
     });
 }
@@ -122,7 +130,8 @@ Canvas paintFlame() {
 Canvas paintWater() {
     return Canvas::paint(128, 128, [](double u, double v) {
         const double ripple = fbm(u, v, 4, 8, 4, 961);
-        return Vec4f(mixColour(Vec3f(0.03f, 0.05f, 0.055f), Vec3f(0.16f, 0.22f, 0.24f), 0.35 + 0.8 * ripple), 1.0f);
+        return Vec4f(mixColour(Vec3f(0.03f, 0.05f, 0.055f), Vec3f(0.16f, 0.22f, 0.24f), 0.35 + 0.8 * ripple),
+                     1.0f);
     });
 }
 

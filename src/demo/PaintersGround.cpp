@@ -7,7 +7,9 @@ namespace {
 
 constexpr int kSize = 512;
 
-Vec3f mixColour(Vec3f a, Vec3f b, double t) { return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0)); }
+Vec3f mixColour(Vec3f a, Vec3f b, double t) {
+    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
+}
 
 /// Small stones scattered on bare ground, lit from the upper left.
 Vec3f withPebbles(Vec3f ground, double u, double v, int cells, double share, std::uint32_t seed) {
@@ -23,11 +25,15 @@ Vec3f withPebbles(Vec3f ground, double u, double v, int cells, double share, std
 } // namespace
 
 Canvas paintGrass(const GrassStyle& s) {
-    const auto cover = [&s](double u, double v) { return fbm(u, v, 4, 4, 5, s.seed + 1) + 0.5 - 1.1 * s.bare; };
+    const auto cover = [&s](double u, double v) {
+        return fbm(u, v, 4, 4, 5, s.seed + 1) + 0.5 - 1.1 * s.bare;
+    };
     Canvas canvas = Canvas::paint(kSize, kSize, [&](double u, double v) {
         const double tone = 0.35 + 0.6 * fbm(u, v, 8, 8, 5, s.seed + 3);
         const Vec3f green = mixColour(s.dark, s.light, tone * 0.8);
-        const Vec3f bare = withPebbles(s.earth * static_cast<float>(1.0 + 0.4 * fbm(u, v, 16, 16, 4, s.seed + 5)), u, v, 40, 0.25, s.seed + 7);
+        const Vec3f bare =
+            withPebbles(s.earth * static_cast<float>(1.0 + 0.4 * fbm(u, v, 16, 16, 4, s.seed + 5)), u, v, 40,
+                        0.25, s.seed + 7);
         return Vec4f(mixColour(bare, green, smoothStep(-0.12, 0.12, cover(u, v))), 1.0f);
     });
     for (std::uint32_t i = 0; i < 15000; ++i) {
@@ -40,7 +46,11 @@ Canvas paintGrass(const GrassStyle& s) {
         const double angle = 6.2831853 * random01(i, 4, s.seed);
         const double length = 5.0 + 9.0 * random01(i, 5, s.seed);
         const Vec3f colour = mixColour(s.dark, s.light, random01(i, 6, s.seed) * 1.05 + patch);
-        drawStroke(canvas, {{x, y}, {x + length * std::cos(angle), y + length * std::sin(angle)}, 1.9, 0.6, Vec4f(colour, 0.8f)});
+        drawStroke(canvas, {{x, y},
+                            {x + length * std::cos(angle), y + length * std::sin(angle)},
+                            1.9,
+                            0.6,
+                            Vec4f(colour, 0.8f)});
     }
     return canvas;
 }
@@ -63,18 +73,21 @@ Canvas paintForestFloor() {
     for (std::uint32_t i = 0; i < 3400; ++i) {
         const Vec2 centre{random01(i, 1, 1405) * kSize, random01(i, 2, 1405) * kSize};
         const double hue = random01(i, 3, 1405);
-        Vec3f colour = mixColour(Vec3f(0.30f, 0.18f, 0.085f), Vec3f(0.55f, 0.36f, 0.15f), random01(i, 4, 1405));
+        Vec3f colour =
+            mixColour(Vec3f(0.30f, 0.18f, 0.085f), Vec3f(0.55f, 0.36f, 0.15f), random01(i, 4, 1405));
         if (hue > 0.82) {
             colour = Vec3f(0.28f, 0.31f, 0.11f);
         }
         const double size = 8.0 + 8.0 * random01(i, 5, 1405);
-        drawLeaf(canvas, {centre, 6.2831853 * random01(i, 6, 1405), size, size * 0.5, Vec4f(colour, 0.85f)}, true);
+        drawLeaf(canvas, {centre, 6.2831853 * random01(i, 6, 1405), size, size * 0.5, Vec4f(colour, 0.85f)},
+                 true);
     }
     for (std::uint32_t i = 0; i < 160; ++i) {
         const Vec2 from{random01(i, 1, 1407) * kSize, random01(i, 2, 1407) * kSize};
         const double a = 6.2831853 * random01(i, 3, 1407);
         const double length = 15.0 + 40.0 * random01(i, 4, 1407);
-        drawStroke(canvas, {from, from + Vec2(std::cos(a), std::sin(a)) * length, 2.6, 1.2, Vec4f(0.20f, 0.14f, 0.09f, 0.9f)});
+        drawStroke(canvas, {from, from + Vec2(std::cos(a), std::sin(a)) * length, 2.6, 1.2,
+                            Vec4f(0.20f, 0.14f, 0.09f, 0.9f)});
     }
     return canvas;
 }
@@ -98,8 +111,10 @@ Canvas paintRoad() {
             continue;
         }
         const double a = 6.2831853 * random01(i, 3, 1509);
-        const Vec3f colour = mixColour(Vec3f(0.22f, 0.28f, 0.09f), Vec3f(0.47f, 0.48f, 0.20f), random01(i, 4, 1509));
-        drawStroke(canvas, {{x, y}, {x + 7.0 * std::cos(a), y + 7.0 * std::sin(a)}, 1.8, 0.7, Vec4f(colour, 0.8f)});
+        const Vec3f colour =
+            mixColour(Vec3f(0.22f, 0.28f, 0.09f), Vec3f(0.47f, 0.48f, 0.20f), random01(i, 4, 1509));
+        drawStroke(canvas,
+                   {{x, y}, {x + 7.0 * std::cos(a), y + 7.0 * std::sin(a)}, 1.8, 0.7, Vec4f(colour, 0.8f)});
     }
     return canvas;
 }

@@ -49,12 +49,18 @@ std::vector<Rect> withoutHoles(const Rect& whole, const std::vector<Rect>& holes
 
 std::vector<Vec3> rectOnSide(Side side, double at, const Rect& r) {
     switch (side) {
-    case Side::West: return {{at, r.u0, r.v0}, {at, r.u1, r.v0}, {at, r.u1, r.v1}, {at, r.u0, r.v1}};
-    case Side::East: return {{at, r.u1, r.v0}, {at, r.u0, r.v0}, {at, r.u0, r.v1}, {at, r.u1, r.v1}};
-    case Side::South: return {{r.u1, at, r.v0}, {r.u0, at, r.v0}, {r.u0, at, r.v1}, {r.u1, at, r.v1}};
-    case Side::North: return {{r.u0, at, r.v0}, {r.u1, at, r.v0}, {r.u1, at, r.v1}, {r.u0, at, r.v1}};
-    case Side::Floor: return {{r.u0, r.v0, at}, {r.u1, r.v0, at}, {r.u1, r.v1, at}, {r.u0, r.v1, at}};
-    case Side::Ceiling: return {{r.u0, r.v1, at}, {r.u1, r.v1, at}, {r.u1, r.v0, at}, {r.u0, r.v0, at}};
+    case Side::West:
+        return {{at, r.u0, r.v0}, {at, r.u1, r.v0}, {at, r.u1, r.v1}, {at, r.u0, r.v1}};
+    case Side::East:
+        return {{at, r.u1, r.v0}, {at, r.u0, r.v0}, {at, r.u0, r.v1}, {at, r.u1, r.v1}};
+    case Side::South:
+        return {{r.u1, at, r.v0}, {r.u0, at, r.v0}, {r.u0, at, r.v1}, {r.u1, at, r.v1}};
+    case Side::North:
+        return {{r.u0, at, r.v0}, {r.u1, at, r.v0}, {r.u1, at, r.v1}, {r.u0, at, r.v1}};
+    case Side::Floor:
+        return {{r.u0, r.v0, at}, {r.u1, r.v0, at}, {r.u1, r.v1, at}, {r.u0, r.v1, at}};
+    case Side::Ceiling:
+        return {{r.u0, r.v1, at}, {r.u1, r.v1, at}, {r.u1, r.v0, at}, {r.u0, r.v0, at}};
     }
     return {};
 }

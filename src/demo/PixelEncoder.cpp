@@ -12,8 +12,12 @@ namespace {
 
 using Rgb = std::array<int, 3>;
 
-int toByte(float value) { return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)); }
-Rgb rgbOf(const Vec4f& c) { return {toByte(c.x), toByte(c.y), toByte(c.z)}; }
+int toByte(float value) {
+    return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+}
+Rgb rgbOf(const Vec4f& c) {
+    return {toByte(c.x), toByte(c.y), toByte(c.z)};
+}
 
 std::uint16_t to565(const Rgb& c) {
     return static_cast<std::uint16_t>(((c[0] * 31 + 127) / 255) << 11 | ((c[1] * 63 + 127) / 255) << 5 |
@@ -74,16 +78,18 @@ ColourBox measure(const std::vector<Rgb>& colours, std::size_t begin, std::size_
 std::vector<Rgb> medianCut(std::vector<Rgb> colours, std::size_t count) {
     std::vector<ColourBox> boxes{measure(colours, 0, colours.size())};
     while (boxes.size() < count) {
-        const auto widest = std::max_element(boxes.begin(), boxes.end(),
-                                             [](const auto& a, const auto& b) { return a.extent < b.extent; });
+        const auto widest = std::max_element(
+            boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.extent < b.extent; });
         if (widest->extent <= 0 || widest->end - widest->begin < 2) {
             break;
         }
         const ColourBox box = *widest;
         const std::size_t middle = (box.begin + box.end) / 2;
         const auto axis = static_cast<std::size_t>(box.axis);
-        std::sort(colours.begin() + static_cast<std::ptrdiff_t>(box.begin), colours.begin() + static_cast<std::ptrdiff_t>(box.end),
-                  [axis](const Rgb& a, const Rgb& b) { return a[axis] != b[axis] ? a[axis] < b[axis] : a < b; });
+        std::sort(colours.begin() + static_cast<std::ptrdiff_t>(box.begin),
+                  colours.begin() + static_cast<std::ptrdiff_t>(box.end), [axis](const Rgb& a, const Rgb& b) {
+                      return a[axis] != b[axis] ? a[axis] < b[axis] : a < b;
+                  });
         *widest = measure(colours, box.begin, middle);
         boxes.push_back(measure(colours, middle, box.end));
     }
@@ -96,7 +102,8 @@ std::vector<Rgb> medianCut(std::vector<Rgb> colours, std::size_t count) {
             }
         }
         const long n = std::max<long>(1, static_cast<long>(box.end - box.begin));
-        palette.push_back({static_cast<int>(sum[0] / n), static_cast<int>(sum[1] / n), static_cast<int>(sum[2] / n)});
+        palette.push_back(
+            {static_cast<int>(sum[0] / n), static_cast<int>(sum[1] / n), static_cast<int>(sum[2] / n)});
     }
     return palette;
 }
@@ -120,7 +127,8 @@ void encodePalettised(const Canvas& canvas, bool wide, EncodedImage& out) {
     const std::vector<Rgb> colours = medianCut(opaque, size - kReservedIndices);
     out.palette.colours.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
-        const Rgb c = i < kReservedIndices ? Rgb{0, 0, 0} : colours[std::min(i - kReservedIndices, colours.size() - 1)];
+        const Rgb c =
+            i < kReservedIndices ? Rgb{0, 0, 0} : colours[std::min(i - kReservedIndices, colours.size() - 1)];
         out.palette.colours[i].argb = 0xFF000000u | static_cast<std::uint32_t>(c[0] << 16 | c[1] << 8 | c[2]);
     }
     // The nearest entry, remembered per 15-bit colour: a full search for every texel would take seconds.
@@ -131,11 +139,13 @@ void encodePalettised(const Canvas& canvas, bool wide, EncodedImage& out) {
             std::size_t index = 0;
             if (canvas.at(x, y).w >= 0.5f) {
                 const Rgb c = rgbOf(canvas.at(x, y));
-                int& known = nearest[static_cast<std::size_t>((c[0] >> 3) << 10 | (c[1] >> 3) << 5 | c[2] >> 3)];
+                int& known =
+                    nearest[static_cast<std::size_t>((c[0] >> 3) << 10 | (c[1] >> 3) << 5 | c[2] >> 3)];
                 if (known < 0) {
-                    const auto best = std::min_element(colours.begin(), colours.end(), [&c](const Rgb& a, const Rgb& b) {
-                        return distanceSquared(a, c) < distanceSquared(b, c);
-                    });
+                    const auto best =
+                        std::min_element(colours.begin(), colours.end(), [&c](const Rgb& a, const Rgb& b) {
+                            return distanceSquared(a, c) < distanceSquared(b, c);
+                        });
                     known = static_cast<int>(best - colours.begin());
                 }
                 index = static_cast<std::size_t>(known) + kReservedIndices;
@@ -169,7 +179,8 @@ std::pair<Rgb, Rgb> endPoints(const Block& block) {
     std::pair<Rgb, Rgb> out{block.texels[0], block.texels[0]};
     for (std::size_t a = 0; a < 16; ++a) {
         for (std::size_t b = a; b < 16; ++b) {
-            const int d = block.clear[a] || block.clear[b] ? -1 : distanceSquared(block.texels[a], block.texels[b]);
+            const int d =
+                block.clear[a] || block.clear[b] ? -1 : distanceSquared(block.texels[a], block.texels[b]);
             if (d > best) {
                 best = d;
                 out = {block.texels[a], block.texels[b]};
@@ -204,7 +215,8 @@ void encodeDxt1Block(const Block& block, ByteSink& sink) {
     for (std::size_t i = 0; i < 16; ++i) {
         std::uint32_t best = 0;
         for (std::uint32_t k = 1; k < (three ? 3u : 4u); ++k) {
-            if (distanceSquared(palette[k], block.texels[i]) < distanceSquared(palette[best], block.texels[i])) {
+            if (distanceSquared(palette[k], block.texels[i]) <
+                distanceSquared(palette[best], block.texels[i])) {
                 best = k;
             }
         }
@@ -236,7 +248,8 @@ void encodeTexel(const Vec4f& texel, dat::PixelFormat format, ByteSink& sink) {
         sink.u16(to565(c));
         break;
     case dat::PixelFormat::A4R4G4B4:
-        sink.u16(static_cast<unsigned>((alpha + 8) / 17 << 12 | (c[0] + 8) / 17 << 8 | (c[1] + 8) / 17 << 4 | (c[2] + 8) / 17));
+        sink.u16(static_cast<unsigned>((alpha + 8) / 17 << 12 | (c[0] + 8) / 17 << 8 | (c[1] + 8) / 17 << 4 |
+                                       (c[2] + 8) / 17));
         break;
     default:
         sink.u8(c[2]);

@@ -12,7 +12,9 @@ namespace {
 constexpr double kEyeHeight = 1.7;
 constexpr double kPi = 3.14159265358979323846;
 
-Vec3 villageToArea(const Vec3& p) { return p + Vec3(192.0, 192.0, 0.0); }
+Vec3 villageToArea(const Vec3& p) {
+    return p + Vec3(192.0, 192.0, 0.0);
+}
 
 /// Yaw and pitch from one point towards another.
 void lookAt(Eye& eye, const Vec3& target) {
@@ -29,7 +31,9 @@ Eye outdoorEye(double x, double y) {
 }
 
 /// A point of a building on the map.
-Vec3 globalOf(const Placement& building, const Vec3& local) { return toGlobal(villageToArea(place(building, local))); }
+Vec3 globalOf(const Placement& building, const Vec3& local) {
+    return toGlobal(villageToArea(place(building, local)));
+}
 
 Eye indoorEye(const Placement& building, const Vec3& local, const Vec3& target, dat::RecordId cell) {
     Eye eye;
@@ -44,7 +48,9 @@ Eye looking(Eye eye, const Vec3& target) {
     return eye;
 }
 
-double rounded(double v, double step) { return std::round(v / step) * step; }
+double rounded(double v, double step) {
+    return std::round(v / step) * step;
+}
 
 nlohmann::ordered_json toJson(const Eye& eye) {
     nlohmann::ordered_json json;
@@ -64,17 +70,22 @@ class Walk {
 public:
     /// Outdoors: along the ground to a point of the area, looking at `target` on arrival.
     void alongGround(double x, double y, double speed, const Vec3& target) {
-        leg(speed, 1.0, [&](double t, const Eye& from) {
-            const Vec3 start = from.position - toGlobal(Vec3(0.0));
-            return outdoorEye(start.x + (x - start.x) * t, start.y + (y - start.y) * t).position;
-        }, looking(outdoorEye(x, y), target));
+        leg(
+            speed, 1.0,
+            [&](double t, const Eye& from) {
+                const Vec3 start = from.position - toGlobal(Vec3(0.0));
+                return outdoorEye(start.x + (x - start.x) * t, start.y + (y - start.y) * t).position;
+            },
+            looking(outdoorEye(x, y), target));
     }
     /// Straight through the air: indoors, over steps.
     void straight(const Vec3& to, double speed, const Vec3& target) {
         Eye end;
         end.position = to;
         lookAt(end, target);
-        leg(speed, 0.25, [&](double t, const Eye& from) { return from.position + (to - from.position) * t; }, end);
+        leg(
+            speed, 0.25, [&](double t, const Eye& from) { return from.position + (to - from.position) * t; },
+            end);
     }
     /// Stands and turns.
     void look(const Vec3& target, double seconds) {
@@ -140,12 +151,17 @@ nlohmann::ordered_json buildPlaces(const VillageMap& map) {
     places["hill"] = toJson(looking(outdoorEye(kHillX, kHillY), between));
     places["lane"] = toJson(looking(outdoorEye(240.0, 289.0), between + Vec3(0.0, 2.5, 1.2)));
     places["cottage.front"] = toJson(looking(outdoorEye(273.2, 286.5), globalOf(home, {0.4, 0.0, 2.2})));
-    places["cottage.room"] = toJson(indoorEye(home, {-4.9, 0.95, 1.7}, {2.6, 3.2, 1.0}, cell(CottageCell::Front)));
-    places["cottage.rear"] = toJson(indoorEye(home, {0.9, 5.35, 1.7}, {-0.55, 9.7, 1.25}, cell(CottageCell::Rear)));
-    places["cottage.stairs"] = toJson(indoorEye(home, {-1.35, 9.05, -0.9}, {-0.35, 4.8, 0.55}, cell(CottageCell::Stairwell)));
-    places["cottage.cellar"] = toJson(indoorEye(home, {0.2, 8.9, -0.9}, {3.4, 4.4, -1.75}, cell(CottageCell::Cellar)));
+    places["cottage.room"] =
+        toJson(indoorEye(home, {-4.9, 0.95, 1.7}, {2.6, 3.2, 1.0}, cell(CottageCell::Front)));
+    places["cottage.rear"] =
+        toJson(indoorEye(home, {0.9, 5.35, 1.7}, {-0.55, 9.7, 1.25}, cell(CottageCell::Rear)));
+    places["cottage.stairs"] =
+        toJson(indoorEye(home, {-1.35, 9.05, -0.9}, {-0.35, 4.8, 0.55}, cell(CottageCell::Stairwell)));
+    places["cottage.cellar"] =
+        toJson(indoorEye(home, {0.2, 8.9, -0.9}, {3.4, 4.4, -1.75}, cell(CottageCell::Cellar)));
     places["neighbour.front"] = toJson(looking(outdoorEye(278.0, 288.5), globalOf(next, {0.0, 0.0, 2.0})));
-    places["neighbour.room"] = toJson(indoorEye(next, {-0.9, 3.9, 1.7}, {1.3, 0.3, 1.45}, theirs(NeighbourCell::Room)));
+    places["neighbour.room"] =
+        toJson(indoorEye(next, {-0.9, 3.9, 1.7}, {1.3, 0.3, 1.45}, theirs(NeighbourCell::Room)));
     return places;
 }
 

@@ -15,7 +15,8 @@ struct Eye {
     dat::RecordId cell = 0;
 };
 
-/// What the places are measured from: where the buildings stand (coordinates of the village block) and their cells.
+/// What the places are measured from: where the buildings stand (coordinates of the village block) and their
+/// cells.
 struct VillageMap {
     Placement cottage, neighbour;
     std::vector<dat::RecordId> cottageCells, neighbourCells;

@@ -8,8 +8,10 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-/// A square picture standing or lying in the air: centre, the direction of its right and upper edge (half lengths).
-void addLeafCard(MeshBuilder& mesh, const Vec3& centre, const Vec3& right, const Vec3& up, const Vec3& bulge, Material material) {
+/// A square picture standing or lying in the air: centre, the direction of its right and upper edge (half
+/// lengths).
+void addLeafCard(MeshBuilder& mesh, const Vec3& centre, const Vec3& right, const Vec3& up, const Vec3& bulge,
+                 Material material) {
     Face face;
     face.points = {centre - right - up, centre + right - up, centre + right + up, centre - right + up};
     face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
@@ -38,7 +40,8 @@ void addCrown(MeshBuilder& mesh, const Crown& c) {
         const double z = 1.0 - 2.0 * (k + 0.5) / c.cards;
         const double a = 2.39996323 * k + 0.5 * random01(i, 1, c.seed);
         const double r = std::sqrt(1.0 - z * z) * (0.55 + 0.2 * random01(i, 2, c.seed));
-        const Vec3 centre = c.centre + Vec3(c.radius * r * std::cos(a), c.radius * r * std::sin(a), c.height * 0.7 * z);
+        const Vec3 centre =
+            c.centre + Vec3(c.radius * r * std::cos(a), c.radius * r * std::sin(a), c.height * 0.7 * z);
         const double turn = kTurn * random01(i, 3, c.seed);
         const double tilt = 0.9 * (random01(i, 4, c.seed) - 0.5);
         const Vec3 right = c.cardSize * Vec3(std::cos(turn), std::sin(turn), 0.0);
@@ -57,8 +60,14 @@ Vec3 addTrunk(MeshBuilder& mesh, double radius, double height, double bend, std:
         const double upper = radius * (1.0 - 0.28 * (k + 1));
         const Vec3 lean(bend * (random01(i, 1, seed) - 0.5), bend * (random01(i, 2, seed) - 0.5), 0.0);
         MeshBuilder piece;
-        piece.cylinder({.base = foot, .lower = k == 0 ? radius * 1.35 : lower, .upper = upper, .height = (height + 0.4) / kPieces, .sides = 7,
-                        .side = Material::Bark, .cap = Material::Bark, .caps = k + 1 == kPieces});
+        piece.cylinder({.base = foot,
+                        .lower = k == 0 ? radius * 1.35 : lower,
+                        .upper = upper,
+                        .height = (height + 0.4) / kPieces,
+                        .sides = 7,
+                        .side = Material::Bark,
+                        .cap = Material::Bark,
+                        .caps = k + 1 == kPieces});
         const double top = foot.z + (height + 0.4) / kPieces;
         for (Face& face : piece.faces()) {
             for (Vec3& p : face.points) {
@@ -89,7 +98,8 @@ void addBranch(MeshBuilder& mesh, const Vec3& from, const Vec3& to, double thick
 MeshBuilder oakTree() {
     MeshBuilder mesh;
     const Vec3 head = addTrunk(mesh, 0.34, 3.6, 0.5, 3001);
-    const std::array<Vec3, 4> lobes{Vec3(1.5, 0.6, 4.9), Vec3(-1.4, 0.9, 5.2), Vec3(0.1, -1.5, 5.0), Vec3(0.1, 0.2, 6.6)};
+    const std::array<Vec3, 4> lobes{Vec3(1.5, 0.6, 4.9), Vec3(-1.4, 0.9, 5.2), Vec3(0.1, -1.5, 5.0),
+                                    Vec3(0.1, 0.2, 6.6)};
     std::uint32_t seed = 3003;
     for (const Vec3& lobe : lobes) {
         addBranch(mesh, head - Vec3(0, 0, 0.3), lobe, 0.15);
@@ -108,8 +118,14 @@ MeshBuilder birchTree() {
 
 MeshBuilder pineTree(double height, double spread, int rings) {
     MeshBuilder mesh;
-    mesh.cylinder({.base = {0, 0, -0.4}, .lower = 0.035 * height, .upper = 0.0, .height = height * 0.97 + 0.4, .sides = 6, .side = Material::Bark,
-                   .cap = Material::Bark, .caps = false});
+    mesh.cylinder({.base = {0, 0, -0.4},
+                   .lower = 0.035 * height,
+                   .upper = 0.0,
+                   .height = height * 0.97 + 0.4,
+                   .sides = 6,
+                   .side = Material::Bark,
+                   .cap = Material::Bark,
+                   .caps = false});
     for (int ring = 0; ring < rings; ++ring) {
         const double t = static_cast<double>(ring) / rings;
         const double z = height * (0.16 + 0.80 * t);
@@ -122,7 +138,8 @@ MeshBuilder pineTree(double height, double spread, int rings) {
             const Vec3 tip = out * length - Vec3(0, 0, length * 0.34);
             const Vec3 root(0, 0, z);
             Face face;
-            face.points = {root - side * length * 0.42, root + tip - side * length * 0.42, root + tip + side * length * 0.42, root + side * length * 0.42};
+            face.points = {root - side * length * 0.42, root + tip - side * length * 0.42,
+                           root + tip + side * length * 0.42, root + side * length * 0.42};
             face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
             face.normals.assign(4, glm::normalize(out * 0.7 + Vec3(0, 0, 0.8)));
             face.material = Material::PineBranch;
@@ -146,7 +163,8 @@ MeshBuilder tuft(Material material, double half, double height, int cards) {
         const double a = 0.5 * kTurn * (k + 0.15) / cards;
         const Vec3 right(half * std::cos(a), half * std::sin(a), 0.0);
         Face face;
-        face.points = {-right - Vec3(0, 0, 0.06), right - Vec3(0, 0, 0.06), right + Vec3(0, 0, height), -right + Vec3(0, 0, height)};
+        face.points = {-right - Vec3(0, 0, 0.06), right - Vec3(0, 0, 0.06), right + Vec3(0, 0, height),
+                       -right + Vec3(0, 0, height)};
         face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
         face.normals.assign(4, Vec3(0, 0, 1)); // lit like the ground they grow from
         face.material = material;
@@ -166,7 +184,9 @@ MeshBuilder stone(const Vec3& size, std::uint32_t seed) {
         const bool pole = ring == 0 || ring == kRings;
         const auto key = static_cast<std::uint32_t>(ring * 64 + (pole ? 0 : k % kAround));
         const double lump = 0.78 + 0.44 * random01(key, seed);
-        return size * lump * Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)) + Vec3(0, 0, size.z * 0.45);
+        return size * lump *
+                   Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)) +
+               Vec3(0, 0, size.z * 0.45);
     };
     MeshBuilder mesh;
     for (int ring = 0; ring < kRings; ++ring) {
@@ -193,7 +213,13 @@ Plants addPlants(ModelSink& sink) {
     p.youngPine = tree(pineTree(4.2, 1.5, 6));
     p.bush = sink.addMesh(bush(), false);
     MeshBuilder stump;
-    stump.cylinder({.base = {0, 0, -0.3}, .lower = 0.46, .upper = 0.30, .height = 0.75, .sides = 9, .side = Material::Bark, .cap = Material::OldPlanks});
+    stump.cylinder({.base = {0, 0, -0.3},
+                    .lower = 0.46,
+                    .upper = 0.30,
+                    .height = 0.75,
+                    .sides = 9,
+                    .side = Material::Bark,
+                    .cap = Material::OldPlanks});
     p.stump = sink.addMesh(stump);
     p.grass = sink.addMesh(tuft(Material::GrassTuft, 0.34, 0.42, 2), false);
     p.tallGrass = sink.addMesh(tuft(Material::GrassTuft, 0.45, 0.75, 3), false);
@@ -204,7 +230,8 @@ Plants addPlants(ModelSink& sink) {
         const Vec3 out(std::cos(a), std::sin(a), 0.0);
         const Vec3 side(-out.y, out.x, 0.0);
         Face face;
-        face.points = {-side * 0.2, out * 0.62 + Vec3(0, 0, 0.42) - side * 0.2, out * 0.62 + Vec3(0, 0, 0.42) + side * 0.2, side * 0.2};
+        face.points = {-side * 0.2, out * 0.62 + Vec3(0, 0, 0.42) - side * 0.2,
+                       out * 0.62 + Vec3(0, 0, 0.42) + side * 0.2, side * 0.2};
         face.uvs = {{0, 0.75}, {1, 0.75}, {1, 0.25}, {0, 0.25}};
         face.normals.assign(4, Vec3(0, 0, 1));
         face.material = Material::PineBranch;

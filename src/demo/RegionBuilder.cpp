@@ -7,7 +7,17 @@ namespace limen::demo {
 namespace {
 
 /// Scene types of the Region, in order; each has one or two Scene records.
-enum class Growth : std::uint32_t { Nothing, Meadow, Forest, DeepForest, WoodEdge, LaneSide, Rocks, Yard, Count };
+enum class Growth : std::uint32_t {
+    Nothing,
+    Meadow,
+    Forest,
+    DeepForest,
+    WoodEdge,
+    LaneSide,
+    Rocks,
+    Yard,
+    Count
+};
 
 struct Sprinkle {
     dat::RecordId object = 0;
@@ -16,7 +26,8 @@ struct Sprinkle {
     double minScale = 0.8, maxScale = 1.2;
 };
 
-/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch, and is shifted inside it at random.
+/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch, and is shifted inside
+/// it at random.
 dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles) {
     dat::Scene scene;
     scene.id = id;
@@ -45,23 +56,57 @@ dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles) {
 std::vector<std::vector<Sprinkle>> scenesOf(Growth growth, const Plants& p) {
     switch (growth) {
     case Growth::Meadow:
-        return {{{p.grass, 11, 0.7, 0.8, 1.5}, {p.tallGrass, 3, 0.5, 0.8, 1.2}, {p.flowers, 3, 0.45}, {p.bush, 1, 0.06}, {p.rock, 1, 0.08, 0.4, 0.9}},
-                {{p.grass, 8, 0.7, 0.8, 1.5}, {p.flowers, 6, 0.6}, {p.tallGrass, 4, 0.5}, {p.oak, 1, 0.05, 0.9, 1.2}}};
+        return {{{p.grass, 11, 0.7, 0.8, 1.5},
+                 {p.tallGrass, 3, 0.5, 0.8, 1.2},
+                 {p.flowers, 3, 0.45},
+                 {p.bush, 1, 0.06},
+                 {p.rock, 1, 0.08, 0.4, 0.9}},
+                {{p.grass, 8, 0.7, 0.8, 1.5},
+                 {p.flowers, 6, 0.6},
+                 {p.tallGrass, 4, 0.5},
+                 {p.oak, 1, 0.05, 0.9, 1.2}}};
     case Growth::Forest:
-        return {{{p.oak, 2, 0.55, 0.85, 1.25}, {p.birch, 2, 0.5, 0.85, 1.2}, {p.pine, 1, 0.3, 0.8, 1.1}, {p.bush, 2, 0.5}, {p.fern, 4, 0.6, 0.7, 1.3}, {p.stump, 1, 0.12}},
-                {{p.oak, 3, 0.5, 0.85, 1.3}, {p.youngPine, 1, 0.4, 0.7, 1.2}, {p.fern, 5, 0.6, 0.7, 1.3}, {p.bush, 1, 0.5}, {p.rock, 1, 0.3, 0.6, 1.2}}};
+        return {{{p.oak, 2, 0.55, 0.85, 1.25},
+                 {p.birch, 2, 0.5, 0.85, 1.2},
+                 {p.pine, 1, 0.3, 0.8, 1.1},
+                 {p.bush, 2, 0.5},
+                 {p.fern, 4, 0.6, 0.7, 1.3},
+                 {p.stump, 1, 0.12}},
+                {{p.oak, 3, 0.5, 0.85, 1.3},
+                 {p.youngPine, 1, 0.4, 0.7, 1.2},
+                 {p.fern, 5, 0.6, 0.7, 1.3},
+                 {p.bush, 1, 0.5},
+                 {p.rock, 1, 0.3, 0.6, 1.2}}};
     case Growth::DeepForest:
-        return {{{p.pine, 5, 0.65, 0.85, 1.35}, {p.youngPine, 2, 0.4, 0.7, 1.2}, {p.fern, 5, 0.6}, {p.stump, 1, 0.15}, {p.boulder, 1, 0.06, 0.6, 1.1}}};
+        return {{{p.pine, 5, 0.65, 0.85, 1.35},
+                 {p.youngPine, 2, 0.4, 0.7, 1.2},
+                 {p.fern, 5, 0.6},
+                 {p.stump, 1, 0.15},
+                 {p.boulder, 1, 0.06, 0.6, 1.1}}};
     case Growth::WoodEdge:
-        return {{{p.bush, 3, 0.5, 0.8, 1.5}, {p.birch, 1, 0.35, 0.7, 1.1}, {p.oak, 1, 0.2, 0.7, 1.1}, {p.grass, 7, 0.7, 0.9, 1.6}, {p.flowers, 2, 0.5}, {p.fern, 2, 0.5}}};
+        return {{{p.bush, 3, 0.5, 0.8, 1.5},
+                 {p.birch, 1, 0.35, 0.7, 1.1},
+                 {p.oak, 1, 0.2, 0.7, 1.1},
+                 {p.grass, 7, 0.7, 0.9, 1.6},
+                 {p.flowers, 2, 0.5},
+                 {p.fern, 2, 0.5}}};
     case Growth::LaneSide:
-        return {{{p.grass, 10, 0.7, 0.7, 1.3}, {p.flowers, 4, 0.55}, {p.tallGrass, 4, 0.6}, {p.bush, 1, 0.18, 0.7, 1.1}, {p.rock, 2, 0.2, 0.25, 0.6}, {p.birch, 1, 0.07}}};
+        return {{{p.grass, 10, 0.7, 0.7, 1.3},
+                 {p.flowers, 4, 0.55},
+                 {p.tallGrass, 4, 0.6},
+                 {p.bush, 1, 0.18, 0.7, 1.1},
+                 {p.rock, 2, 0.2, 0.25, 0.6},
+                 {p.birch, 1, 0.07}}};
     case Growth::Rocks:
-        return {{{p.boulder, 2, 0.45, 0.5, 1.3}, {p.rock, 4, 0.5, 0.5, 1.4}, {p.grass, 4, 0.5, 0.7, 1.1}, {p.youngPine, 1, 0.2, 0.6, 1.0}}};
+        return {{{p.boulder, 2, 0.45, 0.5, 1.3},
+                 {p.rock, 4, 0.5, 0.5, 1.4},
+                 {p.grass, 4, 0.5, 0.7, 1.1},
+                 {p.youngPine, 1, 0.2, 0.6, 1.0}}};
     case Growth::Yard:
         return {{{p.grass, 9, 0.6, 0.6, 1.1}, {p.flowers, 5, 0.6}}};
     case Growth::Nothing:
-    case Growth::Count: break;
+    case Growth::Count:
+        break;
     }
     return {};
 }
@@ -89,13 +134,24 @@ struct TerrainLook {
 
 std::vector<TerrainLook> terrainLooks() {
     using enum Growth;
-    return {{TerrainKind::Grassland, "Grassland", 0xFF5C7030, Ground::Grassland, 4, {Nothing, Meadow, WoodEdge}},
-            {TerrainKind::BarrenRock, "BarrenRock", 0xFF77726A, Ground::Rock, 4, {Nothing, Rocks}},
-            {TerrainKind::LushGrass, "LushGrass", 0xFF4A6B24, Ground::LushGrass, 4, {Nothing, Meadow}},
-            {TerrainKind::PackedDirt, "PackedDirt", 0xFF6A5438, Ground::PackedDirt, 4, {Nothing, Yard}},
-            {TerrainKind::PatchyGrass, "PatchyGrassland", 0xFF707042, Ground::PatchyGrass, 4, {Nothing, LaneSide}},
-            {TerrainKind::ForestFloor, "ForestFloor", 0xFF4A3A22, Ground::ForestFloor, 5, {Nothing, Forest, DeepForest}},
-            {TerrainKind::Moss, "Moss", 0xFF4C5A22, Ground::Moss, 4, {Nothing, Forest}}};
+    return {
+        {TerrainKind::Grassland, "Grassland", 0xFF5C7030, Ground::Grassland, 4, {Nothing, Meadow, WoodEdge}},
+        {TerrainKind::BarrenRock, "BarrenRock", 0xFF77726A, Ground::Rock, 4, {Nothing, Rocks}},
+        {TerrainKind::LushGrass, "LushGrass", 0xFF4A6B24, Ground::LushGrass, 4, {Nothing, Meadow}},
+        {TerrainKind::PackedDirt, "PackedDirt", 0xFF6A5438, Ground::PackedDirt, 4, {Nothing, Yard}},
+        {TerrainKind::PatchyGrass,
+         "PatchyGrassland",
+         0xFF707042,
+         Ground::PatchyGrass,
+         4,
+         {Nothing, LaneSide}},
+        {TerrainKind::ForestFloor,
+         "ForestFloor",
+         0xFF4A3A22,
+         Ground::ForestFloor,
+         5,
+         {Nothing, Forest, DeepForest}},
+        {TerrainKind::Moss, "Moss", 0xFF4C5A22, Ground::Moss, 4, {Nothing, Forest}}};
 }
 
 void addTerrainTypes(dat::Region& region) {

@@ -5,8 +5,8 @@
 
 namespace limen::demo {
 
-/// Adds the Region: heights, calendar, sky, terrain types with their scenes, ground pictures and blend maps; and the
-/// Scene records it names.
+/// Adds the Region: heights, calendar, sky, terrain types with their scenes, ground pictures and blend maps;
+/// and the Scene records it names.
 void addRegion(ModelSink& sink, const Plants& plants);
 
 /// The sky: domes, sun, moon and clouds as GfxObjs, and one day group with keyframes through the day.

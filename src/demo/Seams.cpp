@@ -7,8 +7,8 @@ namespace limen::demo {
 
 namespace {
 
-/// Metres. Fine enough to be invisible, coarse enough that block-local floats hold every point exactly (24 bits of
-/// mantissa reach 2^-13 up to 1024 m).
+/// Metres. Fine enough to be invisible, coarse enough that block-local floats hold every point exactly (24
+/// bits of mantissa reach 2^-13 up to 1024 m).
 constexpr double kGrid = 1.0 / 8192.0;
 /// A point this near (metres) to an edge lies on it: rounding moves points by up to 0.87 grid steps.
 constexpr double kOnEdge = 2.0 * kGrid;
@@ -19,7 +19,9 @@ struct Less {
     }
 };
 
-double snap(double v) { return std::round(v / kGrid) * kGrid; }
+double snap(double v) {
+    return std::round(v / kGrid) * kGrid;
+}
 
 /// Where between a and b the point lies on their line, or no value (-1) if it does not lie strictly between.
 double positionOnEdge(const Vec3& a, const Vec3& b, const Vec3& p) {
@@ -45,7 +47,8 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
                 out.uvs.push_back(face.uvs[i] + (face.uvs[j] - face.uvs[i]) * t);
             }
             if (!face.normals.empty()) {
-                out.normals.push_back(glm::normalize(face.normals[i] + (face.normals[j] - face.normals[i]) * t));
+                out.normals.push_back(
+                    glm::normalize(face.normals[i] + (face.normals[j] - face.normals[i]) * t));
             }
         };
         push(0.0, face.points[i]);
@@ -56,7 +59,8 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
                 between.emplace_back(t, p);
             }
         }
-        std::sort(between.begin(), between.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::sort(between.begin(), between.end(),
+                  [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [t, p] : between) {
             push(t, p);
         }
@@ -80,9 +84,9 @@ void rotate(Face& face, std::size_t first) {
     turn(face.normals);
 }
 
-/// Polygons are drawn as fans from their first vertex. With vertices along straight edges a badly chosen first vertex
-/// gives triangles without area, whose long side no longer has the vertices that the neighbours have. Turns the
-/// polygon to a good first vertex; false if it has none.
+/// Polygons are drawn as fans from their first vertex. With vertices along straight edges a badly chosen
+/// first vertex gives triangles without area, whose long side no longer has the vertices that the neighbours
+/// have. Turns the polygon to a good first vertex; false if it has none.
 bool chooseFan(Face& face) {
     const std::size_t n = face.points.size();
     const auto at = [&](std::size_t i) -> const Vec3& { return face.points[i % n]; };
@@ -120,14 +124,11 @@ void splitAtCentre(const Face& face, std::vector<Face>& out) {
 
 } // namespace
 
-void closeSeams(std::vector<Face>& faces) {
-    std::set<Vec3, Less> points;
-    for (Face& face : faces) {
-        for (Vec3& p : face.points) {
-            p = {snap(p.x), snap(p.y), snap(p.z)};
-            points.insert(p);
-        }
-    }
+namespace {
+
+using Points = std::set<Vec3, Less>;
+
+void insertAndFan(std::vector<Face>& faces, const Points& points) {
     std::vector<Face> out;
     for (Face& face : faces) {
         insertVertices(face, points);
@@ -138,6 +139,33 @@ void closeSeams(std::vector<Face>& faces) {
         }
     }
     faces = std::move(out);
+}
+
+} // namespace
+
+void closeSeams(std::vector<Face>& faces) {
+    Points points;
+    for (Face& face : faces) {
+        for (Vec3& p : face.points) {
+            p = {snap(p.x), snap(p.y), snap(p.z)};
+            points.insert(p);
+        }
+    }
+    insertAndFan(faces, points);
+}
+
+void closePortalSeams(const std::vector<std::vector<Face>*>& meshes) {
+    Points points;
+    for (const std::vector<Face>* mesh : meshes) {
+        for (const Face& face : *mesh) {
+            if (face.portal) {
+                points.insert(face.points.begin(), face.points.end());
+            }
+        }
+    }
+    for (std::vector<Face>* mesh : meshes) {
+        insertAndFan(*mesh, points);
+    }
 }
 
 } // namespace limen::demo

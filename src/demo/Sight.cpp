@@ -38,7 +38,8 @@ const SightMap::Portal* exitOf(const SightMap::Cell& cell, const Vec3& from, con
     for (const SightMap::Portal& portal : cell.portals) {
         const Plane plane = planeOf(portal.points);
         const bool leaving = glm::dot(plane.n, direction) < -kNear;
-        if (leaving && std::abs(plane.signedDistance(at)) < 1e-4 && containsProjection(portal.points, plane.n, at, 1e-4)) {
+        if (leaving && std::abs(plane.signedDistance(at)) < 1e-4 &&
+            containsProjection(portal.points, plane.n, at, 1e-4)) {
             return &portal;
         }
     }

@@ -20,8 +20,8 @@ struct SightMap {
     std::vector<Cell> cells;
 };
 
-/// True if some ray from inside the cell reaches outside. Sampled: rays from a grid of points on the cell's own openings
-/// to a grid of points on every opening that leads outside.
+/// True if some ray from inside the cell reaches outside. Sampled: rays from a grid of points on the cell's
+/// own openings to a grid of points on every opening that leads outside.
 [[nodiscard]] bool seesOutside(const SightMap& map, std::size_t cell);
 
 } // namespace limen::demo

@@ -6,14 +6,16 @@ namespace limen::demo {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kRadius = 1000.0; ///< metres; sky meshes are drawn around the eye, their size does not matter
+constexpr double kRadius =
+    1000.0; ///< metres; sky meshes are drawn around the eye, their size does not matter
 constexpr double kSunTilt = 32.0 * kPi / 180.0; ///< how far south of the zenith the sun stands at noon
 constexpr double kSunrise = 0.25, kSunset = 0.75;
 
 /// Indices into the day group's objects.
 enum class SkyPiece : std::uint32_t { Night, Day, Dusk, Sun, Moon, Clouds, Count };
 
-/// A dome seen from inside: u around, v from the zenith (0) over the horizon (kHorizonV) to 22.5° below it (1).
+/// A dome seen from inside: u around, v from the zenith (0) over the horizon (kHorizonV) to 22.5° below it
+/// (1).
 MeshBuilder dome(Material material) {
     constexpr int kAround = 24;
     constexpr int kRings = 10;
@@ -23,7 +25,9 @@ MeshBuilder dome(Material material) {
         const double a = 2.0 * kPi * (k % kAround) / kAround;
         return kRadius * Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar));
     };
-    const auto uv = [](int ring, int k) { return Vec2(static_cast<double>(k) / kAround, static_cast<double>(ring) / kRings); };
+    const auto uv = [](int ring, int k) {
+        return Vec2(static_cast<double>(k) / kAround, static_cast<double>(ring) / kRings);
+    };
     for (int ring = 0; ring < kRings; ++ring) {
         for (int k = 0; k < kAround; ++k) {
             Face face;
@@ -46,7 +50,8 @@ MeshBuilder disc(Material material, double half, double tilt) {
     const Vec3 right = glm::normalize(glm::cross(centre, Vec3(0, 0, 1))) * half;
     const Vec3 up = glm::normalize(glm::cross(right, centre)) * half;
     MeshBuilder mesh;
-    mesh.card({centre - right - up, centre + right - up, centre + right + up, centre - right + up}, material, true);
+    mesh.card({centre - right - up, centre + right - up, centre + right + up, centre - right + up}, material,
+              true);
     return mesh;
 }
 
@@ -77,7 +82,8 @@ MeshBuilder cloudBowl() {
     return mesh;
 }
 
-dat::SkyObject skyObject(dat::RecordId mesh, double begin, double end, double fromAngle, double toAngle, std::uint32_t properties) {
+dat::SkyObject skyObject(dat::RecordId mesh, double begin, double end, double fromAngle, double toAngle,
+                         std::uint32_t properties) {
     dat::SkyObject object;
     object.object = mesh;
     object.beginTime = static_cast<float>(begin);
@@ -99,21 +105,20 @@ struct Moment {
     double day = 0.0, dusk = 0.0, clouds = 0.0;
 };
 
-constexpr std::array kMoments{
-    Moment{0.00, 0.16, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-    Moment{0.19, 0.14, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-    Moment{0.235, 0.00, 0xFFFF9050, 0.50, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
-    Moment{0.27, 0.45, 0xFFFFA060, 0.60, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
-    Moment{0.31, 0.75, 0xFFFFCF98, 0.70, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
-    Moment{0.37, 0.88, 0xFFFFE6C4, 0.78, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
-    Moment{0.43, 0.92, 0xFFFFF0DC, 0.80, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-    Moment{0.50, 0.95, 0xFFFFF4E4, 0.82, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
-    Moment{0.57, 0.92, 0xFFFFF0DC, 0.80, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-    Moment{0.63, 0.88, 0xFFFFE4C0, 0.78, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
-    Moment{0.69, 0.72, 0xFFFFC88C, 0.68, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
-    Moment{0.73, 0.45, 0xFFFF9455, 0.58, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
-    Moment{0.765, 0.00, 0xFFFF7848, 0.48, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
-    Moment{0.81, 0.14, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
+constexpr std::array kMoments{Moment{0.00, 0.16, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
+                              Moment{0.19, 0.14, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
+                              Moment{0.235, 0.00, 0xFFFF9050, 0.50, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
+                              Moment{0.27, 0.45, 0xFFFFA060, 0.60, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
+                              Moment{0.31, 0.75, 0xFFFFCF98, 0.70, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
+                              Moment{0.37, 0.88, 0xFFFFE6C4, 0.78, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
+                              Moment{0.43, 0.92, 0xFFFFF0DC, 0.80, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
+                              Moment{0.50, 0.95, 0xFFFFF4E4, 0.82, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
+                              Moment{0.57, 0.92, 0xFFFFF0DC, 0.80, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
+                              Moment{0.63, 0.88, 0xFFFFE4C0, 0.78, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
+                              Moment{0.69, 0.72, 0xFFFFC88C, 0.68, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
+                              Moment{0.73, 0.45, 0xFFFF9455, 0.58, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
+                              Moment{0.765, 0.00, 0xFFFF7848, 0.48, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
+                              Moment{0.81, 0.14, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
 
 /// Towards the sun (by day) or the moon (by night) at that time.
 Vec3 lightDirection(double time) {
@@ -165,10 +170,10 @@ dat::SkyDesc buildSky(ModelSink& sink) {
     group.objects.push_back(skyObject(mesh(dome(Material::SkyDusk)), 0.0, 0.0, 0.0, 0.0, 0));
     const double early = 0.03;
     const double slack = 360.0 * early;
-    group.objects.push_back(
-        skyObject(mesh(disc(Material::Sun, 110.0, kSunTilt)), kSunrise - early, kSunset + early, -slack, 180.0 + slack, 0));
-    group.objects.push_back(
-        skyObject(mesh(disc(Material::Moon, 26.0, 0.5 * kSunTilt)), kSunset - early, kSunrise + early, -slack, 180.0 + slack, 0));
+    group.objects.push_back(skyObject(mesh(disc(Material::Sun, 110.0, kSunTilt)), kSunrise - early,
+                                      kSunset + early, -slack, 180.0 + slack, 0));
+    group.objects.push_back(skyObject(mesh(disc(Material::Moon, 26.0, 0.5 * kSunTilt)), kSunset - early,
+                                      kSunrise + early, -slack, 180.0 + slack, 0));
     dat::SkyObject clouds = skyObject(mesh(cloudBowl()), 0.0, 0.0, 0.0, 0.0, 2);
     clouds.texVelocityX = 0.0015f;
     clouds.texVelocityY = 0.0006f;

@@ -34,7 +34,8 @@ double wildHeight(double vx, double vy) {
     const double rolling = 5.5 * fbm(u, v, 5, 5, 3, 4001);
     const double far = std::max(std::abs(vx - 12.0), std::abs(vy - 12.0));
     const double rim = 27.0 * smoothStep(6.5, 12.0, far) * (0.8 + 0.9 * fbm(u, v, 4, 4, 2, 4003));
-    const double hill = 24.0 * std::exp(-((vx - 3.4) * (vx - 3.4) + (vy - 17.2) * (vy - 17.2)) / (2.0 * 2.3 * 2.3));
+    const double hill =
+        24.0 * std::exp(-((vx - 3.4) * (vx - 3.4) + (vy - 17.2) * (vy - 17.2)) / (2.0 * 2.3 * 2.3));
     const double northSlope = 11.0 * smoothStep(13.0, 18.0, vy);
     const double southDip = -3.5 * std::exp(-(vy - 9.0) * (vy - 9.0) / 3.0);
     const double wild = heightOfIndex(kSiteIndex) + rolling + rim + hill + northSlope + southDip;
@@ -53,7 +54,9 @@ int heightIndex(int vx, int vy) {
     return best;
 }
 
-double vertexHeight(int vx, int vy) { return heightOfIndex(heightIndex(vx, vy)); }
+double vertexHeight(int vx, int vy) {
+    return heightOfIndex(heightIndex(vx, vy));
+}
 
 struct Cover {
     TerrainKind kind = TerrainKind::Grassland;
@@ -68,8 +71,10 @@ Cover coverAt(int vx, int vy) {
     if (site < 0.5) {
         return vy == 12 ? Cover{TerrainKind::PackedDirt, 1} : Cover{TerrainKind::LushGrass, 1};
     }
-    const double slope = std::hypot(wildHeight(vx + 0.5, vy) - wildHeight(vx - 0.5, vy), wildHeight(vx, vy + 0.5) - wildHeight(vx, vy - 0.5));
-    const double wood = fbm(u, v, 5, 5, 3, 4011) + 0.16 * smoothStep(14.5, 18.0, vy) - 0.5 * std::exp(-std::pow(std::hypot(vx - 3.4, vy - 17.2) / 1.6, 2.0));
+    const double slope = std::hypot(wildHeight(vx + 0.5, vy) - wildHeight(vx - 0.5, vy),
+                                    wildHeight(vx, vy + 0.5) - wildHeight(vx, vy - 0.5));
+    const double wood = fbm(u, v, 5, 5, 3, 4011) + 0.16 * smoothStep(14.5, 18.0, vy) -
+                        0.5 * std::exp(-std::pow(std::hypot(vx - 3.4, vy - 17.2) / 1.6, 2.0));
     if (slope > 11.5) {
         return {TerrainKind::BarrenRock, 1};
     }
@@ -84,14 +89,16 @@ Cover coverAt(int vx, int vy) {
     if (lane < 0.9) {
         return {TerrainKind::PatchyGrass, 1};
     }
-    return fbm(u, v, 8, 8, 2, 4015) > 0.05 ? Cover{TerrainKind::LushGrass, 1} : Cover{TerrainKind::Grassland, 1};
+    return fbm(u, v, 8, 8, 2, 4015) > 0.05 ? Cover{TerrainKind::LushGrass, 1}
+                                           : Cover{TerrainKind::Grassland, 1};
 }
 
 std::uint16_t terrainWord(int vx, int vy) {
     const Cover cover = coverAt(vx, vy);
     const std::vector<std::pair<int, int>> lane = lanePath();
     const bool road = std::find(lane.begin(), lane.end(), std::pair{vx, vy}) != lane.end();
-    return static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(cover.kind) << 2 | cover.scene << 11);
+    return static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(cover.kind) << 2 |
+                                      cover.scene << 11);
 }
 
 /// formats/landscape.md §5: true if the landcell's diagonal runs from south-west to north-east.
@@ -103,9 +110,13 @@ bool splitsSouthWest(int vx, int vy) {
 
 } // namespace
 
-double heightOfIndex(int index) { return std::round((0.25 * index + 0.0012 * index * index) * 64.0) / 64.0; }
+double heightOfIndex(int index) {
+    return std::round((0.25 * index + 0.0012 * index * index) * 64.0) / 64.0;
+}
 
-double siteLevel() { return heightOfIndex(kSiteIndex); }
+double siteLevel() {
+    return heightOfIndex(kSiteIndex);
+}
 
 double groundHeight(double x, double y) {
     const int cx = std::clamp(static_cast<int>(std::floor(x / kLandcell)), 0, kVertices - 2);
@@ -119,19 +130,24 @@ double groundHeight(double x, double y) {
     if (splitsSouthWest(cx, cy)) {
         return fx >= fy ? sw + (se - sw) * fx + (ne - se) * fy : sw + (ne - nw) * fx + (nw - sw) * fy;
     }
-    return fx + fy <= 1.0 ? sw + (se - sw) * fx + (nw - sw) * fy : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
+    return fx + fy <= 1.0 ? sw + (se - sw) * fx + (nw - sw) * fy
+                          : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
 }
 
 std::vector<std::pair<int, int>> lanePath() {
-    std::vector<std::pair<int, int>> path{{0, 18}, {1, 18}, {2, 17}, {3, 16}, {4, 15}, {5, 14}, {6, 13}, {7, 13}};
+    std::vector<std::pair<int, int>> path{{0, 18}, {1, 18}, {2, 17}, {3, 16},
+                                          {4, 15}, {5, 14}, {6, 13}, {7, 13}};
     for (int x = 8; x <= 15; ++x) {
         path.emplace_back(x, 12);
     }
-    path.insert(path.end(), {{16, 11}, {17, 10}, {18, 9}, {19, 9}, {20, 9}, {21, 8}, {22, 8}, {23, 8}, {24, 7}});
+    path.insert(path.end(),
+                {{16, 11}, {17, 10}, {18, 9}, {19, 9}, {20, 9}, {21, 8}, {22, 8}, {23, 8}, {24, 7}});
     return path;
 }
 
-Vec3 toGlobal(const Vec3& area) { return area + Vec3(kSouthWest.x * 192.0, kSouthWest.y * 192.0, 0.0); }
+Vec3 toGlobal(const Vec3& area) {
+    return area + Vec3(kSouthWest.x * 192.0, kSouthWest.y * 192.0, 0.0);
+}
 
 void addLandBlocks(WorldRecords& records, const std::vector<dat::BlockCoord>& withObjects) {
     for (int bx = 0; bx < kBlocksAcross; ++bx) {
@@ -139,7 +155,8 @@ void addLandBlocks(WorldRecords& records, const std::vector<dat::BlockCoord>& wi
             const dat::BlockCoord coord{kSouthWest.x + bx, kSouthWest.y + by};
             dat::LandBlock block;
             block.id = dat::landBlockId(coord);
-            block.hasObjects = std::find(withObjects.begin(), withObjects.end(), coord) != withObjects.end() ? 1u : 0u;
+            block.hasObjects =
+                std::find(withObjects.begin(), withObjects.end(), coord) != withObjects.end() ? 1u : 0u;
             for (int x = 0; x <= kCellsPerBlock; ++x) {
                 for (int y = 0; y <= kCellsPerBlock; ++y) {
                     const auto index = static_cast<std::size_t>(x * (kCellsPerBlock + 1) + y);

@@ -14,7 +14,8 @@ void stand(BlockBuilder& block, dat::RecordId model, double x, double y, double 
 }
 
 /// A row of fence pieces along x, 3 m each, open where a piece would lie in the gap.
-void fenceRow(BlockBuilder& block, dat::RecordId fence, double y, double from, double to, double gapFrom, double gapTo) {
+void fenceRow(BlockBuilder& block, dat::RecordId fence, double y, double from, double to, double gapFrom,
+              double gapTo) {
     for (double x = from; x + 3.0 <= to + 1e-9; x += 3.0) {
         if (x + 3.0 <= gapFrom || x >= gapTo) {
             stand(block, fence, x, y, 0.0);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "dat/Ids.h"
 #include "dat/records/Cells.h"
 #include "dat/records/Landscape.h"
 #include "dat/records/Models.h"
 #include "dat/records/Textures.h"
-#include "dat/Ids.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

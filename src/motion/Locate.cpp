@@ -11,7 +11,7 @@ namespace {
 /// A point this far in front of a plane's back side is still in front; metres (formats/cells.md, "Point in
 /// cell").
 constexpr double kPlaneSlack = 0.0002;
-/// How far outside an opening's edges a segment may pass and still go through it; metres (semantics.md,
+/// How far outside an opening's edges a segment may pass and still go through it; metres (docs/ray-rule.md,
 /// Tolerances).
 constexpr double kOpeningSlack = 0.0002;
 
@@ -30,7 +30,7 @@ std::optional<double> crossingOf(const world::World& world, const world::Portal&
         return std::nullopt;
     const double t = std::clamp(before / (before - after), 0.0, 1.0);
     const Vec3 at = from + (to - from) * t;
-    if (!containsProjection(world::polygonOf(world, portal), portal.plane.n, at, kOpeningSlack))
+    if (!containsProjection(world::cornersOf(world, portal), portal.plane.n, at, kOpeningSlack))
         return std::nullopt;
     return t;
 }

@@ -29,7 +29,7 @@ private:
     std::unordered_map<dat::RecordId, std::optional<dat::LandBlock>> neighbours_;
 };
 
-/// True for blocks without any ground (semantics.md, Tolerances): all heights 0, cells, no buildings.
+/// True for blocks without any ground (docs/ray-rule.md): all heights 0, cells, no buildings.
 [[nodiscard]] bool isPureDungeon(const dat::LandBlock& land, const dat::LandBlockInfo* info);
 
 } // namespace limen::world

@@ -38,9 +38,13 @@ std::uint32_t BlockGeometry::add(SourcePolygon polygon, const Placement& placeme
 void BlockGeometry::bake() {
     welder_.weld();
     Stitcher stitcher(welder_.positions());
-    for (std::vector<StitchLoop>& loops : loops_) {
-        for (StitchCorner& corner : loops.front())
+    corners_.resize(loops_.size());
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+        std::vector<StitchLoop>& loops = loops_[i];
+        for (StitchCorner& corner : loops.front()) {
             corner.vertex = welder_.vertexOf(corner.vertex);
+            corners_[i].push_back(corner.vertex);
+        }
         loops = stitcher.stitch(loops.front());
     }
 }

@@ -4,7 +4,7 @@
 
 namespace limen::world {
 
-/// Finds the spaces that a ball reaches through open portals (semantics.md, Membership). Remembers the
+/// Finds the spaces that a ball reaches through open portals (docs/ray-rule.md). Remembers the
 /// portals' bounds, so the world's spaces and portals must not change while it lives.
 class Membership {
 public:

@@ -6,7 +6,7 @@ namespace limen::world {
 
 /// Two openings that agree to this are one and the same; metres.
 inline constexpr double kExactTolerance = 0.001;
-/// Openings farther apart than this are different ones; metres (semantics.md, Spaces).
+/// Openings farther apart than this are different ones; metres (docs/ray-rule.md).
 inline constexpr double kOpeningTolerance = 0.01;
 
 /// Resolves the destinations of the cells' portals and finds their ways back. A way back that the data names

@@ -4,7 +4,7 @@
 
 namespace limen::world {
 
-/// Cells that reach into each other by no more than this count as disjoint; metres (architecture.md, Zones).
+/// Cells that reach into each other by no more than this count as disjoint; metres (docs/ray-rule.md, "Zones").
 inline constexpr double kOverlapTolerance = 0.01;
 
 /// True if it can be shown that two cells do not overlap: a plane parallel to a face of either, or to an edge

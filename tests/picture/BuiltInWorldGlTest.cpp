@@ -57,7 +57,7 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
     }
 };
 INSTANTIATE_TEST_SUITE_P(Zones, BuiltInWorld, ::testing::Bool(),
-                         [](const auto& info) { return info.param ? "merged" : "apart"; });
+                         [](const auto& zones) { return zones.param ? "merged" : "apart"; });
 
 TEST_P(BuiltInWorld, everyPlaceIsClean) {
     for (const world::Place& place : places().places) {
@@ -108,7 +108,7 @@ TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
                 continue;
             }
         } else {
-            const world::Block& block = world.blocks[static_cast<std::size_t>(unit(random) * world.blocks.size())];
+            const world::Block& block = world.blocks[static_cast<std::size_t>(unit(random) * static_cast<double>(world.blocks.size()))];
             eye = block.origin() + Vec3(unit(random), unit(random), 0.0) * world::kBlockSize;
             eye.z = world::terrainHeight(world, eye.x, eye.y) + 0.3 + unit(random) * 12.0;
             if (motion::locate(world, eye).space != world::kOutside) {

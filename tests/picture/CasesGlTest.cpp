@@ -13,7 +13,7 @@ struct Cases : ::testing::TestWithParam<bool> {
     [[nodiscard]] PictureOptions options() const { return {GetParam(), 1}; }
 };
 INSTANTIATE_TEST_SUITE_P(Zones, Cases, ::testing::Bool(),
-                         [](const auto& info) { return info.param ? "merged" : "apart"; });
+                         [](const auto& zones) { return zones.param ? "merged" : "apart"; });
 
 /// Two rooms, 4 × 4 × 3 m, joined by a door 1 m wide and 2 m high in the plane x = 4.
 struct TwoRooms {

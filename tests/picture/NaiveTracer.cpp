@@ -127,6 +127,17 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
     return nearest;
 }
 
+bool NaiveTracer::passesReciprocal(world::PortalIndex index, const Ray& ray) const {
+    const world::Portal& portal = world_.portals[index];
+    if (portal.exact || portal.reciprocal == world::kNone) {
+        return true;
+    }
+    const world::Portal& back = world_.portals[portal.reciprocal];
+    const auto polygon = std::span(world_.portalVertices).subspan(back.firstVertex, back.vertexCount);
+    const double t = -back.plane.signedDistance(ray.eye) / glm::dot(back.plane.n, ray.direction);
+    return containsProjection(polygon, back.plane.n, ray.eye + ray.direction * t, 0.0);
+}
+
 NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) const {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     Answer answer;
@@ -148,7 +159,7 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
         if (portal == world::kNone || answer.t <= t + slack) {
             break;
         }
-        if (world_.portals[portal].destination == world::kNone) {
+        if (world_.portals[portal].destination == world::kNone || !passesReciprocal(portal, ray)) {
             answer.id = 0;
             answer.t = kInfinite;
             break;

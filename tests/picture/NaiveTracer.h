@@ -44,6 +44,9 @@ private:
     [[nodiscard]] world::PortalIndex nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
                                                    world::PortalIndex cameBy, double& t) const;
 
+    /// An inexact pair is open where both polygons are; through one of them alone a ray meets a hole.
+    [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;
+
     const world::World& world_;
     std::vector<Triangle> triangles_;
     std::vector<Body> bodies_; ///< by instance

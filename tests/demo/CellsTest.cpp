@@ -1,0 +1,261 @@
+#include "demo/BuiltIn.h"
+
+#include "demo/Bsp.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace limen::demo::test {
+namespace {
+
+using Point = std::array<double, 3>;
+using Edge = std::pair<Point, Point>;
+
+Point key(const Vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+std::vector<Edge> edgesOf(const std::vector<Vec3>& polygon) {
+    std::vector<Edge> out;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        out.emplace_back(key(polygon[i]), key(polygon[(i + 1) % polygon.size()]));
+    }
+    return out;
+}
+
+TEST(Cells, everyEdgeHasExactlyOnePartnerRunningTheOtherWay) {
+    ASSERT_EQ(world().envCells.size(), 9u);
+    for (const dat::EnvCell& cell : world().envCells) {
+        const dat::CellStruct& shape = shapeOf(cell);
+        std::map<Edge, int> count;
+        for (const auto& [id, polygon] : shape.polygons) {
+            for (const Edge& e : edgesOf(pointsOf(shape.vertexArray, polygon, cell.position))) {
+                ++count[e];
+            }
+        }
+        for (const auto& [e, n] : count) {
+            EXPECT_EQ(n, 1) << std::hex << cell.id;
+            EXPECT_EQ(count.count({e.second, e.first}), 1u)
+                << std::hex << cell.id << " edge at " << e.first[0] << " " << e.first[1] << " " << e.first[2];
+        }
+    }
+}
+
+TEST(Cells, noFanTriangleIsFlat) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        const dat::CellStruct& shape = shapeOf(cell);
+        for (const auto& [id, polygon] : shape.polygons) {
+            const std::vector<Vec3> p = pointsOf(shape.vertexArray, polygon, cell.position);
+            for (std::size_t k = 1; k + 1 < p.size(); ++k) {
+                EXPECT_GT(glm::length(glm::cross(p[k] - p[0], p[k + 1] - p[0])), 1e-3)
+                    << std::hex << cell.id << " polygon " << id;
+            }
+        }
+    }
+}
+
+TEST(Cells, polygonsAreFlatAndConvex) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        const dat::CellStruct& shape = shapeOf(cell);
+        for (const auto& [id, polygon] : shape.polygons) {
+            const std::vector<Vec3> p = pointsOf(shape.vertexArray, polygon, cell.position);
+            const Plane plane = planeOf(p);
+            for (std::size_t k = 0; k < p.size(); ++k) {
+                EXPECT_LT(std::abs(plane.signedDistance(p[k])), 1e-4);
+                const Vec3 turn =
+                    glm::cross(p[(k + 1) % p.size()] - p[k], p[(k + 2) % p.size()] - p[(k + 1) % p.size()]);
+                EXPECT_GT(glm::dot(turn, plane.n), -1e-6);
+            }
+        }
+    }
+}
+
+TEST(Cells, portalPairsNameEachOtherAndHaveTheSameCorners) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        for (std::size_t k = 0; k < cell.portals.size(); ++k) {
+            const dat::CellPortal& portal = cell.portals[k];
+            EXPECT_EQ(shapeOf(cell).portalPolygons.at(k), portal.polygonId);
+            if (portal.otherCellId == dat::kOutdoors) {
+                continue;
+            }
+            const dat::EnvCell* other = findCell((cell.id & 0xFFFF0000u) | portal.otherCellId);
+            ASSERT_NE(other, nullptr);
+            const dat::CellPortal& back = other->portals.at(portal.otherPortalId);
+            EXPECT_EQ(back.otherCellId, cell.id & 0xFFFF);
+            EXPECT_EQ(back.otherPortalId, k);
+            EXPECT_EQ(mismatch(portalPoints(cell, k), portalPoints(*other, portal.otherPortalId)), 0.0);
+        }
+    }
+}
+
+TEST(Cells, interiorLiesOnTheSideThatTheFlagSays) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        const Vec3 middle = boundsOf(cell).centre();
+        for (std::size_t k = 0; k < cell.portals.size(); ++k) {
+            const double side = planeOf(portalPoints(cell, k)).signedDistance(middle);
+            EXPECT_EQ((cell.portals[k].flags & dat::CellPortal::kPortalSide) != 0, side > 0.0);
+            EXPECT_GT(std::abs(side), 0.05);
+        }
+    }
+}
+
+TEST(Cells, cellTreeHoldsTheInsideAndNothingElse) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        const Aabb box = boundsOf(cell);
+        for (int k = 0; k < 343; ++k) {
+            const Vec3 t{(k % 7) / 5.0 - 0.1, (k / 7 % 7) / 5.0 - 0.1, (k / 49) / 5.0 - 0.1};
+            const Vec3 p = box.min + (box.max - box.min) * t;
+            const bool inside = std::min({t.x, t.y, t.z}) > 0.0 && std::max({t.x, t.y, t.z}) < 1.0;
+            EXPECT_EQ(contains(cell, p), inside)
+                << std::hex << cell.id << " " << t.x << " " << t.y << " " << t.z;
+        }
+    }
+}
+
+TEST(Cells, ofABuildingAreDisjoint) {
+    const auto& cells = world().envCells;
+    for (std::size_t a = 0; a < cells.size(); ++a) {
+        for (std::size_t b = a + 1; b < cells.size(); ++b) {
+            // The cells are upright boxes (proved by the tree test), so boxes decide.
+            const Aabb p = boundsOf(cells[a]);
+            const Aabb q = boundsOf(cells[b]);
+            const Vec3 overlap = glm::min(p.max, q.max) - glm::max(p.min, q.min);
+            EXPECT_LT(std::min({overlap.x, overlap.y, overlap.z}), 0.01)
+                << std::hex << cells[a].id << " " << cells[b].id;
+        }
+    }
+}
+
+TEST(Cells, haveTreesForDrawingAndCollision) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        const dat::CellStruct& shape = shapeOf(cell);
+        EXPECT_EQ(shape.physicsPolygons.size() + shape.portalPolygons.size(), shape.polygons.size());
+        ASSERT_TRUE(shape.drawingBsp.has_value());
+        std::set<std::uint16_t> drawn;
+        for (const dat::BspNode& n : shape.drawingBsp->nodes) {
+            drawn.insert(n.polygonIds.begin(), n.polygonIds.end());
+            for (const dat::PortalRef& ref : n.portals) {
+                drawn.insert(ref.polygonId);
+            }
+        }
+        EXPECT_EQ(drawn.size(), shape.polygons.size());
+        std::set<std::uint16_t> solid;
+        for (const dat::BspNode& n : shape.physicsBsp.nodes) {
+            solid.insert(n.polygonIds.begin(), n.polygonIds.end());
+        }
+        EXPECT_EQ(solid.size(), shape.physicsPolygons.size());
+    }
+}
+
+TEST(Cells, onlyTheCellarCannotSeeOutside) {
+    std::vector<bool> seen;
+    for (const dat::EnvCell& cell : world().envCells) {
+        seen.push_back((cell.flags & dat::EnvCell::kSeenOutside) != 0);
+    }
+    EXPECT_EQ(seen, (std::vector<bool>{true, true, true, true, false, false, true, true, true}));
+}
+
+TEST(Cells, listAllCellsOfTheirHouseAsVisible) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        EXPECT_EQ(cell.visibleCells.size(), (cell.id & 0xFFFF) < 0x106 ? 6u : 3u);
+    }
+}
+
+class Buildings : public ::testing::Test {
+protected:
+    const dat::LandBlockInfo& info() const { return world().landBlockInfos.at(0); }
+    const dat::GfxObj& model(const dat::Building& building) const {
+        return *std::find_if(world().gfxObjs.begin(), world().gfxObjs.end(),
+                             [&](const auto& g) { return g.id == building.model; });
+    }
+};
+
+TEST_F(Buildings, everyPortalIsThePolygonOfTheCellsExit) {
+    ASSERT_EQ(info().buildings.size(), 2u);
+    std::size_t exits = 0;
+    for (const dat::Building& building : info().buildings) {
+        const dat::GfxObj& exterior = model(building);
+        std::map<std::uint16_t, std::uint16_t> polygonOfPortal;
+        for (const dat::BspNode& n : exterior.drawingBsp.nodes) {
+            EXPECT_EQ(n.tag == dat::BspTag::Port, !n.portals.empty());
+            for (const dat::PortalRef& ref : n.portals) {
+                polygonOfPortal[ref.portalIndex] = ref.polygonId;
+            }
+        }
+        ASSERT_EQ(polygonOfPortal.size(), building.portals.size());
+        for (std::size_t k = 0; k < building.portals.size(); ++k) {
+            const dat::BuildingPortal& portal = building.portals[k];
+            const dat::EnvCell* cell = findCell((info().id & 0xFFFF0000u) | portal.otherCellId);
+            ASSERT_NE(cell, nullptr);
+            EXPECT_EQ(cell->portals.at(portal.otherPortalId).otherCellId, dat::kOutdoors);
+            const dat::Polygon& polygon =
+                exterior.polygons.at(polygonOfPortal.at(static_cast<std::uint16_t>(k))).second;
+            const std::vector<Vec3> outer = pointsOf(exterior.vertexArray, polygon, building.frame);
+            EXPECT_EQ(mismatch(outer, portalPoints(*cell, portal.otherPortalId)), 0.0);
+            // Flag: the outside lies on the positive side.
+            EXPECT_TRUE((portal.flags & dat::CellPortal::kPortalSide) != 0);
+            EXPECT_LT(planeOf(outer).signedDistance(boundsOf(*cell).centre()), 0.0);
+            EXPECT_NE(std::find(portal.stabs.begin(), portal.stabs.end(), portal.otherCellId),
+                      portal.stabs.end());
+            ++exits;
+        }
+        EXPECT_EQ(building.numLeaves, leafCount(exterior.drawingBsp));
+    }
+    std::size_t ofCells = 0;
+    for (const dat::EnvCell& cell : world().envCells) {
+        ofCells += static_cast<std::size_t>(
+            std::count_if(cell.portals.begin(), cell.portals.end(),
+                          [](const auto& p) { return p.otherCellId == dat::kOutdoors; }));
+    }
+    EXPECT_EQ(exits, ofCells);
+}
+
+TEST_F(Buildings, wallsMeetTheOpeningsEdgeForEdge) {
+    for (const dat::Building& building : info().buildings) {
+        const dat::GfxObj& exterior = model(building);
+        std::map<Edge, int> count;
+        for (const auto& [id, polygon] : exterior.polygons) {
+            for (const Edge& e : edgesOf(pointsOf(exterior.vertexArray, polygon, building.frame))) {
+                ++count[e];
+            }
+        }
+        for (const auto& [id, polygon] : exterior.polygons) {
+            if ((polygon.stippling & dat::kNoPositiveUv) != 0) {
+                for (const Edge& e : edgesOf(pointsOf(exterior.vertexArray, polygon, building.frame))) {
+                    EXPECT_EQ(count.count({e.second, e.first}), 1u) << "an opening's edge without a reveal";
+                }
+            }
+        }
+    }
+}
+
+TEST_F(Buildings, groundLiesBelowTheFloorAndRunsThroughAboveTheCellar) {
+    const dat::Region& region = world().regions.at(0);
+    const auto block = std::find_if(world().landBlocks.begin(), world().landBlocks.end(),
+                                    [&](const auto& b) { return b.id == (info().id | 0xFFFF); });
+    ASSERT_NE(block, world().landBlocks.end());
+    for (const dat::EnvCell& cell : world().envCells) {
+        const Aabb box = boundsOf(cell);
+        const auto west = static_cast<std::size_t>(box.min.x / 24.0);
+        const auto east = static_cast<std::size_t>(box.max.x / 24.0);
+        const auto south = static_cast<std::size_t>(box.min.y / 24.0);
+        const auto north = static_cast<std::size_t>(box.max.y / 24.0);
+        for (std::size_t x = west; x <= east + 1; ++x) {
+            for (std::size_t y = south; y <= north + 1; ++y) {
+                const double ground = static_cast<double>(region.landDefs.heights[block->heights[x * 9 + y]]);
+                const bool below = (cell.id & 0xFFFF) >= 0x104 && (cell.id & 0xFFFF) <= 0x105;
+                if (below) {
+                    EXPECT_GT(ground, box.max.z + 0.02);
+                } else if ((cell.id & 0xFFFF) == 0x103) {
+                    EXPECT_GT(ground, box.min.z + 1.0);
+                    EXPECT_LT(ground, box.max.z - 0.1);
+                } else {
+                    EXPECT_LT(ground, box.min.z - 0.1);
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace limen::demo::test

@@ -1,0 +1,101 @@
+#include "demo/BuiltIn.h"
+
+#include "demo/TerrainShape.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::demo::test {
+namespace {
+
+Vec3 eyeOf(const nlohmann::ordered_json& json) {
+    return {json.at("x").get<double>(), json.at("y").get<double>(), json.at("z").get<double>()};
+}
+Vec3 inVillage(const Vec3& global) {
+    return global - Vec3(kVillage.x * 192.0, kVillage.y * 192.0, 0.0);
+}
+
+/// The cell that holds a global point, or null.
+const dat::EnvCell* cellAt(const Vec3& global) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        if (contains(cell, inVillage(global))) {
+            return &cell;
+        }
+    }
+    return nullptr;
+}
+
+double ground(const Vec3& global) {
+    return groundHeight(global.x - kSouthWest.x * 192.0, global.y - kSouthWest.y * 192.0);
+}
+
+TEST(Places, areAllThereAndInTheCellTheyName) {
+    const auto& places = world().worldFile.at("places");
+    for (const char* name : {"hill", "lane", "cottage.front", "cottage.room", "cottage.rear",
+                             "cottage.stairs", "cottage.cellar", "neighbour.front", "neighbour.room"}) {
+        ASSERT_TRUE(places.contains(name)) << name;
+        const auto& place = places.at(name);
+        const dat::EnvCell* cell = cellAt(eyeOf(place));
+        ASSERT_EQ(cell != nullptr, place.contains("cell")) << name;
+        if (cell != nullptr) {
+            EXPECT_EQ(std::stoul(place.at("cell").get<std::string>(), nullptr, 16), cell->id) << name;
+        } else {
+            EXPECT_NEAR(eyeOf(place).z, ground(eyeOf(place)) + 1.7, 0.01) << name;
+        }
+    }
+}
+
+TEST(Tour, samplesAreCloseAndInTime) {
+    const auto& tour = world().worldFile.at("tour");
+    ASSERT_GT(tour.size(), 100u);
+    double last = -1.0;
+    for (std::size_t i = 0; i < tour.size(); ++i) {
+        const double t = tour[i].at("t").get<double>();
+        EXPECT_GT(t, last);
+        last = t;
+        if (i > 0) {
+            EXPECT_LT(glm::length(eyeOf(tour[i]) - eyeOf(tour[i - 1])), 1.6);
+        }
+    }
+    EXPECT_GT(last, 60.0);
+    EXPECT_LT(last, 110.0);
+}
+
+TEST(Tour, goesThroughEveryPartOfTheHouseAndNeverThroughAWall) {
+    const auto& tour = world().worldFile.at("tour");
+    std::vector<std::uint32_t> visited;
+    const dat::EnvCell* last = nullptr;
+    for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
+        for (int k = 0; k < 20; ++k) {
+            const Vec3 p = eyeOf(tour[i]) + (eyeOf(tour[i + 1]) - eyeOf(tour[i])) * (k / 20.0);
+            const dat::EnvCell* cell = cellAt(p);
+            if (cell == nullptr) {
+                EXPECT_GT(p.z, ground(p) + 1.0) << "under the ground outside";
+            }
+            if (cell == last) {
+                continue;
+            }
+            // A change of space happens within reach of an opening between the two, well inside its border.
+            const dat::EnvCell* from = last != nullptr ? last : cell;
+            const dat::EnvCell* to = last != nullptr ? cell : nullptr;
+            bool through = false;
+            for (std::size_t n = 0; n < from->portals.size(); ++n) {
+                const std::uint32_t other = from->portals[n].otherCellId;
+                const bool leads = to == nullptr ? other == dat::kOutdoors : other == (to->id & 0xFFFF);
+                const std::vector<Vec3> polygon = portalPoints(*from, n);
+                const Plane plane = planeOf(polygon);
+                through = through || (leads && std::abs(plane.signedDistance(inVillage(p))) < 0.1 &&
+                                      containsProjection(polygon, plane.n, inVillage(p), -0.1));
+            }
+            EXPECT_TRUE(through) << "at way point " << i;
+            if (cell != nullptr) {
+                visited.push_back(cell->id & 0xFFFF);
+            }
+            last = cell;
+        }
+    }
+    EXPECT_EQ(visited,
+              (std::vector<std::uint32_t>{0x100, 0x101, 0x102, 0x103, 0x104, 0x105, 0x104, 0x103, 0x102}));
+}
+
+} // namespace
+} // namespace limen::demo::test

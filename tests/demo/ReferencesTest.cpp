@@ -1,0 +1,214 @@
+#include "demo/BuiltIn.h"
+
+#include "dat/Archive.h"
+#include "demo/Demo.h"
+#include "demo/TerrainShape.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <set>
+#include <unistd.h>
+
+namespace limen::demo::test {
+namespace {
+
+template <class Records>
+std::set<std::uint32_t> idsOf(const Records& records) {
+    std::set<std::uint32_t> out;
+    for (const auto& record : records) {
+        EXPECT_TRUE(out.insert(record.id).second) << "an id is used twice";
+    }
+    return out;
+}
+
+class References : public ::testing::Test {
+protected:
+    References() {
+        for (const auto& [id, surface] : world().surfaces) {
+            surfaces.insert(id);
+        }
+        models = idsOf(world().gfxObjs);
+        for (const std::uint32_t id : idsOf(world().setups)) {
+            models.insert(id);
+        }
+    }
+    std::set<std::uint32_t> surfaces, models;
+};
+
+TEST_F(References, ofTexturesResolve) {
+    const auto textures = idsOf(world().surfaceTextures);
+    const auto images = idsOf(world().renderSurfaces);
+    const auto palettes = idsOf(world().palettes);
+    for (const auto& [id, surface] : world().surfaces) {
+        EXPECT_TRUE(!surface.hasImage() || textures.count(surface.texture) == 1);
+    }
+    for (const dat::SurfaceTexture& texture : world().surfaceTextures) {
+        for (const std::uint32_t image : texture.images) {
+            EXPECT_EQ(images.count(image), 1u);
+        }
+    }
+    for (const dat::RenderSurface& image : world().renderSurfaces) {
+        const bool indexed =
+            image.format == dat::PixelFormat::P8 || image.format == dat::PixelFormat::Index16;
+        EXPECT_EQ(palettes.count(image.defaultPalette), indexed ? 1u : 0u);
+    }
+}
+
+TEST_F(References, ofModelsAndCellsResolve) {
+    for (const dat::GfxObj& object : world().gfxObjs) {
+        for (const std::uint32_t surface : object.surfaces) {
+            EXPECT_EQ(surfaces.count(surface), 1u);
+        }
+    }
+    for (const dat::Setup& setup : world().setups) {
+        for (const std::uint32_t part : setup.parts) {
+            EXPECT_EQ(models.count(part), 1u);
+        }
+        EXPECT_EQ(setup.placementFrames.at(0).second.parts.size(), setup.parts.size());
+    }
+    for (const dat::EnvCell& cell : world().envCells) {
+        for (const std::uint16_t surface : cell.surfaces) {
+            EXPECT_EQ(surfaces.count(0x08000000u | surface), 1u);
+        }
+        for (const dat::Stab& object : cell.statics) {
+            EXPECT_EQ(models.count(object.model), 1u);
+        }
+        for (const std::uint16_t other : cell.visibleCells) {
+            EXPECT_NE(findCell((cell.id & 0xFFFF0000u) | other), nullptr);
+        }
+    }
+    for (const dat::Stab& object : world().landBlockInfos.at(0).objects) {
+        EXPECT_EQ(models.count(object.model), 1u);
+    }
+}
+
+TEST_F(References, ofTheRegionResolve) {
+    const dat::Region& region = world().regions.at(0);
+    const auto scenes = idsOf(world().scenes);
+    const auto textures = idsOf(world().surfaceTextures);
+    for (const dat::SceneType& type : region.sceneTypes) {
+        for (const std::uint32_t scene : type.scenes) {
+            EXPECT_EQ(scenes.count(scene), 1u);
+        }
+    }
+    for (const dat::Scene& scene : world().scenes) {
+        for (const dat::SceneObject& object : scene.objects) {
+            EXPECT_EQ(models.count(object.object), 1u);
+        }
+    }
+    for (const dat::TerrainType& type : region.terrainTypes) {
+        for (const std::uint32_t index : type.sceneTypes) {
+            EXPECT_LT(index, region.sceneTypes.size());
+        }
+    }
+    for (const auto* maps : {&region.texMerge.corners, &region.texMerge.sides, &region.texMerge.roads}) {
+        EXPECT_FALSE(maps->empty());
+        for (const dat::AlphaMap& map : *maps) {
+            EXPECT_EQ(textures.count(map.texture), 1u);
+        }
+    }
+    for (const dat::SkyObject& object : region.sky.dayGroups.at(0).objects) {
+        EXPECT_EQ(models.count(object.object), 1u);
+    }
+}
+
+TEST_F(References, ofPolygonsStayInsideTheirMesh) {
+    const auto check = [](const dat::VertexArray& array, const dat::PolygonList& polygons,
+                          std::size_t surfaceCount) {
+        for (const auto& [id, polygon] : polygons) {
+            const bool portal = (polygon.stippling & dat::kNoPositiveUv) != 0;
+            EXPECT_EQ(polygon.posUv.size(), portal ? 0u : polygon.vertexKeys.size());
+            EXPECT_TRUE(portal || static_cast<std::size_t>(polygon.posSurface) < surfaceCount);
+            for (std::size_t k = 0; k < polygon.posUv.size(); ++k) {
+                EXPECT_LT(polygon.posUv[k], array.vertices.at(polygon.vertexKeys[k]).second.uvs.size());
+            }
+        }
+    };
+    for (const dat::GfxObj& object : world().gfxObjs) {
+        check(object.vertexArray, object.polygons, object.surfaces.size());
+    }
+    for (const dat::EnvCell& cell : world().envCells) {
+        check(shapeOf(cell).vertexArray, shapeOf(cell).polygons, cell.surfaces.size());
+    }
+}
+
+TEST(Landscape, neighbouringBlocksAgreeOnTheirSharedEdge) {
+    std::map<std::uint32_t, const dat::LandBlock*> blocks;
+    for (const dat::LandBlock& block : world().landBlocks) {
+        blocks[block.id] = &block;
+    }
+    ASSERT_EQ(blocks.size(), 9u);
+    for (const auto& [id, block] : blocks) {
+        const auto east = blocks.find(id + 0x01000000u);
+        const auto north = blocks.find(id + 0x00010000u);
+        for (std::size_t k = 0; k < 9; ++k) {
+            if (east != blocks.end()) {
+                EXPECT_EQ(block->heights[8 * 9 + k], east->second->heights[k]);
+                EXPECT_EQ(block->terrain[8 * 9 + k], east->second->terrain[k]);
+            }
+            if (north != blocks.end()) {
+                EXPECT_EQ(block->heights[k * 9 + 8], north->second->heights[k * 9]);
+            }
+        }
+    }
+}
+
+TEST(Landscape, laneNeverJumps) {
+    const auto lane = lanePath();
+    for (std::size_t i = 0; i + 1 < lane.size(); ++i) {
+        EXPECT_EQ(std::max(std::abs(lane[i + 1].first - lane[i].first),
+                           std::abs(lane[i + 1].second - lane[i].second)),
+                  1);
+    }
+}
+
+std::string bytesOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Files, holdWhatWasBuiltAndAreTheSameEveryTime) {
+    const auto folder =
+        std::filesystem::temp_directory_path() /
+        ("limen_demo_test_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
+         std::to_string(::getpid()));
+    ASSERT_TRUE(writeBuiltInWorld(folder / "a").has_value());
+    ASSERT_TRUE(writeBuiltInWorld(folder / "b").has_value());
+    for (const char* name : {"client_portal.dat", "client_cell_1.dat", "world.json"}) {
+        const std::string bytes = bytesOf(folder / "a" / name);
+        EXPECT_GT(bytes.size(), 1000u);
+        EXPECT_EQ(bytes, bytesOf(folder / "b" / name)) << name;
+    }
+    const auto archive = dat::Archive::open(folder / "a");
+    ASSERT_TRUE(archive.has_value()) << archive.error().message();
+    for (const dat::GfxObj& object : world().gfxObjs) {
+        const auto read = archive->load<dat::GfxObj>(object.id);
+        ASSERT_TRUE(read.has_value()) << read.error().message();
+        EXPECT_EQ(dat::encode(*read), dat::encode(object));
+    }
+    for (const dat::Environment& record : world().environments) {
+        const auto read = archive->load<dat::Environment>(record.id);
+        ASSERT_TRUE(read.has_value()) << read.error().message();
+        EXPECT_EQ(dat::encode(*read), dat::encode(record));
+    }
+    for (const dat::EnvCell& record : world().envCells) {
+        const auto read = archive->load<dat::EnvCell>(record.id);
+        ASSERT_TRUE(read.has_value()) << read.error().message();
+        EXPECT_EQ(dat::encode(*read), dat::encode(record));
+    }
+    for (const dat::RenderSurface& record : world().renderSurfaces) {
+        EXPECT_TRUE(archive->load<dat::RenderSurface>(record.id).has_value());
+    }
+    EXPECT_TRUE(archive->load<dat::Region>(dat::kRegionId).has_value());
+    EXPECT_TRUE(archive->load<dat::LandBlockInfo>(dat::landBlockInfoId(kVillage)).has_value());
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Files, anUnwritableFolderIsAnError) {
+    const auto result = writeBuiltInWorld("/proc/nowhere");
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().code, ErrorCode::Unreadable);
+}
+
+} // namespace
+} // namespace limen::demo::test
