@@ -7,9 +7,9 @@
 
 namespace limen::demo {
 
-WorldRecords buildBuiltInWorld() {
+WorldRecords buildBuiltInWorld(Pictures pictures) {
     WorldRecords records;
-    addMaterials(records);
+    addMaterials(records, pictures);
     ModelSink sink(records);
     addRegion(sink, addPlants(sink));
     const VillageMap map = addVillage(sink);

@@ -171,6 +171,10 @@ Canvas paintNature(Material material) {
     }
 }
 
+Canvas blank() {
+    return Canvas(4, 4, Vec4f(0.5f, 0.5f, 0.5f, 1.0f));
+}
+
 Canvas paintGround(Ground ground) {
     switch (ground) {
     case Ground::Grassland:
@@ -219,7 +223,7 @@ void addTexture(WorldRecords& records, std::uint32_t index, const Canvas& canvas
     records.renderSurfaces.push_back(std::move(encoded.image));
 }
 
-void addMaterial(WorldRecords& records, Material material) {
+void addMaterial(WorldRecords& records, Material material, Pictures pictures) {
     const Recipe r = recipe(material);
     dat::Surface surface;
     surface.type = r.type;
@@ -229,7 +233,8 @@ void addMaterial(WorldRecords& records, Material material) {
     if (surface.hasImage()) {
         const auto index = static_cast<std::uint32_t>(material);
         surface.texture = textureId(index);
-        addTexture(records, index, paintMaterial(material), r.format);
+        addTexture(records, index, pictures == Pictures::Painted ? paintMaterial(material) : blank(),
+                   r.format);
     } else {
         surface.colour.argb = r.colour;
     }
@@ -304,24 +309,26 @@ Canvas paintMaterial(Material material) {
     }
 }
 
-void addMaterials(WorldRecords& records) {
+void addMaterials(WorldRecords& records, Pictures pictures) {
+    const bool painted = pictures == Pictures::Painted;
     for (std::uint32_t m = 0; m < kMaterialCount; ++m) {
-        addMaterial(records, static_cast<Material>(m));
+        addMaterial(records, static_cast<Material>(m), pictures);
     }
     for (std::uint32_t g = 0; g < kGroundCount; ++g) {
         // One picture in the landscape's own format, the others in the common ones.
         const PixelFormat format = g == 0       ? PixelFormat::LandscapeR8G8B8
                                    : g % 2 == 0 ? PixelFormat::Dxt1
                                                 : PixelFormat::R8G8B8;
-        addTexture(records, kMaterialCount + g, paintGround(static_cast<Ground>(g)), format);
+        addTexture(records, kMaterialCount + g, painted ? paintGround(static_cast<Ground>(g)) : blank(),
+                   format);
     }
     constexpr std::array kBlends{BlendShape::Corner,      BlendShape::Corner,   BlendShape::Corner,
                                  BlendShape::Side,        BlendShape::Side,     BlendShape::Side,
                                  BlendShape::RoadCorner,  BlendShape::RoadSide, BlendShape::RoadSide,
                                  BlendShape::RoadDiagonal};
     for (std::uint32_t b = 0; b < kBlends.size(); ++b) {
-        addTexture(records, kMaterialCount + kGroundCount + b, paintBlend(kBlends[b], 2401 + b),
-                   PixelFormat::LandscapeAlpha);
+        addTexture(records, kMaterialCount + kGroundCount + b,
+                   painted ? paintBlend(kBlends[b], 2401 + b) : blank(), PixelFormat::LandscapeAlpha);
     }
 }
 

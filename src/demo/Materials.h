@@ -72,7 +72,11 @@ enum class Ground : std::uint8_t {
 /// The picture of a material as painted, before it is encoded; empty (0 × 0) for solid colours.
 [[nodiscard]] Canvas paintMaterial(Material material);
 
-/// Paints everything and adds Surface, SurfaceTexture, RenderSurface and Palette records.
-void addMaterials(WorldRecords& records);
+/// Whether pictures are painted, or left as small grey squares in their formats (for whoever looks at shapes only:
+/// painting takes nearly all of the time).
+enum class Pictures : std::uint8_t { Painted, Blank };
+
+/// Adds Surface, SurfaceTexture, RenderSurface and Palette records for all materials, grounds and blend maps.
+void addMaterials(WorldRecords& records, Pictures pictures);
 
 } // namespace limen::demo

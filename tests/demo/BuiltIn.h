@@ -12,7 +12,7 @@
 namespace limen::demo::test {
 
 inline const WorldRecords& world() {
-    static const WorldRecords records = buildBuiltInWorld();
+    static const WorldRecords records = buildBuiltInWorld(Pictures::Blank);
     return records;
 }
 
