@@ -6,6 +6,12 @@
 
 namespace limen::app {
 
+namespace {
+
+constexpr double kLongStretch = 1.0; ///< seconds
+
+} // namespace
+
 double shortTurn(double a, double b) {
     return std::remainder(b - a, 360.0);
 }
@@ -36,8 +42,9 @@ Camera CameraPath::at(double time) const {
     const std::size_t to = std::min(from + 1, last);
     const double span = times_[to] - times_[from];
     const double t = span > 0.0 ? (clamped - times_[from]) / span : 0.0;
-    const double turned =
-        t * t * (3.0 - 2.0 * t); // the head starts and ends its turn gently; the feet keep their pace
+    // On a long stretch the head starts and ends its turn gently; the feet keep their pace. Way points close together
+    // are a curve already.
+    const double turned = span > kLongStretch ? t * t * (3.0 - 2.0 * t) : t;
     Camera camera;
     camera.eye = wayPoints_[from].eye + (wayPoints_[to].eye - wayPoints_[from].eye) * t;
     camera.heading.yaw = wayPoints_[from].yaw + shortTurn(wayPoints_[from].yaw, wayPoints_[to].yaw) * turned;
