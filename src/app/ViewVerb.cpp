@@ -28,6 +28,7 @@ public:
     Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start)
         : window_(window), device_(device), session_(session), panel_(window), eye_(std::move(start)),
           tracker_(eye_.root) {
+        lastSeconds_ = window_.seconds();
         device_.restoreState(); // the panel has set up its own things
     }
 
@@ -35,11 +36,12 @@ public:
     [[nodiscard]] Result<void> frame(double fixedSeconds) {
         window_.poll(panel_.takesMouse());
         const double now = window_.seconds();
-        const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : now - lastSeconds_;
+        const double real = now - lastSeconds_;
+        const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : real;
         lastSeconds_ = now;
         worldSeconds_ += elapsed;
-        if (elapsed > 0.0)
-            framesPerSecond_ += (1.0 / elapsed - framesPerSecond_) * 0.1;
+        if (real > 0.0)
+            framesPerSecond_ += (1.0 / real - framesPerSecond_) * 0.1;
         for (const Key key : window_.pressed())
             press(key);
         moveEye(elapsed);

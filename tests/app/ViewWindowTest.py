@@ -33,7 +33,8 @@ def start_server():
 
 def png_pixels(path):
     """Width, height and the raw bytes of an 8-bit RGB picture, filters undone."""
-    data = open(path, "rb").read()
+    with open(path, "rb") as file:
+        data = file.read()
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
     width, height = int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")
     packed, at = b"", 8
