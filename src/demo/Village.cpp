@@ -41,8 +41,8 @@ VillageMap addVillage(ModelSink& sink) {
     stand(block, props.trough, 95.2, 103.0, 80.0);
     stand(block, props.woodpile, 77.35, 110.6, -90.0);
     stand(block, props.bench, 87.5, 105.35, 0.0);
-    stand(block, props.signpost, 79.4, 100.2, 0.0);
-    stand(block, props.lampPost, 86.2, 100.9, 0.0);
+    stand(block, props.signpost, 70.6, 100.3, 0.0);
+    stand(block, props.lampPost, 89.4, 100.7, 0.0);
     stand(block, furniture.barrel, 82.2, 105.3, 0.0);
     stand(block, furniture.barrel, 81.4, 105.45, 60.0);
     stand(block, furniture.crate, 86.6, 86.6, 12.0);
