@@ -27,7 +27,7 @@ HouseShell cottageShell() {
     shell.holes = {{Side::South, {-0.6, 0.0, 0.6, 2.1}, true},
                    {Side::South, {-4.1, 0.9, -2.9, 2.0}, false},
                    {Side::South, {2.9, 0.9, 4.1, 2.0}, false},
-                   {Side::North, {-0.9, 0.8, 0.9, 2.0}, false},
+                   {Side::North, {-0.7, 0.8, 0.7, 2.0}, false},
                    {Side::East, {6.6, 0.9, 7.8, 2.0}, false}};
     return shell;
 }
@@ -80,9 +80,9 @@ CellPlan frontRoom(ModelSink& sink, const Furniture& f) {
 
 CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
     const Rect inner{-0.8, 0.0, 0.8, 2.1};
-    const Rect north{-0.9, 0.8, 0.9, 2.0};
+    const Rect north{-0.7, 0.8, 0.7, 2.0};
     const Rect east{6.6, 0.9, 7.8, 2.0};
-    const Rect stairs{-1.7, kStairsTopY, -0.5, 9.5};
+    const Rect stairs{-1.9, kStairsTopY, -0.7, 9.5};
     CellPlan cell = roomWithOpenings(
         {.name = "rear", .min = {-5.7, 4.9, 0.0}, .max = {5.7, 9.7, kRoomHeight}, .floor = Material::Planks},
         {{Side::South, inner}, {Side::North, north}, {Side::East, east}, {Side::Floor, stairs}});
@@ -91,8 +91,8 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
     const dat::RecordId railing = addRailing(sink, 3.6);
     cell.statics = {{trim, {}},
                     {addJoists(sink, 4.8, 11.4, 1.9), {{0.0, 7.3, kRoomHeight}, 90.0}},
-                    {railing, {{-0.44, kStairsTopY, 0.0}, 0.0}},
-                    {railing, {{-1.76, kStairsTopY, 0.0}, 0.0}},
+                    {railing, {{-0.64, kStairsTopY, 0.0}, 0.0}},
+                    {railing, {{-1.96, kStairsTopY, 0.0}, 0.0}},
                     {f.bed, {{-4.9, 8.55, 0.0}, 0.0}},
                     {f.chest, {{-5.3, 6.3, 0.0}, 90.0}},
                     {f.rug, {{-4.0, 6.2, 0.0}, 90.0}},
@@ -109,11 +109,11 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
 }
 
 CellPlan stairwell(ModelSink& sink) {
-    const Rect top{-1.7, kStairsTopY, -0.5, 9.5};
+    const Rect top{-1.9, kStairsTopY, -0.7, 9.5};
     const Rect side{8.55, -2.6, 9.45, -0.6};
     CellPlan cell = roomWithOpenings({.name = "stairs",
-                                      .min = {-1.7, kStairsTopY, -2.6},
-                                      .max = {-0.5, 9.5, 0.0},
+                                      .min = {-1.9, kStairsTopY, -2.6},
+                                      .max = {-0.7, 9.5, 0.0},
                                       .floor = Material::Flagstones,
                                       .walls = Material::StoneWall},
                                      {{Side::Ceiling, top}, {Side::East, side}});
@@ -124,15 +124,15 @@ CellPlan stairwell(ModelSink& sink) {
 CellPlan cellar(ModelSink& sink, const Furniture& f) {
     const Rect door{8.55, -2.6, 9.45, -0.6};
     CellPlan cell = roomWithOpenings({.name = "cellar",
-                                      .min = {-0.3, 3.2, -2.6},
+                                      .min = {-0.5, 3.2, -2.6},
                                       .max = {5.2, 9.5, -0.45},
                                       .floor = Material::Flagstones,
                                       .walls = Material::StoneWall,
                                       .ceiling = Material::OldPlanks},
                                      {{Side::West, door}});
     constexpr double kFloor = -2.6;
-    cell.statics = {{addTrim(sink, {{{Side::West, door}, -0.3}}), {}},
-                    {addJoists(sink, 5.5, 6.3, 1.3), {{2.45, 6.35, -0.45}, 0.0}},
+    cell.statics = {{addTrim(sink, {{{Side::West, door}, -0.5}}), {}},
+                    {addJoists(sink, 5.7, 6.3, 1.3), {{2.35, 6.35, -0.45}, 0.0}},
                     {f.barrel, {{4.75, 3.75, kFloor}, 0.0}},
                     {f.barrel, {{4.75, 4.6, kFloor}, 70.0}},
                     {f.barrel, {{3.9, 3.75, kFloor}, 130.0}},
@@ -167,7 +167,7 @@ BuildingPlan planCottage(ModelSink& sink, const Furniture& furniture) {
         doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, true, Material::Beam, Material::Oak));
     plan.cells.push_back(rearRoom(sink, furniture));
     plan.cells.push_back(stairwell(sink));
-    plan.cells.push_back(doorway("cellar.doorway", {-0.5, 8.55, -2.6}, {-0.3, 9.45, -0.6}, false,
+    plan.cells.push_back(doorway("cellar.doorway", {-0.7, 8.55, -2.6}, {-0.5, 9.45, -0.6}, false,
                                  Material::StoneWall, Material::Flagstones));
     plan.cells.push_back(cellar(sink, furniture));
     return plan;

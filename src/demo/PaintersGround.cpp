@@ -18,8 +18,8 @@ Vec3f withPebbles(Vec3f ground, double u, double v, int cells, double share, std
     if (random01(c.id, 1) > share || c.nearest > radius) {
         return ground;
     }
-    const Vec3f stone = mixColour(Vec3f(0.38f, 0.36f, 0.33f), Vec3f(0.58f, 0.53f, 0.45f), random01(c.id, 3));
-    return stone * static_cast<float>(1.1 - 0.45 * (c.nearest / radius) * (c.nearest / radius));
+    const Vec3f stone = mixColour(Vec3f(0.36f, 0.33f, 0.29f), Vec3f(0.52f, 0.47f, 0.39f), random01(c.id, 3));
+    return stone * static_cast<float>(1.06 - 0.28 * (c.nearest / radius) * (c.nearest / radius));
 }
 
 } // namespace

@@ -154,11 +154,11 @@ nlohmann::ordered_json buildPlaces(const VillageMap& map) {
     places["cottage.room"] =
         toJson(indoorEye(home, {-4.9, 0.95, 1.7}, {2.6, 3.2, 1.0}, cell(CottageCell::Front)));
     places["cottage.rear"] =
-        toJson(indoorEye(home, {0.9, 5.35, 1.7}, {-0.55, 9.7, 1.25}, cell(CottageCell::Rear)));
+        toJson(indoorEye(home, {0.9, 5.35, 1.7}, {-0.35, 9.7, 1.3}, cell(CottageCell::Rear)));
     places["cottage.stairs"] =
-        toJson(indoorEye(home, {-1.1, 8.1, -0.47}, {0.05, 0.3, 1.65}, cell(CottageCell::Stairwell)));
+        toJson(indoorEye(home, {-1.25, 8.1, -0.47}, {0.1, 0.3, 1.65}, cell(CottageCell::Stairwell)));
     places["cottage.cellar"] =
-        toJson(indoorEye(home, {0.2, 8.9, -0.9}, {3.4, 4.4, -1.75}, cell(CottageCell::Cellar)));
+        toJson(indoorEye(home, {0.1, 8.95, -0.9}, {3.4, 4.4, -1.75}, cell(CottageCell::Cellar)));
     places["neighbour.front"] = toJson(looking(outdoorEye(278.0, 288.5), globalOf(next, {0.0, 0.0, 2.0})));
     places["neighbour.room"] =
         toJson(indoorEye(next, {-0.9, 3.9, 1.7}, {1.3, 0.3, 1.45}, theirs(NeighbourCell::Room)));
