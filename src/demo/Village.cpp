@@ -46,10 +46,10 @@ void plantGardens(BlockBuilder& block, const Plants& plants) {
         }
         const double pick = random01(k, 3, 5001);
         stand(block,
-              pick < 0.1   ? plants.bush
-              : pick < 0.5 ? plants.flowers
-              : pick < 0.8 ? plants.grass
-                           : plants.tallGrass,
+              pick < 0.1 && std::abs(y - 96.0) > 11.5 ? plants.bush
+              : pick < 0.5                            ? plants.flowers
+              : pick < 0.8                            ? plants.grass
+                                                      : plants.tallGrass,
               x, y, 360.0 * random01(k, 4, 5001));
     }
     for (const double x : {78.9, 79.9, 80.5, 86.9, 88.3, 89.2}) {
