@@ -40,22 +40,40 @@ float keptUnder(TerrainLayer layer, CellUv uv) {
     return sampleTexture(layer.alpha, map.at, map.dx, map.dy).a;
 }
 
-vec3 blendedTerrain(TerrainCell cell, CellUv uv) {
-    vec3 colour = cell.base.texture == kNoTexture ? vec3(1.0) : layerColour(cell.base, uv);
-    for (int i = 0; i < 3; ++i) {
-        if (cell.overlays[i].texture != kNoTexture) {
-            colour = mix(layerColour(cell.overlays[i], uv), colour, keptUnder(cell.overlays[i], uv));
+// Base, three overlays, two roads: see TerrainCell.
+const uint kFirstRoad = 4u;
+
+uint layersPresent(uint first) {
+    uint count = 1u;
+    for (uint i = 1u; i < kLayersPerCell; ++i) {
+        count = terrainLayers[first + i].texture != kNoTexture ? i + 1u : count;
+    }
+    return count;
+}
+
+// One loop over the layers there are, with one place that samples: drivers that run every branch of an `if` for all
+// fragments still end a loop with its last turn.
+vec3 blendedTerrain(uint cell, CellUv uv) {
+    uint first = cell * kLayersPerCell;
+    uint count = layersPresent(first);
+    vec3 colour = vec3(1.0);
+    vec3 road = vec3(0.0);
+    float roadKeeps = 1.0; // two road maps are one road: what both keep stays
+    for (uint i = 0u; i < count; ++i) {
+        TerrainLayer layer = terrainLayers[first + i];
+        if (layer.texture == kNoTexture) {
+            continue;
+        }
+        vec3 painted = layerColour(layer, uv);
+        float keeps = i == 0u ? 0.0 : keptUnder(layer, uv);
+        if (i < kFirstRoad) {
+            colour = mix(painted, colour, keeps);
+        } else {
+            road = i == kFirstRoad ? painted : road;
+            roadKeeps *= keeps;
         }
     }
-    // Two road maps are one road: what both keep stays.
-    if (cell.roads[0].texture != kNoTexture) {
-        float keep = keptUnder(cell.roads[0], uv);
-        if (cell.roads[1].texture != kNoTexture) {
-            keep *= keptUnder(cell.roads[1], uv);
-        }
-        colour = mix(layerColour(cell.roads[0], uv), colour, keep);
-    }
-    return colour;
+    return mix(road, colour, roadKeeps);
 }
 
 void main() {
@@ -67,7 +85,7 @@ void main() {
         discard;
     }
     CellUv uv = CellUv(vec2(vUv.x, 1.0 - vUv.y), vec2(dx.x, -dx.y), vec2(dy.x, -dy.y));
-    vec3 albedo = blendedTerrain(terrainCells[vSurface], uv);
+    vec3 albedo = blendedTerrain(vSurface, uv);
     outColour = opaqueColour(albedo, 0.0, 1.0, instance, keep);
     outId = vId;
 }

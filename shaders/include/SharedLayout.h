@@ -134,6 +134,8 @@ struct TerrainLayer {
     float tiling LIMEN_ZERO;
 };
 
+// Six layers on end; the shaders read them as one array.
+LIMEN_CONST kLayersPerCell = 6u;
 struct TerrainCell {
     TerrainLayer base LIMEN_ZERO;
     TerrainLayer overlays[3] LIMEN_ZERO;

@@ -1,5 +1,6 @@
 // Textures by index, the same for both bindings of TextureStore: handles (BINDLESS) or array pages (PAGE_COUNT of
-// them, one unit each; EACH_PAGE(x) is x(0) x(1) ... and comes from TextureStore with PAGE_COUNT). Within one draw the texture differs from fragment to fragment, so that derivatives are taken
+// them, one unit each; EACH_PAGE(x) is x(0) x(3) ... for those that the program's surfaces use, and comes from
+// ShaderLibrary with PAGE_COUNT). Within one draw the texture differs from fragment to fragment, so that derivatives are taken
 // by the caller in uniform control flow, and units are chosen by constant index only.
 #include "buffers.glsl"
 

@@ -3,6 +3,7 @@
 #include "app/Verbs.h"
 
 #include "DatBench.h"
+#include "FloodBench.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -23,6 +24,7 @@ struct Bench {
 
 constexpr std::array kBenches{
     Bench{"dat", "opening a dat, looking records up, decoding geometry", &bench::benchDat},
+    Bench{"flood", "following the rays of a view through grids of rooms", &bench::benchFlood},
 };
 
 struct BenchOptions {

@@ -6,22 +6,43 @@
 
 namespace limen::app {
 
+namespace {
+
+constexpr double kLongStretch = 1.0; ///< seconds
+
+/// True for a path that was sampled closely: its author has chosen the pace by where the samples lie.
+bool isRecording(std::span<const world::Place> points) {
+    constexpr std::size_t kFewest = 32;
+    constexpr double kLongestStep = 1.05; // metres
+    if (points.size() < kFewest)
+        return false;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (glm::length(points[i].eye - points[i - 1].eye) > kLongestStep)
+            return false;
+    }
+    return true;
+}
+
+double secondsBetween(const world::Place& from, const world::Place& to) {
+    const double walk = glm::length(to.eye - from.eye) / CameraPath::kWalkingSpeed;
+    const double turn = std::max(std::abs(shortTurn(from.yaw, to.yaw)), std::abs(to.pitch - from.pitch)) /
+                        CameraPath::kTurningSpeed;
+    return std::max(walk, turn);
+}
+
+} // namespace
+
 double shortTurn(double a, double b) {
     return std::remainder(b - a, 360.0);
 }
 
 CameraPath::CameraPath(std::span<const world::Place> wayPoints)
     : wayPoints_(wayPoints.begin(), wayPoints.end()) {
+    const bool recording = isRecording(wayPoints);
     double time = 0.0;
     for (std::size_t i = 0; i < wayPoints_.size(); ++i) {
-        if (i > 0) {
-            const world::Place &from = wayPoints_[i - 1], &to = wayPoints_[i];
-            const double walk = glm::length(to.eye - from.eye) / kWalkingSpeed;
-            const double turn =
-                std::max(std::abs(shortTurn(from.yaw, to.yaw)), std::abs(to.pitch - from.pitch)) /
-                kTurningSpeed;
-            time += std::max(walk, turn);
-        }
+        if (i > 0)
+            time += recording ? kRecordedStep : secondsBetween(wayPoints_[i - 1], wayPoints_[i]);
         times_.push_back(time);
     }
 }
@@ -36,8 +57,9 @@ Camera CameraPath::at(double time) const {
     const std::size_t to = std::min(from + 1, last);
     const double span = times_[to] - times_[from];
     const double t = span > 0.0 ? (clamped - times_[from]) / span : 0.0;
-    const double turned =
-        t * t * (3.0 - 2.0 * t); // the head starts and ends its turn gently; the feet keep their pace
+    // On a long stretch the head starts and ends its turn gently; the feet keep their pace. Way points close together
+    // are a curve already.
+    const double turned = span > kLongStretch ? t * t * (3.0 - 2.0 * t) : t;
     Camera camera;
     camera.eye = wayPoints_[from].eye + (wayPoints_[to].eye - wayPoints_[from].eye) * t;
     camera.heading.yaw = wayPoints_[from].yaw + shortTurn(wayPoints_[from].yaw, wayPoints_[to].yaw) * turned;

@@ -14,6 +14,7 @@ class CameraPath {
 public:
     static constexpr double kWalkingSpeed = 3.0;  ///< metres a second
     static constexpr double kTurningSpeed = 70.0; ///< degrees a second
+    static constexpr double kRecordedStep = 0.12; ///< seconds
 
     /// Requires finite way points; none gives an empty path, one a path of no length.
     explicit CameraPath(std::span<const world::Place> wayPoints);

@@ -60,9 +60,18 @@ std::vector<std::filesystem::path> OutputPaths::all() const {
     return paths;
 }
 
+namespace {
+
+/// For CLI11: an empty argument is a slip (an unset variable in a script), never a value.
+std::string refuseEmpty(const std::string& text) {
+    return text.empty() ? "is given without a value" : "";
+}
+
+} // namespace
+
 void addViewOptions(CLI::App& command, ViewArguments& a) {
     const auto add = [&command](const char* name, std::string& value, const char* type, const char* help) {
-        command.add_option(name, value, help)->type_name(type)->group("View");
+        command.add_option(name, value, help)->type_name(type)->group("View")->check(refuseEmpty);
     };
     add("--eye", a.eye, "X,Y,Z", "the eye, in metres from the map's south-west corner, z up");
     add("--at", a.at, "PLACE", "or a place: a name, BLOCK.x,y,z, '0xCELL [x y z] w x y z', '42.1N 33.6E'");
@@ -83,7 +92,8 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
             .add_option_function<std::string>(
                 name, [&path](const std::string& text) { path = text; }, help)
             ->type_name("FILE")
-            ->group("Output");
+            ->group("Output")
+            ->check(refuseEmpty);
     };
     add("-o,--output", outputs.frame, "the picture, PNG");
     add("--ids", outputs.ids, "the id image, NumPy uint32 HxW");

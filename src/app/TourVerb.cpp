@@ -1,10 +1,10 @@
 #include "app/CameraPath.h"
 #include "app/OutputFile.h"
 #include "app/Picture.h"
+#include "app/RootTracker.h"
 #include "app/Session.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
-#include "motion/Locate.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -86,24 +86,27 @@ Result<std::vector<Standpoint>> wayPointsOf(const TourOptions& options, const wo
     return points;
 }
 
-/// The camera on its way: where it is, and the space it was swept into.
+/// The camera on its way: where it is, and the space it was swept into. A path that leads through a wall is followed
+/// all the same (RootTracker).
 class Walk {
 public:
     Walk(Session& session, const CameraPath& path, FrameEye start)
-        : session_(session), path_(path), eye_(std::move(start)) {}
+        : session_(session), path_(path), eye_(std::move(start)), tracker_(eye_.root) {}
 
     /// Moves to a later time on the path, through every corner on the way.
     const FrameEye& moveTo(double time) {
         path_.cornersBetween(time_, time, corners_);
         const Camera camera = path_.at(time);
         corners_.push_back(camera.eye);
+        const double seconds = (time - time_) / static_cast<double>(corners_.size());
         for (const Vec3& corner : corners_) {
-            eye_.root = motion::sweep(session_.loaded().world, eye_.root, eye_.camera.eye, corner);
+            eye_.root = tracker_.move(session_.loaded().world, eye_.camera.eye, corner, seconds);
             eye_.camera.eye = corner;
         }
         eye_.camera.heading = camera.heading;
         eye_.player = eye_.camera.eye;
-        session_.follow(eye_.camera.eye, eye_.root);
+        if (session_.follow(eye_.camera.eye, eye_.root))
+            tracker_.place(eye_.root);
         time_ = time;
         return eye_;
     }
@@ -112,6 +115,7 @@ private:
     Session& session_;
     const CameraPath& path_;
     FrameEye eye_;
+    RootTracker tracker_;
     double time_ = 0.0;
     std::vector<Vec3> corners_;
 };

@@ -28,6 +28,7 @@ public:
     Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start)
         : window_(window), device_(device), session_(session), panel_(window), eye_(std::move(start)),
           tracker_(eye_.root) {
+        lastSeconds_ = window_.seconds();
         device_.restoreState(); // the panel has set up its own things
     }
 
@@ -35,11 +36,12 @@ public:
     [[nodiscard]] Result<void> frame(double fixedSeconds) {
         window_.poll(panel_.takesMouse());
         const double now = window_.seconds();
-        const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : now - lastSeconds_;
+        const double real = now - lastSeconds_;
+        const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : real;
         lastSeconds_ = now;
         worldSeconds_ += elapsed;
-        if (elapsed > 0.0)
-            framesPerSecond_ += (1.0 / elapsed - framesPerSecond_) * 0.1;
+        if (real > 0.0)
+            framesPerSecond_ += (1.0 / real - framesPerSecond_) * 0.1;
         for (const Key key : window_.pressed())
             press(key);
         moveEye(elapsed);
@@ -145,26 +147,30 @@ private:
     bool leaving_ = false;
 };
 
-/// Where the window opens: as the options say, else at the world's first place.
-Result<Standpoint> startOf(const ViewOptions& options, const world::WorldFile& file) {
+/// Where and how the window opens.
+struct Opening {
+    ViewRequest view;
+    Standpoint stand;
+};
+
+/// As the options say; without a position at the world's first place.
+Result<Opening> openingOf(const ViewOptions& options, const world::WorldFile& file) {
     ViewArguments arguments = options.view;
-    if (arguments.eye.empty() && arguments.at.empty()) {
-        const world::Place* place = firstPlace(file);
-        if (place == nullptr)
-            return fail(ErrorCode::BadArgument, "--eye",
-                        "this world's world.json names no place to begin at; give --eye X,Y,Z or --at PLACE");
-        Standpoint stand = standpointAt(*place);
-        arguments.eye = "0,0,0"; // only so that the rest can be checked
-        const Result<ViewRequest> rest = checkView(arguments);
-        if (!rest)
-            return tl::unexpected(rest.error());
-        stand.camera.fovDegrees = rest->fov;
-        return stand;
-    }
-    const Result<ViewRequest> view = checkView(arguments);
+    const bool nowhere = arguments.eye.empty() && arguments.at.empty();
+    const world::Place* place = nowhere ? firstPlace(file) : nullptr;
+    if (nowhere && place == nullptr)
+        return fail(ErrorCode::BadArgument, "--eye",
+                    "this world's world.json names no place to begin at; give --eye X,Y,Z or --at PLACE");
+    if (nowhere)
+        arguments.eye = "0,0,0"; // stands for the place while the rest is checked
+    Result<ViewRequest> view = checkView(arguments);
     if (!view)
         return tl::unexpected(view.error());
-    return standpointOf(*view, file);
+    Result<Standpoint> stand = nowhere ? standpointAt(*place) : standpointOf(*view, file);
+    if (!stand)
+        return tl::unexpected(stand.error());
+    stand->camera.fovDegrees = view->fov;
+    return Opening{std::move(*view), std::move(*stand)};
 }
 
 Result<std::size_t> frameLimit(const ViewOptions& options) {
@@ -225,28 +231,26 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
         if (Result<void> writable = checkWritable(options.screenshot); !writable)
             return tl::unexpected(writable.error());
     }
-    const Result<PixelSize> size =
-        parseSize("--size", options.view.size.empty() ? "1280x720" : options.view.size);
-    if (!size)
-        return tl::unexpected(size.error());
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<Standpoint> stand = startOf(options, source->file);
-    if (!stand)
-        return tl::unexpected(stand.error());
-    const Result<std::unique_ptr<Window>> window = Window::open("Limen", *size);
+    const Result<Opening> opening = openingOf(options, source->file);
+    if (!opening)
+        return tl::unexpected(opening.error());
+    const Result<std::unique_ptr<Window>> window = Window::open("Limen", opening->view.size);
     if (!window)
         return tl::unexpected(window.error());
     const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
     if (!device)
         return tl::unexpected(device.error());
     Session session(std::move(*source), options.session, **device);
-    if (Result<void> loaded = session.load(stand->centre); !loaded)
+    if (Result<void> loaded = session.load(opening->stand.centre); !loaded)
         return tl::unexpected(loaded.error());
-    const Result<FrameEye> start = placeEye(session.loaded(), *stand, *size);
+    Result<FrameEye> start = placeEye(session.loaded(), opening->stand, opening->view.size);
     if (!start)
         return tl::unexpected(start.error());
+    start->time = opening->view.time;
+    start->weather = opening->view.weather;
     return loop(**window, **device, session, *start, *limit, options, console);
 }
 

@@ -67,7 +67,15 @@ bool isOfCells(RecordKind kind) {
     return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
 }
 
-/// The entry of `id` if `file` has one; a damaged index counts as not having it.
+/// Names of the years before the end of retail, where the files of today are missing.
+bool holdsOlderGame(const std::filesystem::path& directory) {
+    std::error_code error;
+    return !std::filesystem::exists(directory / kPortalName, error) &&
+           (std::filesystem::exists(directory / "portal.dat", error) ||
+            std::filesystem::exists(directory / "cell.dat", error));
+}
+
+/// True if `file` has `id`; a damaged index counts as not having it.
 bool has(const File& file, RecordId id) {
     const auto entry = file.find(id);
     return entry && *entry;
@@ -79,6 +87,12 @@ Result<Archive> Archive::open(const std::filesystem::path& directory) {
     std::error_code error;
     if (!std::filesystem::is_directory(directory, error))
         return fail(ErrorCode::NotFound, directory.string(), "there is no such directory");
+    if (holdsOlderGame(directory)) {
+        return fail(
+            ErrorCode::Unsupported, directory.string(),
+            "portal.dat and cell.dat are game files older than the end of retail; only end-of-retail files "
+            "(client_portal.dat, client_cell_1.dat) can be read");
+    }
     auto portal = openAs(directory / kPortalName, FileRole::Portal);
     if (!portal)
         return tl::unexpected(portal.error());

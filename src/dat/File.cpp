@@ -23,13 +23,21 @@ struct File::Impl {
             return tl::unexpected(header.error());
         auto impl = std::make_unique<Impl>(std::move(mapping), std::move(name), *header, std::move(warnings));
         if (auto root = impl->tree.checkRoot(); !root)
-            return tl::unexpected(root.error());
+            return impl->explained(std::move(root.error()));
         return impl;
     }
 
+    /// The error, and that the file is shorter than it should be where that may be the cause.
+    [[nodiscard]] tl::unexpected<Error> explained(Error error) const {
+        const std::size_t length = mapping.bytes().size();
+        if (error.code == ErrorCode::Malformed && length < header.fileSize)
+            error.what += fmt::format(" (the file is cut short: {} of {} bytes)", length, header.fileSize);
+        return tl::unexpected(std::move(error));
+    }
+
     [[nodiscard]] tl::unexpected<Error> bad(const Entry& entry, std::string reason) const {
-        return fail(ErrorCode::Malformed, fmt::format("{}, record 0x{:08X}", name, entry.id),
-                    std::move(reason));
+        return explained(
+            {ErrorCode::Malformed, fmt::format("{}, record 0x{:08X}", name, entry.id), std::move(reason)});
     }
 
     Mapping mapping;
@@ -74,12 +82,18 @@ const std::vector<std::string>& File::warnings() const {
 }
 
 Result<std::optional<Entry>> File::find(RecordId id) const {
-    return impl_->tree.find(id);
+    auto found = impl_->tree.find(id);
+    if (!found)
+        return impl_->explained(std::move(found.error()));
+    return found;
 }
 
 Result<void> File::forEach(const std::function<bool(const Entry&)>& visit,
                            std::vector<std::string>* warnings) const {
-    return impl_->tree.forEach(visit, warnings);
+    auto done = impl_->tree.forEach(visit, warnings);
+    if (!done)
+        return impl_->explained(std::move(done.error()));
+    return done;
 }
 
 Result<ByteView> File::read(const Entry& entry, Bytes& scratch) const {

@@ -31,7 +31,8 @@ public:
             if (visit.depth == 0) {
                 continue;
             }
-            if (visit.split || visit.inPlane || isNear(world_.portals[visit.portal])) {
+            const world::Portal& portal = world_.portals[visit.portal];
+            if (visit.split || visit.inPlane || !portal.exact || isNear(portal)) {
                 drawRegion(i);
             } else {
                 drawPortal(i);

@@ -168,6 +168,10 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     target->id = Texture::createImage("id", GL_R32UI, width, height);
     target->depth = Texture::createImage("depth", GL_DEPTH_COMPONENT32F, width, height);
     target->ownership = Texture::createImage("ownership", GL_R32UI, width, height);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        return fail(ErrorCode::Driver, driverString(),
+                    fmt::format("has no memory for a picture of {}x{}", width, height));
+    }
     if (Result<void> made = makePasses(*target); !made) {
         return tl::unexpected(made.error());
     }

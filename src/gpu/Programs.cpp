@@ -77,21 +77,23 @@ Pass passOf(frame::Program program, bool wantIds) {
     return Pass::Solid;
 }
 
-Programs::Programs(Device& device, const TextureBinding& textures) : device_(&device), textures_(textures) {
+Programs::Programs(Device& device) : device_(&device) {
     for (auto& variants : handles_) {
         variants.fill(ProgramHandle::Invalid);
     }
 }
 
-Result<Programs> Programs::create(Device& device, const TextureBinding& textures) {
-    Programs programs(device, textures);
+Result<Programs> Programs::create(Device& device, const SceneBindings& textures) {
+    Programs programs(device);
     for (std::size_t i = 0; i < kPrograms; ++i) {
         const auto program = static_cast<frame::Program>(i);
+        const TextureBinding& sampled =
+            program == frame::Program::Terrain ? textures.terrain : textures.meshes;
         for (const bool gated : {false, true}) {
             if (gated && !hasGatedVariant(program)) {
                 continue;
             }
-            Result<ProgramHandle> handle = device.createProgram(programSource(program, gated, textures));
+            Result<ProgramHandle> handle = device.createProgram(programSource(program, gated, sampled));
             if (!handle) {
                 return tl::unexpected(handle.error());
             }
@@ -102,11 +104,10 @@ Result<Programs> Programs::create(Device& device, const TextureBinding& textures
 }
 
 Programs::Programs(Programs&& other) noexcept
-    : device_(std::exchange(other.device_, nullptr)), textures_(other.textures_), handles_(other.handles_) {}
+    : device_(std::exchange(other.device_, nullptr)), handles_(other.handles_) {}
 
 Programs& Programs::operator=(Programs&& other) noexcept {
     std::swap(device_, other.device_);
-    std::swap(textures_, other.textures_);
     std::swap(handles_, other.handles_);
     return *this;
 }

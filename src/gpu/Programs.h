@@ -13,24 +13,27 @@ namespace limen::gpu {
 /// Which images a program writes.
 [[nodiscard]] Pass passOf(frame::Program program, bool wantIds);
 
+/// What textures the programs of a scene sample.
+struct SceneBindings {
+    TextureBinding meshes, terrain;
+};
+
 /// All programs of a frame, for one way of binding textures. Destroyed with this.
 class Programs {
 public:
     /// Errors: Driver, with the log of the first that does not build.
-    [[nodiscard]] static Result<Programs> create(Device& device, const TextureBinding& textures);
+    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures);
     Programs(Programs&& other) noexcept;
     Programs& operator=(Programs&& other) noexcept;
     ~Programs();
 
     [[nodiscard]] ProgramHandle get(frame::Program program, bool gated) const;
-    [[nodiscard]] const TextureBinding& textures() const { return textures_; }
 
 private:
     static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-    Programs(Device& device, const TextureBinding& textures);
+    explicit Programs(Device& device);
 
     Device* device_ = nullptr;
-    TextureBinding textures_;
     std::array<std::array<ProgramHandle, 2>, kPrograms> handles_{}; // [program][gated]
 };
 

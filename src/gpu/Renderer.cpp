@@ -76,6 +76,24 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
+SceneBindings bindingsOf(const frame::SceneUpload& upload, const TextureStore& textures) {
+    std::vector<std::uint32_t> meshes, terrain;
+    for (const layout::Material& material : upload.materials) {
+        meshes.push_back(material.texture);
+    }
+    const auto addLayer = [&](const layout::TerrainLayer& layer) {
+        if (layer.texture != layout::kNoTexture) {
+            terrain.insert(terrain.end(), {layer.texture, layer.alpha});
+        }
+    };
+    for (const layout::TerrainCell& cell : upload.terrainCells) {
+        terrain.push_back(cell.base.texture);
+        std::for_each(std::begin(cell.overlays), std::end(cell.overlays), addLayer);
+        std::for_each(std::begin(cell.roads), std::end(cell.roads), addLayer);
+    }
+    return {textures.bindingFor(meshes), textures.bindingFor(terrain)};
+}
+
 bool isOneDraw(frame::Program program) {
     return program == frame::Program::Ownership || program == frame::Program::SkyPlain;
 }
@@ -134,7 +152,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     if (!textures) {
         return tl::unexpected(textures.error());
     }
-    Result<Programs> programs = Programs::create(*device_, textures->binding());
+    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures));
     if (!programs) {
         return tl::unexpected(programs.error());
     }
@@ -272,7 +290,7 @@ DriverReport Renderer::driver() const {
     const Capabilities& capabilities = device_->capabilities();
     DriverReport report{capabilities.vendor, capabilities.renderer, capabilities.version, "", 0, 0};
     if (scene_ != nullptr) {
-        report.textureMode = scene_->textures.binding().bindless ? "bindless" : "array pages";
+        report.textureMode = scene_->textures.bindless() ? "bindless" : "array pages";
         report.pages = static_cast<std::uint32_t>(scene_->textures.pages().size());
         report.resampledTextures = scene_->textures.resampled();
     }

@@ -22,7 +22,7 @@ std::string textureDefines(const TextureBinding& binding) {
         return "#extension GL_ARB_bindless_texture : require\n#define BINDLESS 1\n";
     }
     std::string text = fmt::format("#define PAGE_COUNT {}\n#define EACH_PAGE(x)", binding.pageCount);
-    for (std::uint32_t page = 0; page < binding.pageCount; ++page) {
+    for (const std::uint32_t page : binding.pages) {
         text += fmt::format(" x({})", page);
     }
     return text + "\n";

@@ -22,7 +22,9 @@ struct EmbeddedShader {
 /// How TextureStore's binding looks to a shader.
 struct TextureBinding {
     bool bindless = false;
-    std::uint32_t pageCount = 0; ///< array pages in use; 0 in bindless mode
+    std::uint32_t pageCount = 0; ///< array pages bound; 0 in bindless mode
+    std::vector<std::uint32_t>
+        pages{}; ///< those that a program may sample, ascending: each one costs, used or not
     bool operator==(const TextureBinding&) const = default;
 };
 

@@ -72,8 +72,24 @@ std::span<const TextureHandle> TextureStore::pages() const {
     return bindless_ ? std::span<const TextureHandle>{} : std::span<const TextureHandle>{textures_};
 }
 
-TextureBinding TextureStore::binding() const {
-    return {bindless_, bindless_ ? 0u : static_cast<std::uint32_t>(textures_.size())};
+TextureBinding TextureStore::bindingFor(std::span<const std::uint32_t> textures) const {
+    TextureBinding binding{bindless_, 0, {}};
+    if (bindless_) {
+        return binding;
+    }
+    binding.pageCount = static_cast<std::uint32_t>(textures_.size());
+    std::vector<bool> used(textures_.size(), false);
+    for (const std::uint32_t texture : textures) {
+        if (texture != frame::gpu::kNoTexture) {
+            used[refs_[texture].place.y] = true;
+        }
+    }
+    for (std::uint32_t page = 0; page < binding.pageCount; ++page) {
+        if (used[page]) {
+            binding.pages.push_back(page);
+        }
+    }
+    return binding;
 }
 
 Result<void> TextureStore::fillPages(std::span<const frame::TextureUpload> textures,

@@ -36,7 +36,9 @@ public:
     [[nodiscard]] std::span<const frame::gpu::TextureRef> refs() const { return refs_; }
     /// What to bind to units 1, 2, ...; empty in bindless mode.
     [[nodiscard]] std::span<const TextureHandle> pages() const;
-    [[nodiscard]] TextureBinding binding() const;
+    /// What a program that samples these textures (indices; kNoTexture is skipped) is built with.
+    [[nodiscard]] TextureBinding bindingFor(std::span<const std::uint32_t> textures) const;
+    [[nodiscard]] bool bindless() const { return bindless_; }
     /// Textures stored larger than they are, because the pages did not suffice for every size.
     [[nodiscard]] std::uint32_t resampled() const { return resampled_; }
 

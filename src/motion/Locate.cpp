@@ -30,7 +30,7 @@ std::optional<double> crossingOf(const world::World& world, const world::Portal&
         return std::nullopt;
     const double t = std::clamp(before / (before - after), 0.0, 1.0);
     const Vec3 at = from + (to - from) * t;
-    if (!containsProjection(world::polygonOf(world, portal), portal.plane.n, at, kOpeningSlack))
+    if (!containsProjection(world::cornersOf(world, portal), portal.plane.n, at, kOpeningSlack))
         return std::nullopt;
     return t;
 }

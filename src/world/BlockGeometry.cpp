@@ -6,6 +6,7 @@ namespace limen::world {
 namespace {
 
 constexpr double kFarthest = 500000.0; ///< metres; leaves the welder's grid room
+constexpr int kPasses = 4;             ///< of stitching; a second one is rare, a third has not been seen
 
 /// Takes normals along with positions under any scale: the cofactor matrix.
 Mat3 normalMatrix(const Mat3& m) {
@@ -37,11 +38,21 @@ std::uint32_t BlockGeometry::add(SourcePolygon polygon, const Placement& placeme
 
 void BlockGeometry::bake() {
     welder_.weld();
-    Stitcher stitcher(welder_.positions());
-    for (std::vector<StitchLoop>& loops : loops_) {
-        for (StitchCorner& corner : loops.front())
+    corners_.resize(loops_.size());
+    std::vector<StitchLoop> welded;
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+        welded.push_back(std::move(loops_[i].front()));
+        for (StitchCorner& corner : welded.back()) {
             corner.vertex = welder_.vertexOf(corner.vertex);
-        loops = stitcher.stitch(loops.front());
+            corners_[i].push_back(corner.vertex);
+        }
+    }
+    Stitcher stitcher(welder_.positions());
+    for (int pass = 0; pass < kPasses; ++pass) {
+        for (std::size_t i = 0; i < loops_.size(); ++i)
+            loops_[i] = stitcher.stitch(welded[i]);
+        if (!stitcher.reconcile())
+            return;
     }
 }
 

@@ -24,6 +24,10 @@ public:
 
     /// The polygon as it was read; its corners are emptied.
     [[nodiscard]] const SourcePolygon& source(std::uint32_t handle) const { return sources_[handle]; }
+    /// Its own corners after welding, nothing inserted: vertices().
+    [[nodiscard]] const std::vector<std::uint32_t>& corners(std::uint32_t handle) const {
+        return corners_[handle];
+    }
     /// What became of it: none if it was thinner than the weld tolerance. Corners index vertices().
     [[nodiscard]] const std::vector<StitchLoop>& loops(std::uint32_t handle) const { return loops_[handle]; }
     [[nodiscard]] std::span<const Vec3f> vertices() const { return welder_.positions(); }
@@ -31,6 +35,7 @@ public:
 private:
     Welder welder_;
     std::vector<SourcePolygon> sources_;
+    std::vector<std::vector<std::uint32_t>> corners_;
     std::vector<std::vector<StitchLoop>> loops_;
 };
 

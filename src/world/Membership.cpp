@@ -9,7 +9,7 @@ namespace limen::world {
 Membership::Membership(const World& world) : world_(world) {
     bounds_.reserve(world.portals.size());
     for (const Portal& portal : world.portals)
-        bounds_.push_back(boundingSphere(polygonOf(world, portal)));
+        bounds_.push_back(boundingSphere(cornersOf(world, portal)));
 }
 
 bool Membership::reaches(PortalIndex portal, const Sphere& ball) const {
@@ -18,7 +18,7 @@ bool Membership::reaches(PortalIndex portal, const Sphere& ball) const {
     if (bounds_[portal].radius < 0.0 || glm::dot(offset, offset) > reach * reach)
         return false;
     const Portal& p = world_.portals[portal];
-    return distanceToPolygon(polygonOf(world_, p), p.plane, ball.centre) <= ball.radius;
+    return distanceToPolygon(cornersOf(world_, p), p.plane, ball.centre) <= ball.radius;
 }
 
 void Membership::reach(SpaceIndex start, const Sphere& ball, std::vector<SpaceIndex>& out) const {

@@ -148,6 +148,7 @@ PortalContent outdoorPortal(const PortalContent& exit, std::uint32_t exitIndex, 
     portal.destination = exit.points.empty() ? kNone : exit.space;
     portal.reciprocal = exitIndex;
     std::reverse(portal.points.begin(), portal.points.end());
+    std::reverse(portal.corners.begin(), portal.corners.end());
     portal.plane = exit.plane.flipped();
     portal.recordIndex = recordIndex;
     portal.exact = true;

@@ -26,23 +26,33 @@ struct Between {
     double f = 0.0;
 };
 
+/// Keyframes need not be stored in order; those that begin together count in the order they are stored.
 Between keyframesAt(const dat::DayGroup& group, double t) {
-    std::vector<const dat::SkyTimeOfDay*> frames;
-    for (const dat::SkyTimeOfDay& frame : group.times)
-        frames.push_back(&frame);
-    if (frames.empty())
+    if (group.times.empty())
         return {};
-    std::stable_sort(frames.begin(), frames.end(), [](auto* a, auto* b) { return a->begin < b->begin; });
-    std::size_t from = frames.size() - 1;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (static_cast<double>(frames[i]->begin) <= t)
-            from = i;
+    const auto before = [](const dat::SkyTimeOfDay& a, const dat::SkyTimeOfDay& b) {
+        return a.begin != b.begin ? a.begin < b.begin : &a < &b;
+    };
+    const dat::SkyTimeOfDay* first = &group.times[0];
+    const dat::SkyTimeOfDay* last = first;
+    const dat::SkyTimeOfDay* from = nullptr;
+    for (const dat::SkyTimeOfDay& frame : group.times) {
+        first = before(frame, *first) ? &frame : first;
+        last = before(*last, frame) ? &frame : last;
+        if (static_cast<double>(frame.begin) <= t && (from == nullptr || before(*from, frame)))
+            from = &frame;
     }
-    const std::size_t to = (from + 1) % frames.size();
-    const double b1 = frames[from]->begin, b2 = frames[to]->begin;
+    from = from == nullptr ? last : from; // before the first of the day the last of yesterday rules
+    const dat::SkyTimeOfDay* to = nullptr;
+    for (const dat::SkyTimeOfDay& frame : group.times) {
+        if (before(*from, frame) && (to == nullptr || before(frame, *to)))
+            to = &frame;
+    }
+    to = to == nullptr ? first : to;
+    const double b1 = from->begin, b2 = to->begin;
     const double span = b2 > b1 ? b2 - b1 : 1.0 - b1 + b2;
     const double passed = t >= b1 ? t - b1 : t + 1.0 - b1;
-    return {frames[from], frames[to], span > 1e-9 ? std::clamp(passed / span, 0.0, 1.0) : 0.0};
+    return {from, to, span > 1e-9 ? std::clamp(passed / span, 0.0, 1.0) : 0.0};
 }
 
 double mixed(float a, float b, double f) {

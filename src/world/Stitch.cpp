@@ -10,6 +10,8 @@ namespace {
 /// An inserted vertex bends its edge by up to the tolerance, which can bring further vertices within reach of
 /// the parts. It settles at once in real data; the bound keeps hostile data from growing without end.
 constexpr int kRounds = 4;
+/// Chains longer than this are not reconciled: their pairs grow with the square.
+constexpr std::size_t kLongestChain = 64;
 
 StitchCorner between(const StitchCorner& a, const StitchCorner& b, float t, std::uint32_t vertex) {
     return {vertex, glm::mix(a.normal, b.normal, t), glm::mix(a.front, b.front, t),
@@ -40,9 +42,53 @@ std::vector<StitchLoop> simpleLoops(const StitchLoop& loop) {
 
 Stitcher::Stitcher(std::span<const Vec3f> vertices) : vertices_(vertices), tree_(vertices) {}
 
+bool Stitcher::along(const Inserted& a, const Inserted& b) {
+    return a.t != b.t ? a.t < b.t : a.vertex < b.vertex;
+}
+
+std::uint64_t Stitcher::keyOf(std::uint32_t a, std::uint32_t b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+bool Stitcher::force(std::uint32_t a, std::uint32_t b, std::uint32_t vertex) {
+    const auto edge = edges_.find(keyOf(a, b));
+    if (edge == edges_.end() || vertex == a || vertex == b)
+        return false;
+    std::vector<Inserted>& list = edge->second;
+    if (std::any_of(list.begin(), list.end(), [&](const Inserted& i) { return i.vertex == vertex; }))
+        return false;
+    const Vec3 from(vertices_[std::min(a, b)]), to(vertices_[std::max(a, b)]);
+    list.push_back({vertex, distanceToSegment(Vec3(vertices_[vertex]), from, to).t});
+    std::sort(list.begin(), list.end(), along);
+    return true;
+}
+
+bool Stitcher::reconcile() {
+    std::vector<std::vector<std::uint32_t>> chains;
+    for (const auto& [key, list] : edges_) {
+        if (list.size() < 2 || list.size() > kLongestChain)
+            continue;
+        std::vector<std::uint32_t>& chain = chains.emplace_back();
+        chain.push_back(static_cast<std::uint32_t>(key >> 32));
+        for (const Inserted& i : list)
+            chain.push_back(i.vertex);
+        chain.push_back(static_cast<std::uint32_t>(key));
+    }
+    bool changed = false;
+    for (const std::vector<std::uint32_t>& chain : chains) {
+        for (std::size_t i = 0; i + 2 < chain.size(); ++i) {
+            for (std::size_t j = i + 2; j < chain.size(); ++j) {
+                for (std::size_t k = i + 1; k < j; ++k)
+                    changed = force(chain[i], chain[j], chain[k]) || changed;
+            }
+        }
+    }
+    return changed;
+}
+
 const std::vector<Stitcher::Inserted>& Stitcher::onEdge(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t low = std::min(a, b), high = std::max(a, b);
-    const auto [entry, fresh] = edges_.try_emplace((static_cast<std::uint64_t>(low) << 32) | high);
+    const auto [entry, fresh] = edges_.try_emplace(keyOf(a, b));
     if (fresh) {
         const Vec3 from(vertices_[low]), to(vertices_[high]);
         near_.clear();
@@ -51,9 +97,7 @@ const std::vector<Stitcher::Inserted>& Stitcher::onEdge(std::uint32_t a, std::ui
             if (v != low && v != high)
                 entry->second.push_back({v, distanceToSegment(Vec3(vertices_[v]), from, to).t});
         }
-        std::sort(entry->second.begin(), entry->second.end(), [](const Inserted& i, const Inserted& j) {
-            return i.t != j.t ? i.t < j.t : i.vertex < j.vertex;
-        });
+        std::sort(entry->second.begin(), entry->second.end(), along);
     }
     return entry->second;
 }

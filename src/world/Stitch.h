@@ -29,12 +29,20 @@ public:
     /// neighbours matching.
     [[nodiscard]] std::vector<StitchLoop> stitch(const StitchLoop& polygon);
 
+    /// Where one edge runs a-v-c-b and another a-c, v may be just too far from the second to have been found,
+    /// and a crack as thin as the tolerance stays. This gives such edges their missing vertices. True if
+    /// there were any: then all polygons must be stitched again.
+    [[nodiscard]] bool reconcile();
+
 private:
     struct Inserted {
         std::uint32_t vertex = 0;
         double t = 0.0; ///< from the edge's smaller vertex
     };
     const std::vector<Inserted>& onEdge(std::uint32_t a, std::uint32_t b);
+    static bool along(const Inserted& a, const Inserted& b);
+    static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
+    bool force(std::uint32_t a, std::uint32_t b, std::uint32_t vertex);
     bool insertInto(const StitchLoop& in, StitchLoop& out);
 
     std::span<const Vec3f> vertices_;

@@ -73,6 +73,9 @@ struct Portal {
     PortalIndex reciprocal = kNone; ///< the way back; kNone: one-way
     std::uint32_t firstVertex = 0,
                   vertexCount = 0; ///< World::portalVertices, counter-clockwise seen from inside `space`
+    /// World::portalCorners: its convex hull, a subset of its vertices without those inserted into edges. For
+    /// decisions.
+    std::uint32_t firstCorner = 0, cornerCount = 0;
     Plane plane;                   ///< global; `space` lies on the positive side
     std::uint32_t block = kNone;   ///< the block whose local frame its vertices are exact in
     std::uint16_t recordIndex = 0; ///< index in the cell's portal list; for outside: in the building's
@@ -186,6 +189,7 @@ struct World {
     std::vector<Block> blocks;
     std::vector<Space> spaces;
     std::vector<Portal> portals;
+    std::vector<Vec3> portalCorners;  ///< global; the same floats
     std::vector<Vec3> portalVertices; ///< global; exact in the block-local floats of the portal's block
     std::vector<Zone> zones;
     std::vector<SpaceIndex> zoneSpaces;
@@ -211,9 +215,16 @@ struct World {
     std::uint32_t idEnd = 2; ///< one past the last id in use
 };
 
-/// The corners of a portal: global, counter-clockwise seen from inside its space.
+/// A portal's outline as it is drawn, with every vertex that other polygons have on its edges: global,
+/// counter-clockwise seen from inside its space. Inserted vertices lie up to 0.2 mm off its edges, so it is
+/// only nearly convex.
 [[nodiscard]] inline std::span<const Vec3> polygonOf(const World& world, const Portal& portal) {
     return std::span<const Vec3>(world.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+}
+
+/// A portal's polygon for decisions: exactly convex, same winding as polygonOf.
+[[nodiscard]] inline std::span<const Vec3> cornersOf(const World& world, const Portal& portal) {
+    return std::span<const Vec3>(world.portalCorners).subspan(portal.firstCorner, portal.cornerCount);
 }
 
 } // namespace limen::world

@@ -54,6 +54,15 @@ TEST(CameraPath, namesTheCornersAStepCutsOff) {
     EXPECT_TRUE(corners.empty());
 }
 
+TEST(CameraPath, keepsThePaceOfARecording) {
+    std::vector<world::Place> points;
+    for (int i = 0; i < 100; ++i)
+        points.push_back(wayPoint({i < 50 ? i * 1.0 : 49.0 + (i - 49) * 0.01, 0, 0}, i * 3.0));
+    EXPECT_NEAR(CameraPath(points).seconds(), 99 * CameraPath::kRecordedStep, 1e-9);
+    points.back().eye.x += 20.0; // one long stride, and it is a walk again
+    EXPECT_GT(CameraPath(points).seconds(), 99 * CameraPath::kRecordedStep + 1.0);
+}
+
 TEST(CameraPath, copesWithNoneAndOneWayPoint) {
     EXPECT_TRUE(CameraPath({}).empty());
     const CameraPath one(std::vector<world::Place>{wayPoint({1, 2, 3}, 45)});

@@ -126,6 +126,13 @@ TEST_F(ArchiveTest, refusesAMissingDirectoryAndMissingFiles) {
     EXPECT_THAT(nowhere.error().message(), HasSubstr("there is no such directory"));
 }
 
+TEST_F(ArchiveTest, namesADirectoryOfOlderGameFilesForWhatItIs) {
+    std::ofstream(directory_ / "portal.dat") << "whatever it holds";
+    const Error error = openError();
+    EXPECT_EQ(error.code, ErrorCode::Unsupported);
+    EXPECT_THAT(error.what, HasSubstr("older than the end of retail"));
+}
+
 TEST_F(ArchiveTest, refusesAFileInAnothersPlace) {
     ASSERT_TRUE(portal_.write(directory_ / "client_portal.dat"));
     ASSERT_TRUE(portal_.write(directory_ / "client_cell_1.dat"));

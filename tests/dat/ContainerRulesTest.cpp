@@ -164,13 +164,34 @@ TEST(ContainerRules, anotherLengthThanTheHeadersIsAWarning) {
     EXPECT_THAT(file->warnings()[0], HasSubstr("header says 74565 bytes"));
 }
 
-TEST(ContainerRules, truncatedFilesFailWhereTheBytesAreMissing) {
+TEST(ContainerRules, truncatedFilesAreCalledSo) {
     const Bytes whole = portalFile(30, 5000);
     for (std::size_t length = 0; length < whole.size(); length += 512) {
         const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
         const Error error = openError(cut); // the root comes last, so it is always missing
         EXPECT_THAT(error.where, HasSubstr("bad.dat"));
+        if (length >= 0x800) {
+            EXPECT_THAT(error.what, HasSubstr("(the file is cut short: " + std::to_string(length) + " of "));
+        }
     }
+}
+
+TEST(ContainerRules, recordsBeyondTheEndOfATruncatedFileAreRefused) {
+    // The last record's blocks are moved behind everything else and cut off in the middle.
+    Bytes bytes = portalFile(3, 5000);
+    const std::size_t entry = entryAt(bytes, 3);
+    const auto end = static_cast<std::uint32_t>(bytes.size());
+    bytes.resize(end + 2 * 1024);
+    putWord(bytes, entry + 8, end);
+    putWord(bytes, end, end + 1024);
+    putWord(bytes, end + 1024, end + 2048);
+    putWord(bytes, kFileSizeAt, end + 5 * 1024);
+    const Error error = readError(bytes, 3);
+    EXPECT_THAT(error.what, HasSubstr("not the offset of a block"));
+    EXPECT_THAT(error.what, HasSubstr("cut short"));
+    const auto file = File::fromBytes(bytes, "bad.dat");
+    Bytes scratch;
+    EXPECT_TRUE(file->read(1, scratch)) << "what is there stays readable";
 }
 
 TEST(ContainerRules, rootsOutOfRangeAreRefused) {
@@ -283,6 +304,31 @@ TEST(ContainerRules, innerNodesNeedAllTheirBranches) {
     Bytes bytes = good; // behind them anything may stand
     putWord(bytes, root + 4 + (count + 1) * 4, 0x12345);
     EXPECT_TRUE(File::fromBytes(bytes, "good.dat"));
+}
+
+TEST(ContainerRules, nodesMayBeScatteredOverTheFile) {
+    Bytes bytes = portalFile(200, 10);
+    // The second block of every node moves to the end of the file.
+    const std::size_t root = wordAt(bytes, kRootAt);
+    std::vector<std::size_t> nodes{root};
+    for (std::size_t i = 0; i <= wordAt(bytes, root + kNodeCountAt); ++i)
+        nodes.push_back(wordAt(bytes, root + 4 + i * 4));
+    for (const std::size_t node : nodes) {
+        const auto moved = static_cast<std::uint32_t>(bytes.size());
+        bytes.resize(bytes.size() + 1024);
+        std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(node + 1024), 1024, bytes.begin() + moved);
+        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(node + 1024), 1024, std::byte{0xEE});
+        putWord(bytes, node, moved);
+    }
+    const auto file = File::fromBytes(bytes, "scattered.dat");
+    ASSERT_TRUE(file) << file.error().message();
+    for (int round = 0; round < 2; ++round) {
+        for (RecordId id = 1; id <= 200; ++id) {
+            const auto found = file->find(id);
+            ASSERT_TRUE(found && *found) << id;
+            EXPECT_EQ((*found)->id, id);
+        }
+    }
 }
 
 TEST(ContainerRules, anInnerNodeWithoutEntriesIsRefused) {

@@ -90,7 +90,7 @@ TEST(MemoryBoundTree, theSmallestNodesCostTheMost) {
         text += "4E 49 50 42  00 00 80 3F 00 00 00 00 00 00 00 00 00 00 00 00  46 41 45 4C 00 00 00 00 ";
     const Bytes bytes = hex(text);
     const std::size_t peak = peakOf([&] { EXPECT_FALSE(decode<Environment>(0x0D000001, bytes)); });
-    EXPECT_LE(peak, 32 * bytes.size() + kSlack);
+    EXPECT_LE(peak, 24 * bytes.size() + kSlack);
 }
 
 TEST(MemoryBoundFile, damagedFilesNeverAllocateMuchMoreThanTheyAreLong) {

@@ -6,7 +6,7 @@ namespace limen::gpu {
 namespace {
 
 TEST(ShaderLibrary, includesAreResolvedOnceAndLinesKept) {
-    const Result<std::string> text = shaderText("opaque.frag", {.label = "", .textures = {false, 2}});
+    const Result<std::string> text = shaderText("opaque.frag", {.textures = {false, 4, {0, 3}}});
     ASSERT_TRUE(text);
     EXPECT_EQ(text->find("#include"), std::string::npos);
     EXPECT_EQ(text->find("#version 450 core"), 0u);
@@ -15,7 +15,7 @@ TEST(ShaderLibrary, includesAreResolvedOnceAndLinesKept) {
     EXPECT_TRUE(first != std::string::npos || layout != std::string::npos);
     EXPECT_EQ(text->find("LIMEN_STRUCT(FrameConstants)", layout + 1), std::string::npos) << "once";
     EXPECT_NE(text->find("#line 1 0\n"), std::string::npos);
-    EXPECT_NE(text->find("EACH_PAGE(x) x(0) x(1)\n"), std::string::npos);
+    EXPECT_NE(text->find("EACH_PAGE(x) x(0) x(3)\n"), std::string::npos);
 }
 
 TEST(ShaderLibrary, unknownName_isNotFound) {

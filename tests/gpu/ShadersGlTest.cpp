@@ -9,16 +9,16 @@ TEST_F(ShadersGlTest, everyVariantBuilds) {
     std::vector<TextureBinding> bindings{
         {false, 0}, {false, 1}, {false, device_->capabilities().textureUnits - 1}};
     if (device_->capabilities().bindless) {
-        bindings.push_back({true, 0});
+        bindings.push_back({true, 0, {}});
     }
     for (const TextureBinding& binding : bindings) {
-        const Result<Programs> programs = Programs::create(*device_, binding);
+        const Result<Programs> programs = Programs::create(*device_, {binding, binding});
         EXPECT_TRUE(programs) << programs.error().message();
     }
 }
 
 TEST_F(ShadersGlTest, failureNamesFileLineAndDriver) {
-    ProgramSource source = programSource(frame::Program::Opaque, true, {false, 1});
+    ProgramSource source = programSource(frame::Program::Opaque, true, {false, 1, {0}});
     source.defines.emplace_back("walkChain"); // breaks include/gate.glsl where the function is defined
     const Result<ProgramHandle> program = device_->createProgram(source);
     ASSERT_FALSE(program);

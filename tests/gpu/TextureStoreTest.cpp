@@ -22,7 +22,9 @@ TEST(TextureStore, arrayPages_shareSizesAndTellTheShaderWhere) {
     {
         const Result<TextureStore> store = TextureStore::create(device, scene.upload.textures, {});
         ASSERT_TRUE(store);
-        EXPECT_EQ(store->binding(), (TextureBinding{false, 2}));
+        const std::vector<std::uint32_t> two{0, 2, layout::kNoTexture}, all{1, 0};
+        EXPECT_EQ(store->bindingFor(two), (TextureBinding{false, 2, {0}}));
+        EXPECT_EQ(store->bindingFor(all), (TextureBinding{false, 2, {0, 1}}));
         EXPECT_EQ(store->refs()[0].place, glm::uvec4(0, 0, 2 | layout::kTextureClamp, 2));
         EXPECT_EQ(store->refs()[1].place, glm::uvec4(0, 1, 4, 2));
         EXPECT_EQ(store->refs()[2].place, glm::uvec4(1, 0, 2 | layout::kTextureClamp, 2));
@@ -39,7 +41,8 @@ TEST(TextureStore, bindless_hasAHandleForEachAndBindsNothing) {
     SceneBuilder scene = threeTextures();
     const Result<TextureStore> store = TextureStore::create(device, scene.upload.textures, {});
     ASSERT_TRUE(store);
-    EXPECT_EQ(store->binding(), (TextureBinding{true, 0}));
+    const std::vector<std::uint32_t> all{0, 1, 2};
+    EXPECT_EQ(store->bindingFor(all), (TextureBinding{true, 0, {}}));
     EXPECT_TRUE(store->pages().empty());
     EXPECT_NE(store->refs()[0].place.x, store->refs()[2].place.x);
 }

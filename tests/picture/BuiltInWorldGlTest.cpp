@@ -57,7 +57,7 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
     }
 };
 INSTANTIATE_TEST_SUITE_P(Zones, BuiltInWorld, ::testing::Bool(),
-                         [](const auto& info) { return info.param ? "merged" : "apart"; });
+                         [](const auto& zones) { return zones.param ? "merged" : "apart"; });
 
 TEST_P(BuiltInWorld, everyPlaceIsClean) {
     for (const world::Place& place : places().places) {
@@ -84,13 +84,27 @@ TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
             space = motion::sweep(pictures().world(), space, last, eye);
             last = eye;
             indoors += space == world::kOutside ? 0 : 1;
-            if ((i * 3) % 8 < 3) { // every step is swept, some are drawn
+            if (i % 6 == 0) { // every step is swept, some are drawn
                 SCOPED_TRACE(::testing::Message() << "way point " << i << " + " << share);
                 pictures().expectClean(look(eye, tour[i].yaw, tour[i].pitch, space));
             }
         }
     }
     EXPECT_GT(indoors, 10u) << "the tour goes inside";
+}
+
+/// In the cell, and so far from its walls that the near plane cuts none: what shows through a wall that it cuts is not
+/// judged.
+bool clearOfWalls(const world::World& world, world::SpaceIndex cell, const Vec3& eye) {
+    constexpr double kClear = 0.05;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 offset(0.0);
+        offset[axis] = kClear;
+        if (!motion::cellContains(world, cell, eye + offset) || !motion::cellContains(world, cell, eye - offset)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
@@ -104,11 +118,11 @@ TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
             root = 1 + static_cast<world::SpaceIndex>(unit(random) * static_cast<double>(world.spaces.size() - 1));
             const Aabb& box = world.spaces[root].bounds;
             eye = box.min + (box.max - box.min) * Vec3(unit(random), unit(random), unit(random));
-            if (!motion::cellContains(world, root, eye)) {
+            if (!clearOfWalls(world, root, eye)) {
                 continue;
             }
         } else {
-            const world::Block& block = world.blocks[static_cast<std::size_t>(unit(random) * world.blocks.size())];
+            const world::Block& block = world.blocks[static_cast<std::size_t>(unit(random) * static_cast<double>(world.blocks.size()))];
             eye = block.origin() + Vec3(unit(random), unit(random), 0.0) * world::kBlockSize;
             eye.z = world::terrainHeight(world, eye.x, eye.y) + 0.3 + unit(random) * 12.0;
             if (motion::locate(world, eye).space != world::kOutside) {

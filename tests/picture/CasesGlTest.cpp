@@ -13,7 +13,7 @@ struct Cases : ::testing::TestWithParam<bool> {
     [[nodiscard]] PictureOptions options() const { return {GetParam(), 1}; }
 };
 INSTANTIATE_TEST_SUITE_P(Zones, Cases, ::testing::Bool(),
-                         [](const auto& info) { return info.param ? "merged" : "apart"; });
+                         [](const auto& zones) { return zones.param ? "merged" : "apart"; });
 
 /// Two rooms, 4 × 4 × 3 m, joined by a door 1 m wide and 2 m high in the plane x = 4.
 struct TwoRooms {
@@ -173,6 +173,8 @@ TEST_P(Cases, case11_aStillEyeGivesIdenticalFrames) {
 TEST_P(Cases, case13_throughAWindowIntoTheNeighboursDoor) {
     TwoHouses houses;
     PictureWorld pictures(houses.world, options());
+    pictures.width = 240;
+    pictures.height = 160;
     const world::SpaceIndex north = pictures.space(houses.world.id(houses.north));
     const world::SpaceIndex aside = pictures.space(houses.world.id(houses.aside));
     const Picture picture = pictures.expectClean(
@@ -221,7 +223,11 @@ TEST_P(Cases, case25_theFarCornerOfTheMap) {
         for (const double yaw : {10.0, 60.0, 100.0}) {
             const auto picture = pictures.expectClean(
                 pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))));
-            ids.back().insert(ids.back().end(), picture.ids.begin(), picture.ids.end());
+            for (const std::uint32_t id : picture.ids) { // which way a landcell is split depends on its place on the map
+                const auto i = instanceOfId(pictures.world(), id);
+                const bool ground = i != world::kNone && pictures.world().instances[i].kind == world::Kind::Terrain;
+                ids.back().push_back(ground ? world::kNone : id);
+            }
         }
     }
     EXPECT_EQ(ids[0], ids[1]);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace limen::test {
 
@@ -12,12 +14,47 @@ namespace {
 /// Metres: an eye this near to a portal's plane is in it, and a surface this near is met from both sides.
 constexpr double kTolerance = 0.0002;
 
+/// Triangles are closed sets: a ray along an edge that two of them share must not slip between by rounding. In
+/// barycentric coordinates, where doubles round at 10⁻¹⁵ times the distance over the triangle's size.
+constexpr double kEdge = 1e-9;
+
 } // namespace
 
 NaiveTracer::NaiveTracer(const world::World& world) : world_(world) {
     for (const world::Instance& instance : world.instances) {
         addTriangles(instance);
     }
+    for (const world::Space& space : world.spaces) {
+        addClusters(space);
+    }
+}
+
+void NaiveTracer::addClusters(const world::Space& space) {
+    constexpr double kSize = 24.0;
+    std::map<std::tuple<long, long>, Cluster> grid;
+    for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
+        const std::uint32_t instance = world_.spaceInstances[i];
+        const Vec3& centre = bodies_[instance].bounds.centre;
+        grid[{std::lround(centre.x / kSize), std::lround(centre.y / kSize)}].bodies.push_back(instance);
+    }
+    clusters_.emplace_back();
+    for (auto& [key, cluster] : grid) {
+        Aabb box;
+        for (const world::InstanceIndex i : cluster.bodies) {
+            const Sphere& ball = bodies_[i].bounds;
+            box.include(ball.centre - ball.radius);
+            box.include(ball.centre + ball.radius);
+        }
+        cluster.bounds = {box.centre(), glm::length(box.max - box.min) * 0.5};
+        clusters_.back().push_back(std::move(cluster));
+    }
+}
+
+bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
+    const Vec3 offset = bounds.centre - ray.eye;
+    const Vec3 across = glm::cross(offset, ray.direction);
+    const double reach = bounds.radius * 1.0001 + 0.01;
+    return glm::dot(across, across) <= reach * reach * glm::dot(ray.direction, ray.direction);
 }
 
 void NaiveTracer::addTriangles(const world::Instance& instance) {
@@ -73,12 +110,6 @@ bool NaiveTracer::isHole(const Triangle& triangle, double v, double w) const {
 }
 
 void NaiveTracer::nearestIn(const Body& body, const Ray& ray, double after, Answer& best) const {
-    const Vec3 offset = body.bounds.centre - ray.eye;
-    const Vec3 across = glm::cross(offset, glm::normalize(ray.direction));
-    const double reach = body.bounds.radius * 1.0001 + 0.01;
-    if (glm::dot(across, across) > reach * reach) {
-        return;
-    }
     for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
         // Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), front faces only.
         const Triangle& triangle = triangles_[i];
@@ -92,7 +123,7 @@ void NaiveTracer::nearestIn(const Body& body, const Ray& ray, double after, Answ
         const Vec3 q = glm::cross(s, triangle.ab);
         const double w = glm::dot(ray.direction, q) / determinant;
         const double t = glm::dot(triangle.ac, q) / determinant;
-        if (v < 0.0 || w < 0.0 || v + w > 1.0 || t <= after || t < ray.nearPlane || t >= best.t) {
+        if (v < -kEdge || w < -kEdge || v + w > 1.0 + kEdge || t <= after || t < ray.nearPlane || t >= best.t) {
             continue;
         }
         if (!isHole(triangle, v, w)) {
@@ -127,6 +158,17 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
     return nearest;
 }
 
+bool NaiveTracer::passesReciprocal(world::PortalIndex index, const Ray& ray) const {
+    const world::Portal& portal = world_.portals[index];
+    if (portal.exact || portal.reciprocal == world::kNone) {
+        return true;
+    }
+    const world::Portal& back = world_.portals[portal.reciprocal];
+    const auto polygon = std::span(world_.portalVertices).subspan(back.firstVertex, back.vertexCount);
+    const double t = -back.plane.signedDistance(ray.eye) / glm::dot(back.plane.n, ray.direction);
+    return containsProjection(polygon, back.plane.n, ray.eye + ray.direction * t, 0.0);
+}
+
 NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) const {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     Answer answer;
@@ -139,16 +181,22 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
         answer.reachedOutside = answer.reachedOutside || space == world::kOutside;
         answer.t = kInfinite;
         answer.id = 0;
-        const world::Space& here = world_.spaces[space];
-        for (std::uint32_t i = here.firstInstance; i < here.firstInstance + here.instanceCount; ++i) {
-            nearestIn(bodies_[world_.spaceInstances[i]], ray, t0 - slack, answer);
+        for (const Cluster& cluster : clusters_[space]) {
+            if (!mayMeet(cluster.bounds, ray)) {
+                continue;
+            }
+            for (const world::InstanceIndex i : cluster.bodies) {
+                if (mayMeet(bodies_[i].bounds, ray)) {
+                    nearestIn(bodies_[i], ray, t0 - slack, answer);
+                }
+            }
         }
         double t = kInfinite;
         const world::PortalIndex portal = nearestPortal(space, ray, t0, cameBy, t);
         if (portal == world::kNone || answer.t <= t + slack) {
             break;
         }
-        if (world_.portals[portal].destination == world::kNone) {
+        if (world_.portals[portal].destination == world::kNone || !passesReciprocal(portal, ray)) {
             answer.id = 0;
             answer.t = kInfinite;
             break;

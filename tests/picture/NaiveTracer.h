@@ -38,15 +38,26 @@ private:
         Sphere bounds;
         std::size_t firstTriangle = 0, triangleCount = 0;
     };
+    /// Neighbouring bodies of one space, so that a ray need not ask each of thousands.
+    struct Cluster {
+        Sphere bounds;
+        std::vector<world::InstanceIndex> bodies;
+    };
     void addTriangles(const world::Instance& instance);
+    void addClusters(const world::Space& space);
+    [[nodiscard]] static bool mayMeet(const Sphere& bounds, const Ray& ray);
     void nearestIn(const Body& body, const Ray& ray, double after, Answer& best) const;
     [[nodiscard]] bool isHole(const Triangle& triangle, double v, double w) const;
     [[nodiscard]] world::PortalIndex nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
                                                    world::PortalIndex cameBy, double& t) const;
 
+    /// An inexact pair is open where both polygons are; through one of them alone a ray meets a hole.
+    [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;
+
     const world::World& world_;
     std::vector<Triangle> triangles_;
     std::vector<Body> bodies_; ///< by instance
+    std::vector<std::vector<Cluster>> clusters_; ///< by space
 };
 
 } // namespace limen::test

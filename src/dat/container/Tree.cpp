@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 namespace limen::dat {
+namespace {
+
+constexpr std::size_t kStatesPerWord = 32;
+
+} // namespace
 
 /// The state of a walk over the whole tree.
 struct Tree::Walk {
@@ -15,7 +20,7 @@ struct Tree::Walk {
 
 Tree::Tree(const Blocks& blocks, std::uint32_t root, std::string name)
     : blocks_(blocks), root_(root), name_(std::move(name)), blocksPerNode_(blocks.blocksFor(kNodeBytes)),
-      sound_(std::make_unique<std::atomic<std::uint64_t>[]>(blocks.blockCount() / 64 + 1)) {
+      states_(std::make_unique<std::atomic<std::uint64_t>[]>(blocks.blockCount() / kStatesPerWord + 1)) {
     for (std::size_t i = 0; i < kWords; ++i) {
         wordBlock_[i] = static_cast<std::uint8_t>(i * 4 / blocks.capacity());
         wordOffset_[i] = static_cast<std::uint16_t>(4 + i * 4 % blocks.capacity());
@@ -51,14 +56,23 @@ std::size_t Tree::lowerBound(const Node& node, RecordId id) const {
     return first;
 }
 
-bool Tree::isSound(std::uint32_t offset) const {
+Tree::State Tree::stateOf(std::uint32_t offset) const {
     const std::size_t block = offset / blocks_.blockSize();
-    return ((sound_[block / 64].load(std::memory_order_relaxed) >> (block % 64)) & 1) != 0;
+    const std::uint64_t word = states_[block / kStatesPerWord].load(std::memory_order_relaxed);
+    return static_cast<State>((word >> (block % kStatesPerWord * 2)) & 3);
 }
 
-void Tree::markSound(std::uint32_t offset) const {
+void Tree::remember(std::uint32_t offset, State state) const {
     const std::size_t block = offset / blocks_.blockSize();
-    sound_[block / 64].fetch_or(std::uint64_t{1} << (block % 64), std::memory_order_relaxed);
+    const std::uint64_t bits = static_cast<std::uint64_t>(state) << (block % kStatesPerWord * 2);
+    states_[block / kStatesPerWord].fetch_or(bits, std::memory_order_relaxed);
+}
+
+void Tree::prefetch(std::uint32_t offset) const {
+    constexpr std::size_t kStep =
+        kWords / 9; // first branch, count, and what a search of 61 ids looks at first
+    for (std::size_t i = 0; i < kWords; i += kStep)
+        blocks_.prefetch(offset + wordBlock_[i] * blocks_.blockSize() + wordOffset_[i]);
 }
 
 std::string Tree::inspect(const Node& node) const {
@@ -77,19 +91,34 @@ std::string Tree::inspect(const Node& node) const {
     return {};
 }
 
+bool Tree::isInOnePiece(const Node& node) const {
+    for (std::size_t i = 1; i < blocksPerNode_; ++i) {
+        if (node.blocks[i] != node.blocks[i - 1] + blocks_.blockSize())
+            return false;
+    }
+    return true;
+}
+
 std::string Tree::load(std::uint32_t offset, const Range& range, Node& node) const {
     node.offset = offset;
-    if (const ChainStatus status = blocks_.offsets(offset, blocksPerNode_, node.blocks.data()); !status.ok())
+    const State state = blocks_.isBlock(offset) ? stateOf(offset) : State::Unknown;
+    if (state == State::SoundInOnePiece) {
+        prefetch(offset);
+        for (std::size_t i = 0; i < blocksPerNode_; ++i)
+            node.blocks[i] = offset + static_cast<std::uint32_t>(i) * blocks_.blockSize();
+    } else if (const ChainStatus status = blocks_.offsets(offset, blocksPerNode_, node.blocks.data());
+               !status.ok()) {
         return inWords(status);
+    }
     node.count = word(node, kCountAt / 4);
     if (node.count > kMaxEntries)
         return fmt::format("it claims {} entries; {} fit", node.count, kMaxEntries);
     const std::uint32_t first = branch(node, 0);
     node.isLeaf = first == 0 || first == kNoBranchFill;
-    if (!isSound(offset)) {
+    if (state == State::Unknown) {
         if (std::string reason = inspect(node); !reason.empty())
             return reason;
-        markSound(offset);
+        remember(offset, isInOnePiece(node) ? State::SoundInOnePiece : State::Sound);
     }
     if (node.count > 0 && (idAt(node, 0) <= range.low || idAt(node, node.count - 1) >= range.high))
         return fmt::format("its ids 0x{:08X} to 0x{:08X} are out of the order of the tree", idAt(node, 0),

@@ -9,9 +9,9 @@
 
 namespace limen::dat {
 
-/// The B-tree of a file, read where it lies (formats/container.md §5). A node's chain, count and range are
-/// checked at every visit; the order of its keys and its branches once, after which a bit says that they are
-/// sound. That bit is all that a look-up ever writes, so any number of threads may look up at once.
+/// The B-tree of a file, read where it lies (formats/container.md §5). A node's count and range are checked at every
+/// visit; its chain, the order of its keys and its branches once, after which two bits say what was found. They are all
+/// that a look-up ever writes, so any number of threads may look up at once.
 class Tree {
 public:
     /// `root` 0 is a tree without entries. `name` stands in messages.
@@ -56,12 +56,17 @@ private:
     [[nodiscard]] std::string load(std::uint32_t offset, const Range& range, Node& node) const;
     /// The checks that depend on the node's bytes alone.
     [[nodiscard]] std::string inspect(const Node& node) const;
+    [[nodiscard]] bool isInOnePiece(const Node& node) const;
     [[nodiscard]] tl::unexpected<Error> damaged(std::uint32_t offset, std::string reason) const;
     [[nodiscard]] Result<void> walkNode(std::uint32_t offset, const Range& range, int depth,
                                         Walk& walk) const;
 
-    [[nodiscard]] bool isSound(std::uint32_t offset) const;
-    void markSound(std::uint32_t offset) const;
+    /// What earlier visits found out about the node at a block. Its bits only ever rise.
+    enum class State : std::uint64_t { Unknown = 0, Sound = 1, SoundInOnePiece = 3 };
+    [[nodiscard]] State stateOf(std::uint32_t offset) const;
+    void remember(std::uint32_t offset, State state) const;
+    /// Asks for the cache lines that a search is going to touch, all at once instead of one after the other.
+    void prefetch(std::uint32_t offset) const;
 
     Blocks blocks_;
     std::uint32_t root_ = 0;
@@ -69,8 +74,7 @@ private:
     std::size_t blocksPerNode_ = 0;
     std::array<std::uint8_t, kWords> wordBlock_{};   ///< which block of the chain holds a word of the node
     std::array<std::uint16_t, kWords> wordOffset_{}; ///< and where in it, the link included
-    std::unique_ptr<std::atomic<std::uint64_t>[]>
-        sound_; ///< a bit a block: the node there has been inspected
+    std::unique_ptr<std::atomic<std::uint64_t>[]> states_; ///< two bits a block
 };
 
 } // namespace limen::dat

@@ -1,0 +1,203 @@
+#include "app/ProgramRunner.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace limen::app {
+namespace {
+
+using test::getText;
+using test::ProgramRun;
+using test::ProgramRunner;
+using test::putText;
+using testing::HasSubstr;
+
+/// Asserts what every refusal looks like: exit code 2, one line on standard error, nothing on standard output.
+void expectRefusal(const ProgramRunner& runner, const std::vector<std::string>& arguments,
+                   const std::string& inMessage = "") {
+    const ProgramRun run = runner.run(arguments);
+    const std::string line = testing::PrintToString(arguments);
+    EXPECT_EQ(run.exit, 2) << line << "\n" << run.err;
+    EXPECT_EQ(run.errorLines(), 1u) << line << "\n" << run.err;
+    EXPECT_EQ(run.out, "") << line;
+    EXPECT_THAT(run.err, testing::StartsWith("limen: ")) << line;
+    EXPECT_THAT(run.err, HasSubstr(inMessage)) << line;
+}
+
+TEST(Program, helpIsDataAndExitsWithZero) {
+    const ProgramRunner runner;
+    for (const std::vector<std::string>& verb : std::vector<std::vector<std::string>>{{},
+                                                                                      {"view"},
+                                                                                      {"shot"},
+                                                                                      {"tour"},
+                                                                                      {"dat"},
+                                                                                      {"dat", "ls"},
+                                                                                      {"dat", "show"},
+                                                                                      {"demo"},
+                                                                                      {"bench"}}) {
+        std::vector<std::string> arguments = verb;
+        arguments.emplace_back("--help");
+        const ProgramRun run = runner.run(arguments);
+        EXPECT_EQ(run.exit, 0) << testing::PrintToString(arguments);
+        EXPECT_EQ(run.err, "");
+        EXPECT_THAT(run.out, HasSubstr("Usage"));
+    }
+    EXPECT_THAT(runner.run({"--version"}).out, HasSubstr("limen "));
+}
+
+TEST(Program, refusesBadUsageWithOneLine) {
+    const ProgramRunner runner;
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{},
+                                               {"fly"},
+                                               {"--dat", "x"},
+                                               {"shot"},
+                                               {"shot", "--wrong"},
+                                               {"shot", "stray"},
+                                               {"shot", "--eye"},
+                                               {"shot", "--eye", "1,2"},
+                                               {"shot", "--eye", "nan,0,0"},
+                                               {"shot", "--eye=0,inf,0"},
+                                               {"shot", "--eye", "a,b,c"},
+                                               {"shot", "--eye", "1,2,3", "--at", "hill"},
+                                               {"shot", "--eye", "1,2,3", "--yaw", "north"},
+                                               {"shot", "--eye", "1,2,3", "--pitch", "91"},
+                                               {"shot", "--eye", "1,2,3", "--fov", "0"},
+                                               {"shot", "--eye", "1,2,3", "--fov", "nan"},
+                                               {"shot", "--eye", "1,2,3", "--size", "0x0"},
+                                               {"shot", "--eye", "1,2,3", "--size", "100000x100000"},
+                                               {"shot", "--eye", "1,2,3", "--size", "big"},
+                                               {"shot", "--eye", "1,2,3", "--root", "kitchen"},
+                                               {"shot", "--eye", "1,2,3", "--player", "1"},
+                                               {"shot", "--eye", "1,2,3", "--time", "2"},
+                                               {"shot", "--eye", "1,2,3", "--weather", "hail"},
+                                               {"shot", "--eye", "1,2,3", "--zones", "some"},
+                                               {"shot", "--eye", "1,2,3", "--dat", ""},
+                                               {"shot", "--eye", "1,2,3", "--eye", "1,2,3"},
+                                               {"tour"},
+                                               {"tour", "-o", "t", "--frames", "0"},
+                                               {"tour", "-o", "t", "--frames", "1.5"},
+                                               {"tour", "-o", "t", "--frames", "10", "--fps", "5"},
+                                               {"tour", "-o", "t", "--size", "-1x5"},
+                                               {"tour", "-o", "t", "--path", "missing.txt"},
+                                               {"dat"},
+                                               {"dat", "show"},
+                                               {"dat", "show", "zebra"},
+                                               {"dat", "show", "0x123456789"},
+                                               {"dat", "show", "0x01000001", "--in", "attic"},
+                                               {"dat", "ls", "--type", "Castle"},
+                                               {"demo"},
+                                               {"bench", "nonsense"},
+                                               {"view", "--frames", "0"},
+                                               {"view", "--screenshot", "a.png"}})
+        expectRefusal(runner, arguments);
+}
+
+TEST(Program, refusesDirectoriesThatHoldNoWorld) {
+    const ProgramRunner runner;
+    std::filesystem::create_directory(runner.work() / "empty");
+    putText(runner.work() / "file", "hello");
+    for (const char* dat : {"missing", "empty", "file", "/proc"})
+        expectRefusal(runner, {"shot", "--dat", dat, "--eye", "1,2,3"});
+    expectRefusal(runner, {"dat", "ls", "missing"}, "missing");
+    expectRefusal(runner, {"dat", "ls", "empty"});
+    expectRefusal(runner, {"dat", "ls", "file"});
+}
+
+/// The built-in world in a directory of its own, to be damaged.
+void writeWorld(const ProgramRunner& runner, const std::string& name) {
+    const ProgramRun run = runner.run({"demo", name});
+    ASSERT_EQ(run.exit, 0) << run.err;
+}
+
+TEST(Program, refusesDamagedFilesByName) {
+    const ProgramRunner runner;
+    writeWorld(runner, "world");
+    const auto damage = [&](const char* file, const std::string& bytes) {
+        std::filesystem::remove_all(runner.work() / "bad");
+        std::filesystem::copy(runner.work() / "world", runner.work() / "bad");
+        putText(runner.work() / ("bad/" + std::string(file)), bytes);
+        expectRefusal(runner, {"shot", "--dat", "bad", "--eye", "1,2,3"}, file);
+    };
+    for (const char* file : {"client_portal.dat", "client_cell_1.dat"}) {
+        const std::string good = getText(runner.work() / ("world/" + std::string(file)));
+        damage(file, "");
+        damage(file, "this is a text file, nothing else\n");
+        damage(file, std::string(100000, '\0'));
+        damage(file, good.substr(0, 200));
+        damage(file, good.substr(0, good.size() / 2));
+    }
+    damage("world.json", "{ \"places\": [");
+    // Each in the other's place.
+    std::filesystem::remove_all(runner.work() / "bad");
+    std::filesystem::create_directory(runner.work() / "bad");
+    std::filesystem::copy(runner.work() / "world/client_cell_1.dat", runner.work() / "bad/client_portal.dat");
+    std::filesystem::copy(runner.work() / "world/client_portal.dat", runner.work() / "bad/client_cell_1.dat");
+    expectRefusal(runner, {"shot", "--dat", "bad", "--eye", "1,2,3"});
+}
+
+TEST(Program, refusesOutputsThatCannotBeWrittenBeforeItDraws) {
+    const ProgramRunner runner;
+    const auto before = runner.work().entryCount();
+    for (const char* option : {"-o", "--ids", "--depth", "--json", "--overlay"}) {
+        expectRefusal(runner, {"shot", "--at", "hill", option, "missing/out"}, "missing/out");
+        expectRefusal(runner, {"shot", "--at", "hill", option, "/proc/out"});
+        expectRefusal(runner, {"shot", "--at", "hill", option, "."});
+        expectRefusal(runner, {"shot", "--at", "hill", option, ""});
+    }
+    expectRefusal(runner, {"shot", "--at", "hill", "-o", "a", "--ids", "./a"});
+    expectRefusal(runner, {"tour", "-o", "/proc/tour"});
+    expectRefusal(runner, {"demo", "/proc/demo"});
+    EXPECT_EQ(runner.work().entryCount(), before);
+}
+
+TEST(Program, namesThePlacesItKnowsWhenOneIsUnknown) {
+    const ProgramRunner runner;
+    expectRefusal(runner, {"shot", "--at", "castle.attic"}, "hill");
+}
+
+TEST(Program, sayThereIsNoDisplayForTheWindow) {
+    const ProgramRunner runner;
+    expectRefusal(runner, {"view"}, "display");
+}
+
+TEST(Program, demoWritesTheSameBytesTwice) {
+    const ProgramRunner runner;
+    writeWorld(runner, "one");
+    writeWorld(runner, "two");
+    for (const char* file : {"client_portal.dat", "client_cell_1.dat", "world.json"}) {
+        const std::string bytes = getText(runner.work() / ("one/" + std::string(file)));
+        EXPECT_FALSE(bytes.empty());
+        EXPECT_EQ(bytes, getText(runner.work() / ("two/" + std::string(file)))) << file;
+    }
+}
+
+TEST(Program, datListsAndShowsRecords) {
+    const ProgramRunner runner;
+    const ProgramRun list = runner.run({"dat", "ls", "--type", "Region", "--json"});
+    ASSERT_EQ(list.exit, 0) << list.err;
+    const auto entry = nlohmann::json::parse(list.out);
+    EXPECT_EQ(entry["id"], "0x13000000");
+    EXPECT_EQ(entry["type"], "Region");
+    const ProgramRun show = runner.run({"dat", "show", "0x13000000"});
+    EXPECT_EQ(show.exit, 0) << show.err;
+    EXPECT_TRUE(nlohmann::json::accept(show.out));
+    const ProgramRun cells = runner.run({"dat", "ls", "--type", "envcell"});
+    EXPECT_GT(std::count(cells.out.begin(), cells.out.end(), '\n'), 3);
+    expectRefusal(runner, {"dat", "show", "0x01FFFFFF"}, "0x01FFFFFF");
+}
+
+TEST(Program, benchListsItsNames) {
+    const ProgramRun run = ProgramRunner().run({"bench", "--list"});
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, testing::AllOf(HasSubstr("dat"), HasSubstr("flood")));
+}
+
+TEST(Program, saysWhenStandardOutputIsFull) {
+    const std::string command = std::string("XDG_CACHE_HOME='") + ProgramRunner::cache().string() + "' " +
+                                LIMEN_PROGRAM + " dat ls >/dev/full 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+}
+
+} // namespace
+} // namespace limen::app

@@ -1,0 +1,169 @@
+"""The window, driven by real key events on an X server of its own.
+
+Usage: ViewWindowTest.py PROGRAM CACHE [unittest arguments]
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+PROGRAM = sys.argv.pop(1)
+CACHE = sys.argv.pop(1)
+
+
+def start_server():
+    """An Xvfb that has chosen a free display itself."""
+    read, write = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
+        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as pipe:
+        number = pipe.readline().strip()
+    if not number:
+        server.kill()
+        raise RuntimeError("Xvfb did not start")
+    return server, ":" + number
+
+
+def png_pixels(path):
+    """Width, height and the raw bytes of an 8-bit RGB picture, filters undone."""
+    with open(path, "rb") as file:
+        data = file.read()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height = int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")
+    packed, at = b"", 8
+    while at < len(data):
+        size, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        if kind == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += size + 12
+    raw, row, pixels = zlib.decompress(packed), width * 3, bytearray()
+    previous = bytearray(row)
+    for y in range(height):
+        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
+        for i in range(row):
+            left, up, corner = (line[i - 3] if i >= 3 else 0), previous[i], (previous[i - 3] if i >= 3 else 0)
+            guess = left + up - corner
+            paeth = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
+        pixels += line
+        previous = line
+    return width, height, bytes(pixels)
+
+
+class ViewWindow(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server, cls.display = start_server()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.terminate()
+        cls.server.wait()
+
+    def setUp(self):
+        self.work = tempfile.TemporaryDirectory()
+        self.env = dict(os.environ, DISPLAY=self.display, XDG_CACHE_HOME=CACHE)
+        self.env.pop("WAYLAND_DISPLAY", None)
+
+    def tearDown(self):
+        self.work.cleanup()
+
+    def xdotool(self, *arguments):
+        subprocess.run(["xdotool", *arguments], env=self.env, check=True, stdout=subprocess.DEVNULL)
+
+    def script(self, *arguments):
+        """Runs the window for a number of frames; yields what it printed."""
+        done = subprocess.run([PROGRAM, "view", "--size", "480x270", "--json", *arguments], env=self.env, cwd=self.work.name,
+                              capture_output=True, text=True, timeout=240)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def drive(self, steps, *arguments):
+        """Opens the window, lets `steps` press keys, leaves with Escape; yields what it printed."""
+        view = subprocess.Popen([PROGRAM, "view", "--size", "480x270", "--json", *arguments], env=self.env, cwd=self.work.name,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            self.xdotool("search", "--sync", "--onlyvisible", "--name", "Limen")
+            self.xdotool("mousemove", "440", "240")
+            time.sleep(1.5)
+            steps()
+            time.sleep(0.7)
+            self.xdotool("key", "Escape")
+            out, err = view.communicate(timeout=60)
+        finally:
+            if view.poll() is None:
+                view.kill()
+                view.communicate()
+        self.assertEqual(view.returncode, 0, err)
+        return json.loads(out)
+
+    def hold(self, key, seconds):
+        self.xdotool("keydown", key)
+        time.sleep(seconds)
+        self.xdotool("keyup", key)
+
+    def test_runs_its_frames_and_writes_the_last(self):
+        state = self.script("--frames", "5", "--screenshot", "a.png")
+        self.assertEqual(state["frames"], 5)
+        width, height, pixels = png_pixels(os.path.join(self.work.name, "a.png"))
+        self.assertEqual((width, height), (480, 270))
+        self.assertGreater(len(set(pixels[i:i + 3] for i in range(0, len(pixels), 3))), 100)
+
+    def test_escape_leaves(self):
+        self.drive(lambda: None)
+
+    def test_w_flies_forward_and_d_to_the_right(self):
+        still = self.drive(lambda: None, "--at", "hill", "--yaw", "0", "--pitch", "0")
+        moved = self.drive(lambda: (self.hold("w", 0.8), self.hold("d", 0.8)), "--at", "hill", "--yaw", "0", "--pitch", "0")
+        self.assertGreater(moved["eye"][1], still["eye"][1] + 0.2)
+        self.assertGreater(moved["eye"][0], still["eye"][0] + 0.2)
+
+    def test_e_flies_up_and_q_down(self):
+        still = self.drive(lambda: None, "--at", "hill")
+        self.assertGreater(self.drive(lambda: self.hold("e", 0.8), "--at", "hill")["eye"][2], still["eye"][2] + 0.2)
+        self.assertLess(self.drive(lambda: self.hold("q", 0.8), "--at", "hill")["eye"][2], still["eye"][2] - 0.2)
+
+    def test_dragging_the_mouse_turns_the_head(self):
+        def drag():
+            self.xdotool("mousemove", "400", "200", "mousedown", "1")
+            time.sleep(0.5)
+            for _ in range(10):
+                self.xdotool("mousemove_relative", "--", "10", "5")
+                time.sleep(0.05)
+            self.xdotool("mouseup", "1")
+
+        state = self.drive(drag, "--at", "hill", "--yaw", "0", "--pitch", "0")
+        self.assertGreater(state["yaw"], 2.0)
+        self.assertLess(state["yaw"], 90.0)
+        self.assertLess(state["pitch"], -1.0)
+
+    def test_function_keys_switch_the_overlays(self):
+        def press():
+            for key in ("F1", "F2", "F3", "F4"):
+                self.xdotool("key", key)
+                time.sleep(0.4)
+
+        overlays = self.drive(press)["overlays"]
+        self.assertEqual(overlays, {"help": True, "ids": True, "regions": True, "panel": False})
+
+    def test_number_keys_go_to_places(self):
+        first = self.drive(lambda: self.xdotool("key", "1"))
+        second = self.drive(lambda: self.xdotool("key", "2"))
+        self.assertNotEqual(first["eye"], second["eye"])
+
+    def test_flying_through_a_door_changes_the_root(self):
+        outside = self.drive(lambda: None, "--at", "cottage.front")
+        inside = self.drive(lambda: None, "--at", "cottage.room")
+        self.assertEqual(outside["root"], "outside")
+        self.assertTrue(inside["root"].startswith("0x"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,167 @@
+#include "support/LoadTestWorld.h"
+
+#include <random>
+
+// What makes pictures watertight: shells and portals of a block meet in the very same bits.
+namespace limen::world {
+namespace {
+
+using test::rectangle;
+using test::TestWorld;
+using Bits = std::array<float, 3>;
+
+Bits bitsOf(const Vec3f& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// Counts edges of a cell's triangles and portals that do not run as often one way as the other, bit for bit.
+int openEdges(const World& world, SpaceIndex index) {
+    std::map<std::pair<Bits, Bits>, int> balance;
+    const auto add = [&](const Vec3f& a, const Vec3f& b) {
+        if (bitsOf(a) < bitsOf(b))
+            ++balance[{bitsOf(a), bitsOf(b)}];
+        else
+            --balance[{bitsOf(b), bitsOf(a)}];
+    };
+    const Space& space = world.spaces[index];
+    const Mesh& mesh = world.meshes[world.instances[space.shell].mesh];
+    for (const Mesh::Range& range : mesh.ranges) {
+        for (std::uint32_t i = 0; i < range.indexCount; ++i) {
+            const std::uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
+            add(world.vertices[mesh.firstVertex + world.indices[range.firstIndex + i]].position,
+                world.vertices[mesh.firstVertex + world.indices[range.firstIndex + next]].position);
+        }
+    }
+    for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+        const auto polygon = polygonOf(world, world.portals[p]);
+        const Vec3 origin = world.blocks[world.portals[p].block].origin();
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            add(Vec3f(polygon[i] - origin), Vec3f(polygon[(i + 1) % polygon.size()] - origin));
+    }
+    int open = 0;
+    for (const auto& [edge, count] : balance)
+        open += count != 0 ? 1 : 0;
+    return open;
+}
+
+/// Triangles without area.
+int degenerateTriangles(const World& world) {
+    int degenerate = 0;
+    for (const Mesh& mesh : world.meshes) {
+        for (const Mesh::Range& range : mesh.ranges) {
+            for (std::uint32_t i = 0; i < range.indexCount; i += 3) {
+                Vec3 p[3];
+                for (std::uint32_t k = 0; k < 3; ++k)
+                    p[k] =
+                        world.vertices[mesh.firstVertex + world.indices[range.firstIndex + i + k]].position;
+                degenerate += glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) > 0.0 ? 0 : 1;
+            }
+        }
+    }
+    return degenerate;
+}
+
+TEST(Watertight, roomsWithOpeningsCloseInEveryBit) {
+    TestWorld source;
+    const auto a = source.addBox({10, 10, 1}, {20, 20, 6}), b = source.addBox({20, 10, 1}, {30, 20, 6});
+    source.link(a, rectangle({20, 12, 1}, {20, 13, 3}), b);
+    source.link(a, test::regularPolygon({20, 16, 4}, {1, 0, 0}, 1.2, 11), b);
+    source.openOutside(a, test::regularPolygon({10, 15, 3}, {1, 0, 0}, 1.0, 7));
+    const World world = test::loadTestWorld(source);
+    EXPECT_EQ(openEdges(world, 1), 0);
+    EXPECT_EQ(openEdges(world, 2), 0);
+    EXPECT_EQ(degenerateTriangles(world), 0);
+    EXPECT_EQ(world.spaces[1].zone, world.spaces[2].zone);
+}
+
+TEST(Watertight, misalignedNeighboursShareTheirBits) {
+    TestWorld source;
+    const double off = 0.0001;
+    const auto a = source.addBox({10, 10, 1}, {20, 20, 6}),
+               b = source.addBox({20 + off, 10 - off, 1 + off}, {30, 20 + off, 6});
+    source.link(a, rectangle({20, 12, 1}, {20, 13, 3}), b);
+    const World world = test::loadTestWorld(source);
+    EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+    EXPECT_EQ(openEdges(world, 1), 0);
+    EXPECT_EQ(openEdges(world, 2), 0);
+    const auto there = polygonOf(world, world.portals[world.spaces[1].firstPortal]);
+    const auto back = polygonOf(world, world.portals[world.spaces[2].firstPortal]);
+    ASSERT_EQ(there.size(), back.size());
+    const std::set<std::array<double, 3>> corners = [&] {
+        std::set<std::array<double, 3>> set;
+        for (const Vec3& p : there)
+            set.insert({p.x, p.y, p.z});
+        return set;
+    }();
+    for (const Vec3& p : back)
+        EXPECT_TRUE(corners.contains({p.x, p.y, p.z}));
+}
+
+TEST(Watertight, aCornerOfTheNextRoomIsStitchedIntoTheWall) {
+    // The rooms are unequally wide, so that corners of b lie in the middle of a's edges.
+    TestWorld source;
+    const auto a = source.addBox({10, 10, 1}, {20, 20, 6}), b = source.addBox({20, 13, 1}, {30, 17, 6});
+    source.link(a, rectangle({20, 13, 1}, {20, 17, 6}), b);
+    const World world = test::loadTestWorld(source);
+    EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+    EXPECT_EQ(openEdges(world, 1), 0);
+    EXPECT_EQ(openEdges(world, 2), 0);
+    EXPECT_EQ(world.zones.size(), 2u);
+}
+
+/// Four rooms in a row, turned and placed anywhere, their corners some hundredths of a millimetre apart, with
+/// openings of any kind. Everything follows from the seed.
+TestWorld misalignedComplex(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto roll = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    const double turn = roll(0.0, 6.28);
+    const Vec3 at(roll(-400.0, 400.0), roll(-400.0, 400.0), roll(-50.0, 300.0));
+    const auto turned = [&](std::vector<Vec3> points) {
+        for (Vec3& p : points) {
+            const Vec3 jitter(roll(-2e-5, 2e-5), roll(-2e-5, 2e-5), roll(-2e-5, 2e-5));
+            p = at +
+                Vec3(p.x * std::cos(turn) - p.y * std::sin(turn), p.x * std::sin(turn) + p.y * std::cos(turn),
+                     p.z) +
+                jitter;
+        }
+        return points;
+    };
+    TestWorld source;
+    std::vector<TestWorld::Cell> cells;
+    for (int i = 0; i < 4; ++i) {
+        TestWorld::CellOptions options;
+        options.frame = test::frameAt({roll(-100, 100), roll(-100, 100), roll(-10, 10)}, roll(0, 360));
+        const double south = roll(-4.0, -2.5), north = roll(2.5, 4.0);
+        test::Walls walls = test::boxWalls({i * 6.0, south, 0.0}, {i * 6.0 + 6.0, north, 4.0});
+        for (test::Wall& wall : walls)
+            wall.points = turned(wall.points);
+        cells.push_back(source.addCell(walls, options));
+    }
+    for (std::size_t i = 1; i < 4; ++i) {
+        const double x = 6.0 * static_cast<double>(i);
+        TestWorld::LinkOptions options;
+        options.insideIsPositive = roll(0, 1) < 0.5;
+        const int corners = static_cast<int>(roll(3, 13));
+        const auto opening = roll(0, 1) < 0.5 ? rectangle({x, -1, 0}, {x, 1, 2})
+                                              : test::regularPolygon({x, 0.3, 2}, {1, 0, 0}, 1.1, corners);
+        source.link(cells[i - 1], turned(opening), cells[i], options);
+    }
+    return source;
+}
+
+TEST(Watertight, misalignedTurnedComplexesClose) {
+    for (std::uint32_t seed = 1; seed <= 100; ++seed) {
+        TestWorld source = misalignedComplex(seed);
+        const World world = test::loadTestWorld(source);
+        ASSERT_EQ(test::findingsOf(world), "") << "seed " << seed;
+        ASSERT_EQ(degenerateTriangles(world), 0) << "seed " << seed;
+        for (SpaceIndex i = 1; i < world.spaces.size(); ++i)
+            ASSERT_EQ(openEdges(world, i), 0) << "seed " << seed;
+        ASSERT_EQ(world.zones.size(), 2u) << "seed " << seed;
+    }
+}
+
+} // namespace
+} // namespace limen::world
