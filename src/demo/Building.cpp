@@ -10,12 +10,7 @@ namespace limen::demo {
 
 namespace {
 
-constexpr std::uint16_t kNowhere = 0xFFFE; ///< while linking: no partner found yet
-
-struct Link {
-    std::uint16_t cell = kNowhere; ///< index into the plan, or dat::kOutdoors
-    std::uint16_t portal = dat::kNoPortal;
-};
+constexpr std::uint16_t kNowhere = 0xFFFE; ///< no such cell
 
 using PointSet = std::set<std::array<double, 3>>;
 PointSet pointSet(const Face& face) {
@@ -37,12 +32,12 @@ std::vector<const Face*> portalsOf(const std::vector<Face>& faces) {
 }
 
 /// Pairs portal faces with the same points. What no other cell has leads outside.
-std::vector<std::vector<Link>> linkCells(const std::vector<CellPlan>& cells) {
-    std::vector<std::vector<Link>> links;
+std::vector<std::vector<PortalLink>> linkCells(const std::vector<CellPlan>& cells) {
+    std::vector<std::vector<PortalLink>> links;
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        std::vector<Link> own;
+        std::vector<PortalLink> own;
         for (const Face* portal : portalsOf(cells[c].faces)) {
-            Link link{dat::kOutdoors, dat::kNoPortal};
+            PortalLink link{dat::kOutdoors, dat::kNoPortal};
             for (std::size_t other = 0; other < cells.size(); ++other) {
                 const std::vector<const Face*> theirs = portalsOf(cells[other].faces);
                 for (std::size_t k = 0; other != c && k < theirs.size(); ++k) {
@@ -58,10 +53,10 @@ std::vector<std::vector<Link>> linkCells(const std::vector<CellPlan>& cells) {
     return links;
 }
 
-std::vector<std::uint16_t> reachable(const std::vector<std::vector<Link>>& links, std::uint16_t from) {
+std::vector<std::uint16_t> reachable(const std::vector<std::vector<PortalLink>>& links, std::uint16_t from) {
     std::vector<std::uint16_t> order{from};
     for (std::size_t i = 0; i < order.size(); ++i) {
-        for (const Link& link : links[order[i]]) {
+        for (const PortalLink& link : links[order[i]]) {
             if (link.cell != dat::kOutdoors &&
                 std::find(order.begin(), order.end(), link.cell) == order.end()) {
                 order.push_back(link.cell);
@@ -90,7 +85,7 @@ dat::CellStruct shapeOf(const CellPlan& cell, EncodedMesh& mesh) {
     return shape;
 }
 
-SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::vector<Link>>& links) {
+SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::vector<PortalLink>>& links) {
     SightMap map;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         SightMap::Cell cell;
@@ -111,6 +106,30 @@ SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::v
 
 namespace {
 
+/// The exit portal that has the same points as a building's opening.
+PortalLink exitBehind(const Face& opening, const std::vector<CellPlan>& cells,
+                      const std::vector<std::vector<PortalLink>>& links) {
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const std::vector<const Face*> portals = portalsOf(cells[c].faces);
+        for (std::size_t k = 0; k < portals.size(); ++k) {
+            if (links[c][k].cell == dat::kOutdoors && pointSet(*portals[k]) == pointSet(opening)) {
+                return {static_cast<std::uint16_t>(c), static_cast<std::uint16_t>(k)};
+            }
+        }
+    }
+    return {kNowhere, dat::kNoPortal};
+}
+
+std::size_t countExits(const std::vector<std::vector<PortalLink>>& links) {
+    std::size_t exits = 0;
+    for (const std::vector<PortalLink>& own : links) {
+        exits += static_cast<std::size_t>(std::count_if(
+            own.begin(), own.end(), [](const PortalLink& l) { return l.cell == dat::kOutdoors; }));
+    }
+    return exits;
+}
+
+/// Exterior and cells get the same vertices along the openings they share.
 void joinAtPortals(BuildingPlan& plan) {
     std::vector<std::vector<Face>*> meshes{&plan.exterior.faces()};
     for (CellPlan& cell : plan.cells) {
@@ -169,81 +188,83 @@ void BlockBuilder::finish() {
     sink_.records().landBlockInfos.push_back(std::move(info_));
 }
 
-std::vector<dat::RecordId> BlockBuilder::addBuilding(BuildingPlan plan, const Placement& at) {
-    joinAtPortals(plan);
+dat::EnvCell BlockBuilder::cellRecord(const CellPlan& cell, const std::vector<PortalLink>& links,
+                                      std::uint16_t firstCell, const Placement& at) const {
+    dat::EnvCell record;
+    record.position = toFrame(at);
+    for (const PortalLink& link : links) {
+        const bool outside = link.cell == dat::kOutdoors;
+        dat::CellPortal portal;
+        portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
+        portal.otherCellId = outside ? dat::kOutdoors : static_cast<std::uint16_t>(firstCell + link.cell);
+        portal.otherPortalId = link.portal;
+        record.portals.push_back(portal);
+    }
+    for (const Furnishing& f : cell.statics) {
+        record.statics.push_back({f.model, toFrame({place(at, f.at.origin), at.turn + f.at.turn})});
+    }
+    record.flags = cell.statics.empty() ? 0u : dat::EnvCell::kHasStatics;
+    return record;
+}
+
+std::vector<dat::RecordId> BlockBuilder::addCells(const BuildingPlan& plan,
+                                                  const std::vector<std::vector<PortalLink>>& links,
+                                                  const Placement& at) {
     WorldRecords& records = sink_.records();
-    const std::vector<std::vector<Link>> links = linkCells(plan.cells);
     const SightMap sight = sightMapOf(plan.cells, links);
     const auto firstCell = static_cast<std::uint16_t>(dat::kFirstCell + info_.numCells);
     dat::Environment environment;
     environment.id = 0x0D000100u + static_cast<dat::RecordId>(records.environments.size());
     std::vector<dat::RecordId> ids;
     for (std::size_t c = 0; c < plan.cells.size(); ++c) {
-        const CellPlan& cell = plan.cells[c];
-        EncodedMesh mesh = encodeMesh(cell.faces);
-        dat::EnvCell record;
+        EncodedMesh mesh = encodeMesh(plan.cells[c].faces);
+        dat::EnvCell record = cellRecord(plan.cells[c], links[c], firstCell, at);
         record.id = (info_.id & 0xFFFF0000u) | static_cast<dat::RecordId>(firstCell + c);
         record.environment = static_cast<std::uint16_t>(environment.id & 0xFFFF);
         record.cellStructure = static_cast<std::uint16_t>(c);
-        record.position = toFrame(at);
+        record.flags |= seesOutside(sight, c) ? dat::EnvCell::kSeenOutside : 0u;
         for (const dat::RecordId surface : mesh.surfaces) {
             record.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
-        }
-        dat::CellStruct shape = shapeOf(cell, mesh);
-        for (std::size_t k = 0; k < links[c].size(); ++k) {
-            const Link& link = links[c][k];
-            const bool outside = link.cell == dat::kOutdoors;
-            dat::CellPortal portal;
-            portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
-            portal.polygonId = shape.portalPolygons[k];
-            portal.otherCellId = outside ? dat::kOutdoors : static_cast<std::uint16_t>(firstCell + link.cell);
-            portal.otherPortalId = link.portal;
-            record.portals.push_back(portal);
         }
         for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c))) {
             record.visibleCells.push_back(static_cast<std::uint16_t>(firstCell + other));
         }
-        record.flags |= seesOutside(sight, c) ? dat::EnvCell::kSeenOutside : 0u;
-        for (const Furnishing& f : cell.statics) {
-            record.statics.push_back({f.model, toFrame({place(at, f.at.origin), at.turn + f.at.turn})});
+        dat::CellStruct shape = shapeOf(plan.cells[c], mesh);
+        for (std::size_t k = 0; k < record.portals.size(); ++k) {
+            record.portals[k].polygonId = shape.portalPolygons[k];
         }
-        record.flags |= cell.statics.empty() ? 0u : dat::EnvCell::kHasStatics;
         ids.push_back(record.id);
         environment.cells.emplace_back(static_cast<std::uint32_t>(c), std::move(shape));
         records.envCells.push_back(std::move(record));
     }
     records.environments.push_back(std::move(environment));
     info_.numCells += static_cast<std::uint32_t>(plan.cells.size());
+    return ids;
+}
 
+std::vector<dat::RecordId> BlockBuilder::addBuilding(BuildingPlan plan, const Placement& at) {
+    joinAtPortals(plan);
+    const std::vector<std::vector<PortalLink>> links = linkCells(plan.cells);
+    const auto firstCell = static_cast<std::uint16_t>(dat::kFirstCell + info_.numCells);
+    std::vector<dat::RecordId> ids = addCells(plan, links, at);
     dat::Building building;
     building.model = sink_.addMesh(plan.exterior);
     building.frame = toFrame(at);
-    building.numLeaves = leafCount(records.gfxObjs.back().drawingBsp);
+    building.numLeaves = leafCount(sink_.records().gfxObjs.back().drawingBsp);
     for (const Face* opening : portalsOf(plan.exterior.faces())) {
+        const PortalLink inside = exitBehind(*opening, plan.cells, links);
+        LIMEN_ASSERT(inside.cell != kNowhere, "a building portal has no cell behind it");
         dat::BuildingPortal portal;
         portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
-        portal.otherCellId = kNowhere;
-        for (std::size_t c = 0; c < plan.cells.size(); ++c) {
-            const std::vector<const Face*> inner = portalsOf(plan.cells[c].faces);
-            for (std::size_t k = 0; k < inner.size(); ++k) {
-                if (links[c][k].cell == dat::kOutdoors && pointSet(*inner[k]) == pointSet(*opening)) {
-                    portal.otherCellId = static_cast<std::uint16_t>(firstCell + c);
-                    portal.otherPortalId = static_cast<std::uint16_t>(k);
-                    for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c))) {
-                        portal.stabs.push_back(static_cast<std::uint16_t>(firstCell + other));
-                    }
-                }
-            }
+        portal.otherCellId = static_cast<std::uint16_t>(firstCell + inside.cell);
+        portal.otherPortalId = inside.portal;
+        for (const std::uint16_t other : reachable(links, inside.cell)) {
+            portal.stabs.push_back(static_cast<std::uint16_t>(firstCell + other));
         }
-        LIMEN_ASSERT(portal.otherCellId != kNowhere, "a building portal has no cell behind it");
         building.portals.push_back(std::move(portal));
     }
-    std::size_t exits = 0;
-    for (const std::vector<Link>& own : links) {
-        exits += static_cast<std::size_t>(
-            std::count_if(own.begin(), own.end(), [](const Link& l) { return l.cell == dat::kOutdoors; }));
-    }
-    LIMEN_ASSERT(exits == building.portals.size(), "a cell's opening leads to no other cell and not outside");
+    LIMEN_ASSERT(countExits(links) == building.portals.size(),
+                 "a cell's opening leads to no other cell and not outside");
     info_.buildings.push_back(std::move(building));
     return ids;
 }

@@ -47,6 +47,13 @@ struct BuildingPlan {
     std::vector<CellPlan> cells;
 };
 
+/// Where a portal of a plan leads: a cell of the plan and the index of the portal there that leads back, or
+/// dat::kOutdoors and dat::kNoPortal.
+struct PortalLink {
+    std::uint16_t cell = dat::kOutdoors;
+    std::uint16_t portal = dat::kNoPortal;
+};
+
 /// One landblock being furnished.
 class BlockBuilder {
 public:
@@ -65,6 +72,12 @@ public:
     void finish();
 
 private:
+    dat::EnvCell cellRecord(const CellPlan& cell, const std::vector<PortalLink>& links,
+                            std::uint16_t firstCell, const Placement& at) const;
+    std::vector<dat::RecordId> addCells(const BuildingPlan& plan,
+                                        const std::vector<std::vector<PortalLink>>& links,
+                                        const Placement& at);
+
     ModelSink& sink_;
     dat::LandBlockInfo info_;
 };

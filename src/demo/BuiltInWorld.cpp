@@ -11,8 +11,9 @@ WorldRecords buildBuiltInWorld(Pictures pictures) {
     WorldRecords records;
     addMaterials(records, pictures);
     ModelSink sink(records);
-    addRegion(sink, addPlants(sink));
-    const VillageMap map = addVillage(sink);
+    const Plants plants = addPlants(sink);
+    addRegion(sink, plants);
+    const VillageMap map = addVillage(sink, plants);
     addLandBlocks(records, {kVillage});
     records.worldFile = buildWorldFile(map);
     return records;

@@ -27,7 +27,7 @@ HouseShell cottageShell() {
     shell.holes = {{Side::South, {-0.6, 0.0, 0.6, 2.1}, true},
                    {Side::South, {-4.1, 0.9, -2.9, 2.0}, false},
                    {Side::South, {2.9, 0.9, 4.1, 2.0}, false},
-                   {Side::North, {-0.9, 0.8, 0.9, 2.0}, false},
+                   {Side::North, {-0.7, 0.8, 0.7, 2.0}, false},
                    {Side::East, {6.6, 0.9, 7.8, 2.0}, false}};
     return shell;
 }
@@ -80,9 +80,9 @@ CellPlan frontRoom(ModelSink& sink, const Furniture& f) {
 
 CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
     const Rect inner{-0.8, 0.0, 0.8, 2.1};
-    const Rect north{-0.9, 0.8, 0.9, 2.0};
+    const Rect north{-0.7, 0.8, 0.7, 2.0};
     const Rect east{6.6, 0.9, 7.8, 2.0};
-    const Rect stairs{-2.2, kStairsTopY, -1.0, 9.5};
+    const Rect stairs{-1.9, kStairsTopY, -0.7, 9.5};
     CellPlan cell = roomWithOpenings(
         {.name = "rear", .min = {-5.7, 4.9, 0.0}, .max = {5.7, 9.7, kRoomHeight}, .floor = Material::Planks},
         {{Side::South, inner}, {Side::North, north}, {Side::East, east}, {Side::Floor, stairs}});
@@ -91,8 +91,8 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
     const dat::RecordId railing = addRailing(sink, 3.6);
     cell.statics = {{trim, {}},
                     {addJoists(sink, 4.8, 11.4, 1.9), {{0.0, 7.3, kRoomHeight}, 90.0}},
-                    {railing, {{-0.94, kStairsTopY, 0.0}, 0.0}},
-                    {railing, {{-2.26, kStairsTopY, 0.0}, 0.0}},
+                    {railing, {{-0.64, kStairsTopY, 0.0}, 0.0}},
+                    {railing, {{-1.96, kStairsTopY, 0.0}, 0.0}},
                     {f.bed, {{-4.9, 8.55, 0.0}, 0.0}},
                     {f.chest, {{-5.3, 6.3, 0.0}, 90.0}},
                     {f.rug, {{-4.0, 6.2, 0.0}, 90.0}},
@@ -109,11 +109,11 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
 }
 
 CellPlan stairwell(ModelSink& sink) {
-    const Rect top{-2.2, kStairsTopY, -1.0, 9.5};
+    const Rect top{-1.9, kStairsTopY, -0.7, 9.5};
     const Rect side{8.55, -2.6, 9.45, -0.6};
     CellPlan cell = roomWithOpenings({.name = "stairs",
-                                      .min = {-2.2, kStairsTopY, -2.6},
-                                      .max = {-1.0, 9.5, 0.0},
+                                      .min = {-1.9, kStairsTopY, -2.6},
+                                      .max = {-0.7, 9.5, 0.0},
                                       .floor = Material::Flagstones,
                                       .walls = Material::StoneWall},
                                      {{Side::Ceiling, top}, {Side::East, side}});
@@ -124,27 +124,27 @@ CellPlan stairwell(ModelSink& sink) {
 CellPlan cellar(ModelSink& sink, const Furniture& f) {
     const Rect door{8.55, -2.6, 9.45, -0.6};
     CellPlan cell = roomWithOpenings({.name = "cellar",
-                                      .min = {-0.8, 3.2, -2.6},
+                                      .min = {-0.5, 3.2, -2.6},
                                       .max = {5.2, 9.5, -0.45},
                                       .floor = Material::Flagstones,
                                       .walls = Material::StoneWall,
                                       .ceiling = Material::OldPlanks},
                                      {{Side::West, door}});
     constexpr double kFloor = -2.6;
-    cell.statics = {{addTrim(sink, {{{Side::West, door}, -0.8}}), {}},
-                    {addJoists(sink, 6.0, 6.3, 1.3), {{2.2, 6.35, -0.45}, 0.0}},
+    cell.statics = {{addTrim(sink, {{{Side::West, door}, -0.5}}), {}},
+                    {addJoists(sink, 5.7, 6.3, 1.3), {{2.35, 6.35, -0.45}, 0.0}},
                     {f.barrel, {{4.75, 3.75, kFloor}, 0.0}},
                     {f.barrel, {{4.75, 4.6, kFloor}, 70.0}},
                     {f.barrel, {{3.9, 3.75, kFloor}, 130.0}},
                     {f.barrel, {{4.75, 5.45, kFloor}, 200.0}},
-                    {f.crate, {{-0.3, 3.7, kFloor}, 4.0}},
-                    {f.crate, {{0.65, 3.65, kFloor}, -6.0}},
-                    {f.crate, {{0.1, 3.66, kFloor + 0.58}, 15.0}},
-                    {f.sacks, {{2.3, 3.95, kFloor}, 0.0}},
+                    {f.crate, {{0.2, 3.7, kFloor}, 4.0}},
+                    {f.crate, {{1.15, 3.65, kFloor}, -6.0}},
+                    {f.crate, {{0.6, 3.66, kFloor + 0.58}, 15.0}},
+                    {f.sacks, {{2.6, 3.95, kFloor}, 0.0}},
                     {f.shelf, {{2.6, 9.49, kFloor}, 0.0}},
                     {f.crate, {{4.7, 8.9, kFloor}, 90.0}},
                     {f.candle, {{4.7, 8.9, kFloor + 0.58}, 0.0}},
-                    {f.lantern, {{1.9, 6.35, -0.62}, 0.0}}};
+                    {f.lantern, {{2.2, 6.35, -0.62}, 0.0}}};
     return cell;
 }
 
@@ -167,7 +167,7 @@ BuildingPlan planCottage(ModelSink& sink, const Furniture& furniture) {
         doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, true, Material::Beam, Material::Oak));
     plan.cells.push_back(rearRoom(sink, furniture));
     plan.cells.push_back(stairwell(sink));
-    plan.cells.push_back(doorway("cellar.doorway", {-1.0, 8.55, -2.6}, {-0.8, 9.45, -0.6}, false,
+    plan.cells.push_back(doorway("cellar.doorway", {-0.7, 8.55, -2.6}, {-0.5, 9.45, -0.6}, false,
                                  Material::StoneWall, Material::Flagstones));
     plan.cells.push_back(cellar(sink, furniture));
     return plan;

@@ -19,6 +19,6 @@ enum class NeighbourCell : std::uint32_t { Room, Doorway, BackRoom };
 inline constexpr double kFloorAboveGround = 0.375;
 
 /// Where the cottage's stairs are, for whoever walks them (building coordinates).
-inline constexpr double kStairsX = -1.6, kStairsTopY = 5.9, kStairsRun = 2.64, kStairsDrop = 2.6;
+inline constexpr double kStairsX = -1.3, kStairsTopY = 5.9, kStairsRun = 2.64, kStairsDrop = 2.6;
 
 } // namespace limen::demo

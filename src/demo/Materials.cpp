@@ -96,9 +96,9 @@ Recipe recipe(Material material) {
     case Material::InnerPlaster:
         return image(3.0, PixelFormat::R8G8B8);
     case Material::StoneWall:
-        return image(2.4, PixelFormat::A8R8G8B8);
+        return image(1.9, PixelFormat::A8R8G8B8);
     case Material::Flagstones:
-        return image(2.6, PixelFormat::Index16);
+        return image(2.2, PixelFormat::Index16);
     case Material::Brick:
         return image(1.0, PixelFormat::P8);
     case Material::Thatch:
@@ -180,7 +180,7 @@ Canvas paintGround(Ground ground) {
     case Ground::Grassland:
         return paintGrass({.seed = 2201});
     case Ground::LushGrass:
-        return paintGrass({.light = {0.36f, 0.53f, 0.15f}, .dark = {0.11f, 0.25f, 0.06f}, .seed = 2203});
+        return paintGrass({.light = {0.37f, 0.44f, 0.18f}, .dark = {0.16f, 0.22f, 0.08f}, .seed = 2203});
     case Ground::PatchyGrass:
         return paintGrass(
             {.light = {0.52f, 0.54f, 0.25f}, .dark = {0.25f, 0.29f, 0.11f}, .bare = 0.32, .seed = 2205});

@@ -102,6 +102,15 @@ Vec3 place(const Placement& placement, const Vec3& point) {
     return placement.origin + turned(placement.turn, point);
 }
 
+void MeshBuilder::addThin(const Face& face) {
+    Face back = flipped(face);
+    for (Vec3& n : back.normals) {
+        n = -n;
+    }
+    add(face);
+    add(std::move(back));
+}
+
 void MeshBuilder::card(const std::array<Vec3, 4>& c, Material material, bool twoSided) {
     Face face;
     face.points.assign(c.begin(), c.end());

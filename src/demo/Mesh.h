@@ -42,6 +42,8 @@ struct Placement {
 class MeshBuilder {
 public:
     void add(Face face) { faces_.push_back(std::move(face)); }
+    /// A leaf or blade: both sides are lit by the same normals, as if light came through it.
+    void addThin(const Face& face);
     void polygon(std::vector<Vec3> points, Material material) {
         add(planarFace(std::move(points), material));
     }

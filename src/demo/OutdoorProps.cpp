@@ -134,7 +134,7 @@ dat::RecordId addLampPost(ModelSink& sink) {
     MeshBuilder glass;
     glass.box({-0.075, -0.635, 1.88}, {0.075, -0.485, 2.11}, Material::LampGlass);
     return sink.addSetup({{sink.addMesh(post), {}}, {sink.addMesh(glass, false), {}}},
-                         {{{0.0, -0.56, 1.7}, 0xFFFFC070, 1.0, 9.0}});
+                         {{{0.0, -0.56, 1.7}, 0xFFFFC070, 0.6, 8.0}});
 }
 
 } // namespace

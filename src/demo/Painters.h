@@ -42,7 +42,7 @@ struct BoardStyle {
 
 /// Grass from thousands of strokes over mottled earth. `bare` 0..1 is the share of earth that shows.
 struct GrassStyle {
-    Vec3f light{0.42f, 0.52f, 0.18f}, dark{0.16f, 0.27f, 0.08f}, earth{0.33f, 0.26f, 0.17f};
+    Vec3f light{0.43f, 0.46f, 0.20f}, dark{0.20f, 0.24f, 0.10f}, earth{0.33f, 0.26f, 0.17f};
     double bare = 0.0;
     std::uint32_t seed = 1;
 };

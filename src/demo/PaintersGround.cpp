@@ -18,8 +18,8 @@ Vec3f withPebbles(Vec3f ground, double u, double v, int cells, double share, std
     if (random01(c.id, 1) > share || c.nearest > radius) {
         return ground;
     }
-    const Vec3f stone = mixColour(Vec3f(0.38f, 0.36f, 0.33f), Vec3f(0.58f, 0.53f, 0.45f), random01(c.id, 3));
-    return stone * static_cast<float>(1.1 - 0.45 * (c.nearest / radius) * (c.nearest / radius));
+    const Vec3f stone = mixColour(Vec3f(0.36f, 0.33f, 0.29f), Vec3f(0.52f, 0.47f, 0.39f), random01(c.id, 3));
+    return stone * static_cast<float>(1.06 - 0.28 * (c.nearest / radius) * (c.nearest / radius));
 }
 
 } // namespace
@@ -66,16 +66,16 @@ Canvas paintDirt() {
 Canvas paintForestFloor() {
     Canvas canvas = Canvas::paint(kSize, kSize, [](double u, double v) {
         const double tone = 0.5 + 0.7 * fbm(u, v, 6, 6, 6, 1401);
-        const double moss = smoothStep(0.08, 0.35, fbm(u, v, 3, 3, 5, 1403));
-        const Vec3f soil = mixColour(Vec3f(0.13f, 0.09f, 0.055f), Vec3f(0.29f, 0.20f, 0.12f), tone);
+        const double moss = smoothStep(-0.05, 0.3, fbm(u, v, 3, 3, 5, 1403));
+        const Vec3f soil = mixColour(Vec3f(0.13f, 0.105f, 0.065f), Vec3f(0.26f, 0.205f, 0.125f), tone);
         return Vec4f(mixColour(soil, Vec3f(0.18f, 0.23f, 0.08f), 0.75 * moss), 1.0f);
     });
     for (std::uint32_t i = 0; i < 3400; ++i) {
         const Vec2 centre{random01(i, 1, 1405) * kSize, random01(i, 2, 1405) * kSize};
         const double hue = random01(i, 3, 1405);
         Vec3f colour =
-            mixColour(Vec3f(0.30f, 0.18f, 0.085f), Vec3f(0.55f, 0.36f, 0.15f), random01(i, 4, 1405));
-        if (hue > 0.82) {
+            mixColour(Vec3f(0.25f, 0.18f, 0.10f), Vec3f(0.45f, 0.34f, 0.17f), random01(i, 4, 1405));
+        if (hue > 0.7) {
             colour = Vec3f(0.28f, 0.31f, 0.11f);
         }
         const double size = 8.0 + 8.0 * random01(i, 5, 1405);

@@ -96,9 +96,9 @@ Canvas paintPineBranch() {
         const double sign = twig % 2 == 0 ? 1.0 : -1.0;
         const Vec2 root{6.0 + 240.0 * t, 128.0};
         const Vec2 tip = root + Vec2(0.75, sign) * (104.0 * (1.0 - 0.72 * t));
-        needles(root, glm::clamp(tip, Vec2(6.0), Vec2(kSize - 7.0)), 110, 24.0, 1001u + twig);
+        needles(root, glm::clamp(tip, Vec2(6.0), Vec2(kSize - 7.0)), 230, 30.0, 1001u + twig);
     }
-    needles({6.0, 128.0}, {246.0, 128.0}, 200, 26.0, 1021u);
+    needles({6.0, 128.0}, {246.0, 128.0}, 420, 34.0, 1021u);
     bleedColour(canvas);
     return canvas;
 }

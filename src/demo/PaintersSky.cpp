@@ -29,22 +29,22 @@ Canvas paintDaySky() {
 }
 
 Canvas paintNightSky() {
-    Canvas canvas = Canvas::paint(512, 512, [](double u, double v) {
+    Canvas canvas = Canvas::paint(1024, 512, [](double u, double v) {
         const double t = descent(v);
         Vec3f colour =
             mixColour(Vec3f(0.012f, 0.018f, 0.05f), Vec3f(0.055f, 0.075f, 0.13f), smoothStep(0.1, 1.0, t));
         const double band = std::exp(-std::pow((v - 0.42 - 0.18 * std::sin(u * 6.2831853)) / 0.09, 2.0));
         colour += Vec3f(0.10f, 0.10f, 0.13f) *
-                  static_cast<float>(band * std::max(0.0, 0.45 + fbm(u, v, 6, 6, 5, 2011)));
+                  static_cast<float>(band * std::max(0.0, 0.45 + fbm(u, v, 12, 6, 5, 2011)));
         return Vec4f(colour, 1.0f);
     });
     for (std::uint32_t i = 0; i < 900; ++i) {
         const double v = std::pow(random01(i, 2, 2013), 0.7) * kHorizonV;
-        const Vec2 at{random01(i, 1, 2013) * 512.0, v * 512.0};
+        const Vec2 at{random01(i, 1, 2013) * 1024.0, v * 512.0};
         const double bright = 0.25 + 0.75 * std::pow(random01(i, 3, 2013), 6.0);
         const Vec3f tint =
             mixColour(Vec3f(1.0f, 0.87f, 0.72f), Vec3f(0.78f, 0.86f, 1.0f), random01(i, 4, 2013));
-        drawStroke(canvas, {at, at + Vec2(0.01), 1.0 + bright, 1.0 + bright,
+        drawStroke(canvas, {at, at + Vec2(0.01), 0.5 + 0.8 * bright, 0.5 + 0.8 * bright,
                             Vec4f(tint, static_cast<float>(bright))});
     }
     return canvas;
@@ -65,8 +65,8 @@ Canvas paintDuskSky() {
 Canvas paintSun() {
     return Canvas::paint(128, 128, [](double u, double v) {
         const double r = std::hypot(u - 0.5, v - 0.5) * 2.0;
-        const double disc = 1.0 - smoothStep(0.20, 0.25, r);
-        const double glow = 0.55 * std::pow(std::max(0.0, 1.0 - r), 3.0);
+        const double disc = 1.0 - smoothStep(0.16, 0.24, r);
+        const double glow = 0.75 * std::pow(std::max(0.0, 1.0 - r), 2.4);
         return Vec4f(1.0f, 1.0f, 1.0f, static_cast<float>(std::clamp(disc + glow, 0.0, 1.0)));
     });
 }

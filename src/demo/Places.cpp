@@ -150,15 +150,15 @@ nlohmann::ordered_json buildPlaces(const VillageMap& map) {
     nlohmann::ordered_json places;
     places["hill"] = toJson(looking(outdoorEye(kHillX, kHillY), between));
     places["lane"] = toJson(looking(outdoorEye(240.0, 289.0), between + Vec3(0.0, 2.5, 1.2)));
-    places["cottage.front"] = toJson(looking(outdoorEye(273.2, 286.5), globalOf(home, {0.4, 0.0, 2.2})));
+    places["cottage.front"] = toJson(looking(outdoorEye(279.6, 285.6), globalOf(home, {-0.7, 0.0, 2.5})));
     places["cottage.room"] =
         toJson(indoorEye(home, {-4.9, 0.95, 1.7}, {2.6, 3.2, 1.0}, cell(CottageCell::Front)));
     places["cottage.rear"] =
-        toJson(indoorEye(home, {0.9, 5.35, 1.7}, {-0.55, 9.7, 1.25}, cell(CottageCell::Rear)));
+        toJson(indoorEye(home, {0.9, 5.35, 1.7}, {-0.35, 9.7, 1.3}, cell(CottageCell::Rear)));
     places["cottage.stairs"] =
-        toJson(indoorEye(home, {-1.35, 9.05, -0.9}, {-0.35, 4.8, 0.55}, cell(CottageCell::Stairwell)));
+        toJson(indoorEye(home, {-1.25, 8.1, -0.47}, {0.1, 0.3, 1.65}, cell(CottageCell::Stairwell)));
     places["cottage.cellar"] =
-        toJson(indoorEye(home, {0.2, 8.9, -0.9}, {3.4, 4.4, -1.75}, cell(CottageCell::Cellar)));
+        toJson(indoorEye(home, {0.1, 8.95, -0.9}, {3.4, 4.4, -1.75}, cell(CottageCell::Cellar)));
     places["neighbour.front"] = toJson(looking(outdoorEye(278.0, 288.5), globalOf(next, {0.0, 0.0, 2.0})));
     places["neighbour.room"] =
         toJson(indoorEye(next, {-0.9, 3.9, 1.7}, {1.3, 0.3, 1.45}, theirs(NeighbourCell::Room)));
@@ -194,7 +194,7 @@ nlohmann::ordered_json buildTour(const VillageMap& map) {
     walk.look(at(-4.5, 3.0, 1.0), 2.0);
     walk.look(at(0.0, 9.7, 1.5), 1.2);
     walk.straight(at(0.0, 5.6, 1.7), 1.8, at(0.0, 9.7, 1.4));
-    walk.straight(at(0.0, 8.9, 1.7), 1.6, at(0.0, 20.0, 2.6));
+    walk.straight(at(0.1, 8.9, 1.7), 1.6, at(0.0, 20.0, 2.6));
     walk.look(at(1.6, 20.0, 2.6), 1.5);
     walk.look(at(4.6, 7.3, 1.0), 1.2);
     walk.look(at(0.0, 0.0, 1.4), 1.5); // back through the house, out of the front door
@@ -208,11 +208,11 @@ nlohmann::ordered_json buildTour(const VillageMap& map) {
     walk.straight(at(2.6, 7.4, -0.9), 1.3, at(3.4, 3.6, -1.8));
     walk.look(at(0.0, 3.8, -1.9), 1.5);
     walk.look(at(-1.0, 9.0, -1.3), 1.2);
-    walk.straight(at(0.3, 9.0, -0.9), 1.5, at(-2.0, 9.0, -1.0));
-    walk.straight(at(kStairsX, 9.0, -0.9), 1.3, at(-0.4, 4.8, 0.6));
-    walk.look(at(-0.4, 4.8, 0.6), 1.5); // up the stairs, through both doors: the sky
+    walk.straight(at(0.3, 9.0, -0.9), 1.5, at(-1.6, 9.0, -1.0));
+    walk.straight(at(kStairsX, 9.0, -0.9), 1.3, at(-0.1, 0.3, 1.9));
+    walk.look(at(-0.1, 0.3, 1.9), 1.5); // up the stairs, through both doors: the sky
     walk.straight(at(kStairsX, kStairsTopY + kStairsRun, 1.7 - kStairsDrop), 1.0, at(kStairsX, 4.9, 1.4));
-    walk.straight(at(kStairsX, kStairsTopY, 1.7), 1.3, at(-0.6, 4.9, 1.5));
+    walk.straight(at(kStairsX, kStairsTopY, 1.7), 1.3, at(-0.3, 4.9, 1.5));
     walk.straight(at(kStairsX, 5.4, 1.7), 1.2, at(0.0, 4.9, 1.5));
     walk.straight(at(0.0, 5.3, 1.7), 1.4, at(0.0, 0.0, 1.5));
     walk.look(at(0.0, 0.0, 1.5), 1.0);

@@ -16,12 +16,11 @@ void addLeafCard(MeshBuilder& mesh, const Vec3& centre, const Vec3& right, const
     face.points = {centre - right - up, centre + right - up, centre + right + up, centre - right + up};
     face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     face.material = material;
-    face.twoSided = true;
     // Lit as part of a round crown, not as a flat card.
     for (const Vec3& p : face.points) {
         face.normals.push_back(glm::normalize(p - bulge + Vec3(0.0, 0.0, 0.6)));
     }
-    mesh.add(std::move(face));
+    mesh.addThin(face);
 }
 
 struct Crown {
@@ -143,8 +142,7 @@ MeshBuilder pineTree(double height, double spread, int rings) {
             face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
             face.normals.assign(4, glm::normalize(out * 0.7 + Vec3(0, 0, 0.8)));
             face.material = Material::PineBranch;
-            face.twoSided = true;
-            mesh.add(std::move(face));
+            mesh.addThin(face);
         }
     }
     return mesh;
@@ -168,8 +166,7 @@ MeshBuilder tuft(Material material, double half, double height, int cards) {
         face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
         face.normals.assign(4, Vec3(0, 0, 1)); // lit like the ground they grow from
         face.material = material;
-        face.twoSided = true;
-        mesh.add(std::move(face));
+        mesh.addThin(face);
     }
     return mesh;
 }
@@ -235,8 +232,7 @@ Plants addPlants(ModelSink& sink) {
         face.uvs = {{0, 0.75}, {1, 0.75}, {1, 0.25}, {0, 0.25}};
         face.normals.assign(4, Vec3(0, 0, 1));
         face.material = Material::PineBranch;
-        face.twoSided = true;
-        fern.add(std::move(face));
+        fern.addThin(face);
     }
     p.fern = sink.addMesh(fern, false);
     p.rock = sink.addMesh(stone({0.55, 0.42, 0.36}, 3041));

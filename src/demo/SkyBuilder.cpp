@@ -105,20 +105,20 @@ struct Moment {
     double day = 0.0, dusk = 0.0, clouds = 0.0;
 };
 
-constexpr std::array kMoments{Moment{0.00, 0.16, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-                              Moment{0.19, 0.14, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-                              Moment{0.235, 0.00, 0xFFFF9050, 0.50, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
-                              Moment{0.27, 0.45, 0xFFFFA060, 0.60, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
-                              Moment{0.31, 0.75, 0xFFFFCF98, 0.70, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
-                              Moment{0.37, 0.88, 0xFFFFE6C4, 0.78, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
-                              Moment{0.43, 0.92, 0xFFFFF0DC, 0.80, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-                              Moment{0.50, 0.95, 0xFFFFF4E4, 0.82, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
-                              Moment{0.57, 0.92, 0xFFFFF0DC, 0.80, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-                              Moment{0.63, 0.88, 0xFFFFE4C0, 0.78, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
-                              Moment{0.69, 0.72, 0xFFFFC88C, 0.68, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
-                              Moment{0.73, 0.45, 0xFFFF9455, 0.58, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
-                              Moment{0.765, 0.00, 0xFFFF7848, 0.48, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
-                              Moment{0.81, 0.14, 0xFF9FB4E0, 0.40, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
+constexpr std::array kMoments{Moment{0.00, 0.30, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
+                              Moment{0.19, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
+                              Moment{0.235, 0.00, 0xFFFF9050, 0.80, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
+                              Moment{0.27, 0.45, 0xFFFFA060, 0.72, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
+                              Moment{0.31, 0.66, 0xFFFFCF98, 0.64, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
+                              Moment{0.37, 0.78, 0xFFFFE6C4, 0.70, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
+                              Moment{0.43, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
+                              Moment{0.50, 0.84, 0xFFFFF4E4, 0.74, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
+                              Moment{0.57, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
+                              Moment{0.63, 0.78, 0xFFFFE4C0, 0.70, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
+                              Moment{0.69, 0.64, 0xFFFFC88C, 0.62, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
+                              Moment{0.73, 0.45, 0xFFFF9455, 0.70, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
+                              Moment{0.765, 0.00, 0xFFFF7848, 0.80, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
+                              Moment{0.81, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
 
 /// Towards the sun (by day) or the moon (by night) at that time.
 Vec3 lightDirection(double time) {
