@@ -1,6 +1,8 @@
 #include "picture/Comparison.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -42,20 +44,23 @@ public:
         return onGrid(x, y, id, 1.0 / 2048.0, 16) || onGrid(x, y, id, 1.0 / 64.0, 8) || onGrid(x, y, id, 1.0 / 16.0, 24);
     }
 
-    /// True if a ray meets `id` once the eye moves sideways by what the rasteriser's snapping of corners, 1/256 of a
-    /// pixel each way, amounts to at the thing's distance: a polygon seen edge-on may turn its other face by that.
+    /// True if the rasteriser's own rounding explains `id`: it snaps corners to 1/256 of a pixel, so a polygon whose
+    /// edge passes within that of the pixel's centre may cover it; and it takes the depth there from the triangle's
+    /// plane, which for a polygon seen edge-on may lie far before the polygon and before what hides it.
     bool explainedBySnapping(const world::World& world, int x, int y, std::uint32_t id) {
-        const Sphere& bounds = world.instances[instanceOfId(world, id)].bounds;
-        const double distance = glm::length(bounds.centre - frame_.view.eye);
-        const double step = distance * 2.0 * frame_.view.tanHalfX / frame_.width / 128.0;
-        for (const Vec3& way : {frame_.view.right, -frame_.view.right, frame_.view.up, -frame_.view.up}) {
-            frame::FrameView moved = frame_;
-            moved.view.eye += way * step;
-            if (TracedView(tracer_, moved).explainedByFinerRays(x, y, id)) {
-                return true;
+        const std::uint32_t instance = instanceOfId(world, id);
+        bool covered = false;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int dy = -16; dy <= 16; ++dy) {
+            for (int dx = -16; dx <= 16; ++dx) {
+                const auto alone =
+                    tracer_.traceAlone(instance, id, rayThrough(frame_, x + dx / 2048.0, y + dy / 2048.0));
+                covered = covered || alone.met;
+                nearest = std::min(nearest, alone.planeT);
             }
         }
-        return false;
+        const double shown = at(x, y).t;
+        return covered && (nearest <= shown || !std::isfinite(shown));
     }
 
 private:
