@@ -161,7 +161,7 @@ dat::RecordId addFireplace(ModelSink& sink) {
                     Material::Flame, true);
     }
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flames, false), {}}},
-                         {{{0.0, -0.75, 0.55}, kFireLight, 0.75, 6.5}});
+                         {{{0.0, -0.75, 0.55}, kFireLight, 0.55, 6.5}});
 }
 
 dat::RecordId addBarrel(ModelSink& sink) {
@@ -260,7 +260,7 @@ dat::RecordId addCandle(ModelSink& sink) {
     MeshBuilder flame;
     addFlameCards(flame, {0, 0, 0.17}, 0.09);
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flame, false), {}}},
-                         {{{0, 0, 0.32}, kCandleLight, 0.5, 5.5}});
+                         {{{0, 0, 0.32}, kCandleLight, 0.32, 5.0}});
 }
 
 dat::RecordId addLantern(ModelSink& sink) {
@@ -290,7 +290,7 @@ dat::RecordId addLantern(ModelSink& sink) {
     addFlameCards(glass, {0, 0, -0.45}, 0.10);
     glass.box({-0.078, -0.078, -0.545}, {0.078, 0.078, -0.31}, Material::LampGlass);
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(glass, false), {}}},
-                         {{{0, 0, -0.72}, kCandleLight, 0.65, 7.5}});
+                         {{{0, 0, -0.72}, kCandleLight, 0.44, 8.5}});
 }
 
 dat::RecordId addRug(ModelSink& sink) {

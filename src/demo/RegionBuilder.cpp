@@ -147,7 +147,7 @@ std::vector<TerrainLook> terrainLooks() {
          {Nothing, LaneSide}},
         {TerrainKind::ForestFloor,
          "ForestFloor",
-         0xFF4A3A22,
+         0xFF37401E,
          Ground::ForestFloor,
          5,
          {Nothing, Forest, DeepForest}},
