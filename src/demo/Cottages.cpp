@@ -142,11 +142,13 @@ CellPlan cellar(ModelSink& sink, const Furniture& f) {
                     {f.crate, {{0.2, 3.7, kFloor}, 4.0}},
                     {f.crate, {{1.15, 3.65, kFloor}, -6.0}},
                     {f.crate, {{0.6, 3.66, kFloor + 0.58}, 15.0}},
+                    {f.candle, {{0.66, 3.62, kFloor + 1.16}, 0.0}},
                     {f.sacks, {{2.6, 3.95, kFloor}, 0.0}},
                     {f.shelf, {{2.6, 9.49, kFloor}, 0.0}},
                     {f.crate, {{4.7, 8.9, kFloor}, 90.0}},
                     {f.candle, {{4.7, 8.9, kFloor + 0.58}, 0.0}},
-                    {f.lantern, {{2.2, 5.5625, -0.62}, 0.0}}};
+                    {f.lantern, {{2.2, 5.5625, -0.62}, 0.0}},
+                    {f.lantern, {{4.1, 7.1375, -0.62}, 50.0}}};
     return cell;
 }
 

@@ -290,7 +290,7 @@ dat::RecordId addLantern(ModelSink& sink) {
     addFlameCards(glass, {0, 0, -0.45}, 0.10);
     glass.box({-0.078, -0.078, -0.545}, {0.078, 0.078, -0.31}, Material::LampGlass);
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(glass, false), {}}},
-                         {{{0, 0, -0.72}, kCandleLight, 0.44, 8.5}});
+                         {{{0, 0, -0.72}, kCandleLight, 0.48, 8.5}});
 }
 
 dat::RecordId addRug(ModelSink& sink) {

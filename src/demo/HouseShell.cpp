@@ -234,7 +234,7 @@ double innerPlane(const HouseShell& h, Side side) {
 }
 
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
-    const double gap = 0.004;
+    const double gap = 0.003; // a strip of wall, for faces flush with the reveals would fight with them
     // Let into the wall, for a face in the wall's plane would lie in the plane of the portal beside it.
     const double sunk = out < 0.0 ? -0.015 : 0.015;
     const auto bar = [&](const Rect& rect, double depth) {
