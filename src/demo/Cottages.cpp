@@ -7,7 +7,8 @@ namespace limen::demo {
 namespace {
 
 constexpr double kRoomHeight = 2.5;
-constexpr double kJoistUnderside = kRoomHeight - 0.17;
+constexpr double kJoistUnderside =
+    kRoomHeight - 0.17; ///< where lanterns hang: under a joist, x = +-0.95, 2.85
 
 /// Timber around openings as seen from inside a room; stands at the building's origin.
 dat::RecordId addTrim(ModelSink& sink, const std::vector<std::pair<Opening, double>>& openings) {
@@ -73,7 +74,7 @@ CellPlan frontRoom(ModelSink& sink, const Furniture& f) {
                     {f.bench, {{-5.4, 2.4, 0.0}, 90.0}},
                     {f.shelf, {{-2.9, 4.69, 0.0}, 0.0}},
                     {f.chest, {{-4.9, 4.3, 0.0}, 0.0}},
-                    {f.lantern, {{-1.9, 2.45, kJoistUnderside}, 20.0}},
+                    {f.lantern, {{-2.85, 2.45, kJoistUnderside}, 20.0}},
                     {f.barrel, {{1.5, 4.25, 0.0}, 40.0}}};
     return cell;
 }
@@ -104,7 +105,8 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
                     {f.shelf, {{2.6, 4.91, 0.0}, 180.0}},
                     {f.barrel, {{5.25, 9.2, 0.0}, 0.0}},
                     {f.crate, {{2.4, 9.3, 0.0}, 5.0}},
-                    {f.lantern, {{1.9, 6.35, kJoistUnderside}, 0.0}}};
+                    {f.lantern, {{2.85, 7.3, kJoistUnderside}, 0.0}},
+                    {f.lantern, {{-2.85, 7.3, kJoistUnderside}, 35.0}}};
     return cell;
 }
 
@@ -140,11 +142,13 @@ CellPlan cellar(ModelSink& sink, const Furniture& f) {
                     {f.crate, {{0.2, 3.7, kFloor}, 4.0}},
                     {f.crate, {{1.15, 3.65, kFloor}, -6.0}},
                     {f.crate, {{0.6, 3.66, kFloor + 0.58}, 15.0}},
+                    {f.candle, {{0.66, 3.62, kFloor + 1.16}, 0.0}},
                     {f.sacks, {{2.6, 3.95, kFloor}, 0.0}},
                     {f.shelf, {{2.6, 9.49, kFloor}, 0.0}},
                     {f.crate, {{4.7, 8.9, kFloor}, 90.0}},
                     {f.candle, {{4.7, 8.9, kFloor + 0.58}, 0.0}},
-                    {f.lantern, {{2.2, 6.35, -0.62}, 0.0}}};
+                    {f.lantern, {{2.2, 5.5625, -0.62}, 0.0}},
+                    {f.lantern, {{4.1, 7.1375, -0.62}, 50.0}}};
     return cell;
 }
 

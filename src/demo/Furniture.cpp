@@ -36,7 +36,7 @@ dat::RecordId addTable(ModelSink& sink) {
     top.beam({-0.72, 0.31, 0.60}, {0.72, 0.34, 0.71}, Material::Oak);
     top.beam({-0.75, -0.31, 0.60}, {-0.72, 0.31, 0.71}, Material::Oak);
     top.beam({0.72, -0.31, 0.60}, {0.75, 0.31, 0.71}, Material::Oak);
-    return onLegs(sink, top, 0.73, 0.33, 0.71, 0.08);
+    return onLegs(sink, top, 0.73, 0.33, 0.72, 0.08); // the legs end inside the boards
 }
 
 dat::RecordId addChair(ModelSink& sink) {
@@ -146,21 +146,22 @@ dat::RecordId addFireplace(ModelSink& sink) {
     for (const double x : {-0.28, 0.28}) {
         mesh.box({x - 0.02, -0.46, 0.05}, {x + 0.02, -0.12, 0.12}, Material::Iron);
     }
-    mesh.box({-0.34, -0.42, 0.05}, {0.34, -0.12, 0.10}, Material::Embers);
+    mesh.box({-0.34, -0.42, 0.06}, {0.34, -0.14, 0.10}, Material::Embers);
     mesh.strut({-0.42, -0.30, 0.17}, {0.42, -0.26, 0.17}, {0, 1, 0}, 0.11, 0.11, Material::Bark);
     mesh.strut({-0.36, -0.20, 0.16}, {0.38, -0.36, 0.24}, {0, 1, 0}, 0.10, 0.10, Material::Bark);
     MeshBuilder flames;
     for (const double x : {-0.16, 0.0, 0.17}) {
         const double high = x == 0.0 ? 0.52 : 0.36;
-        flames.card({Vec3(x - 0.15, -0.27, 0.15), Vec3(x + 0.15, -0.27, 0.15),
-                     Vec3(x + 0.15, -0.27, 0.15 + high), Vec3(x - 0.15, -0.27, 0.15 + high)},
+        const double y = -0.27 + 0.15 * x;
+        flames.card({Vec3(x - 0.15, y, 0.15), Vec3(x + 0.15, y, 0.15), Vec3(x + 0.15, y, 0.15 + high),
+                     Vec3(x - 0.15, y, 0.15 + high)},
                     Material::Flame, true);
         flames.card({Vec3(x, -0.40, 0.15), Vec3(x, -0.14, 0.15), Vec3(x, -0.14, 0.12 + high),
                      Vec3(x, -0.40, 0.12 + high)},
                     Material::Flame, true);
     }
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flames, false), {}}},
-                         {{{0.0, -0.75, 0.55}, kFireLight, 0.75, 6.5}});
+                         {{{0.0, -0.75, 0.55}, kFireLight, 0.55, 6.5}});
 }
 
 dat::RecordId addBarrel(ModelSink& sink) {
@@ -259,7 +260,7 @@ dat::RecordId addCandle(ModelSink& sink) {
     MeshBuilder flame;
     addFlameCards(flame, {0, 0, 0.17}, 0.09);
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flame, false), {}}},
-                         {{{0, 0, 0.32}, kCandleLight, 0.5, 5.5}});
+                         {{{0, 0, 0.32}, kCandleLight, 0.32, 5.0}});
 }
 
 dat::RecordId addLantern(ModelSink& sink) {
@@ -289,12 +290,12 @@ dat::RecordId addLantern(ModelSink& sink) {
     addFlameCards(glass, {0, 0, -0.45}, 0.10);
     glass.box({-0.078, -0.078, -0.545}, {0.078, 0.078, -0.31}, Material::LampGlass);
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(glass, false), {}}},
-                         {{{0, 0, -0.72}, kCandleLight, 0.65, 7.5}});
+                         {{{0, 0, -0.72}, kCandleLight, 0.48, 8.5}});
 }
 
 dat::RecordId addRug(ModelSink& sink) {
     MeshBuilder mesh;
-    mesh.box({-1.1, -0.75, 0.0}, {1.1, 0.75, 0.012}, Material::Linen);
+    mesh.box({-1.1, -0.75, 0.0}, {1.1, 0.75, 0.01}, Material::Linen);
     mesh.card(
         {Vec3(-1.1, -0.75, 0.014), Vec3(1.1, -0.75, 0.014), Vec3(1.1, 0.75, 0.014), Vec3(-1.1, 0.75, 0.014)},
         Material::Rug, false);

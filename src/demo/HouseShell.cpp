@@ -9,6 +9,7 @@ namespace {
 constexpr double kPost = 0.17;   ///< width of a timber
 constexpr double kProud = 0.045; ///< how far timbers stand out from the plaster
 constexpr double kBedded = 0.03; ///< and how far they reach into it
+constexpr double kCornerPost = 0.2;
 constexpr double kPlinthTop = 0.38;
 
 constexpr std::array kWalls{Side::West, Side::East, Side::South, Side::North};
@@ -50,8 +51,10 @@ std::pair<Vec3, Vec3> boxOnWall(Side side, double at, const Rect& r, double from
     return {{r.u0, r.v0, low}, {r.u1, r.v1, high}};
 }
 
-void addTimber(MeshBuilder& mesh, const HouseShell& h, Side side, const Rect& r, double proud = kProud) {
-    const auto [min, max] = boxOnWall(side, outerPlane(h, side), r, -kBedded, proud);
+/// `extra`: how much further than usual it stands out and reaches in. Timbers that cross differ in it, so that
+/// no two of their faces lie in one plane.
+void addTimber(MeshBuilder& mesh, const HouseShell& h, Side side, const Rect& r, double extra = 0.0) {
+    const auto [min, max] = boxOnWall(side, outerPlane(h, side), r, -kBedded - extra, kProud + extra);
     mesh.beam(min, max, Material::Beam);
 }
 
@@ -107,9 +110,9 @@ void addPlinth(MeshBuilder& mesh, const HouseShell& h) {
     for (const Side side : kWalls) {
         const auto [u0, u1] = wallSpan(h, side);
         const bool corner = side == Side::South || side == Side::North;
-        const double extra = corner ? 0.08 : 0.0;
+        const double extra = corner ? 0.08 : -kBedded; // the side walls' stones end at the others' backs
         for (const Rect& r :
-             withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.0))) {
+             withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.015))) {
             // Below a door's sill the stones carry the steps; they stop short of the floor.
             const double top = r.v1 < kPlinthTop ? r.v1 - 0.02 : r.v1;
             const auto [min, max] =
@@ -123,24 +126,33 @@ bool clearOf(const std::vector<Rect>& holes, double u0, double u1) {
     return std::none_of(holes.begin(), holes.end(), [&](const Rect& r) { return r.u0 < u1 && r.u1 > u0; });
 }
 
-/// Posts, sill beam, head plate and braces; none across an opening.
+/// One post at each corner of the house, seen from both sides; sill beams and head plates end inside it.
+void addCornerPosts(MeshBuilder& mesh, const HouseShell& h) {
+    const double proud = kProud + 0.02;
+    for (const double x : {-h.halfWidth - proud, h.halfWidth - kCornerPost}) {
+        for (const double y : {-proud, h.depth - kCornerPost}) {
+            mesh.beam({x, y, kPlinthTop - 0.01},
+                      {x + kCornerPost + proud, y + kCornerPost + proud, h.top - 0.01}, Material::Beam);
+        }
+    }
+}
+
+/// Sill beam, head plate, posts and braces; none across an opening.
 void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side) {
     const auto [u0, u1] = wallSpan(h, side);
     const std::vector<Rect> holes = holesOf(h, side, 0.02);
-    for (const Rect& r : withoutHoles({u0, kPlinthTop, u1, kPlinthTop + kPost}, holes)) {
+    const double end = 0.5 * kCornerPost;
+    for (const Rect& r : withoutHoles({u0 + end, kPlinthTop, u1 - end, kPlinthTop + kPost}, holes)) {
         if (r.v1 > kPlinthTop + 0.9 * kPost) {
             addTimber(mesh, h, side, r);
         }
     }
-    addTimber(mesh, h, side, {u0, h.top - 0.22, u1, h.top}, kProud + 0.01);
-    addTimber(mesh, h, side, {u0 - 0.02, kPlinthTop, u0 + 0.2, h.top}, kProud + 0.02);
-    addTimber(mesh, h, side, {u1 - 0.2, kPlinthTop, u1 + 0.02, h.top}, kProud + 0.02);
+    addTimber(mesh, h, side, {u0 + end, h.top - 0.22, u1 - end, h.top}, 0.01);
     const int bays = static_cast<int>(std::lround((u1 - u0) / 1.35));
     for (int k = 1; k < bays; ++k) {
         const double u = u0 + (u1 - u0) * k / bays;
         if (clearOf(holesOf(h, side, 0.16), u - kPost / 2, u + kPost / 2)) {
-            addTimber(mesh, h, side, {u - kPost / 2, kPlinthTop + kPost, u + kPost / 2, h.top - 0.22},
-                      kProud - 0.01);
+            addTimber(mesh, h, side, {u - kPost / 2, kPlinthTop + kPost, u + kPost / 2, h.top - 0.22}, -0.01);
         }
     }
     // Braces in the corner bays.
@@ -165,16 +177,17 @@ void addGableFraming(MeshBuilder& mesh, const HouseShell& h) {
     for (const double side : {-1.0, 1.0}) {
         const double x = side * (h.halfWidth + 0.5 * (kProud - kBedded));
         const Vec3 out{side, 0.0, 0.0};
-        const auto strut = [&](const Vec2& a, const Vec2& b, double wide) {
-            mesh.strut({x, a.x, a.y}, {x, b.x, b.y}, out, kProud + kBedded, wide, Material::Beam);
+        const auto strut = [&](const Vec2& a, const Vec2& b, double wide, double extra) {
+            mesh.strut({x, a.x, a.y}, {x, b.x, b.y}, out, kProud + kBedded + 2.0 * extra, wide,
+                       Material::Beam);
         };
         const double collar = h.top + h.pitch * half * 0.52;
-        strut({half, h.top}, {half, h.top + h.pitch * half - 0.2}, 0.18);
-        strut({half * 0.52 + 0.05, collar}, {2.0 * half - half * 0.52 - 0.05, collar}, 0.18);
-        strut({half - 1.5, h.top}, {half - 1.5, collar}, 0.15);
-        strut({half + 1.5, h.top}, {half + 1.5, collar}, 0.15);
-        strut({half - 1.5, h.top + 0.1}, {half - 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14);
-        strut({half + 1.5, h.top + 0.1}, {half + 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14);
+        strut({half, h.top}, {half, h.top + h.pitch * half - 0.2}, 0.18, 0.0);
+        strut({half * 0.52 + 0.05, collar}, {2.0 * half - half * 0.52 - 0.05, collar}, 0.18, 0.01);
+        strut({half - 1.5, h.top}, {half - 1.5, collar}, 0.15, -0.01);
+        strut({half + 1.5, h.top}, {half + 1.5, collar}, 0.15, -0.01);
+        strut({half - 1.5, h.top + 0.1}, {half - 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14, -0.02);
+        strut({half + 1.5, h.top + 0.1}, {half + 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14, -0.02);
     }
 }
 
@@ -187,9 +200,10 @@ void addWindowBars(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hol
         const auto [min, max] = boxOnWall(hole.side, at, rect, from, to);
         mesh.beam(min, max, Material::Beam);
     };
-    bar({middle - 0.03, r.v0, middle + 0.03, r.v1}, -0.17, -0.11);
+    const double joint = 0.02; // the cross ends inside the frame
+    bar({middle - 0.03, r.v0 + joint, middle + 0.03, r.v1 - joint}, -0.17, -0.11);
     const double rail = r.v0 + 0.58 * (r.v1 - r.v0);
-    bar({r.u0, rail - 0.025, r.u1, rail + 0.025}, -0.165, -0.115);
+    bar({r.u0 + joint, rail - 0.025, r.u1 - joint, rail + 0.025}, -0.165, -0.115);
     for (const double u : {r.u0, r.u1 - 0.05}) {
         bar({u, r.v0, u + 0.05, r.v1}, -0.18, -0.10);
     }
@@ -220,9 +234,11 @@ double innerPlane(const HouseShell& h, Side side) {
 }
 
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
-    const double gap = 0.004;
+    const double gap = 0.003; // a strip of wall, for faces flush with the reveals would fight with them
+    // Let into the wall, for a face in the wall's plane would lie in the plane of the portal beside it.
+    const double sunk = out < 0.0 ? -0.015 : 0.015;
     const auto bar = [&](const Rect& rect, double depth) {
-        const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));
+        const auto [min, max] = boxOnWall(side, at, rect, std::min(sunk, -depth), std::max(sunk, -depth));
         mesh.beam(min, max, Material::Beam);
     };
     bar({r.u0 - width, r.v0, r.u0 - gap, r.v1 + gap}, out);
@@ -239,6 +255,7 @@ MeshBuilder buildHouseShell(const HouseShell& h) {
         mesh.add(std::move(face));
     }
     addPlinth(mesh, h);
+    addCornerPosts(mesh, h);
     for (const Side side : kWalls) {
         addFraming(mesh, h, side);
     }

@@ -13,8 +13,8 @@ dat::RecordId addFence(ModelSink& sink) {
     for (const double x : {0.0, 1.5}) {
         mesh.beam({x - 0.06, -0.06, -0.6}, {x + 0.06, 0.06, 1.05}, Material::OldPlanks);
     }
-    mesh.strut({-0.05, 0.07, 0.42}, {3.05, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
-    mesh.strut({-0.05, 0.07, 0.86}, {3.05, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
+    mesh.strut({0.0, 0.07, 0.42}, {3.0, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
+    mesh.strut({0.0, 0.07, 0.86}, {3.0, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
     return single(sink, mesh);
 }
 

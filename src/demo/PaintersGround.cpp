@@ -66,17 +66,17 @@ Canvas paintDirt() {
 Canvas paintForestFloor() {
     Canvas canvas = Canvas::paint(kSize, kSize, [](double u, double v) {
         const double tone = 0.5 + 0.7 * fbm(u, v, 6, 6, 6, 1401);
-        const double moss = smoothStep(-0.05, 0.3, fbm(u, v, 3, 3, 5, 1403));
-        const Vec3f soil = mixColour(Vec3f(0.13f, 0.105f, 0.065f), Vec3f(0.26f, 0.205f, 0.125f), tone);
-        return Vec4f(mixColour(soil, Vec3f(0.18f, 0.23f, 0.08f), 0.75 * moss), 1.0f);
+        const double moss = smoothStep(-0.25, 0.2, fbm(u, v, 3, 3, 5, 1403));
+        const Vec3f soil = mixColour(Vec3f(0.125f, 0.12f, 0.06f), Vec3f(0.23f, 0.215f, 0.105f), tone);
+        return Vec4f(mixColour(soil, Vec3f(0.165f, 0.235f, 0.075f), 0.85 * moss), 1.0f);
     });
-    for (std::uint32_t i = 0; i < 3400; ++i) {
+    for (std::uint32_t i = 0; i < 2800; ++i) {
         const Vec2 centre{random01(i, 1, 1405) * kSize, random01(i, 2, 1405) * kSize};
         const double hue = random01(i, 3, 1405);
         Vec3f colour =
-            mixColour(Vec3f(0.25f, 0.18f, 0.10f), Vec3f(0.45f, 0.34f, 0.17f), random01(i, 4, 1405));
-        if (hue > 0.7) {
-            colour = Vec3f(0.28f, 0.31f, 0.11f);
+            mixColour(Vec3f(0.20f, 0.16f, 0.08f), Vec3f(0.34f, 0.28f, 0.13f), random01(i, 4, 1405));
+        if (hue > 0.35) {
+            colour = mixColour(Vec3f(0.17f, 0.22f, 0.07f), Vec3f(0.27f, 0.33f, 0.11f), random01(i, 7, 1405));
         }
         const double size = 8.0 + 8.0 * random01(i, 5, 1405);
         drawLeaf(canvas, {centre, 6.2831853 * random01(i, 6, 1405), size, size * 0.5, Vec4f(colour, 0.85f)},

@@ -66,20 +66,21 @@ std::vector<std::vector<Sprinkle>> scenesOf(Growth growth, const Plants& p) {
                  {p.tallGrass, 4, 0.5},
                  {p.oak, 1, 0.05, 0.9, 1.2}}};
     case Growth::Forest:
-        return {{{p.oak, 4, 0.6, 0.85, 1.3},
-                 {p.birch, 3, 0.55, 0.85, 1.25},
-                 {p.pine, 2, 0.4, 0.8, 1.2},
+        return {{{p.oak, 5, 0.65, 0.9, 1.35},
+                 {p.birch, 3, 0.6, 0.85, 1.25},
+                 {p.pine, 3, 0.6, 0.85, 1.25},
                  {p.bush, 2, 0.5},
                  {p.fern, 4, 0.6, 0.7, 1.3},
                  {p.stump, 1, 0.12}},
-                {{p.oak, 5, 0.6, 0.85, 1.35},
-                 {p.youngPine, 3, 0.45, 0.7, 1.3},
+                {{p.oak, 5, 0.7, 0.9, 1.4},
+                 {p.pine, 2, 0.6, 0.85, 1.2},
+                 {p.youngPine, 3, 0.5, 0.7, 1.3},
                  {p.fern, 5, 0.6, 0.7, 1.3},
                  {p.bush, 1, 0.5},
                  {p.rock, 1, 0.3, 0.6, 1.2}}};
     case Growth::DeepForest:
-        return {{{p.pine, 8, 0.7, 0.85, 1.4},
-                 {p.youngPine, 3, 0.5, 0.7, 1.3},
+        return {{{p.pine, 9, 0.75, 0.9, 1.4},
+                 {p.youngPine, 4, 0.5, 0.7, 1.3},
                  {p.fern, 5, 0.6},
                  {p.stump, 1, 0.15},
                  {p.boulder, 1, 0.06, 0.6, 1.1}}};
@@ -147,7 +148,7 @@ std::vector<TerrainLook> terrainLooks() {
          {Nothing, LaneSide}},
         {TerrainKind::ForestFloor,
          "ForestFloor",
-         0xFF4A3A22,
+         0xFF37401E,
          Ground::ForestFloor,
          5,
          {Nothing, Forest, DeepForest}},

@@ -1,5 +1,8 @@
 #include "world/Lights.h"
 
+#include "geometry/ConvexPolygon.h"
+#include "world/PolygonDistance.h"
+
 #include <algorithm>
 
 namespace limen::world {
@@ -17,6 +20,85 @@ struct Candidate {
 double distanceToBox(const Aabb& box, const Vec3& p) {
     return box.empty() ? 0.0 : glm::length(p - glm::clamp(p, box.min, box.max));
 }
+
+/// Where a lamp's rays get to through openings, in straight lines. Lamps cast no shadows, so without it a lamp in a
+/// cellar would light the room above through the floor, once some stairs lead there. Too much in doubtful cases.
+class LampRays {
+public:
+    LampRays(const World& world, const PlacedLamp& lamp)
+        : world_(world), at_(lamp.light.position), range_(lamp.light.range) {
+        follow({lamp.placedIn, {}});
+        while (!open_.empty() && steps_ < kMostSteps) {
+            const Beam beam = std::move(open_.back());
+            open_.pop_back();
+            follow(beam);
+        }
+    }
+    [[nodiscard]] bool arriveIn(SpaceIndex space) const {
+        return !open_.empty() || std::find(met_.begin(), met_.end(), space) != met_.end();
+    }
+
+private:
+    /// What the openings behind it leave of the lamp's light.
+    struct Beam {
+        SpaceIndex space = kOutside;
+        std::vector<Plane> sides; ///< through the lamp, inside positive; none: all directions
+    };
+    static constexpr std::size_t kMostSteps =
+        1024;                            ///< openings looked at; then the lamp counts as seen everywhere
+    static constexpr double kSize = 0.1; ///< metres; a lamp is no point
+    static constexpr double kTolerance = 1e-3;
+
+    void follow(const Beam& beam) {
+        if (std::find(met_.begin(), met_.end(), beam.space) == met_.end())
+            met_.push_back(beam.space);
+        const Space& space = world_.spaces[beam.space];
+        for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            ++steps_;
+            const Portal& portal = world_.portals[p];
+            if (portal.destination != kNone &&
+                distanceToPolygon(cornersOf(world_, portal), portal.plane, at_) <= range_)
+                pass(beam, portal);
+        }
+    }
+
+    void pass(const Beam& beam, const Portal& portal) {
+        const double before = portal.plane.signedDistance(at_);
+        if (before <= kSize) {
+            // In the opening, or through it: its own room's lamp all the same.
+            if (beam.sides.empty() && met_.front() == beam.space)
+                open_.push_back({portal.destination, {}});
+            return;
+        }
+        std::vector<Vec3> rest(cornersOf(world_, portal).begin(), cornersOf(world_, portal).end());
+        std::vector<Vec3> clipped;
+        for (const Plane& side : beam.sides) {
+            clipPolygon(rest, side, kTolerance, clipped);
+            rest.swap(clipped);
+        }
+        if (rest.size() >= 3)
+            open_.push_back({portal.destination, sidesOf(rest)});
+    }
+
+    /// The planes through the lamp and the polygon's edges; the polygon runs counter-clockwise seen from the lamp.
+    [[nodiscard]] std::vector<Plane> sidesOf(const std::vector<Vec3>& polygon) const {
+        std::vector<Plane> sides;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Vec3 n = glm::cross(polygon[(i + 1) % polygon.size()] - at_, polygon[i] - at_);
+            const double length = glm::length(n);
+            if (length > 1e-9)
+                sides.push_back({n / length, -glm::dot(n / length, at_)});
+        }
+        return sides;
+    }
+
+    const World& world_;
+    Vec3 at_;
+    double range_;
+    std::size_t steps_ = 0;
+    std::vector<Beam> open_;
+    std::vector<SpaceIndex> met_;
+};
 
 LightSet baseLight(const Space& space, bool outside) {
     LightSet set;
@@ -36,11 +118,12 @@ void lightSpaces(const std::vector<PlacedLamp>& lamps, World& world) {
     std::vector<SpaceIndex> reached;
     for (const PlacedLamp& lamp : lamps) {
         membership.reach(lamp.placedIn, {lamp.light.position, lamp.light.range}, reached);
+        const LampRays rays(world, lamp);
         const double power = lamp.light.colour.x + lamp.light.colour.y + lamp.light.colour.z;
         for (const SpaceIndex space : reached) {
             const double distance =
                 space == kOutside ? 0.0 : distanceToBox(world.spaces[space].bounds, lamp.light.position);
-            const bool counts = space != kOutside || lamp.placedIn == kOutside;
+            const bool counts = (space != kOutside || lamp.placedIn == kOutside) && rays.arriveIn(space);
             if (counts && distance < lamp.light.range && power > 0.0)
                 bySpace[space].push_back({lamp.light, power * (1.0 - distance / lamp.light.range)});
         }

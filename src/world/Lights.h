@@ -12,8 +12,8 @@ struct PlacedLamp {
 
 /// Makes every space's light set, and the lamps' runs. Cells that see outside get part of the sky's light and
 /// a little of the sun's, for a sun without shadows would shine through walls; other cells a dim ambient. A
-/// lamp lights the cells its range reaches through portals, the eight strongest a cell; the outside is lit by
-/// lamps that stand outside only.
+/// lamp lights the cells its range reaches through portals if its rays get there in a straight line, the eight
+/// strongest a cell; the outside is lit by lamps that stand outside only.
 void lightSpaces(const std::vector<PlacedLamp>& lamps, World& world);
 
 } // namespace limen::world

@@ -141,6 +141,28 @@ TEST(Lights, lightTheRoomsTheyReachThroughDoors) {
     EXPECT_NEAR(light.position.x - world.blocks[0].origin().x, 15.0, 1e-6);
 }
 
+TEST(Lights, shineThroughDoorsInStraightLinesOnly) {
+    Row row;
+    row.source.addStatic(row.rooms[0], addLamp(row.source, row.ball, 6.0f), test::frameAt({13, 12, 3}));
+    row.source.addStatic(row.rooms[0], addLamp(row.source, row.ball, 6.0f), test::frameAt({13, 13.5, 3}));
+    const World world = test::loadTestWorld(row.source);
+    const auto count = [&](SpaceIndex s) { return world.lightSets[world.spaces[s].lightSet].lightCount; };
+    EXPECT_EQ(count(1), 2u);
+    EXPECT_EQ(count(2), 2u);
+    ASSERT_EQ(count(3), 1u) << "only the one in line with both doors";
+    EXPECT_NEAR(world.lights[world.lightSets[world.spaces[3].lightSet].firstLight].position.y -
+                    world.blocks[0].origin().y,
+                12.0, 1e-6);
+}
+
+TEST(Lights, inADoorwayLightBothRooms) {
+    Row row;
+    row.source.addStatic(row.rooms[1], addLamp(row.source, row.ball, 3.0f), test::frameAt({14, 12, 3}));
+    const World world = test::loadTestWorld(row.source);
+    EXPECT_EQ(world.lightSets[world.spaces[1].lightSet].lightCount, 1u);
+    EXPECT_EQ(world.lightSets[world.spaces[2].lightSet].lightCount, 1u);
+}
+
 TEST(Lights, theEightStrongestAreKeptBrightestFirst) {
     Row row;
     for (std::uint32_t i = 0; i < 12; ++i)

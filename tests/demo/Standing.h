@@ -1,0 +1,30 @@
+#pragma once
+
+#include "demo/BuiltIn.h"
+
+#include <string>
+
+namespace limen::demo::test {
+
+/// A polygon where it stands in its landblock.
+struct Standing {
+    enum class Kind { Shell, Exterior, Object, Portal };
+    Kind kind = Kind::Object;
+    std::string name;         ///< who it belongs to, for messages
+    std::vector<Vec3> points; ///< landblock coordinates
+    Plane plane;
+    Aabb box;
+    bool twoSided = false;
+};
+
+/// All polygons of the village's houses, their furniture and what stands around them; no terrain, no scenery.
+[[nodiscard]] std::vector<Standing> standingPolygons();
+
+/// What both polygons cover, seen along the first one's normal: area in m² (0 if none) and how far the second
+/// lies from the first's plane there, at most.
+struct Overlap {
+    double area = 0.0, apart = 0.0;
+};
+[[nodiscard]] Overlap overlapOf(const Standing& a, const Standing& b);
+
+} // namespace limen::demo::test
