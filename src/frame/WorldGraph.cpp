@@ -12,9 +12,9 @@ Result<visibility::Graph> visibilityGraph(const world::World& world) {
     std::vector<visibility::PortalDesc> portals;
     portals.reserve(world.portals.size());
     for (const world::Portal& p : world.portals) {
-        portals.push_back({p.space, p.destination, p.reciprocal, p.firstVertex, p.vertexCount, p.exact});
+        portals.push_back({p.space, p.destination, p.reciprocal, p.firstCorner, p.cornerCount, p.exact});
     }
-    return visibility::Graph::build(spaces, portals, world.portalVertices);
+    return visibility::Graph::build(spaces, portals, world.portalCorners);
 }
 
 } // namespace limen::frame

@@ -29,8 +29,8 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
         for (const bool merge : {true, false}) {
             worlds()[merge] = std::make_unique<PictureWorld>(directory(), world::blockAt(places().places[0].eye),
                                                              PictureOptions{merge, 2});
-            worlds()[merge]->width = 64;
-            worlds()[merge]->height = 36;
+            worlds()[merge]->width = 56;
+            worlds()[merge]->height = 32;
         }
     }
     static void TearDownTestSuite() {
@@ -76,21 +76,45 @@ TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
     const auto& tour = places().tour;
     ASSERT_GE(tour.size(), 2u);
     world::SpaceIndex space = motion::locate(pictures().world(), tour[0].eye).space;
-    Vec3 last = tour[0].eye;
     std::size_t indoors = 0;
-    for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
-        for (const double share : {0.0, 0.31, 0.67}) {
-            const Vec3 eye = glm::mix(tour[i].eye, tour[i + 1].eye, share);
-            space = motion::sweep(pictures().world(), space, last, eye);
-            last = eye;
-            indoors += space == world::kOutside ? 0 : 1;
-            if (i % 6 == 0) { // every step is swept, some are drawn
-                SCOPED_TRACE(::testing::Message() << "way point " << i << " + " << share);
-                pictures().expectClean(look(eye, tour[i].yaw, tour[i].pitch, space));
-            }
+    for (std::size_t i = 0; i < tour.size(); ++i) {
+        space = motion::sweep(pictures().world(), space, tour[i == 0 ? 0 : i - 1].eye, tour[i].eye);
+        indoors += space == world::kOutside ? 0 : 1;
+        if (i % (GetParam() ? 2 : 7) == 0) { // every step is swept, some are drawn
+            SCOPED_TRACE(::testing::Message() << "way point " << i);
+            pictures().expectClean(look(tour[i].eye, tour[i].yaw, tour[i].pitch, space));
         }
     }
     EXPECT_GT(indoors, 10u) << "the tour goes inside";
+}
+
+TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
+    const world::World& world = pictures().world();
+    for (world::PortalIndex p = 0; p < world.portals.size(); ++p) {
+        const world::Portal& portal = world.portals[p];
+        if (portal.reciprocal != world::kNone && portal.reciprocal < p) {
+            continue; // each opening once
+        }
+        Vec3 middle(0.0);
+        for (std::uint32_t v = 0; v < portal.vertexCount; ++v) {
+            middle += world.portalVertices[portal.firstVertex + v] / static_cast<double>(portal.vertexCount);
+        }
+        const double yaw = std::atan2(-portal.plane.n.x, -portal.plane.n.y) * 57.29577951308232;
+        const Vec3 start = middle + portal.plane.n * 0.0105;
+        world::SpaceIndex space = portal.space;
+        Vec3 last = start;
+        std::size_t most = 0;
+        for (int step = 0; step <= 21; ++step) {
+            const Vec3 eye = start - portal.plane.n * (step * 0.001);
+            space = motion::sweep(world, space, last, eye);
+            last = eye;
+            SCOPED_TRACE(::testing::Message() << "portal " << p << " step " << step);
+            const Picture picture = pictures().expectClean(look(eye, yaw + 35.0 + step * 11.0, step % 3 * 20.0 - 20.0, space));
+            most = std::max(most, picture.visible.visits.size());
+        }
+        EXPECT_EQ(space, portal.destination) << "portal " << p;
+        EXPECT_LT(most, 40u) << "visits stay bounded";
+    }
 }
 
 /// In the cell, and so far from its walls that the near plane cuts none: what shows through a wall that it cuts is not

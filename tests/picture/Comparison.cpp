@@ -39,7 +39,7 @@ public:
     /// True if a ray between those of the 3×3 pixels meets `id`: first on a fine grid around the middle, finer than the
     /// rasteriser's own 1/256 of a pixel, then over the whole.
     bool explainedByFinerRays(int x, int y, std::uint32_t id) const {
-        return onGrid(x, y, id, 1.0 / 512.0, 4) || onGrid(x, y, id, 1.0 / 64.0, 8) || onGrid(x, y, id, 1.0 / 16.0, 24);
+        return onGrid(x, y, id, 1.0 / 2048.0, 16) || onGrid(x, y, id, 1.0 / 64.0, 8) || onGrid(x, y, id, 1.0 / 16.0, 24);
     }
 
     /// True if a ray meets `id` once the eye moves sideways by what the rasteriser's snapping of corners, 1/256 of a

@@ -126,7 +126,9 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame) {
     Picture picture = shoot(frame);
     const Comparison c = compare(world_, *tracer_, frame, picture.ids);
     const Vec3 eye = frame.view.eye - origin_;
-    EXPECT_EQ(c.disagreeing, 0u) << c.first << "; eye (" << eye.x << ", " << eye.y << ", " << eye.z << ")";
+    EXPECT_EQ(c.disagreeing, 0u) << c.first << "; eye (" << eye.x << ", " << eye.y << ", " << eye.z << "), forward ("
+                                 << frame.view.forward.x << ", " << frame.view.forward.y << ", "
+                                 << frame.view.forward.z << "), root " << frame.view.root;
     EXPECT_EQ(c.voids, 0u) << "void pixels";
     EXPECT_EQ(c.outsideWithoutRay, 0u) << "outdoors where no ray got outside";
     return picture;

@@ -134,6 +134,24 @@ TEST(LoadWorld, portalVerticesAreTheBlocksFloatsExactly) {
     }
 }
 
+TEST(LoadWorld, givesTheSameArraysEveryTime) {
+    House first, second;
+    const World a = test::loadTestWorld(first.source), b = test::loadTestWorld(second.source);
+    const auto sameVertex = [](const MeshVertex& v, const MeshVertex& w) {
+        return v.position == w.position && v.normal == w.normal && v.uv == w.uv && v.polygon == w.polygon &&
+               v.surface == w.surface;
+    };
+    EXPECT_TRUE(
+        std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), sameVertex));
+    EXPECT_EQ(a.indices, b.indices);
+    EXPECT_EQ(a.portalVertices, b.portalVertices);
+    EXPECT_EQ(a.portalCorners, b.portalCorners);
+    EXPECT_EQ(a.zoneSpaces, b.zoneSpaces);
+    EXPECT_EQ(a.members, b.members);
+    EXPECT_EQ(a.spaceInstances, b.spaceInstances);
+    EXPECT_EQ(a.materialRefs, b.materialRefs);
+}
+
 TEST(LoadWorld, loadsAPureDungeonAloneAndWithoutTerrain) {
     TestWorld source;
     source.addBox({-500, -300, -20}, {-490, -290, -10});
