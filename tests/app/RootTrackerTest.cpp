@@ -22,22 +22,22 @@ world::World houseWorld() {
         world.cellBspNodes.push_back({{-n, 4.0}, axis == 2 ? world::kNone : next + 1});
     }
     room.bspNodeCount = 6;
-    world.portalVertices = {{2.5, 0, 0}, {2.5, 0, 2}, {1.5, 0, 2}, {1.5, 0, 0}};
+    world.portalCorners = {{1.5, 0, 0}, {1.5, 0, 2}, {2.5, 0, 2}, {2.5, 0, 0}};
     world.portals.resize(2);
     world::Portal &out = world.portals[0], &in = world.portals[1];
     out.space = 1;
     out.destination = 0;
     out.reciprocal = 1;
-    out.vertexCount = 4;
+    out.cornerCount = 4;
     out.plane = {{0, 1, 0}, 0.0};
     in = out;
     in.space = 0;
     in.destination = 1;
     in.reciprocal = 0;
-    in.firstVertex = 4;
+    in.firstCorner = 4;
     in.plane = {{0, -1, 0}, 0.0};
     for (std::size_t i = 4; i > 0; --i)
-        world.portalVertices.push_back(world.portalVertices[i - 1]);
+        world.portalCorners.push_back(world.portalCorners[i - 1]);
     room.portalCount = 1;
     world.spaces[0].firstPortal = 1;
     world.spaces[0].portalCount = 1;
