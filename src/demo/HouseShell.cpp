@@ -31,6 +31,12 @@ double outward(Side side) {
     return side == Side::East || side == Side::North || side == Side::Ceiling ? 1.0 : -1.0;
 }
 
+/// Out of the house, for its walls.
+Vec3 outwardNormal(Side side) {
+    return side == Side::West || side == Side::East ? Vec3(outward(side), 0.0, 0.0)
+                                                    : Vec3(0.0, outward(side), 0.0);
+}
+
 std::pair<double, double> wallSpan(const HouseShell& h, Side side) {
     return side == Side::West || side == Side::East ? std::pair{0.0, h.depth}
                                                     : std::pair{-h.halfWidth, h.halfWidth};
@@ -235,11 +241,17 @@ double innerPlane(const HouseShell& h, Side side) {
 
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
     const double gap = 0.003; // a strip of wall, for faces flush with the reveals would fight with them
-    // Let into the wall, for a face in the wall's plane would lie in the plane of the portal beside it.
-    const double sunk = out < 0.0 ? -0.015 : 0.015;
     const auto bar = [&](const Rect& rect, double depth) {
-        const auto [min, max] = boxOnWall(side, at, rect, std::min(sunk, -depth), std::max(sunk, -depth));
-        mesh.beam(min, max, Material::Beam);
+        const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));
+        MeshBuilder whole;
+        whole.beam(min, max, Material::Beam);
+        const Vec3 back = outwardNormal(side) * (depth > 0.0 ? 1.0 : -1.0);
+        for (Face& face : whole.faces()) {
+            // None at the back: it would lie in the plane of the wall, and of the portal beside it.
+            if (glm::dot(faceNormal(face), back) < 0.5) {
+                mesh.add(std::move(face));
+            }
+        }
     };
     bar({r.u0 - width, r.v0, r.u0 - gap, r.v1 + gap}, out);
     bar({r.u1 + gap, r.v0, r.u1 + width, r.v1 + gap}, out);
