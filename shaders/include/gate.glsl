@@ -9,6 +9,10 @@ layout(binding = kUnitOwnership) uniform usampler2D ownership;
 const float kPlaneTolerance = 0.001;
 // Per metre of distance: what float positions and interpolation lose grows with the distance from the eye.
 const float kPlaneToleranceSlope = 4.0e-7;
+// Pixels. Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the
+// pixel's centre, while its position is extended to the centre along the triangle's plane. On a surface seen edge-on
+// (the ceiling of a doorway at eye level) that moves it by far more than a millimetre, out of its own cell.
+const float kSnap = 1.0 / 128.0;
 
 // Where a fragment was kept, and by which light set it is lit there.
 struct Keep {
@@ -33,16 +37,28 @@ bool findMember(Instance instance, uint zone, out uint lightSet) {
     return false;
 }
 
+// A fragment's position and how it changes from pixel to pixel.
+struct Place {
+    vec3 at;
+    vec3 dx;
+    vec3 dy;
+};
+
+// How far a fragment at `place` may lie on the wrong side of a plane with this normal.
+float toleranceFor(vec3 normal, Place place) {
+    float slope = abs(dot(normal, place.dx)) + abs(dot(normal, place.dy));
+    return kPlaneTolerance + kPlaneToleranceSlope * length(place.at) + kSnap * slope;
+}
+
 // Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends.
-Keep walkChain(Instance instance, vec3 eyeRelative) {
-    float tolerance = kPlaneTolerance + kPlaneToleranceSlope * length(eyeRelative);
+Keep walkChain(Instance instance, Place place) {
     vec4 next = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit: nothing is beyond it
     uint visitIndex = leafVisit();
     while (visitIndex < frame.visitCount) {
         Visit visit = visits[visitIndex];
         uint lightSet;
-        bool beyondEntry = dot(visit.entryPlane, vec4(eyeRelative, 1.0)) >= -tolerance;
-        bool beforeNext = dot(next, vec4(eyeRelative, 1.0)) <= tolerance;
+        bool beyondEntry = dot(visit.entryPlane, vec4(place.at, 1.0)) >= -toleranceFor(visit.entryPlane.xyz, place);
+        bool beforeNext = dot(next, vec4(place.at, 1.0)) <= toleranceFor(next.xyz, place);
         if (beyondEntry && beforeNext && findMember(instance, visit.zone, lightSet)) {
             return Keep(true, visit.zone, lightSet);
         }
@@ -53,12 +69,12 @@ Keep walkChain(Instance instance, vec3 eyeRelative) {
 }
 
 // What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
-Keep keepUngated(Instance instance, vec3 eyeRelative) {
+Keep keepUngated(Instance instance, Place place) {
     Member first = members[instance.firstMember];
     if (instance.memberCount > 1u) {
         uint lightSet;
         if (frame.visitCount > 1u) {
-            Keep keep = walkChain(instance, eyeRelative);
+            Keep keep = walkChain(instance, place);
             if (keep.kept) {
                 return keep;
             }
@@ -71,9 +87,11 @@ Keep keepUngated(Instance instance, vec3 eyeRelative) {
 
 // GATED: the caller discards when `kept` is false.
 Keep keepOf(Instance instance, vec3 eyeRelative) {
+    // Derivatives first: what follows differs from fragment to fragment.
+    Place place = Place(eyeRelative, dFdx(eyeRelative), dFdy(eyeRelative));
 #ifdef GATED
-    return walkChain(instance, eyeRelative);
+    return walkChain(instance, place);
 #else
-    return keepUngated(instance, eyeRelative);
+    return keepUngated(instance, place);
 #endif
 }
