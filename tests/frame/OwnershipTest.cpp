@@ -1,0 +1,83 @@
+#include "PlannedWorld.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::test {
+namespace {
+
+struct OwnershipTest : ::testing::Test {
+    Rooms rooms;
+    PlannedWorld planned{rooms.world};
+    world::SpaceIndex first = world::findCell(planned.world, rooms.world.id(rooms.first));
+};
+
+TEST_F(OwnershipTest, drawsAPortalFromTheVeryFloatsOfItsWalls) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    const world::Portal& portal = planned.world.portals[planned.visible.visits[1].portal];
+    const auto outline =
+        std::span(planned.world.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+    std::size_t corners = 0;
+    for (const auto& vertex : plan.ownershipVertices) {
+        if (vertex.visit != 1) {
+            continue;
+        }
+        EXPECT_EQ(vertex.block, portal.block);
+        for (const Vec3& v : outline) {
+            corners += Vec3f(v - planned.world.blocks[portal.block].origin()) == vertex.position ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(corners, 2 * outline.size()) << "a fan around the middle meets each corner twice";
+}
+
+TEST_F(OwnershipTest, followsTheTreesOrder) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    std::uint32_t last = 1;
+    for (const auto& vertex : plan.ownershipVertices) {
+        EXPECT_GE(vertex.visit, last);
+        last = vertex.visit;
+    }
+    EXPECT_EQ(last, planned.visible.visits.size() - 1);
+}
+
+TEST_F(OwnershipTest, clipsByTheParentsEdgesAndNeverByTheRoots) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    for (const auto& vertex : plan.ownershipVertices) {
+        const auto& visit = planned.visible.visits[vertex.visit];
+        EXPECT_EQ(vertex.clipSet == 0, visit.depth == 1) << "the screen's edges need no clipping";
+    }
+    // A point in the middle of the grandchild's opening is kept; one beside the parent's opening is cut.
+    const auto& clip = plan.clipSets[1];
+    const auto kept = [&](const Vec3f& p) {
+        return std::all_of(std::begin(clip.planes), std::end(clip.planes),
+                           [&](const frame::gpu::vec4& plane) {
+                               return glm::dot(plane, frame::gpu::vec4(p, 1.0f)) >= 0.0f;
+                           });
+    };
+    EXPECT_TRUE(kept({0, 7, -0.5f}));
+    EXPECT_FALSE(kept({4, 7, -0.5f}));
+    EXPECT_FALSE(kept({0, 2, -0.5f})) << "before the parent's entry plane";
+}
+
+TEST_F(OwnershipTest, drawsTheFloodsRegionWithinFiveCentimetresOfAnOpening) {
+    const auto& plan = planned.planFrom({92, 93.97, 1.5}, 0, first);
+    for (const auto& vertex : plan.ownershipVertices) {
+        EXPECT_EQ(vertex.block == frame::gpu::kNoVisit, vertex.visit == 1);
+    }
+}
+
+TEST(Ownership, cutsARegionOfManyEdgesIntoSeveralDraws) {
+    TestWorld world;
+    const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
+    const auto b = world.addBox({0, 4, 0}, {4, 8, 3}, "blue");
+    const auto c = world.addBox({0, 8, 0}, {4, 12, 3}, "red");
+    world.link(a, regularPolygon({2, 4, 1.5}, {0, -1, 0}, 0.5, 12), b);
+    world.link(b, regularPolygon({2, 8, 1.5}, {0, -1, 0}, 1.4, 12), c);
+    PlannedWorld planned(world);
+    const auto& plan = planned.planFrom({2, 1, 1.5}, 0, world::findCell(planned.world, world.id(a)));
+    ASSERT_EQ(planned.visible.visits.size(), 3u);
+    EXPECT_EQ(planned.visible.region(planned.visible.visits[1]).size(), 12u);
+    EXPECT_EQ(plan.clipSets.size(), 3u) << "the open set, and two fans of at most seven edges";
+}
+
+} // namespace
+} // namespace limen::test

@@ -1,0 +1,118 @@
+#include "PlannedWorld.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace limen::test {
+namespace {
+
+using frame::Program;
+using frame::StageKind;
+
+/// How often each instance is drawn by the batches of one program.
+std::map<std::uint32_t, int> drawsOf(const frame::FramePlan& plan, Program program) {
+    std::map<std::uint32_t, int> draws;
+    for (const frame::Batch& batch : plan.batches) {
+        for (std::uint32_t c = 0; batch.program == program && c < batch.commandCount; ++c) {
+            ++draws[plan.commands[batch.firstCommand + c].baseInstance];
+        }
+    }
+    return draws;
+}
+
+struct PlannerTest : ::testing::Test {
+    Rooms rooms;
+    PlannedWorld planned{rooms.world};
+    world::SpaceIndex first = world::findCell(planned.world, rooms.world.id(rooms.first));
+    world::SpaceIndex second = world::findCell(planned.world, rooms.world.id(rooms.second));
+};
+
+TEST_F(PlannerTest, hasEveryStageOnceInOrder) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    ASSERT_EQ(plan.stages.size(), frame::kStageCount);
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+        EXPECT_EQ(plan.stages[i].kind, static_cast<StageKind>(i));
+        EXPECT_EQ(plan.stages[i].firstBatch, next);
+        next += plan.stages[i].batchCount;
+    }
+    EXPECT_EQ(next, plan.batches.size());
+}
+
+TEST_F(PlannerTest, drawsTheShellOfEveryCellSeenAndEachInstanceOnce) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    const auto draws = drawsOf(plan, Program::Opaque);
+    for (const visibility::SeenSpace& seen : planned.visible.seen) {
+        if (seen.space != world::kOutside) {
+            EXPECT_TRUE(draws.contains(planned.world.spaces[seen.space].shell));
+        }
+    }
+    for (const auto& [instance, count] : draws) {
+        EXPECT_EQ(count, 1) << instance;
+    }
+    EXPECT_EQ(planned.visible.visits.size(), 3u) << "room, room, outside";
+}
+
+TEST_F(PlannerTest, leavesOutWhatNoVisitSees) {
+    const auto& plan = planned.planFrom({92, 93, 1.5}, 180, first); // back to the door
+    EXPECT_EQ(planned.visible.visits.size(), 1u);
+    const auto draws = drawsOf(plan, Program::Opaque);
+    EXPECT_FALSE(draws.contains(planned.world.spaces[second].shell));
+    EXPECT_TRUE(drawsOf(plan, Program::Terrain).empty()) << "no outside region: no terrain";
+    EXPECT_EQ(plan.stages[static_cast<std::size_t>(StageKind::Sky)].batchCount, 0u) << "and no sky";
+    EXPECT_EQ(plan.stages[static_cast<std::size_t>(StageKind::Ownership)].batchCount, 0u)
+        << "one owner: nothing to say";
+    for (const frame::Batch& batch : plan.batches) {
+        EXPECT_FALSE(batch.gated);
+    }
+}
+
+TEST_F(PlannerTest, gatesMembersOfSeveralZonesWhereThereAreSeveralVisits) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    for (const frame::Batch& batch : plan.batches) {
+        for (std::uint32_t c = 0; !batch.gated && batch.program == Program::Opaque && c < batch.commandCount;
+             ++c) {
+            const auto& instance =
+                planned.world.instances[plan.commands[batch.firstCommand + c].baseInstance];
+            EXPECT_EQ(instance.memberCount, 1u);
+        }
+    }
+}
+
+TEST_F(PlannerTest, visitsMirrorTheTree) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    ASSERT_EQ(plan.visits.size(), planned.visible.visits.size());
+    EXPECT_EQ(plan.visits[0].parent, frame::gpu::kNoVisit);
+    EXPECT_EQ(plan.visits[0].entryPlane, frame::gpu::vec4(0, 0, 0, 1)) << "everything is beyond the root's";
+    for (std::uint32_t i = 1; i < plan.visits.size(); ++i) {
+        EXPECT_LT(plan.visits[i].parent, i);
+        EXPECT_EQ(plan.visits[i].zone, planned.visible.visits[i].zone);
+    }
+}
+
+TEST_F(PlannerTest, batchesDependOnTheStagesAlone) {
+    const auto batches = [&](const Vec3& eye, double yaw, world::SpaceIndex root) {
+        std::vector<std::pair<Program, bool>> list;
+        for (const frame::Batch& batch : planned.planFrom(eye, yaw, root).batches) {
+            list.emplace_back(batch.program, batch.gated);
+        }
+        return list;
+    };
+    EXPECT_EQ(batches({92, 91, 1.5}, 0, first), batches({92, 104, 1.5}, 180, world::kOutside));
+    EXPECT_EQ(batches({92, 91, 1.5}, 180, first), batches({92, 93, 1.5}, 180, first));
+}
+
+TEST_F(PlannerTest, theEyeIsTwoFloatsAndBlocksWholeMultiples) {
+    const Vec3 eye(92.123456789, 91.987654321, 1.5);
+    const auto& plan = planned.planFrom(eye, 0, first);
+    const Vec3 sum = Vec3(plan.constants.eyeHigh) + Vec3(plan.constants.eyeLow);
+    EXPECT_LT(glm::length(sum - eye), 1e-11);
+    for (const auto& block : plan.blocks) {
+        EXPECT_EQ(std::fmod(block.x, 192.0f), 0.0f);
+        EXPECT_EQ(std::fmod(block.y, 192.0f), 0.0f);
+    }
+}
+
+} // namespace
+} // namespace limen::test

@@ -1,0 +1,55 @@
+#include "PlannedWorld.h"
+
+#include "frame/SceneBuilder.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::test {
+namespace {
+
+struct SceneBuilderTest : ::testing::Test {
+    Rooms rooms;
+    world::World world = loadTestWorld(rooms.world, {1, false});
+    frame::SceneUpload scene = frame::buildScene(world);
+};
+
+TEST_F(SceneBuilderTest, keepsTheWorldsNumbers) {
+    EXPECT_EQ(scene.instances.size(), world.instances.size());
+    EXPECT_EQ(scene.vertices.size(), world.vertices.size());
+    EXPECT_EQ(scene.materials.size(), world.materials.size());
+    EXPECT_EQ(scene.lightSets.size(), world.lightSets.size());
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        EXPECT_EQ(scene.instances[i].idBase, world.instances[i].idBase);
+    }
+}
+
+TEST_F(SceneBuilderTest, givesEachInstanceItsZonesWithoutRepeatsTheOneItStandsInFirst) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const auto& packed = scene.instances[i];
+        const world::Instance& in = world.instances[i];
+        ASSERT_GT(packed.memberCount, 0u);
+        EXPECT_EQ(scene.members[packed.firstMember].zone, world.spaces[in.placedIn].zone);
+        for (std::uint32_t a = 0; a < packed.memberCount; ++a) {
+            for (std::uint32_t b = 0; b < a; ++b) {
+                EXPECT_NE(scene.members[packed.firstMember + a].zone,
+                          scene.members[packed.firstMember + b].zone);
+            }
+        }
+    }
+}
+
+TEST_F(SceneBuilderTest, placesVerticesAsTheWorldDoes) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const auto& packed = scene.instances[i];
+        const world::Instance& in = world.instances[i];
+        const Vec3f p(1.0f, 2.0f, 3.0f);
+        const Vec3f expected = in.linear * p + in.origin;
+        const Vec3f placed(glm::dot(packed.row0, glm::vec4(p, 1.0f)),
+                           glm::dot(packed.row1, glm::vec4(p, 1.0f)),
+                           glm::dot(packed.row2, glm::vec4(p, 1.0f)));
+        EXPECT_LT(glm::length(placed - expected), 1e-4f);
+    }
+}
+
+} // namespace
+} // namespace limen::test
