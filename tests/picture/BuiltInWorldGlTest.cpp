@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -16,10 +17,18 @@
 namespace limen::test {
 namespace {
 
+constexpr std::uint32_t kWidth = 56, kHeight = 32; // pixels
+
+unsigned fromEnvironment(const char* name, unsigned otherwise) {
+    const char* text = std::getenv(name);
+    return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
+}
+
 /// The built-in world, written and loaded once for all tests of this file.
 struct BuiltInWorld : ::testing::TestWithParam<bool> {
     static void SetUpTestSuite() {
-        directory() = std::filesystem::temp_directory_path() / ("limen-built-in-" + std::to_string(::getpid()));
+        directory() =
+            std::filesystem::temp_directory_path() / ("limen-built-in-" + std::to_string(::getpid()));
         const auto written = demo::writeBuiltInWorld(directory());
         ASSERT_TRUE(written) << written.error().message();
         const auto file = world::loadWorldFile(directory());
@@ -27,10 +36,10 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
         places() = *file;
         ASSERT_FALSE(places().places.empty());
         for (const bool merge : {true, false}) {
-            worlds()[merge] = std::make_unique<PictureWorld>(directory(), world::blockAt(places().places[0].eye),
-                                                             PictureOptions{merge, 2});
-            worlds()[merge]->width = 56;
-            worlds()[merge]->height = 32;
+            worlds()[merge] = std::make_unique<PictureWorld>(
+                directory(), world::blockAt(places().places[0].eye), PictureOptions{merge, 2});
+            worlds()[merge]->width = kWidth;
+            worlds()[merge]->height = kHeight;
         }
     }
     static void TearDownTestSuite() {
@@ -39,7 +48,8 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
         std::filesystem::remove_all(directory());
     }
     [[nodiscard]] PictureWorld& pictures() const { return *worlds()[GetParam()]; }
-    [[nodiscard]] frame::FrameView look(const Vec3& eye, double yaw, double pitch, world::SpaceIndex root) const {
+    [[nodiscard]] frame::FrameView look(const Vec3& eye, double yaw, double pitch,
+                                        world::SpaceIndex root) const {
         return pictures().look(eye - pictures().homeOrigin(), yaw, pitch, root);
     }
 
@@ -109,7 +119,8 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
             space = motion::sweep(world, space, last, eye);
             last = eye;
             SCOPED_TRACE(::testing::Message() << "portal " << p << " step " << step);
-            const Picture picture = pictures().expectClean(look(eye, yaw + 35.0 + step * 11.0, step % 3 * 20.0 - 20.0, space));
+            const Picture picture =
+                pictures().expectClean(look(eye, yaw + 35.0 + step * 11.0, step % 3 * 20.0 - 20.0, space));
             most = std::max(most, picture.visible.visits.size());
         }
         EXPECT_EQ(space, portal.destination) << "portal " << p;
@@ -124,7 +135,8 @@ bool clearOfWalls(const world::World& world, world::SpaceIndex cell, const Vec3&
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 offset(0.0);
         offset[axis] = kClear;
-        if (!motion::cellContains(world, cell, eye + offset) || !motion::cellContains(world, cell, eye - offset)) {
+        if (!motion::cellContains(world, cell, eye + offset) ||
+            !motion::cellContains(world, cell, eye - offset)) {
             return false;
         }
     }
@@ -132,21 +144,27 @@ bool clearOfWalls(const world::World& world, world::SpaceIndex cell, const Vec3&
 }
 
 TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
-    std::mt19937 random(GetParam() ? 11 : 12);
+    // LIMEN_TEST_VIEWS, LIMEN_TEST_SEED and LIMEN_TEST_WIDTH make it a longer hunt.
+    const unsigned views = fromEnvironment("LIMEN_TEST_VIEWS", 250);
+    std::mt19937 random(fromEnvironment("LIMEN_TEST_SEED", 11) + (GetParam() ? 0 : 1));
+    pictures().width = fromEnvironment("LIMEN_TEST_WIDTH", kWidth);
+    pictures().height = pictures().width * kHeight / kWidth;
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const world::World& world = pictures().world();
-    for (int view = 0; view < 250;) {
+    for (unsigned view = 0; view < views;) {
         Vec3 eye(0.0);
         world::SpaceIndex root = world::kOutside;
         if (view % 5 < 3) {
-            root = 1 + static_cast<world::SpaceIndex>(unit(random) * static_cast<double>(world.spaces.size() - 1));
+            root = 1 + static_cast<world::SpaceIndex>(unit(random) *
+                                                      static_cast<double>(world.spaces.size() - 1));
             const Aabb& box = world.spaces[root].bounds;
             eye = box.min + (box.max - box.min) * Vec3(unit(random), unit(random), unit(random));
             if (!clearOfWalls(world, root, eye)) {
                 continue;
             }
         } else {
-            const world::Block& block = world.blocks[static_cast<std::size_t>(unit(random) * static_cast<double>(world.blocks.size()))];
+            const world::Block& block = world.blocks[static_cast<std::size_t>(
+                unit(random) * static_cast<double>(world.blocks.size()))];
             eye = block.origin() + Vec3(unit(random), unit(random), 0.0) * world::kBlockSize;
             eye.z = world::terrainHeight(world, eye.x, eye.y) + 0.3 + unit(random) * 12.0;
             if (motion::locate(world, eye).space != world::kOutside) {
@@ -157,14 +175,16 @@ TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
         pictures().expectClean(look(eye, unit(random) * 360.0, unit(random) * 120.0 - 60.0, root));
         ++view;
     }
+    pictures().width = kWidth;
+    pictures().height = kHeight;
 }
 
 TEST_P(BuiltInWorld, everyViewTakesFewCallsAndTheSameForTheSameStages) {
     std::map<std::vector<std::uint32_t>, std::uint32_t> calls;
     for (const world::Place& place : places().places) {
         for (double yaw = 0; yaw < 360; yaw += 60) {
-            const Picture picture =
-                pictures().shoot(look(place.eye, yaw, 0, motion::locate(pictures().world(), place.eye).space));
+            const Picture picture = pictures().shoot(
+                look(place.eye, yaw, 0, motion::locate(pictures().world(), place.eye).space));
             EXPECT_LE(picture.glCalls, 40u);
             const auto known = calls.try_emplace(picture.stages, picture.glCalls);
             EXPECT_EQ(known.first->second, picture.glCalls) << place.name;

@@ -183,6 +183,28 @@ TEST_P(Cases, case13_throughAWindowIntoTheNeighboursDoor) {
     EXPECT_FALSE(visits(picture, aside)) << "a house outside the door's region is not flooded";
 }
 
+TEST_P(Cases, depthIsTheDistanceOfWhatIsSeen) {
+    TwoHouses houses;
+    PictureWorld pictures(houses.world, options());
+    const auto frame = pictures.look({92.6, 83, 1.5}, 3, 2, pictures.space(houses.world.id(houses.south)));
+    const Picture picture = pictures.expectClean(frame);
+    std::size_t compared = 0;
+    for (std::uint32_t y = 0; y < frame.height; ++y) {
+        for (std::uint32_t x = 0; x < frame.width; ++x) {
+            const auto traced = pictures.tracer().trace(frame.view.root, rayThrough(frame, x, y));
+            const float depth = picture.depth[y * frame.width + x];
+            if (traced.id == picture.id(x, y) && traced.id > 1) {
+                EXPECT_NEAR(frame.nearPlane / static_cast<double>(depth), traced.t, 0.002 * traced.t)
+                    << x << " " << y;
+                ++compared;
+            } else if (traced.id == 1 && picture.id(x, y) == 1) {
+                EXPECT_EQ(depth, 0.0f) << "the sky is infinitely far";
+            }
+        }
+    }
+    EXPECT_GT(compared, frame.width * frame.height / 2);
+}
+
 TEST_P(Cases, case14_aHouseSeenFrontToBack) {
     TwoHouses houses;
     PictureWorld pictures(houses.world, options());
@@ -223,9 +245,11 @@ TEST_P(Cases, case25_theFarCornerOfTheMap) {
         for (const double yaw : {10.0, 60.0, 100.0}) {
             const auto picture = pictures.expectClean(
                 pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))));
-            for (const std::uint32_t id : picture.ids) { // which way a landcell is split depends on its place on the map
+            for (const std::uint32_t id :
+                 picture.ids) { // which way a landcell is split depends on its place on the map
                 const auto i = instanceOfId(pictures.world(), id);
-                const bool ground = i != world::kNone && pictures.world().instances[i].kind == world::Kind::Terrain;
+                const bool ground =
+                    i != world::kNone && pictures.world().instances[i].kind == world::Kind::Terrain;
                 ids.back().push_back(ground ? world::kNone : id);
             }
         }

@@ -41,7 +41,8 @@ public:
     /// True if a ray between those of the 3×3 pixels meets `id`: first on a fine grid around the middle, finer than the
     /// rasteriser's own 1/256 of a pixel, then over the whole.
     bool explainedByFinerRays(int x, int y, std::uint32_t id) const {
-        return onGrid(x, y, id, 1.0 / 2048.0, 16) || onGrid(x, y, id, 1.0 / 64.0, 8) || onGrid(x, y, id, 1.0 / 16.0, 24);
+        return onGrid(x, y, id, 1.0 / 2048.0, 16) || onGrid(x, y, id, 1.0 / 64.0, 8) ||
+               onGrid(x, y, id, 1.0 / 16.0, 24);
     }
 
     /// True if the rasteriser's own rounding explains `id`: it snaps corners to 1/256 of a pixel, so a polygon whose
@@ -67,7 +68,8 @@ private:
     bool onGrid(int x, int y, std::uint32_t id, double step, int reach) const {
         for (int dy = -reach; dy <= reach; ++dy) {
             for (int dx = -reach; dx <= reach; ++dx) {
-                if (tracer_.trace(frame_.view.root, rayThrough(frame_, x + dx * step, y + dy * step)).id == id) {
+                if (tracer_.trace(frame_.view.root, rayThrough(frame_, x + dx * step, y + dy * step)).id ==
+                    id) {
                     return true;
                 }
             }

@@ -123,7 +123,8 @@ void NaiveTracer::nearestIn(const Body& body, const Ray& ray, double after, Answ
         const Vec3 q = glm::cross(s, triangle.ab);
         const double w = glm::dot(ray.direction, q) / determinant;
         const double t = glm::dot(triangle.ac, q) / determinant;
-        if (v < -kEdge || w < -kEdge || v + w > 1.0 + kEdge || t <= after || t < ray.nearPlane || t >= best.t) {
+        if (v < -kEdge || w < -kEdge || v + w > 1.0 + kEdge || t <= after || t < ray.nearPlane ||
+            t >= best.t) {
             continue;
         }
         if (!isHole(triangle, v, w)) {

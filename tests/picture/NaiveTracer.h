@@ -64,7 +64,7 @@ private:
 
     const world::World& world_;
     std::vector<Triangle> triangles_;
-    std::vector<Body> bodies_; ///< by instance
+    std::vector<Body> bodies_;                   ///< by instance
     std::vector<std::vector<Cluster>> clusters_; ///< by space
 };
 

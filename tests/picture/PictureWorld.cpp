@@ -65,13 +65,15 @@ PictureWorld::PictureWorld(TestWorld& world, const Options& options) {
     std::filesystem::remove_all(directory);
 }
 
-PictureWorld::PictureWorld(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options) {
+PictureWorld::PictureWorld(const std::filesystem::path& directory, dat::BlockCoord centre,
+                           const Options& options) {
     load(directory, centre, options);
 }
 
 PictureWorld::~PictureWorld() = default;
 
-void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options) {
+void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord centre,
+                        const Options& options) {
     const auto archive = valueOf(dat::Archive::open(directory));
     world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
@@ -86,13 +88,15 @@ world::SpaceIndex PictureWorld::space(dat::RecordId cellId) const {
     return found;
 }
 
-frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch, world::SpaceIndex root) const {
+frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
+                                    world::SpaceIndex root) const {
     frame::FrameView frame = frame::makeView(origin_ + local, yaw, pitch, fov, width, height, root);
     frame.exactCutOuts = true;
     return frame;
 }
 
-void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan) {
+void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
+                        frame::FramePlan& plan) {
     visibility::flood(*graph_, {}, frame.view, {}, scratch_, visible);
     planner_->plan(frame, visible, plan);
 }
@@ -126,9 +130,9 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame) {
     Picture picture = shoot(frame);
     const Comparison c = compare(world_, *tracer_, frame, picture.ids);
     const Vec3 eye = frame.view.eye - origin_;
-    EXPECT_EQ(c.disagreeing, 0u) << c.first << "; eye (" << eye.x << ", " << eye.y << ", " << eye.z << "), forward ("
-                                 << frame.view.forward.x << ", " << frame.view.forward.y << ", "
-                                 << frame.view.forward.z << "), root " << frame.view.root;
+    EXPECT_EQ(c.disagreeing, 0u) << c.first << "; eye (" << eye.x << ", " << eye.y << ", " << eye.z
+                                 << "), forward (" << frame.view.forward.x << ", " << frame.view.forward.y
+                                 << ", " << frame.view.forward.z << "), root " << frame.view.root;
     EXPECT_EQ(c.voids, 0u) << "void pixels";
     EXPECT_EQ(c.outsideWithoutRay, 0u) << "outdoors where no ray got outside";
     return picture;
