@@ -40,8 +40,9 @@ public:
         const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : real;
         lastSeconds_ = now;
         worldSeconds_ += elapsed;
-        if (real > 0.0)
-            framesPerSecond_ += (1.0 / real - framesPerSecond_) * 0.1;
+        // Times are averaged, not rates: one short frame must not outweigh a hundred long ones. The first is no frame.
+        if (frames_++ > 0)
+            frameSeconds_ = frameSeconds_ > 0.0 ? frameSeconds_ + (real - frameSeconds_) * 0.1 : real;
         for (const Key key : window_.pressed())
             press(key);
         moveEye(elapsed);
@@ -127,7 +128,7 @@ private:
                                session_.visible(),
                                session_.plan(),
                                session_.figures(),
-                               framesPerSecond_,
+                               frameSeconds_ > 0.0 ? 1.0 / frameSeconds_ : 0.0,
                                session_.source().file.places,
                                ids};
         const int clicked = panel_.draw(facts, switches_);
@@ -143,7 +144,9 @@ private:
     FrameEye eye_;
     RootTracker tracker_;
     OverlaySwitches switches_;
-    double lastSeconds_ = 0.0, worldSeconds_ = 0.0, framesPerSecond_ = 0.0;
+    double lastSeconds_ = 0.0, worldSeconds_ = 0.0;
+    double frameSeconds_ = 0.0; ///< running mean
+    std::uint64_t frames_ = 0;
     bool leaving_ = false;
 };
 
