@@ -52,8 +52,8 @@ TEST_P(ContainerRoundTrip, findsReadsAndWalksEveryRecord) {
     RecordId next = 0;
     std::vector<std::string> warnings;
     const auto walked = file->forEach(
-        [&](const Entry& entry) {
-            EXPECT_EQ(entry.id, next < count ? idOf(next) : kIterationId);
+        [&, records = count](const Entry& entry) { // clang 14 captures no structured binding by itself
+            EXPECT_EQ(entry.id, next < records ? idOf(next) : kIterationId);
             ++next;
             return true;
         },
