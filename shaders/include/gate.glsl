@@ -28,7 +28,7 @@ uint leafVisit() {
 bool findMember(Instance instance, uint zone, out uint lightSet) {
     lightSet = 0u;
     for (uint i = 0u; i < instance.memberCount; ++i) {
-        Member member = members[instance.firstMember + i];
+        Member member = memberAt(instance.firstMember + i);
         if (member.zone == zone) {
             lightSet = member.lightSet;
             return true;
@@ -70,7 +70,7 @@ Keep walkChain(Instance instance, Place place) {
 
 // What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
 Keep keepUngated(Instance instance, Place place) {
-    Member first = members[instance.firstMember];
+    Member first = memberAt(instance.firstMember);
     if (instance.memberCount > 1u) {
         uint lightSet;
         if (frame.visitCount > 1u) {
