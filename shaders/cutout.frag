@@ -11,7 +11,7 @@ void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
     Instance instance = instanceAt(vInstance);
-    Keep keep = keepOf(instance, vEyeRelative);
+    Keep keep = keepOf(instance, onPolygon(instance), vEyeRelative);
     Material material = materials[vSurface];
     vec4 colour = materialColour(material, dx, dy);
     float alpha = colour.a;

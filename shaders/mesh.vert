@@ -1,15 +1,15 @@
 // Vertices of every mesh of the solid and late stages, terrain included.
 // In: one vertex of the arena, model space; gl_BaseInstance: the instance. Out: clip position; eye-relative position
 // and world-axes normal for the tests and the light; what is constant over a polygon.
-// TERRAIN: `surface` is the landcell's index in its block, else the surface's slot in its mesh.
+// TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh.
 #extension GL_ARB_shader_draw_parameters : require
 #include "transform.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec4 inNormal;
 layout(location = 2) in vec2 inUv;
-layout(location = 3) in uint inPolygon;
-layout(location = 4) in uint inSurface;
+layout(location = 3) in uint inPolygonSurface;
+layout(location = 4) in uint inLoop;
 
 invariant gl_Position;
 layout(location = 0) out vec3 vEyeRelative;
@@ -18,6 +18,7 @@ layout(location = 2) out vec2 vUv;
 layout(location = 3) flat out uint vInstance;
 layout(location = 4) flat out uint vSurface;
 layout(location = 5) flat out uint vId;
+layout(location = 6) flat out uvec2 vLoop;
 
 void main() {
     uint index = uint(gl_BaseInstanceARB);
@@ -31,9 +32,10 @@ void main() {
     vUv = inUv;
     vInstance = index;
 #ifdef TERRAIN
-    vSurface = instance.firstMaterial + inSurface;
+    vSurface = instance.firstMaterial + (inPolygonSurface >> 16);
 #else
-    vSurface = materialRefs[instance.firstMaterial + inSurface];
+    vSurface = materialRefs[instance.firstMaterial + (inPolygonSurface >> 16)];
 #endif
-    vId = instance.idBase + inPolygon;
+    vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
+    vLoop = uvec2(uint(gl_BaseVertexARB) + (inLoop & 0xFFFFFFu), inLoop >> 24);
 }

@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 2) in vec2 inUv;
-layout(location = 4) in uint inSurface;
+layout(location = 3) in uint inPolygonSurface;
 
 layout(location = 0) out vec2 vUv;
 layout(location = 1) flat out uint vInstance;
@@ -17,5 +17,5 @@ void main() {
     gl_Position = vec4(clip.xy, 0.0, clip.w);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     vInstance = index;
-    vMaterial = materialRefs[object.firstMaterial + inSurface];
+    vMaterial = materialRefs[object.firstMaterial + (inPolygonSurface >> 16)];
 }

@@ -38,6 +38,7 @@ LIMEN_CONST kBindClipSets = 12;    // ClipSet
 LIMEN_CONST kBindSky = 13;         // SkyInstance
 LIMEN_CONST kBindMovers = 14;      // Instance: what moves, of this frame
 LIMEN_CONST kBindMoverMembers = 15; // Member, likewise
+LIMEN_CONST kBindVertices = 16;    // Vertex: the arena that is also the vertex fetch (static)
 
 // Texture units: the ownership target, then the array pages (none in bindless mode).
 LIMEN_CONST kUnitOwnership = 0;
@@ -84,8 +85,8 @@ LIMEN_STRUCT(FrameConstants) {
     float nearPlane LIMEN_ZERO;
     uint staticInstances LIMEN_ZERO; // numbers from here on are movers
     uint staticMembers LIMEN_ZERO;   // likewise
+    float pixel LIMEN_ZERO;          // metres that a pixel covers at a view depth of one metre
     uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {

@@ -1,22 +1,36 @@
 // Every storage buffer of a frame, by the names the shaders use. Layout: SharedLayout.h.
 #include "SharedLayout.h"
 
+// Read by both stages.
 layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frame; };
 layout(std430, binding = kBindBlocks) readonly buffer BlockBuffer { vec4 blocks[]; };
-layout(std430, binding = kBindVisits) readonly buffer VisitBuffer { Visit visits[]; };
 layout(std430, binding = kBindInstances) readonly buffer InstanceBuffer { Instance instances[]; };
+layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
+layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };
+layout(std430, binding = kBindMovers) readonly buffer MoverBuffer { Instance movers[]; };
+
+// Drivers count what is declared, and some allow a stage no more than 16.
+#ifdef VERTEX_STAGE
+layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
+layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
+#else
+layout(std430, binding = kBindVisits) readonly buffer VisitBuffer { Visit visits[]; };
 layout(std430, binding = kBindMembers) readonly buffer MemberBuffer { Member members[]; };
 layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Material materials[]; };
-layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
 layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { TerrainLayer terrainLayers[]; };
 layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightSet lightSets[]; };
 layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights[]; };
 layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
-layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
-layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
-layout(std430, binding = kBindMovers) readonly buffer MoverBuffer { Instance movers[]; };
 layout(std430, binding = kBindMoverMembers) readonly buffer MoverMemberBuffer { Member moverMembers[]; };
-layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };
+// The vertex fetch's own arena (frame::gpu::Vertex).
+struct ArenaVertex {
+    vec4 positionNormal;
+    vec2 uv;
+    uint polygonSurface;
+    uint loop;
+};
+layout(std430, binding = kBindVertices) readonly buffer VertexBuffer { ArenaVertex arena[]; };
+#endif
 
 // What stands still and what moves are numbered on, from one array into the other.
 Instance instanceAt(uint index) {
@@ -26,9 +40,15 @@ Instance instanceAt(uint index) {
     return movers[index - frame.staticInstances];
 }
 
+#ifdef FRAGMENT_STAGE
 Member memberAt(uint index) {
     if (index < frame.staticMembers) {
         return members[index];
     }
     return moverMembers[index - frame.staticMembers];
 }
+
+vec3 cornerAt(uint index) {
+    return arena[index].positionNormal.xyz;
+}
+#endif

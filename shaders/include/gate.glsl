@@ -94,9 +94,10 @@ Keep keepUngated(Instance instance, Place place) {
 }
 
 // GATED: the caller discards when `kept` is false.
-Keep keepOf(Instance instance, vec3 eyeRelative) {
-    // Derivatives first: what follows differs from fragment to fragment.
-    Place place = Place(eyeRelative, dFdx(eyeRelative), dFdy(eyeRelative));
+// `at` is where the fragment lies, `interpolated` what changes evenly from pixel to pixel. Derivatives are taken here:
+// the caller is still in uniform control flow.
+Keep keepOf(Instance instance, vec3 at, vec3 interpolated) {
+    Place place = Place(at, dFdx(interpolated), dFdy(interpolated));
 #ifdef GATED
     return walkChain(instance, place);
 #else

@@ -8,6 +8,9 @@ layout(location = 2) in vec2 vUv;
 layout(location = 3) flat in uint vInstance;
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
+layout(location = 6) flat in uvec2 vLoop;
+
+#include "onpolygon.glsl"
 
 // Colour and alpha of the material here. Derivatives are parameters: see textures.glsl.
 vec4 materialColour(Material material, vec2 dx, vec2 dy) {

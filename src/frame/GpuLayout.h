@@ -17,9 +17,12 @@ struct Vertex {
     glm::vec3 position{0.0f};
     std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
     glm::vec2 uv{0.0f};
-    std::uint32_t polygon = 0;
-    std::uint32_t surface = 0;
+    std::uint32_t polygonSurface = 0; ///< polygon, and in the high half the surface slot
+    std::uint32_t loop = 0; ///< first corner of its outline, and in the high byte how many; 0: unknown
 };
+[[nodiscard]] constexpr std::uint32_t packLoop(std::uint32_t first, std::uint32_t size) {
+    return first < 0x1000000u && size < 0x100u ? first | size << 24 : 0u;
+}
 
 /// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.
 struct DrawCommand {

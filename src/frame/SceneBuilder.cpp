@@ -103,7 +103,9 @@ SceneUpload buildScene(const world::World& world) {
     SceneUpload scene;
     scene.vertices.reserve(world.vertices.size());
     for (const world::MeshVertex& v : world.vertices) {
-        scene.vertices.push_back({v.position, packNormal(v.normal), v.uv, v.polygon, v.surface});
+        scene.vertices.push_back({v.position, packNormal(v.normal), v.uv,
+                                  v.polygon | std::uint32_t{v.surface} << 16,
+                                  gpu::packLoop(v.firstInLoop, v.loopSize)});
     }
     scene.indices = world.indices;
     for (const world::Instance& in : world.instances) {

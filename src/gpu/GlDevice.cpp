@@ -8,8 +8,7 @@
 namespace limen::gpu {
 namespace {
 
-constexpr std::size_t kMaxBindings =
-    16; // storage ranges and texture pages bound in one call: see bindStorage
+constexpr std::size_t kMaxBindings = frame::gpu::kBindVertices + 1; // storage ranges, bound in one call
 constexpr std::size_t kMaxUnits = 64;
 constexpr GLuint64 kFenceTimeoutNanoseconds = 1'000'000'000;
 

@@ -45,8 +45,8 @@ void describeVertices(GLuint vertexArray) {
     floats(0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
     floats(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(Vertex, normal));
     floats(2, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
-    integer(3, offsetof(Vertex, polygon));
-    integer(4, offsetof(Vertex, surface));
+    integer(3, offsetof(Vertex, polygonSurface));
+    integer(4, offsetof(Vertex, loop));
 }
 
 } // namespace

@@ -13,7 +13,7 @@ namespace {
 
 namespace layout = frame::gpu;
 
-constexpr std::size_t kStorageBindings = layout::kBindMoverMembers + 1;
+constexpr std::size_t kStorageBindings = layout::kBindVertices + 1;
 // What an empty array is bound as: a range may not be empty.
 constexpr std::size_t kSmallestRange = 256;
 
@@ -96,6 +96,14 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const TextureStore& t
     return {textures.bindingFor(meshes), textures.bindingFor(terrain)};
 }
 
+std::vector<std::string> definesOf(const RendererOptions& options) {
+    std::vector<std::string> defines = options.shaderDefines;
+    if (options.exactDepth) {
+        defines.emplace_back("EXACT_DEPTH");
+    }
+    return defines;
+}
+
 bool isOneDraw(frame::Program program) {
     return program == frame::Program::Ownership || program == frame::Program::SkyPlain;
 }
@@ -154,7 +162,8 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     if (!textures) {
         return tl::unexpected(textures.error());
     }
-    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures), options_.shaderDefines);
+    Result<Programs> programs =
+        Programs::create(*device_, bindingsOf(upload, *textures), definesOf(options_));
     if (!programs) {
         return tl::unexpected(programs.error());
     }
@@ -168,6 +177,8 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     scene_->addStorage(layout::kBindLights, "lights", bytesOf(upload.lights));
     scene_->addStorage(layout::kBindTextures, "texture references", std::as_bytes(scene_->textures.refs()));
     const BufferHandle vertices = scene_->add("vertices", bytesOf(upload.vertices));
+    scene_->storage[layout::kBindVertices] = {vertices, 0,
+                                              std::max(bytesOf(upload.vertices).size(), kSmallestRange)};
     const BufferHandle indices = scene_->add("indices", bytesOf(upload.indices));
     device_->setGeometry(vertices, indices);
     return {};

@@ -13,9 +13,12 @@
 namespace limen::gpu {
 
 struct RendererOptions {
-    TextureStoreOptions textures;
+    TextureStoreOptions textures{};
+    /// Fragments of polygons seen edge-on are put back onto their polygon (shaders/include/onpolygon.glsl). Costs early
+    /// depth tests on drivers that know no conservative depth.
+    bool exactDepth = true;
     /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
-    std::vector<std::string> shaderDefines;
+    std::vector<std::string> shaderDefines{};
 };
 
 struct RenderOptions {

@@ -64,6 +64,7 @@ Result<std::string> shaderText(std::string_view name, const ProgramSource& sourc
                     "no shader of this name is built into the library");
     }
     std::string text = "#version 450 core\n" + textureDefines(source.textures);
+    text += name.ends_with(".vert") ? "#define VERTEX_STAGE 1\n" : "#define FRAGMENT_STAGE 1\n";
     for (const std::string& define : source.defines) {
         text += "#define " + define + " 1\n";
     }

@@ -30,7 +30,8 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (const Vec3f& p : points)
             mesh.vertices.push_back({p, Vec3f(portal.plane.n) * (side == 0 ? 1.0f : -1.0f),
-                                     Vec2f(glm::dot(across, p), -glm::dot(Vec3f(up), p)), side, 0});
+                                     Vec2f(glm::dot(across, p), -glm::dot(Vec3f(up), p)), side, 0, first,
+                                     static_cast<std::uint32_t>(points.size())});
         for (TriangleCorners t : triangles) {
             if (side == 1)
                 std::swap(t[1], t[2]);
@@ -47,7 +48,7 @@ MeshData spriteMesh(SurfaceClass surfaces) {
     MeshData mesh;
     for (const Vec2f& corner : {Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)})
         mesh.vertices.push_back(
-            {Vec3f(corner.x - 0.5f, 0.0f, 0.5f - corner.y), Vec3f(0.0f, -1.0f, 0.0f), corner, 0, 0});
+            {Vec3f(corner.x - 0.5f, 0.0f, 0.5f - corner.y), Vec3f(0.0f, -1.0f, 0.0f), corner, 0, 0, 0, 4});
     mesh.indices[static_cast<std::size_t>(surfaces)] = {0, 1, 2, 0, 2, 3};
     mesh.polygonIds.push_back(0);
     return mesh;

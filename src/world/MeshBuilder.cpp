@@ -45,6 +45,8 @@ void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot
         vertex.uv = back ? loop[i].back : loop[i].front;
         vertex.polygon = static_cast<std::uint16_t>(mesh_.polygonIds.size() - 1);
         vertex.surface = static_cast<std::uint16_t>(slot);
+        vertex.firstInLoop = base;
+        vertex.loopSize = static_cast<std::uint32_t>(loop.size());
         mesh_.vertices.push_back(vertex);
     }
     const auto slotIndex = static_cast<std::size_t>(slot);

@@ -97,6 +97,8 @@ struct MeshVertex {
     std::uint16_t polygon =
         0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number each side)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
+    /// The outline it is a corner of: a run of the mesh's vertices, corner after corner.
+    std::uint32_t firstInLoop = 0, loopSize = 0;
 };
 
 /// Geometry that instances share. Triangles are counter-clockwise from the front; back faces are never drawn

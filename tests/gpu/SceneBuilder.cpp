@@ -67,7 +67,7 @@ std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3
     }
     const auto baseVertex = static_cast<std::int32_t>(upload.vertices.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], 0, 0});
+        upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], 0, layout::packLoop(0, 4)});
     }
     const auto firstIndex = static_cast<std::uint32_t>(upload.indices.size());
     upload.indices.insert(upload.indices.end(), {0, 1, 2, 0, 2, 3});
