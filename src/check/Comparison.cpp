@@ -1,0 +1,188 @@
+#include "check/Comparison.h"
+
+#include "core/Assert.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace limen::check {
+
+namespace {
+
+using reference::Answer;
+
+/// Depths nearer to each other than this share are the same without a closer look; the rest goes to the polygon itself.
+constexpr double kDepthShare = 1e-5;
+
+/// One picture being compared.
+class Judge {
+public:
+    Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer)
+        : drawn_(drawn), traced_(traced), retracer_(retracer) {}
+
+    Verdict verdictAt(int x, int y) {
+        const std::size_t i = indexOf(x, y);
+        const std::uint32_t id = drawn_.ids[i];
+        const Answer& own = traced_.at(x, y);
+        if (own.id != id && !anyAround(x, y, [&](const Answer& a) { return a.id == id; }))
+            return secondLook(x, y, id);
+        if (id == 0)
+            return Verdict::Hole;
+        if (own.id == id && !hasRightDepth(x, y))
+            return excused(x, y) ? Verdict::Unjudged : Verdict::Depth;
+        return layersVerdict(x, y);
+    }
+
+private:
+    [[nodiscard]] std::size_t indexOf(int x, int y) const {
+        return static_cast<std::size_t>(y) * drawn_.width + static_cast<std::size_t>(x);
+    }
+
+    template <class Test>
+    [[nodiscard]] bool anyAround(int x, int y, Test test) const {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (test(traced_.at(x + dx, y + dy)))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// The id is none of the traced ones around.
+    Verdict secondLook(int x, int y, std::uint32_t id) {
+        const Verdict worst = id == 0 ? Verdict::Void : Verdict::Disagrees;
+        if (++looks_ > kMostSecondLooks)
+            return worst;
+        if (excused(x, y))
+            return Verdict::Unjudged;
+        if (anyFiner(x, y, 1.0, 1, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
+            return Verdict::ByZone;
+        const auto meets = [&](double u, double v) { return retracer_.exact(u, v).id == id; };
+        if (onFinerRays(x, y, meets))
+            return id == 0 ? Verdict::Hole : Verdict::Sliver;
+        if (onFinerRays(x, y, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
+            return Verdict::ByZone;
+        if (id > 1 && retracer_.isEdgeOn(x, y, id, traced_.at(x, y).t))
+            return Verdict::EdgeOn;
+        return worst;
+    }
+
+    /// True if the rule does not judge this pixel.
+    [[nodiscard]] bool excused(int x, int y) {
+        return anyFiner(x, y, 1.0, 1, [&](double u, double v) {
+            return retracer_.isCutByNearPlane(u, v) || !retracer_.leadsIntoTheRoot(u, v);
+        });
+    }
+
+    /// True if any of (2·reach + 1)² rays, `step` pixels apart around the centre of a pixel, passes the test.
+    template <class Test>
+    [[nodiscard]] static bool anyFiner(int x, int y, double step, int reach, Test test) {
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                if (test(x + dx * step, y + dy * step))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// Rays within the 3×3 pixels: finer than the rasteriser's 1/256 of a pixel around the middle, then wider, then
+    /// over the whole.
+    template <class Test>
+    [[nodiscard]] static bool onFinerRays(int x, int y, Test test) {
+        return anyFiner(x, y, 1.0 / 2048.0, 16, test) || anyFiner(x, y, 1.0 / 64.0, 8, test) ||
+               anyFiner(x, y, 1.0 / 16.0, 24, test);
+    }
+
+    [[nodiscard]] bool hasRightDepth(int x, int y) {
+        if (drawn_.depth.empty())
+            return true;
+        const double stored = drawn_.depth[indexOf(x, y)];
+        const double drawn = stored == 0.0 ? std::numeric_limits<double>::infinity() : drawn_.nearPlane / stored;
+        const Answer& own = traced_.at(x, y);
+        if (!std::isfinite(own.t) || !std::isfinite(drawn))
+            return std::isinf(own.t) && std::isinf(drawn) && drawn > 0.0;
+        if (std::abs(drawn - own.t) <= kDepthShare * own.t)
+            return true;
+        // A picture whose every depth is wrong needs no close look at each.
+        return ++depthLooks_ <= kMostSecondLooks && retracer_.mayHaveDepth(x, y, own.id, drawn);
+    }
+
+    [[nodiscard]] Verdict layersVerdict(int x, int y) {
+        if (drawn_.layers.empty())
+            return Verdict::Agrees;
+        const reference::Layers& layers = drawn_.layers[indexOf(x, y)];
+        const std::uint32_t id = drawn_.ids[indexOf(x, y)];
+        const auto same = [&](const Answer& a) { return a.id == id && a.layers == layers; };
+        if (anyAround(x, y, same))
+            return Verdict::Agrees;
+        if (++looks_ > kMostSecondLooks)
+            return Verdict::Layers;
+        if (excused(x, y))
+            return Verdict::Unjudged;
+        if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.exact(u, v)); }))
+            return Verdict::Sliver;
+        if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.byZone(u, v)); }))
+            return Verdict::ByZone;
+        return Verdict::Layers;
+    }
+
+    const DrawnImages& drawn_;
+    const reference::Picture& traced_;
+    Retracer& retracer_;
+    std::size_t looks_ = 0, depthLooks_ = 0;
+};
+
+} // namespace
+
+std::uint64_t Comparison::findings() const {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < kVerdictCount; ++i)
+        sum += isFinding(static_cast<Verdict>(i)) ? counts[i] : 0;
+    return sum;
+}
+
+void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
+             Comparison& result) {
+    const std::size_t pixels = static_cast<std::size_t>(drawn.width) * drawn.height;
+    LIMEN_ASSERT(traced.width == drawn.width && traced.height == drawn.height,
+                 "the pictures are of one size");
+    LIMEN_ASSERT(drawn.ids.size() == pixels, "an id for every pixel");
+    LIMEN_ASSERT(drawn.depth.empty() || drawn.depth.size() == pixels, "a depth for every pixel");
+    LIMEN_ASSERT(drawn.layers.empty() || drawn.layers.size() == pixels, "layers for every pixel");
+    result.counts = {};
+    result.verdicts.resize(pixels);
+    Judge judge(drawn, traced, retracer);
+    std::size_t i = 0;
+    for (int y = 0; y < static_cast<int>(drawn.height); ++y) {
+        for (int x = 0; x < static_cast<int>(drawn.width); ++x, ++i) {
+            const Verdict verdict = judge.verdictAt(x, y);
+            result.verdicts[i] = verdict;
+            ++result.counts[static_cast<std::size_t>(verdict)];
+        }
+    }
+}
+
+std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second) {
+    LIMEN_ASSERT(first.ids.size() == second.ids.size() && first.depth.size() == second.depth.size() &&
+                     first.colour.size() == second.colour.size(),
+                 "the pictures are of one size");
+    const auto same = [&](std::size_t i) {
+        if (first.ids[i] != second.ids[i])
+            return false;
+        if (!first.depth.empty() &&
+            std::bit_cast<std::uint32_t>(first.depth[i]) != std::bit_cast<std::uint32_t>(second.depth[i]))
+            return false;
+        return first.colour.empty() ||
+               std::memcmp(first.colour.data() + 4 * i, second.colour.data() + 4 * i, 4) == 0;
+    };
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < first.ids.size(); ++i)
+        moved += same(i) ? 0 : 1;
+    return moved;
+}
+
+} // namespace limen::check
