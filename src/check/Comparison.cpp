@@ -13,8 +13,9 @@ namespace {
 
 using reference::Answer;
 
-/// Depths nearer to each other than this share are the same without a closer look; the rest goes to the polygon itself.
-constexpr double kDepthShare = 1e-5;
+/// Depths nearer to each other than this share are the same; what differs by more goes to the polygon itself, for its
+/// slope (check/LonePolygon.h).
+constexpr double kDepthShare = 1e-4;
 
 /// One picture being compared.
 class Judge {
@@ -108,7 +109,7 @@ private:
         if (std::abs(drawn - own.t) <= kDepthShare * own.t)
             return true;
         // A picture whose every depth is wrong needs no close look at each.
-        return ++depthLooks_ <= kMostSecondLooks && retracer_.mayHaveDepth(x, y, own.id, drawn);
+        return ++depthLooks_ <= kMostDepthLooks && retracer_.mayHaveDepth(x, y, own.id, drawn);
     }
 
     [[nodiscard]] Verdict layersVerdict(int x, int y) {

@@ -100,7 +100,7 @@ Gaze gazeAlong(const Vec3& direction) {
     const double flat = std::hypot(direction.x, direction.y);
     const double yaw =
         flat > 1e-9 * std::abs(direction.z) ? std::atan2(direction.x, direction.y) * kDegrees : 0.0;
-    return {yaw < 0.0 ? yaw + 360.0 : yaw, std::atan2(direction.z, flat) * kDegrees};
+    return {yaw < 0.0 ? yaw + 360.0 : yaw, std::atan2(direction.z, flat) * kDegrees + 0.0}; // no "-0"
 }
 
 dat::RecordId cellIdOf(const world::World& world, world::SpaceIndex space) {
