@@ -55,7 +55,8 @@ Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary
     if (*word > 0xFFFFu)
         return fail(ErrorCode::BadArgument, "--block",
                     fmt::format("'{}' is not a landblock's four hexadecimal digits", text));
-    std::erase_if(blocks, [&](const check::BlockSummary& b) { return dat::blockWord(b.block) != *word << 16; });
+    std::erase_if(blocks,
+                  [&](const check::BlockSummary& b) { return dat::blockWord(b.block) != *word << 16; });
     if (blocks.empty())
         return fail(ErrorCode::NotFound, "--block",
                     fmt::format("landblock {:04X} holds no cells and no buildings in this world", *word));
@@ -82,7 +83,8 @@ Result<check::RunRequest> requestOf(const CheckOptions& options, const WorldSour
         return tl::unexpected(blocks.error());
     if (Result<void> left = restrictTo(options.block, *blocks); !left)
         return tl::unexpected(left.error());
-    request.tasks = check::planTasks(*blocks, source.file.tour, check::shareAmongKinds(options.views, *kinds));
+    request.tasks =
+        check::planTasks(*blocks, source.file.tour, check::shareAmongKinds(options.views, *kinds));
     if (request.tasks.empty())
         return fail(ErrorCode::NotFound, "check", "this world has nothing that these kinds of view look at");
     return request;
@@ -117,7 +119,8 @@ Result<check::Progress> progressOf(const CheckOptions& options, const std::strin
         return fail(before.error().code, options.resume, before.error().what);
     if (before->run != run)
         return fail(ErrorCode::BadArgument, options.resume,
-                    "is the state of another run (" + before->run + "); ask for that again, or name another file");
+                    "is the state of another run (" + before->run +
+                        "); ask for that again, or name another file");
     return before;
 }
 
@@ -137,7 +140,8 @@ check::RunEvents eventsOf(const CheckOptions& options, const Console& console, P
     check::RunEvents events;
     events.step = [&bar](std::size_t done) { bar.step(done); };
     events.leftOut = [&console](dat::BlockCoord block, const Error& error) {
-        console.note(fmt::format("limen: landblock {:02X}{:02X} is left out: {}", block.x, block.y, error.message()));
+        console.note(
+            fmt::format("limen: landblock {:02X}{:02X} is left out: {}", block.x, block.y, error.message()));
     };
     if (!options.resume.empty())
         events.saved = [&options](const check::Progress& state) {
@@ -191,8 +195,8 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
 } // namespace
 
 void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand(
-        "check", "draws and traces the same views and says where the pictures differ");
+    CLI::App* verb =
+        program.add_subcommand("check", "draws and traces the same views and says where the pictures differ");
     const auto options = std::make_shared<CheckOptions>();
     verb->add_option("--views", options->views, "how many views, shared out among the kinds (1000)")
         ->type_name("N")
@@ -200,8 +204,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--kinds", options->kinds, "some of random,outside,path,sweep,still; all unless said")
         ->type_name("LIST");
     verb->add_option("--seed", options->seed, "another number gives other views (1)")->type_name("N");
-    verb->add_option("--size", options->size,
-                     "picture size in pixels (640x360; of sweeps 160x90)")
+    verb->add_option("--size", options->size, "picture size in pixels (640x360; of sweeps 160x90)")
         ->type_name("WxH");
     verb->add_option("--block", options->block, "one landblock only, as four hexadecimal digits")
         ->type_name("XXYY");

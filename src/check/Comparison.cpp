@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 namespace limen::check {
 
@@ -30,7 +31,7 @@ public:
         if (own.id != id && !anyAround(x, y, [&](const Answer& a) { return a.id == id; }))
             return secondLook(x, y, id);
         if (id == 0)
-            return Verdict::Hole;
+            return excused(x, y) ? Verdict::Unjudged : Verdict::Hole;
         if (own.id == id && !hasRightDepth(x, y))
             return excused(x, y) ? Verdict::Unjudged : Verdict::Depth;
         return layersVerdict(x, y);
@@ -55,10 +56,10 @@ private:
     /// The id is none of the traced ones around.
     Verdict secondLook(int x, int y, std::uint32_t id) {
         const Verdict worst = id == 0 ? Verdict::Void : Verdict::Disagrees;
-        if (++looks_ > kMostSecondLooks)
-            return worst;
         if (excused(x, y))
             return Verdict::Unjudged;
+        if (++looks_ > kMostSecondLooks)
+            return worst;
         if (anyFiner(x, y, 1.0, 1, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
             return Verdict::ByZone;
         const auto meets = [&](double u, double v) { return retracer_.exact(u, v).id == id; };
@@ -71,11 +72,25 @@ private:
         return worst;
     }
 
-    /// True if the rule does not judge this pixel.
+    /// True if the rule does not judge this pixel: one of the rays of the 3×3 pixels.
     [[nodiscard]] bool excused(int x, int y) {
-        return anyFiner(x, y, 1.0, 1, [&](double u, double v) {
-            return retracer_.isCutByNearPlane(u, v) || !retracer_.leadsIntoTheRoot(u, v);
-        });
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (isRayExcused(x + dx, y + dy))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool isRayExcused(int x, int y) {
+        if (excused_.empty())
+            excused_.resize(traced_.answers.size());
+        std::optional<bool>& known =
+            excused_[static_cast<std::size_t>(y + 1) * (drawn_.width + 2) + static_cast<std::size_t>(x + 1)];
+        if (!known)
+            known = retracer_.isCutByNearPlane(x, y) || !retracer_.leadsIntoTheRoot(x, y);
+        return *known;
     }
 
     /// True if any of (2·reach + 1)² rays, `step` pixels apart around the centre of a pixel, passes the test.
@@ -102,7 +117,8 @@ private:
         if (drawn_.depth.empty())
             return true;
         const double stored = drawn_.depth[indexOf(x, y)];
-        const double drawn = stored == 0.0 ? std::numeric_limits<double>::infinity() : drawn_.nearPlane / stored;
+        const double drawn =
+            stored == 0.0 ? std::numeric_limits<double>::infinity() : drawn_.nearPlane / stored;
         const Answer& own = traced_.at(x, y);
         if (!std::isfinite(own.t) || !std::isfinite(drawn))
             return std::isinf(own.t) && std::isinf(drawn) && drawn > 0.0;
@@ -120,10 +136,10 @@ private:
         const auto same = [&](const Answer& a) { return a.id == id && a.layers == layers; };
         if (anyAround(x, y, same))
             return Verdict::Agrees;
-        if (++looks_ > kMostSecondLooks)
-            return Verdict::Layers;
         if (excused(x, y))
             return Verdict::Unjudged;
+        if (++looks_ > kMostSecondLooks)
+            return Verdict::Layers;
         if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.exact(u, v)); }))
             return Verdict::Sliver;
         if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.byZone(u, v)); }))
@@ -135,6 +151,7 @@ private:
     const reference::Picture& traced_;
     Retracer& retracer_;
     std::size_t looks_ = 0, depthLooks_ = 0;
+    std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
 };
 
 } // namespace

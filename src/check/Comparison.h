@@ -18,10 +18,11 @@ struct DrawnImages {
     std::vector<std::uint32_t> ids; ///< 0 void, 1 sky
     /// As stored: nearPlane / view depth, 0 where nothing was met; empty: unknown.
     std::vector<float> depth;
-    double nearPlane = 0.02; ///< metres
+    double nearPlane = 0.02;               ///< metres
     std::vector<reference::Layers> layers; ///< translucent surfaces met; empty: not counted
     std::vector<std::uint8_t> colour;      ///< R,G,B,A; empty: not drawn
-    std::vector<std::vector<Vec2>> outlines; ///< regions of visits in NDC, for pictures of findings; may be empty
+    std::vector<std::vector<Vec2>>
+        outlines; ///< regions of visits in NDC, for pictures of findings; may be empty
 };
 
 /// What is said of one pixel. docs/ray-rule.md, "Equality" and "Tolerances".
@@ -39,8 +40,7 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr std::size_t kVerdictCount = 10;
 inline constexpr std::array<std::string_view, kVerdictCount> kVerdictNames{
-    "agrees",  "by_zone",   "holes", "unjudged", "slivers",
-    "edge_on", "wrong_ids", "voids", "depth",    "layers"};
+    "agrees", "by_zone", "holes", "unjudged", "slivers", "edge_on", "wrong_ids", "voids", "depth", "layers"};
 
 /// True for verdicts that say the picture is wrong.
 [[nodiscard]] constexpr bool isFinding(Verdict verdict) {

@@ -43,13 +43,13 @@ private:
     const RunEvents& events_;
     mutable std::mutex lock_;
     std::condition_variable changed_;
-    Progress& progress_;          // under lock_
-    std::deque<DrawnView> waiting_; // under lock_
+    Progress& progress_;                 // under lock_
+    std::deque<DrawnView> waiting_;      // under lock_
     bool busy_ = false, ending_ = false; // under lock_
-    Result<void> failure_;        // under lock_
-    reference::Picture picture_;  // the thread's
-    Comparison comparison_;       // the thread's
-    std::thread thread_;          // last: starts when the rest is there
+    Result<void> failure_;               // under lock_
+    reference::Picture picture_;         // the thread's
+    Comparison comparison_;              // the thread's
+    std::thread thread_;                 // last: starts when the rest is there
 };
 
 } // namespace limen::check

@@ -136,7 +136,8 @@ private:
             return false;
         const std::size_t first = dice_.below(space.portalCount);
         for (std::size_t i = 0; i < space.portalCount; ++i) {
-            const auto p = static_cast<world::PortalIndex>(space.firstPortal + (first + i) % space.portalCount);
+            const auto p =
+                static_cast<world::PortalIndex>(space.firstPortal + (first + i) % space.portalCount);
             const world::Portal& portal = around_.world.portals[p];
             if (p != back && portal.destination != world::kNone && portal.plane.signedDistance(at_) > 0.0) {
                 through = p;
@@ -198,7 +199,8 @@ void addWalkViews(const Surroundings& around, std::size_t count, std::vector<Vie
         return;
     const std::size_t end = out.size() + count;
     // Walks that end early make room for others; a block where none gets anywhere ends the search.
-    for (std::uint64_t number = 0; out.size() < end && number < 4 * (count / kLongestWalk + 1) + 16; ++number) {
+    for (std::uint64_t number = 0; out.size() < end && number < 4 * (count / kLongestWalk + 1) + 16;
+         ++number) {
         Dice dice(around.seed,
                   {static_cast<std::uint64_t>(Kind::Path), dat::blockWord(around.block), ~number});
         Walker(around, number)

@@ -56,9 +56,10 @@ Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive) {
             built.push_back(summary);
     }
     for (const auto& [word, summary] : all) {
-        const bool near = summary.hasLandscape && std::any_of(built.begin(), built.end(), [&](const auto& other) {
-                              return isNeighbour(summary.block, other.block);
-                          });
+        const bool near =
+            summary.hasLandscape && std::any_of(built.begin(), built.end(), [&](const auto& other) {
+                return isNeighbour(summary.block, other.block);
+            });
         if (summary.cells > 0 || summary.hasBuildings || near)
             blocks.push_back(summary);
     }

@@ -32,8 +32,8 @@ using KindCounts = std::array<std::size_t, kKindCount>;
 /// What is to be looked at from one block. Counts are what is asked for; legal eyes may be fewer.
 struct BlockTask {
     dat::BlockCoord block;
-    KindCounts counts{};         ///< of Path: the walks
-    std::size_t tourViews = 0;   ///< of the whole tour, 0: none of it here
+    KindCounts counts{};       ///< of Path: the walks
+    std::size_t tourViews = 0; ///< of the whole tour, 0: none of it here
     [[nodiscard]] std::size_t total() const;
 };
 

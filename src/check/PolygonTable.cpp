@@ -15,8 +15,7 @@ PolygonTable::PolygonTable(const world::World& world, const world::Moment* momen
     std::for_each(world.instances.begin(), world.instances.end(), add);
     if (moment != nullptr)
         std::for_each(moment->instances.begin(), moment->instances.end(), add);
-    std::sort(byId_.begin(), byId_.end(),
-              [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
+    std::sort(byId_.begin(), byId_.end(), [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
 }
 
 template <class Visit>
@@ -43,8 +42,9 @@ void PolygonTable::forTriangles(const world::Instance& instance, bool blended, V
 
 void PolygonTable::trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const {
     out.clear();
-    const auto after = std::upper_bound(byId_.begin(), byId_.end(), id,
-                                        [](std::uint32_t wanted, const auto* i) { return wanted < i->idBase; });
+    const auto after =
+        std::upper_bound(byId_.begin(), byId_.end(), id,
+                         [](std::uint32_t wanted, const auto* i) { return wanted < i->idBase; });
     if (id < 2 || after == byId_.begin())
         return;
     const world::Instance& instance = **(after - 1);

@@ -34,7 +34,8 @@ View lookFrom(const Surroundings& around, Kind kind, const Vec3& eye, const Gaze
 /// The block's building portals.
 std::vector<world::PortalIndex> doorsOf(const world::World& world, dat::BlockCoord block) {
     std::vector<world::PortalIndex> doors = openingsOf(world, block);
-    std::erase_if(doors, [&](world::PortalIndex p) { return world.portals[p].destination != world::kOutside; });
+    std::erase_if(doors,
+                  [&](world::PortalIndex p) { return world.portals[p].destination != world::kOutside; });
     return doors;
 }
 
@@ -66,8 +67,7 @@ void addRandomViews(const Surroundings& around, Kind kind, std::size_t count, st
 void addOutsideViews(const Surroundings& around, std::size_t count, std::vector<View>& out) {
     const std::vector<world::PortalIndex> doors = doorsOf(around.world, around.block);
     for (std::size_t i = 0; i < count; ++i) {
-        Dice dice(around.seed,
-                  {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
+        Dice dice(around.seed, {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
         for (int attempt = 0; attempt < kTries; ++attempt) {
             const world::Portal* door = doors.empty() || dice.unit() < 0.4
                                             ? nullptr

@@ -92,9 +92,10 @@ std::string reportText(const Totals& totals, const ReportContext& context) {
                             finding.view.about.empty() ? "" : ", ", finding.view.about,
                             shotCommand(finding.view, context.worldOptions));
     }
-    text += fmt::format("{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second, seed {}\n",
-                        all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings,
-                        all.views, viewsPerSecond(totals), context.seed);
+    text += fmt::format(
+        "{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second, seed {}\n",
+        all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings, all.views,
+        viewsPerSecond(totals), context.seed);
     return text;
 }
 

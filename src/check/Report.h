@@ -10,7 +10,8 @@ namespace limen::check {
 /// What the report says beside the totals.
 struct ReportContext {
     std::uint64_t seed = 1;
-    std::string worldOptions; ///< of `limen shot`, in front of the view's: "", " --dat 'DIR'", " --zones cells"
+    std::string
+        worldOptions; ///< of `limen shot`, in front of the view's: "", " --dat 'DIR'", " --zones cells"
 };
 
 /// The whole command that draws a view again and writes its ids.

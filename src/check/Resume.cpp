@@ -14,14 +14,10 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
 
 Json viewJson(const View& view) {
-    return {{"kind", nameOf(view.kind)},
-            {"eye", {view.eye.x, view.eye.y, view.eye.z}},
-            {"yaw", view.yaw},
-            {"pitch", view.pitch},
-            {"fov", view.fov},
-            {"size", {view.width, view.height}},
-            {"root", view.root},
-            {"about", view.about}};
+    return {{"kind", nameOf(view.kind)}, {"eye", {view.eye.x, view.eye.y, view.eye.z}},
+            {"yaw", view.yaw},           {"pitch", view.pitch},
+            {"fov", view.fov},           {"size", {view.width, view.height}},
+            {"root", view.root},         {"about", view.about}};
 }
 
 View viewOf(const Json& json) {
@@ -68,8 +64,7 @@ Totals totalsOf(const Json& json) {
     }
     for (const Json& finding : json.at("worst"))
         totals.worst.push_back({viewOf(finding.at("view")), finding.at("count").get<std::uint64_t>(),
-                                finding.at("number").get<std::uint64_t>(),
-                                finding.at("counts").get<Counts>(),
+                                finding.at("number").get<std::uint64_t>(), finding.at("counts").get<Counts>(),
                                 finding.at("moved").get<std::uint64_t>()});
     totals.viewsWithFindings = json.at("views_with_findings").get<std::uint64_t>();
     totals.blocksLeftOut = json.at("blocks_left_out").get<std::uint64_t>();

@@ -29,8 +29,8 @@ public:
 struct RunRequest {
     std::vector<BlockTask> tasks;
     std::uint64_t seed = 1;
-    std::uint32_t width = 640, height = 360;           ///< pixels
-    std::uint32_t sweepWidth = 160, sweepHeight = 90;  ///< pixels
+    std::uint32_t width = 640, height = 360;          ///< pixels
+    std::uint32_t sweepWidth = 160, sweepHeight = 90; ///< pixels
     std::span<const world::Place> tour;
     unsigned threads = 2; ///< that trace
 };
@@ -46,8 +46,8 @@ struct FindingPicture {
 
 /// What a run tells while it goes. All may be empty. `picture` is called from the tracing thread, one call at a time.
 struct RunEvents {
-    std::function<void(std::size_t done)> step;          ///< views judged or left out, of viewsAsked
-    std::function<Result<void>(const Progress&)> saved;  ///< a state to keep; every few seconds and at the end
+    std::function<void(std::size_t done)> step;         ///< views judged or left out, of viewsAsked
+    std::function<Result<void>(const Progress&)> saved; ///< a state to keep; every few seconds and at the end
     std::function<Result<void>(const FindingPicture&)> picture;
     std::function<void(dat::BlockCoord, const Error&)> leftOut; ///< a block that could not be loaded
 };

@@ -8,11 +8,11 @@ namespace limen::check {
 
 namespace {
 
-constexpr int kTries = 64;          // for a random place
-constexpr int kFeelers = 6;         // directions that a place is felt out in
-constexpr double kFar = 300.0;      // metres: where a feeler into the sky is walked back from
-constexpr double kFromWall = 1e-4;  // share of a feeler's length that is left out before its end
-constexpr double kIntoCell = 0.05;  // metres before an opening that are surely in its cell
+constexpr int kTries = 64;         // for a random place
+constexpr int kFeelers = 6;        // directions that a place is felt out in
+constexpr double kFar = 300.0;     // metres: where a feeler into the sky is walked back from
+constexpr double kFromWall = 1e-4; // share of a feeler's length that is left out before its end
+constexpr double kIntoCell = 0.05; // metres before an opening that are surely in its cell
 
 } // namespace
 
@@ -65,7 +65,8 @@ bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3&
         if (std::isnan(seen.t))
             continue; // a hole of the data says nothing
         const double length = std::min(seen.t, kFar) * (1.0 - kFromWall);
-        const reference::Answer back = around.scene.trace(seen.space, {eye + direction * length, -direction, 0.0});
+        const reference::Answer back =
+            around.scene.trace(seen.space, {eye + direction * length, -direction, 0.0});
         if (back.t < length * (1.0 - kFromWall))
             return false;
     }
@@ -100,7 +101,7 @@ Gaze gazeAlong(const Vec3& direction) {
     const double flat = std::hypot(direction.x, direction.y);
     const double yaw =
         flat > 1e-9 * std::abs(direction.z) ? std::atan2(direction.x, direction.y) * kDegrees : 0.0;
-    return {yaw < 0.0 ? yaw + 360.0 : yaw, std::atan2(direction.z, flat) * kDegrees + 0.0}; // no "-0"
+    return {yaw < 0.0 ? yaw + 360.0 : yaw + 0.0, std::atan2(direction.z, flat) * kDegrees + 0.0}; // no "-0"
 }
 
 dat::RecordId cellIdOf(const world::World& world, world::SpaceIndex space) {

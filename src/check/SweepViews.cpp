@@ -8,13 +8,13 @@ namespace limen::check {
 
 namespace {
 
-constexpr double kFov = 75.0;    // degrees
-constexpr double kBeside = 0.01; // metres from an edge or a corner
+constexpr double kFov = 75.0;     // degrees
+constexpr double kBeside = 0.01;  // metres from an edge or a corner
 constexpr double kAnchor = 0.005; // metres from the opening's plane: surely in the space on that side
 constexpr int kTries = 24;        // combinations tried for one view
 
 enum class Line : std::uint8_t { Square, Aslant, BesideEdge, BesideCorner, OnEdge, OnCorner };
-constexpr std::array<const char*, 6> kLineNames{"square",        "aslant",  "beside an edge",
+constexpr std::array<const char*, 6> kLineNames{"square",          "aslant",     "beside an edge",
                                                 "beside a corner", "on an edge", "on a corner"};
 enum class Look : std::uint8_t { Along, Against, Sideways, GrazingOut, GrazingIn, Aslant, Anyhow };
 constexpr std::size_t kLooks = 7;
@@ -152,10 +152,10 @@ std::optional<View> viewOf(const Surroundings& around, const Combination& c, Dic
     view.width = around.width;
     view.height = around.height;
     view.root = cellIdOf(around.world, *root);
-    view.about = fmt::format("opening {} of 0x{:08X}, {}, {} mm, from {}", portal.recordIndex,
-                             around.world.spaces[portal.space].cellId,
-                             kLineNames[static_cast<std::size_t>(c.line)], c.distance * 1000.0,
-                             c.fromBehind ? "behind" : "before");
+    view.about =
+        fmt::format("opening {} of 0x{:08X}, {}, {} mm, from {}", portal.recordIndex,
+                    around.world.spaces[portal.space].cellId, kLineNames[static_cast<std::size_t>(c.line)],
+                    c.distance * 1000.0, c.fromBehind ? "behind" : "before");
     return centreOf(view) == around.block ? std::optional(view) : std::nullopt;
 }
 
@@ -172,8 +172,8 @@ void addSweepViews(const Surroundings& around, std::size_t count, std::vector<Vi
         // One of each of `count` equal runs; a combination without a legal eye gives way to any other.
         double place = (static_cast<double>(i) + dice.unit()) / static_cast<double>(count);
         for (int attempt = 0; attempt < kTries; ++attempt, place = dice.unit()) {
-            const auto index = std::min(
-                combinations - 1, static_cast<std::size_t>(place * static_cast<double>(combinations)));
+            const auto index = std::min(combinations - 1,
+                                        static_cast<std::size_t>(place * static_cast<double>(combinations)));
             if (auto view = viewOf(around, combinationAt(openings, all, index), dice)) {
                 out.push_back(std::move(*view));
                 break;

@@ -13,7 +13,7 @@ namespace limen::check {
 struct KindTotals {
     std::uint64_t views = 0, pixels = 0;
     std::array<std::uint64_t, kVerdictCount> counts{}; ///< pixels by verdict
-    std::uint64_t moved = 0;                           ///< pixels that changed between two pictures of one view
+    std::uint64_t moved = 0; ///< pixels that changed between two pictures of one view
 
     [[nodiscard]] std::uint64_t count(Verdict verdict) const {
         return counts[static_cast<std::size_t>(verdict)];
@@ -39,10 +39,10 @@ struct Totals {
     static constexpr std::size_t kWorst = 50;
 
     std::array<KindTotals, kKindCount> kinds;
-    std::vector<Finding> worst;   ///< at most kWorst, most pixels first; of equals the earlier view first
+    std::vector<Finding> worst; ///< at most kWorst, most pixels first; of equals the earlier view first
     std::uint64_t viewsWithFindings = 0;
     std::uint64_t blocksLeftOut = 0; ///< that could not be loaded
-    double seconds = 0.0;         ///< spent on it, over all parts of a resumed run
+    double seconds = 0.0;            ///< spent on it, over all parts of a resumed run
 
     /// Adds one view. `moved`: of a view that was drawn twice.
     void add(const View& view, std::uint64_t number, const Comparison& comparison, std::uint64_t moved);

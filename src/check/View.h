@@ -31,12 +31,12 @@ inline constexpr std::array<std::string_view, kKindCount> kKindNames{"random", "
 /// One eye that is checked, in the terms of `limen shot`.
 struct View {
     Kind kind = Kind::Random;
-    Vec3 eye{0.0};                  ///< global, metres
-    double yaw = 0.0, pitch = 0.0;  ///< degrees: yaw 0 north, 90 east; pitch 90 straight up
-    double fov = 60.0;              ///< vertical, degrees
+    Vec3 eye{0.0};                           ///< global, metres
+    double yaw = 0.0, pitch = 0.0;           ///< degrees: yaw 0 north, 90 east; pitch 90 straight up
+    double fov = 60.0;                       ///< vertical, degrees
     std::uint32_t width = 640, height = 360; ///< pixels
-    dat::RecordId root = 0;         ///< cell that the eye is in; 0: outside
-    std::string about;              ///< where it comes from, for people
+    dat::RecordId root = 0;                  ///< cell that the eye is in; 0: outside
+    std::string about;                       ///< where it comes from, for people
 };
 
 /// The landblock that `limen shot` loads around for this view: the root cell's, else the eye's.

@@ -32,7 +32,8 @@ std::map<std::string, Names> allowedRooms() {
         {"reference", {"core", "geometry", "dat", "world", "motion"}},
         {"check", {"core", "geometry", "dat", "world", "motion", "reference"}},
         {"app",
-         {"core", "geometry", "dat", "demo", "world", "motion", "visibility", "frame", "gpu", "reference", "check"}},
+         {"core", "geometry", "dat", "demo", "world", "motion", "visibility", "frame", "gpu", "reference",
+          "check"}},
     };
 }
 

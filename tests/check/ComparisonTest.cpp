@@ -111,6 +111,21 @@ TEST(Comparison, aWallCutTwoPixelsAwayExcusesNothing) {
     EXPECT_EQ(odd.verdict(), Verdict::Disagrees);
 }
 
+TEST(Comparison, aVoidBehindACutWallIsNoHole) {
+    OneOddPixel odd(0);
+    at(odd.traced, 2, 1) = answer(0);
+    odd.retracer.cut = [](double, double) { return true; };
+    EXPECT_EQ(odd.verdict(), Verdict::Unjudged);
+}
+
+TEST(Comparison, aWholePictureBehindACutWallIsNotJudged) {
+    HandMadeRetracer retracer;
+    retracer.cut = [](double, double) { return true; };
+    Comparison result;
+    compare(drawnOf(64, 64, kOther), tracedOf(64, 64, kWall), retracer, result);
+    EXPECT_EQ(result.count(Verdict::Unjudged), 64u * 64u);
+}
+
 TEST(Comparison, raysOutOfTheSpaceOfAnEyeOnAWallAreNotJudged) {
     OneOddPixel odd(kOther);
     odd.retracer.into = [](double x, double) { return x < 2.5; };

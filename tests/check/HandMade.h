@@ -27,8 +27,8 @@ inline reference::Picture tracedOf(std::uint32_t width, std::uint32_t height, st
 }
 
 inline reference::Answer& at(reference::Picture& picture, int x, int y) {
-    return picture.answers[static_cast<std::size_t>(y + 1) * (picture.width + 2) +
-                           static_cast<std::size_t>(x + 1)];
+    return picture
+        .answers[static_cast<std::size_t>(y + 1) * (picture.width + 2) + static_cast<std::size_t>(x + 1)];
 }
 
 /// A drawn picture of one id everywhere, at a depth of 4 m.

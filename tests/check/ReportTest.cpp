@@ -55,7 +55,8 @@ TEST(Totals, keepOnlySoMany) {
 }
 
 TEST(Totals, everyFindingCounts) {
-    for (const Verdict verdict : {Verdict::EdgeOn, Verdict::Disagrees, Verdict::Void, Verdict::Depth, Verdict::Layers}) {
+    for (const Verdict verdict :
+         {Verdict::EdgeOn, Verdict::Disagrees, Verdict::Void, Verdict::Depth, Verdict::Layers}) {
         Totals totals;
         totals.add(viewWith(Kind::Random, 1), 0, comparisonWith(verdict, 1), 0);
         EXPECT_EQ(totals.sum().findings(), 1u);
@@ -91,9 +92,10 @@ TEST(Report, hasTheFieldsThatOtherToolsRead) {
     EXPECT_FALSE(json["kinds"].contains("still"));
     ASSERT_EQ(json["worst"].size(), 3u);
     EXPECT_EQ(json["worst"][0]["count"], 9);
-    EXPECT_EQ(json["worst"][1]["command"],
-              "limen shot --dat 'd' --eye=2,0.6666666666666666,-1e-09 --yaw=0.14285714285714285 --pitch=0 --fov=60 "
-              "--size=640x360 --root=0xA9B40105 --ids ids.npy");
+    EXPECT_EQ(
+        json["worst"][1]["command"],
+        "limen shot --dat 'd' --eye=2,0.6666666666666666,-1e-09 --yaw=0.14285714285714285 --pitch=0 --fov=60 "
+        "--size=640x360 --root=0xA9B40105 --ids ids.npy");
 }
 
 TEST(Report, textNamesEveryCategoryAndTheCommands) {
