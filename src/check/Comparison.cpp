@@ -124,8 +124,7 @@ private:
             return std::isinf(own.t) && std::isinf(drawn) && drawn > 0.0;
         if (std::abs(drawn - own.t) <= kDepthShare * own.t)
             return true;
-        // A picture whose every depth is wrong needs no close look at each.
-        return ++depthLooks_ <= kMostDepthLooks && retracer_.mayHaveDepth(x, y, own.id, drawn);
+        return retracer_.mayHaveDepth(x, y, own.id, drawn);
     }
 
     [[nodiscard]] Verdict layersVerdict(int x, int y) {
@@ -150,7 +149,7 @@ private:
     const DrawnImages& drawn_;
     const reference::Picture& traced_;
     Retracer& retracer_;
-    std::size_t looks_ = 0, depthLooks_ = 0;
+    std::size_t looks_ = 0;
     std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
 };
 

@@ -61,7 +61,6 @@ struct Comparison {
 /// Pixels of one view that are looked at again with finer rays; those beyond are taken as they are, which is the
 /// stricter way.
 inline constexpr std::size_t kMostSecondLooks = 400;
-inline constexpr std::size_t kMostDepthLooks = 4000;
 
 /// Holds a drawn picture against the traced one. `result` is overwritten. Requires traced of the drawn size.
 void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,

@@ -1,5 +1,7 @@
 #include "check/Judging.h"
 
+#include <chrono>
+
 namespace limen::check {
 
 namespace {
@@ -63,14 +65,18 @@ void Judging::work() {
 }
 
 void Judging::judge(const DrawnView& drawn) {
+    const auto start = std::chrono::steady_clock::now();
     reference::tracePicture(traced_.scene(), drawn.camera, threads_, picture_);
     ViewRetracer retracer(traced_, drawn.camera);
     compare(drawn.images, picture_, retracer, comparison_);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::uint64_t number = 0;
     {
         const std::lock_guard guard(lock_);
         number = progress_.totals.sum().views;
         progress_.totals.add(drawn.view, number, comparison_, drawn.moved);
+        progress_.totals.drawSeconds += drawn.seconds;
+        progress_.totals.traceSeconds += seconds;
         ++progress_.views;
     }
     if (!events_.picture || (comparison_.findings() == 0 && drawn.moved == 0))

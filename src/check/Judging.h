@@ -15,6 +15,7 @@ struct DrawnView {
     reference::Camera camera;
     DrawnImages images;
     std::uint64_t moved = 0; ///< pixels that a second picture of it had otherwise
+    double seconds = 0.0;    ///< that drawing took
 };
 
 /// Traces and judges drawn views of one loaded world on a thread of its own, in the order they come.

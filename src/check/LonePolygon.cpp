@@ -69,14 +69,8 @@ Range overPicture(const Seen& seen, const reference::Camera& camera) {
 }
 
 bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int x, int y, double drawn) {
-    Range facing;
-    bool covers = false;
-    forGrid(camera, x, y, 4, [&](const Vec3& d) {
-        facing.include(glm::dot(seen.n, d));
-        covers = covers || seen.meet(d).has_value();
-    });
-    if (!covers)
-        return false;
+    Range facing; // affine: the corners of the square bound it
+    forGrid(camera, x, y, 1, [&](const Vec3& d) { facing.include(glm::dot(seen.n, d)); });
     // On the plane n·d = offset / t: all terms in units of n.
     const double wanted = seen.offset / drawn;
     const double reach =
@@ -84,7 +78,11 @@ bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int
     const double slack = kDepthShare * std::abs(wanted) +
                          glm::length(seen.n) * (kTransformShare * reach + kBlockFloat) / drawn +
                          kStoredRounding * overPicture(seen, camera).farthest();
-    return wanted >= facing.low - slack && wanted <= facing.high + slack;
+    if (!(wanted >= facing.low - slack && wanted <= facing.high + slack))
+        return false;
+    bool covers = false;
+    forGrid(camera, x, y, 4, [&](const Vec3& d) { covers = covers || seen.meet(d).has_value(); });
+    return covers;
 }
 
 } // namespace

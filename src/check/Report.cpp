@@ -33,6 +33,18 @@ Json worstJson(const Totals& totals, const std::string& worldOptions) {
     return worst;
 }
 
+/// "3 wrong_ids, 1 depth".
+std::string causesOf(const Finding& finding) {
+    std::string text;
+    for (std::size_t i = 0; i < kVerdictCount; ++i) {
+        if (isFinding(static_cast<Verdict>(i)) && finding.counts[i] > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", finding.counts[i], kVerdictNames[i]);
+    }
+    if (finding.moved > 0)
+        text += fmt::format("{}{} moved", text.empty() ? "" : ", ", finding.moved);
+    return text;
+}
+
 double viewsPerSecond(const Totals& totals) {
     return totals.seconds > 0.0 ? static_cast<double>(totals.sum().views) / totals.seconds : 0.0;
 }
@@ -63,6 +75,8 @@ std::string reportJson(const Totals& totals, const ReportContext& context) {
               {"seconds", totals.seconds},
               {"views_with_findings", totals.viewsWithFindings},
               {"views_per_second", viewsPerSecond(totals)},
+              {"draw_seconds", totals.drawSeconds},
+              {"trace_seconds", totals.traceSeconds},
               {"blocks_left_out", totals.blocksLeftOut}};
     json.update(categoriesOf(all));
     json["kinds"] = std::move(kinds);
@@ -88,14 +102,15 @@ std::string reportText(const Totals& totals, const ReportContext& context) {
     line("all", all);
     for (std::size_t i = 0; i < std::min(kWorstShown, totals.worst.size()); ++i) {
         const Finding& finding = totals.worst[i];
-        text += fmt::format("{:>7} pixels, {}{}{}: {}\n", finding.count, nameOf(finding.view.kind),
-                            finding.view.about.empty() ? "" : ", ", finding.view.about,
-                            shotCommand(finding.view, context.worldOptions));
+        text += fmt::format("{:>7} pixels ({}), {}{}{}: {}\n", finding.count, causesOf(finding),
+                            nameOf(finding.view.kind), finding.view.about.empty() ? "" : ", ",
+                            finding.view.about, shotCommand(finding.view, context.worldOptions));
     }
-    text += fmt::format(
-        "{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second, seed {}\n",
-        all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings, all.views,
-        viewsPerSecond(totals), context.seed);
+    text +=
+        fmt::format("{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second "
+                    "({:.1f} s drawing, {:.1f} s tracing, side by side), seed {}\n",
+                    all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings,
+                    all.views, viewsPerSecond(totals), totals.drawSeconds, totals.traceSeconds, context.seed);
     return text;
 }
 

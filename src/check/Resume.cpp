@@ -50,6 +50,8 @@ Json totalsJson(const Totals& totals) {
             {"worst", std::move(worst)},
             {"views_with_findings", totals.viewsWithFindings},
             {"blocks_left_out", totals.blocksLeftOut},
+            {"draw_seconds", totals.drawSeconds},
+            {"trace_seconds", totals.traceSeconds},
             {"seconds", totals.seconds}};
 }
 
@@ -68,6 +70,8 @@ Totals totalsOf(const Json& json) {
                                 finding.at("moved").get<std::uint64_t>()});
     totals.viewsWithFindings = json.at("views_with_findings").get<std::uint64_t>();
     totals.blocksLeftOut = json.at("blocks_left_out").get<std::uint64_t>();
+    totals.drawSeconds = json.at("draw_seconds").get<double>();
+    totals.traceSeconds = json.at("trace_seconds").get<double>();
     totals.seconds = json.at("seconds").get<double>();
     return totals;
 }

@@ -78,6 +78,7 @@ private:
         LIMEN_ASSERT(root != world::kNone, "views have roots that are loaded");
         drawn.camera = drawer_.cameraOf(view, root);
         const bool still = view.kind == Kind::Still;
+        const Clock::time_point start = Clock::now();
         Result<DrawnImages> images = drawer_.draw(view, root, still);
         if (!images)
             return tl::unexpected(images.error());
@@ -88,6 +89,7 @@ private:
                 return tl::unexpected(again.error());
             drawn.moved = pixelsThatMoved(drawn.images, *again);
         }
+        drawn.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         return drawn;
     }
 

@@ -42,6 +42,8 @@ struct Totals {
     std::vector<Finding> worst; ///< at most kWorst, most pixels first; of equals the earlier view first
     std::uint64_t viewsWithFindings = 0;
     std::uint64_t blocksLeftOut = 0; ///< that could not be loaded
+    double drawSeconds = 0.0;        ///< of them with drawing and reading back
+    double traceSeconds = 0.0;       ///< of them with tracing and comparing, while others are drawn
     double seconds = 0.0;            ///< spent on it, over all parts of a resumed run
 
     /// Adds one view. `moved`: of a view that was drawn twice.
