@@ -37,8 +37,9 @@ struct BlockTask {
     [[nodiscard]] std::size_t total() const;
 };
 
-/// Shares views out among blocks: random, sweep and still ones and walks by the number of cells, outside ones evenly among
-/// blocks with landscape, half of the path views along the tour where there is one. Blocks without a share are left out.
+/// Shares views out among blocks: random, sweep and still ones and walks by the number of cells, outside ones among
+/// blocks with landscape, most to those with buildings, half of the path views along the tour where there is one.
+/// Blocks without a share are left out.
 [[nodiscard]] std::vector<BlockTask> planTasks(std::span<const BlockSummary> blocks,
                                                std::span<const world::Place> tour, const KindCounts& counts);
 

@@ -8,10 +8,12 @@ namespace limen::check {
 
 namespace {
 
-constexpr double kFov = 75.0;     // degrees
-constexpr double kBeside = 0.01;  // metres from an edge or a corner
-constexpr double kAnchor = 0.005; // metres from the opening's plane: surely in the space on that side
-constexpr int kTries = 24;        // combinations tried for one view
+constexpr double kFov = 75.0; // degrees
+constexpr double kBesideLeast = 0.004,
+                 kBesideMost = 0.06; // metres from an edge or a corner: the near plane, 2 cm, cuts
+                                     // the wall beside some of them
+constexpr double kAnchor = 0.005;    // metres from the opening's plane: surely in the space on that side
+constexpr int kTries = 24;           // combinations tried for one view
 
 enum class Line : std::uint8_t { Square, Aslant, BesideEdge, BesideCorner, OnEdge, OnCorner };
 constexpr std::array<const char*, 6> kLineNames{"square",          "aslant",     "beside an edge",
@@ -87,6 +89,7 @@ Course courseOf(const world::World& world, const world::Portal& portal, Line lin
     const std::size_t i = dice.below(corners.size());
     const Vec3 corner = corners[i];
     const Vec3 edge = corner + (corners[(i + 1) % corners.size()] - corner) * dice.between(0.2, 0.8);
+    const double beside = dice.betweenLog(kBesideLeast, kBesideMost);
     Course course{middle, middle, portal.plane.n};
     switch (line) {
     case Line::Square:
@@ -95,18 +98,18 @@ Course courseOf(const world::World& world, const world::Portal& portal, Line lin
         course.way += anyTangent(portal.plane.n, dice) * dice.between(0.5, 2.0);
         break;
     case Line::BesideEdge:
-        course.foot = course.inner = towards(edge, middle, kBeside);
+        course.foot = course.inner = towards(edge, middle, beside);
         break;
     case Line::BesideCorner:
-        course.foot = course.inner = towards(corner, middle, kBeside);
+        course.foot = course.inner = towards(corner, middle, beside);
         break;
     case Line::OnEdge:
         course.foot = edge;
-        course.inner = towards(edge, middle, kBeside);
+        course.inner = towards(edge, middle, beside);
         break;
     case Line::OnCorner:
         course.foot = corner;
-        course.inner = towards(corner, middle, kBeside);
+        course.inner = towards(corner, middle, beside);
         break;
     }
     return course;

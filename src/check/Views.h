@@ -39,7 +39,7 @@ void addTourViews(const Surroundings& around, std::size_t count, std::vector<Vie
 /// Walks in steps of 1 cm up to an opening, through it, and on to the next.
 void addWalkViews(const Surroundings& around, std::size_t count, std::vector<View>& out);
 
-/// Eyes on lines through every opening of the block's cells: square through its middle, aslant, 1 cm beside an edge and
+/// Eyes on lines through every opening of the block's cells: square through its middle, aslant, 4 to 60 mm beside an edge and
 /// a corner, and along an edge and a corner; 1 mm apart within 2 cm of its plane, 1 cm apart out to 30 cm, and at
 /// distances around the 0.2 mm of the tolerance; from both sides; looking along, against, sideways, at grazing angles
 /// and anyhow. `count` of all those combinations, spread evenly over them.

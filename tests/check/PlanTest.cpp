@@ -32,14 +32,14 @@ TEST(Plan, blocksShareByCells) {
         {{1, 1}, 30, true, true}, {{1, 2}, 0, false, true}, {{9, 9}, 10, false, false}};
     KindCounts counts{};
     counts[static_cast<std::size_t>(Kind::Random)] = 40;
-    counts[static_cast<std::size_t>(Kind::Outside)] = 10;
+    counts[static_cast<std::size_t>(Kind::Outside)] = 26;
     const std::vector<BlockTask> tasks = planTasks(blocks, {}, counts);
     ASSERT_EQ(tasks.size(), 3u);
     EXPECT_EQ(tasks[0].counts[0], 30u);
     EXPECT_EQ(tasks[1].counts[0], 0u) << "no cells";
     EXPECT_EQ(tasks[2].counts[0], 10u);
-    EXPECT_EQ(tasks[0].counts[1], 5u);
-    EXPECT_EQ(tasks[1].counts[1], 5u);
+    EXPECT_EQ(tasks[0].counts[1], 24u) << "has buildings";
+    EXPECT_EQ(tasks[1].counts[1], 2u);
     EXPECT_EQ(tasks[2].counts[1], 0u) << "no landscape";
 }
 
