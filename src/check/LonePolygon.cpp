@@ -1,9 +1,12 @@
 #include "check/LonePolygon.h"
 
+#include "geometry/ConvexPolygon.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <vector>
 
 namespace limen::check {
 
@@ -23,29 +26,26 @@ struct Seen {
     Seen(const Triangle& triangle, const Vec3& eye)
         : a(triangle.corners[0] - eye), ab(triangle.corners[1] - triangle.corners[0]),
           ac(triangle.corners[2] - triangle.corners[0]), n(glm::cross(ab, ac)), offset(glm::dot(n, a)) {}
-
-    /// Where a direction meets the triangle, from either side (Möller, Trumbore 1997); behind the eye too.
-    [[nodiscard]] std::optional<double> meet(const Vec3& d) const {
-        const Vec3 p = glm::cross(d, ac);
-        const double det = glm::dot(ab, p);
-        if (det == 0.0)
-            return std::nullopt;
-        const double u = -glm::dot(a, p) / det;
-        const Vec3 q = glm::cross(-a, ab);
-        const double v = glm::dot(d, q) / det;
-        if (u < 0.0 || v < 0.0 || u + v > 1.0)
-            return std::nullopt;
-        return glm::dot(ac, q) / det;
-    }
 };
 
-/// Visits directions of a grid of (2·reach + 1)² rays over the square of half-width kSnap around a pixel's centre.
-template <class Visit>
-void forGrid(const reference::Camera& camera, int x, int y, int reach, Visit visit) {
-    for (int dy = -reach; dy <= reach; ++dy) {
-        for (int dx = -reach; dx <= reach; ++dx)
-            visit(reference::rayThrough(camera, x + dx * kSnap / reach, y + dy * kSnap / reach).direction);
+/// Directions through the corners of the square of half-width kSnap around a pixel's centre, counter-clockwise as seen.
+std::array<Vec3, 4> squareAround(const reference::Camera& camera, int x, int y) {
+    const auto at = [&](double dx, double dy) {
+        return reference::rayThrough(camera, x + dx * kSnap, y + dy * kSnap).direction;
+    };
+    return {at(-1, 1), at(1, 1), at(1, -1), at(-1, -1)};
+}
+
+/// True if any part of the triangle before the eye lies within the pyramid over the square.
+bool reaches(const Seen& seen, const std::array<Vec3, 4>& square) {
+    std::vector<Vec3> part{seen.a, seen.a + seen.ab, seen.a + seen.ac}, clipped;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+        const Vec3 inward = glm::normalize(glm::cross(square[(i + 1) % square.size()], square[i]));
+        const Vec3 middle = square[0] + square[2];
+        clipPolygon(part, {glm::dot(inward, middle) > 0.0 ? inward : -inward, 0.0}, 0.0, clipped);
+        part.swap(clipped);
     }
+    return !part.empty(); // four planes through the eye leave only what is ahead
 }
 
 /// The range of n·d over some directions.
@@ -58,6 +58,14 @@ struct Range {
     [[nodiscard]] double farthest() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
+/// Affine in the place on the screen: the corners bound it.
+Range over(const Seen& seen, const std::array<Vec3, 4>& square) {
+    Range range;
+    for (const Vec3& direction : square)
+        range.include(glm::dot(seen.n, direction));
+    return range;
+}
+
 Range overPicture(const Seen& seen, const reference::Camera& camera) {
     Range range;
     const double right = camera.width - 0.5, bottom = camera.height - 0.5;
@@ -69,8 +77,8 @@ Range overPicture(const Seen& seen, const reference::Camera& camera) {
 }
 
 bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int x, int y, double drawn) {
-    Range facing; // affine: the corners of the square bound it
-    forGrid(camera, x, y, 1, [&](const Vec3& d) { facing.include(glm::dot(seen.n, d)); });
+    const std::array<Vec3, 4> square = squareAround(camera, x, y);
+    const Range facing = over(seen, square);
     // On the plane n·d = offset / t: all terms in units of n.
     const double wanted = seen.offset / drawn;
     const double reach =
@@ -80,25 +88,24 @@ bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int
                          kStoredRounding * overPicture(seen, camera).farthest();
     if (!(wanted >= facing.low - slack && wanted <= facing.high + slack))
         return false;
-    bool covers = false;
-    forGrid(camera, x, y, 4, [&](const Vec3& d) { covers = covers || seen.meet(d).has_value(); });
-    return covers;
+    return reaches(seen, square);
 }
 
 } // namespace
 
 bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& camera, int x, int y,
                   double shown) {
+    const std::array<Vec3, 4> square = squareAround(camera, x, y);
     bool covered = false;
     double nearest = std::numeric_limits<double>::infinity();
     for (const Triangle& triangle : polygon) {
         const Seen seen(triangle, camera.eye);
-        forGrid(camera, x, y, 16, [&](const Vec3& d) {
-            covered = covered || seen.meet(d).has_value();
-            const double t = seen.offset / glm::dot(seen.n, d);
-            if (t > 0.0)
-                nearest = std::min(nearest, t);
-        });
+        covered = covered || reaches(seen, square);
+        const Range facing = over(seen, square);
+        // t = offset / (n·d): nearest where n·d is farthest from 0 on the side of offset.
+        const double steepest = seen.offset > 0.0 ? facing.high : -facing.low;
+        if (steepest > 0.0)
+            nearest = std::min(nearest, std::abs(seen.offset) / steepest);
     }
     return covered && (nearest <= shown || !std::isfinite(shown));
 }

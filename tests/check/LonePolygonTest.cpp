@@ -66,6 +66,19 @@ TEST(LonePolygon, aStripThinnerThanTheSnappingCoversEdgeOn) {
     EXPECT_FALSE(coversEdgeOn(sheet, north(), 31, 29, 9.0)) << "another pixel";
 }
 
+TEST(LonePolygon, theThinnestStripStillCovers) {
+    const double up = 1.0 / 64; // as above, but far thinner than any grid of rays
+    const std::vector<Triangle> sheet{triangle({-5, 1, up - 1e-8}, {5, 1, up - 1e-8}, {0, 8, 8 * up - 1e-8})};
+    EXPECT_TRUE(coversEdgeOn(sheet, north(), 31, 31, 9.0));
+    EXPECT_FALSE(coversEdgeOn(sheet, north(), 31, 30, 9.0));
+}
+
+TEST(LonePolygon, whatLiesBehindTheEyeCoversNothing) {
+    const std::vector<Triangle> behind{triangle({-9, -2, -9}, {9, -2, -9}, {0, -2, 9})};
+    EXPECT_FALSE(coversEdgeOn(behind, north(), 31, 31, 9.0));
+    EXPECT_FALSE(mayHaveDepth(behind, north(), 31, 31, 2.0));
+}
+
 TEST(LonePolygon, doesNotCoverEdgeOnWhatLiesBeforeItsPlane) {
     EXPECT_TRUE(coversEdgeOn(kWall, north(), 30, 30, 2.5));
     EXPECT_FALSE(coversEdgeOn(kWall, north(), 30, 30, 1.5)) << "something nearer is there";
