@@ -68,7 +68,7 @@ void Follower::meetFilling(const Exit& exit) {
     const std::uint32_t filling = scene_.fillings.empty() ? world::kNone : scene_.fillings[exit.portal];
     if (filling == world::kNone)
         return;
-    double most = 0.0;
+    double most = -kInfinity; // one that faces away still stands for the object
     bool met = false;
     for (const Triangle& triangle : scene_.fillingSurfaces[filling].triangles()) {
         Meeting at;

@@ -16,20 +16,26 @@ struct Door : ::testing::Test {
     TestWorld::Cell store = rooms.world.addBox({100, 100, 10}, {110, 110, 14});
     std::uint32_t leafModel = rooms.world.addModel(bothWays({doorway(), "oak"}));
     std::uint32_t panelModel = rooms.world.addModel(bothWays(panel(0.25, "pink", false)));
+    /// A leaf of two boards, the lower one a quarter of its height.
+    std::uint32_t boardsModel =
+        rooms.world.addModel({{westward(10.0, 10.5), "oak"}, {westward(10.5, 12.0), "oak"}});
     std::uint32_t paneModel = 0;
     std::unique_ptr<TracedWorld> traced;
     world::SpaceIndex west = 0, east = 0;
     world::PortalIndex portal = 0;
 
-    static std::vector<Vec3> doorway() {
-        std::vector<Vec3> points = rectangle({4, 1.5, 10}, {4, 2.5, 12});
-        std::reverse(points.begin(), points.end()); // its front looks west
+    /// The part of the doorway between two heights; its front looks west.
+    static std::vector<Vec3> westward(double low, double high) {
+        std::vector<Vec3> points = rectangle({4, 1.5, low}, {4, 2.5, high});
+        std::reverse(points.begin(), points.end());
         return points;
     }
+    static std::vector<Vec3> doorway() { return westward(10, 12); }
     void SetUp() override {
         rooms.world.solid("glass", 0x80FFFFFFu, dat::Surface::kTranslucent, 0.5f);
         paneModel = rooms.world.addModel({panel(0.25, "glass", false)});
         rooms.world.addStatic(store, leafModel, frameAt({100, 104, 0}));
+        rooms.world.addStatic(store, boardsModel, frameAt({104, 104, 0}));
         rooms.world.addStatic(store, panelModel, frameAt({102, 102, 12}));
         rooms.world.addStatic(store, paneModel, frameAt({103, 102, 12}));
         traced = std::make_unique<TracedWorld>(rooms.world);
@@ -91,6 +97,17 @@ TEST_F(Door, aLeafSmallerThanItsOpeningLeavesNoGap) {
     EXPECT_EQ(westward().id, small + 1);
 }
 
+TEST_F(Door, ofALeafOfSeveralPolygonsTheOneThatTheRayMeetsIsShown) {
+    MomentBuilder moment(traced->world());
+    const std::uint32_t boards = moment.add(like(boardsModel), Vec3(0.0), {west, east}, world::Kind::Filling);
+    moment.shut(portal);
+    traced->scene().setMoment(moment.build());
+    EXPECT_EQ(eastward(2, 10.2).id, boards);
+    EXPECT_EQ(eastward(2, 11).id, boards + 1);
+    EXPECT_TRUE(westward().id == boards || westward().id == boards + 1)
+        << "no polygon looks east; nothing is open";
+}
+
 TEST_F(Door, theFillingComesFirstOfWhatLiesInItsPlane) {
     for (const auto& [off, wins] :
          {std::pair(-0.00015, true), {0.0, true}, {0.00015, true}, {-0.0005, false}}) {
@@ -119,6 +136,7 @@ TEST_F(Door, aShutOpeningNearerThanTheNearPlaneLetsNothingThrough) {
     for (const double x : {3.99, 3.9999, 4.0, 4.0001}) {
         const Answer answer = traced->trace(west, {x, 2, 11}, {1, 0, 0});
         EXPECT_EQ(answer.spacesVisited, 1u) << x;
+        EXPECT_NE(answer.id, leaf) << x << ": too near to be met";
         EXPECT_EQ(answer.space, west) << x;
     }
     EXPECT_EQ(traced->trace(west, {4.0, 2, 11}, {-1, 0, 0}).space, west);
@@ -139,6 +157,19 @@ TEST_F(Door, movingThingsAreMetInEverySpaceTheyAreMembersOfAndInNoOther) {
     EXPECT_NE(westward().id, westOnly + 1);
     traced->scene().setMoment({});
     EXPECT_NEAR(westward().t, 7.0, 1e-9) << "gone with its moment";
+}
+
+TEST_F(Door, ofTwoSurfacesInOnePlaceTheLowerIdIsMetWhateverTheirOrder) {
+    MomentBuilder moment(traced->world());
+    const std::uint32_t lower = moment.add(like(panelModel), {3, 2, 11}, {west});
+    moment.add(like(panelModel), {3, 2, 11}, {west});
+    world::Moment both = moment.build();
+    for (int order = 0; order < 2; ++order) {
+        traced->scene().setMoment(both);
+        EXPECT_EQ(eastward().id, lower);
+        EXPECT_EQ(eastward(2.1, 10.9).id, lower);
+        std::swap(both.instances[0].idBase, both.instances[1].idBase);
+    }
 }
 
 TEST_F(Door, movingThingsInASpaceButOutsideItsWallsAreMetWhereTheyAre) {

@@ -83,6 +83,7 @@ TEST_F(Doorway, aRayNeverGoesStraightBackThroughTheOpeningItCameBy) {
     ASSERT_GT(back.plane.signedDistance(eye), 0.0);
     const Answer answer = scene.trace(a, {eye, along, 0.02});
     EXPECT_EQ(answer.space, b);
+    EXPECT_EQ(answer.spacesVisited, 2u);
     EXPECT_NEAR(answer.t, 2.4, 1e-6);
 }
 
