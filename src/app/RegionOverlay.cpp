@@ -14,9 +14,20 @@ Vec2 pixelOf(const Picture& picture, const Vec2& ndc) {
 
 } // namespace
 
+std::vector<std::vector<Vec2>> regionOutlines(const visibility::VisibleSet& visible) {
+    std::vector<std::vector<Vec2>> outlines;
+    for (const visibility::Visit& visit : visible.visits)
+        outlines.push_back(regionNdc(visible, visit));
+    return outlines;
+}
+
 void drawRegions(Picture& picture, const visibility::VisibleSet& visible) {
-    for (std::uint32_t i = 0; i < visible.visits.size(); ++i) {
-        const std::vector<Vec2> corners = regionNdc(visible, visible.visits[i]);
+    drawOutlines(picture, regionOutlines(visible));
+}
+
+void drawOutlines(Picture& picture, std::span<const std::vector<Vec2>> outlines) {
+    for (std::uint32_t i = 0; i < outlines.size(); ++i) {
+        const std::vector<Vec2>& corners = outlines[i];
         if (corners.empty())
             continue;
         const Rgb colour = distinctColour(i);

@@ -77,6 +77,11 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
         ->check(CLI::IsMember({"merged", "cells"}))
         ->group("World");
     command
+        .add_option("--radius", options.load.radius, "landblocks that are loaded each way around the eye (4)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 16))
+        ->group("World");
+    command
         .add_option_function<std::string>(
             "--textures",
             [&options](const std::string& text) {

@@ -3,6 +3,7 @@
 #include "app/RegionOverlay.h"
 #include "app/Session.h"
 #include "app/ShotRequest.h"
+#include "app/TracedFrame.h"
 #include "app/Verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 
 namespace limen::app {
 namespace {
@@ -21,6 +23,7 @@ struct ShotOptions {
     ViewArguments view;
     OutputPaths outputs;
     std::string views;
+    bool reference = false; ///< trace instead of drawing
 };
 
 /// Distances as depth.npy has them: infinite only for sky, NaN for holes.
@@ -77,18 +80,26 @@ Result<void> writeMeasurements(Session& session, const FrameEye& eye, const Outp
     return writeFile(outputs.json, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-Result<void> shoot(Session& session, const ListedView& listed, const Standpoint& stand,
-                   const Console& console) {
-    Result<FrameEye> eye = placeEye(session.loaded(), stand, listed.view.size);
+Result<FrameEye> eyeOf(const LoadedWorld& loaded, const ListedView& listed, const Standpoint& stand,
+                       const Console& console) {
+    Result<FrameEye> eye = placeEye(loaded, stand, listed.view.size);
     if (!eye)
-        return tl::unexpected(eye.error());
+        return eye;
     eye->time = listed.view.time;
     eye->weather = listed.view.weather;
     eye->seconds = listed.view.seconds;
     eye->doors = listed.view.doors;
     if (eye->rootAmbiguous)
         console.note(fmt::format("limen: several cells claim the eye; {} is taken, --root names another",
-                                 spaceName(session.loaded().world, eye->root)));
+                                 spaceName(loaded.world, eye->root)));
+    return eye;
+}
+
+Result<void> shoot(Session& session, const ListedView& listed, const Standpoint& stand,
+                   const Console& console) {
+    const Result<FrameEye> eye = eyeOf(session.loaded(), listed, stand, console);
+    if (!eye)
+        return tl::unexpected(eye.error());
     const OutputPaths& outputs = listed.outputs;
     const bool measure = !outputs.ids.empty() || !outputs.depth.empty() || !outputs.json.empty();
     const bool paint = !outputs.frame.empty() || !outputs.overlay.empty() || !measure;
@@ -135,10 +146,86 @@ std::vector<std::size_t> drawingOrder(const std::vector<Standpoint>& stands) {
     return order;
 }
 
+/// Writes `bytes` made by `make` if the output is asked for.
+template <class Make>
+Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
+    return path.empty() ? Result<void>{} : writeFile(path, make());
+}
+
+/// One view traced instead of drawn.
+Result<void> trace(const LoadedWorld& loaded, const reference::Scene& scene, const std::string& datOption,
+                   const ListedView& listed, const Standpoint& stand, const Console& console) {
+    const Result<FrameEye> eye = eyeOf(loaded, listed, stand, console);
+    if (!eye)
+        return tl::unexpected(eye.error());
+    const TracedFrame frame = traceFrame(scene, *eye);
+    const OutputPaths& outputs = listed.outputs;
+    const std::uint32_t width = eye->size.width, height = eye->size.height;
+    if (!outputs.frame.empty()) {
+        if (Result<void> written = writePicture(outputs.frame, frame.painting()); !written)
+            return written;
+    }
+    if (Result<void> written = writeIfAsked(
+            outputs.ids,
+            [&] { return encodeNpy(width, height, std::span<const std::uint32_t>(frame.ids())); });
+        !written)
+        return written;
+    if (Result<void> written = writeIfAsked(
+            outputs.depth, [&] { return encodeNpy(width, height, std::span<const float>(frame.depth())); });
+        !written)
+        return written;
+    return writeIfAsked(outputs.json, [&] {
+        return tracedJson(loaded.world, loaded.ids, *eye, frame, datOption)
+                   .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+               "\n";
+    });
+}
+
+/// All views traced: no device, no GL.
+Result<Exit> runTraced(const WorldSource& source, const ShotOptions& options,
+                       const std::vector<ListedView>& views, const std::vector<Standpoint>& stands,
+                       const Console& console) {
+    std::unique_ptr<LoadedWorld> loaded;
+    std::optional<reference::Scene> scene;
+    Progress progress(console, "shot", views.size());
+    std::size_t done = 0;
+    for (const std::size_t i : drawingOrder(stands)) {
+        if (!loaded || loaded->centre != stands[i].centre) {
+            const bool first = !loaded;
+            scene.reset(); // it refers to the world that goes
+            Result<std::unique_ptr<LoadedWorld>> next =
+                LoadedWorld::load(source.archive, stands[i].centre, options.session.load);
+            if (!next)
+                return tl::unexpected(next.error());
+            loaded = std::move(*next);
+            scene.emplace(loaded->world);
+            if (const std::string findings = findingsLine(loaded->world); first && !findings.empty())
+                console.note(findings);
+        }
+        if (Result<void> traced = trace(*loaded, *scene, source.datOption, views[i], stands[i], console);
+            !traced)
+            return tl::unexpected(traced.error());
+        progress.step(++done);
+    }
+    return Exit::Done;
+}
+
+/// What a traced frame cannot be written to.
+Result<void> checkTraceable(const std::vector<ListedView>& views) {
+    for (const ListedView& view : views) {
+        if (!view.outputs.overlay.empty())
+            return fail(ErrorCode::BadArgument, "--overlay",
+                        "outlines the visits of a drawn frame; leave it out with --reference");
+    }
+    return {};
+}
+
 Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     const Result<std::vector<ListedView>> views = viewsOf(options);
     if (!views)
         return tl::unexpected(views.error());
+    if (Result<void> traceable = options.reference ? checkTraceable(*views) : Result<void>{}; !traceable)
+        return tl::unexpected(traceable.error());
     if (Result<void> checked = checkAllOutputs(options, *views); !checked)
         return tl::unexpected(checked.error());
     Result<WorldSource> source = openWorldSource(options.session.dat);
@@ -151,6 +238,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
             return tl::unexpected(stand.error());
         stands.push_back(*stand);
     }
+    if (options.reference)
+        return runTraced(*source, options, *views, stands, console);
     Result<HeadlessSession> headless = openHeadless(std::move(*source), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
@@ -180,6 +269,11 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--views", options->views,
                      "a file with one line of these options for each of many frames; -o is a directory then")
         ->type_name("FILE")
+        ->group("Output");
+    verb->add_flag(
+            "--reference", options->reference,
+            "trace the rule ray by ray instead of drawing, without GL: the picture is one colour an id, the "
+            "JSON's cells are those that rays end in, its visits and stages are empty")
         ->group("Output");
     addSessionOptions(*verb, options->session);
     verb->footer("Nothing is written unless asked for.");

@@ -199,5 +199,64 @@ TEST(Program, saysWhenStandardOutputIsFull) {
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
 }
 
+/// While it lives, programs that are started find no OpenGL driver.
+struct NoDriver {
+    NoDriver() {
+        for (const char* name : kNames)
+            setenv(name, "/nonexistent", 1);
+    }
+    ~NoDriver() {
+        for (const char* name : kNames)
+            unsetenv(name);
+    }
+    static constexpr const char* kNames[] = {"__EGL_VENDOR_LIBRARY_FILENAMES", "__EGL_VENDOR_LIBRARY_DIRS"};
+};
+
+TEST(Program, tracesTheReferenceWithoutADriver) {
+    const ProgramRunner runner;
+    const NoDriver none;
+    const std::vector<std::string> view{"shot", "--at", "cottage.room", "--size", "48x27", "--ids", "i.npy"};
+    expectRefusal(runner, view, "EGL");
+    std::vector<std::string> traced = view;
+    for (const char* more : {"--reference", "--depth", "d.npy", "--json", "f.json", "-o", "a.png"})
+        traced.emplace_back(more);
+    const ProgramRun run = runner.run(traced);
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(runner.work().entryCount(), 4u);
+    EXPECT_EQ(getText(runner.work() / "i.npy").substr(1, 5), "NUMPY");
+    EXPECT_EQ(getText(runner.work() / "a.png").substr(1, 3), "PNG");
+    const auto json = nlohmann::json::parse(getText(runner.work() / "f.json"));
+    EXPECT_EQ(json["driver"], "reference");
+    EXPECT_EQ(json["gl_calls"], 0);
+    EXPECT_TRUE(json["stages"].empty() && json["visits"].empty());
+    EXPECT_FALSE(json["cells"].empty());
+    EXPECT_EQ(json["void_pixels"], 0);
+    EXPECT_THAT(json["command"].get<std::string>(), testing::EndsWith(" --reference"));
+}
+
+TEST(Program, refusesTheOverlayOfATracedFrame) {
+    const ProgramRunner runner;
+    expectRefusal(runner, {"shot", "--at", "hill", "--reference", "--overlay", "o.png"}, "--overlay");
+    putText(runner.work() / "views", "--at hill --overlay o.png\n");
+    expectRefusal(runner, {"shot", "--views", "views", "-o", "out", "--reference"}, "--overlay");
+    EXPECT_FALSE(std::filesystem::exists(runner.work() / "out"));
+}
+
+TEST(Program, tracesManyViewsAsOneByOne) {
+    const ProgramRunner runner;
+    putText(runner.work() / "views", "--at hill --ids hill.npy\n--at cottage.room --ids room.npy\n");
+    EXPECT_EQ(runner.run({"shot", "--views", "views", "-o", "out", "--size", "48x27", "--reference"}).exit,
+              0);
+    for (const auto& [place, file] : {std::pair("hill", "hill.npy"), {"cottage.room", "room.npy"}}) {
+        EXPECT_EQ(
+            runner.run({"shot", "--at", place, "--size", "48x27", "--reference", "--ids", "one.npy"}).exit,
+            0);
+        const std::string alone = getText(runner.work() / "one.npy");
+        EXPECT_EQ(alone.size(), 128u + 48u * 27u * 4u);
+        EXPECT_EQ(alone, getText(runner.work() / "out" / file)) << place;
+    }
+}
+
 } // namespace
 } // namespace limen::app

@@ -138,6 +138,42 @@ TEST(Shot, everyCellItsOwnZoneShowsTheSameIds) {
     }
 }
 
+TEST(Shot, theReferenceShowsWhatIsDrawn) {
+    // limen check compares for good, neighbours and all; here only that the two speak of the same picture.
+    const ProgramRunner runner;
+    for (const char* place : {"cottage.room", "cottage.front"}) {
+        SCOPED_TRACE(place);
+        const std::vector<std::string> view{"shot", "--at", place, "--size", "160x90", "--ids"};
+        std::vector<std::string> drawn = view, traced = view;
+        for (const char* more : {"a.npy", "--depth", "ad.npy", "--json", "a.json"})
+            drawn.emplace_back(more);
+        for (const char* more : {"b.npy", "--depth", "bd.npy", "--json", "b.json", "--reference"})
+            traced.emplace_back(more);
+        expectDone(runner.run(drawn));
+        expectDone(runner.run(traced));
+        EXPECT_EQ(readNpy(runner.work() / "a.npy").header, readNpy(runner.work() / "b.npy").header);
+        EXPECT_EQ(readNpy(runner.work() / "ad.npy").header, readNpy(runner.work() / "bd.npy").header);
+        const auto ids = readNpy(runner.work() / "a.npy").values<std::uint32_t>(),
+                   others = readNpy(runner.work() / "b.npy").values<std::uint32_t>();
+        const auto depth = readNpy(runner.work() / "ad.npy").values<float>(),
+                   depths = readNpy(runner.work() / "bd.npy").values<float>();
+        ASSERT_EQ(ids.size(), others.size());
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            differing += ids[i] != others[i] ? 1 : 0;
+            if (ids[i] == others[i] && ids[i] > 1) {
+                EXPECT_NEAR(depth[i], depths[i], 1e-3f * depths[i]) << i;
+            }
+        }
+        EXPECT_LE(differing, ids.size() / 500) << "more than edges that round the other way";
+        const auto a = nlohmann::json::parse(getText(runner.work() / "a.json")),
+                   b = nlohmann::json::parse(getText(runner.work() / "b.json"));
+        for (const auto& [key, value] : a.items())
+            EXPECT_TRUE(b.contains(key)) << key;
+        EXPECT_EQ(a["root"], b["root"]);
+    }
+}
+
 TEST(Tour, writesNumberedFramesAndAContactSheet) {
     const ProgramRunner runner;
     const ProgramRun run = runner.run({"tour", "-o", "t", "--frames", "4", "--size", "64x36", "--json"});

@@ -30,8 +30,10 @@ std::map<std::string, Names> allowedRooms() {
         {"frame", {"core", "geometry", "dat", "world", "visibility"}},
         {"gpu", {"core", "geometry", "frame"}},
         {"reference", {"core", "geometry", "dat", "world", "motion"}},
+        {"check", {"core", "geometry", "dat", "world", "motion", "reference"}},
         {"app",
-         {"core", "geometry", "dat", "demo", "world", "motion", "visibility", "frame", "gpu", "reference"}},
+         {"core", "geometry", "dat", "demo", "world", "motion", "visibility", "frame", "gpu", "reference",
+          "check"}},
     };
 }
 

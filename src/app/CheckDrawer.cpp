@@ -1,0 +1,55 @@
+#include "app/CheckDrawer.h"
+
+#include "app/RegionOverlay.h"
+
+namespace limen::app {
+
+FrameEye eyeOf(const check::View& view, world::SpaceIndex root) {
+    FrameEye eye;
+    eye.camera = {view.eye, {view.yaw, view.pitch}, view.fov};
+    eye.size = {view.width, view.height};
+    eye.root = root;
+    eye.player = view.eye;
+    return eye;
+}
+
+Result<check::Drawer::Loaded> CheckDrawer::load(dat::BlockCoord block) {
+    if (Result<void> loaded = session_.load(block); !loaded)
+        return tl::unexpected(loaded.error());
+    return Loaded{&session_.loaded().world, nullptr};
+}
+
+reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
+    const FrameEye eye = eyeOf(view, root);
+    const visibility::View axes = viewOf(eye.camera, eye.size, root);
+    reference::Camera camera;
+    camera.eye = axes.eye;
+    camera.right = axes.right;
+    camera.up = axes.up;
+    camera.forward = axes.forward;
+    camera.tanHalfX = axes.tanHalfX;
+    camera.tanHalfY = axes.tanHalfY;
+    camera.width = view.width;
+    camera.height = view.height;
+    camera.nearPlane = frame::FrameView{}.nearPlane;
+    camera.root = root;
+    return camera;
+}
+
+Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
+    if (Result<void> drawn = session_.draw(eyeOf(view, root), {.ids = true}); !drawn)
+        return tl::unexpected(drawn.error());
+    check::DrawnImages images;
+    images.width = view.width;
+    images.height = view.height;
+    images.ids = session_.target().readIds();
+    images.depth = session_.target().readDepth();
+    images.nearPlane = frame::FrameView{}.nearPlane;
+    if (colour)
+        images.colour = session_.target().readColour();
+    if (outlines_)
+        images.outlines = regionOutlines(session_.visible());
+    return images;
+}
+
+} // namespace limen::app

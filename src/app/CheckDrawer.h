@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/Session.h"
+#include "check/Run.h"
+
+namespace limen::app {
+
+/// A check's view as the eye of a frame.
+[[nodiscard]] FrameEye eyeOf(const check::View& view, world::SpaceIndex root);
+
+/// Draws the views of a check through the path of every other verb. The session must outlive it.
+class CheckDrawer final : public check::Drawer {
+public:
+    /// `outlines`: keep the regions of visits, for pictures of findings.
+    CheckDrawer(Session& session, bool outlines) : session_(session), outlines_(outlines) {}
+
+    Result<Loaded> load(dat::BlockCoord block) override;
+    reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override;
+    Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
+
+private:
+    Session& session_;
+    bool outlines_;
+};
+
+} // namespace limen::app

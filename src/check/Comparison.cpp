@@ -1,0 +1,205 @@
+#include "check/Comparison.h"
+
+#include "core/Assert.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+namespace limen::check {
+
+namespace {
+
+using reference::Answer;
+
+/// Depths nearer to each other than this share are the same; what differs by more goes to the polygon itself, for its
+/// slope (check/LonePolygon.h).
+constexpr double kDepthShare = 1e-4;
+
+/// One picture being compared.
+class Judge {
+public:
+    Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer)
+        : drawn_(drawn), traced_(traced), retracer_(retracer) {}
+
+    Verdict verdictAt(int x, int y) {
+        const std::size_t i = indexOf(x, y);
+        const std::uint32_t id = drawn_.ids[i];
+        const Answer& own = traced_.at(x, y);
+        if (own.id != id && !anyAround(x, y, [&](const Answer& a) { return a.id == id; }))
+            return secondLook(x, y, id);
+        if (id == 0)
+            return excused(x, y) ? Verdict::Unjudged : Verdict::Hole;
+        if (own.id == id && !hasRightDepth(x, y))
+            return excused(x, y) ? Verdict::Unjudged : Verdict::Depth;
+        return layersVerdict(x, y);
+    }
+
+private:
+    [[nodiscard]] std::size_t indexOf(int x, int y) const {
+        return static_cast<std::size_t>(y) * drawn_.width + static_cast<std::size_t>(x);
+    }
+
+    template <class Test>
+    [[nodiscard]] bool anyAround(int x, int y, Test test) const {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (test(traced_.at(x + dx, y + dy)))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// The id is none of the traced ones around.
+    Verdict secondLook(int x, int y, std::uint32_t id) {
+        const Verdict worst = id == 0 ? Verdict::Void : Verdict::Disagrees;
+        if (excused(x, y))
+            return Verdict::Unjudged;
+        if (++looks_ > kMostSecondLooks)
+            return worst;
+        if (anyFiner(x, y, 1.0, 1, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
+            return Verdict::ByZone;
+        const auto meets = [&](double u, double v) { return retracer_.exact(u, v).id == id; };
+        if (onFinerRays(x, y, meets))
+            return id == 0 ? Verdict::Hole : Verdict::Sliver;
+        if (onFinerRays(x, y, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
+            return Verdict::ByZone;
+        if (id > 1 && retracer_.isEdgeOn(x, y, id, traced_.at(x, y).t))
+            return Verdict::EdgeOn;
+        return worst;
+    }
+
+    /// True if the rule does not judge this pixel: one of the rays of the 3×3 pixels.
+    [[nodiscard]] bool excused(int x, int y) {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (isRayExcused(x + dx, y + dy))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool isRayExcused(int x, int y) {
+        if (excused_.empty())
+            excused_.resize(traced_.answers.size());
+        std::optional<bool>& known =
+            excused_[static_cast<std::size_t>(y + 1) * (drawn_.width + 2) + static_cast<std::size_t>(x + 1)];
+        if (!known)
+            known = retracer_.isCutByNearPlane(x, y) || !retracer_.leadsIntoTheRoot(x, y);
+        return *known;
+    }
+
+    /// True if any of (2·reach + 1)² rays, `step` pixels apart around the centre of a pixel, passes the test.
+    template <class Test>
+    [[nodiscard]] static bool anyFiner(int x, int y, double step, int reach, Test test) {
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                if (test(x + dx * step, y + dy * step))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// Rays within the 3×3 pixels: finer than the rasteriser's 1/256 of a pixel around the middle, then wider, then
+    /// over the whole.
+    template <class Test>
+    [[nodiscard]] static bool onFinerRays(int x, int y, Test test) {
+        return anyFiner(x, y, 1.0 / 2048.0, 16, test) || anyFiner(x, y, 1.0 / 64.0, 8, test) ||
+               anyFiner(x, y, 1.0 / 16.0, 24, test);
+    }
+
+    [[nodiscard]] bool hasRightDepth(int x, int y) {
+        if (drawn_.depth.empty())
+            return true;
+        const double stored = drawn_.depth[indexOf(x, y)];
+        const double drawn =
+            stored == 0.0 ? std::numeric_limits<double>::infinity() : drawn_.nearPlane / stored;
+        const Answer& own = traced_.at(x, y);
+        if (!std::isfinite(own.t) || !std::isfinite(drawn))
+            return std::isinf(own.t) && std::isinf(drawn) && drawn > 0.0;
+        if (std::abs(drawn - own.t) <= kDepthShare * own.t)
+            return true;
+        return retracer_.mayHaveDepth(x, y, own.id, drawn);
+    }
+
+    [[nodiscard]] Verdict layersVerdict(int x, int y) {
+        if (drawn_.layers.empty())
+            return Verdict::Agrees;
+        const reference::Layers& layers = drawn_.layers[indexOf(x, y)];
+        const std::uint32_t id = drawn_.ids[indexOf(x, y)];
+        const auto same = [&](const Answer& a) { return a.id == id && a.layers == layers; };
+        if (anyAround(x, y, same))
+            return Verdict::Agrees;
+        if (excused(x, y))
+            return Verdict::Unjudged;
+        if (++looks_ > kMostSecondLooks)
+            return Verdict::Layers;
+        if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.exact(u, v)); }))
+            return Verdict::Sliver;
+        if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.byZone(u, v)); }))
+            return Verdict::ByZone;
+        return Verdict::Layers;
+    }
+
+    const DrawnImages& drawn_;
+    const reference::Picture& traced_;
+    Retracer& retracer_;
+    std::size_t looks_ = 0;
+    std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
+};
+
+} // namespace
+
+std::uint64_t Comparison::findings() const {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < kVerdictCount; ++i)
+        sum += isFinding(static_cast<Verdict>(i)) ? counts[i] : 0;
+    return sum;
+}
+
+void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
+             Comparison& result) {
+    const std::size_t pixels = static_cast<std::size_t>(drawn.width) * drawn.height;
+    LIMEN_ASSERT(traced.width == drawn.width && traced.height == drawn.height,
+                 "the pictures are of one size");
+    LIMEN_ASSERT(drawn.ids.size() == pixels, "an id for every pixel");
+    LIMEN_ASSERT(drawn.depth.empty() || drawn.depth.size() == pixels, "a depth for every pixel");
+    LIMEN_ASSERT(drawn.layers.empty() || drawn.layers.size() == pixels, "layers for every pixel");
+    result.counts = {};
+    result.verdicts.resize(pixels);
+    Judge judge(drawn, traced, retracer);
+    std::size_t i = 0;
+    for (int y = 0; y < static_cast<int>(drawn.height); ++y) {
+        for (int x = 0; x < static_cast<int>(drawn.width); ++x, ++i) {
+            const Verdict verdict = judge.verdictAt(x, y);
+            result.verdicts[i] = verdict;
+            ++result.counts[static_cast<std::size_t>(verdict)];
+        }
+    }
+}
+
+std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second) {
+    LIMEN_ASSERT(first.ids.size() == second.ids.size() && first.depth.size() == second.depth.size() &&
+                     first.colour.size() == second.colour.size(),
+                 "the pictures are of one size");
+    const auto same = [&](std::size_t i) {
+        if (first.ids[i] != second.ids[i])
+            return false;
+        if (!first.depth.empty() &&
+            std::bit_cast<std::uint32_t>(first.depth[i]) != std::bit_cast<std::uint32_t>(second.depth[i]))
+            return false;
+        return first.colour.empty() ||
+               std::memcmp(first.colour.data() + 4 * i, second.colour.data() + 4 * i, 4) == 0;
+    };
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < first.ids.size(); ++i)
+        moved += same(i) ? 0 : 1;
+    return moved;
+}
+
+} // namespace limen::check

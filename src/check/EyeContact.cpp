@@ -1,0 +1,45 @@
+#include "check/EyeContact.h"
+
+#include <algorithm>
+
+namespace limen::check {
+
+namespace {
+
+double distanceToSegment(const Vec3& a, const Vec3& b, const Vec3& point) {
+    const Vec3 along = b - a;
+    const double squared = glm::dot(along, along);
+    const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::length(point - (a + along * t));
+}
+
+bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (distanceToSegment(corners[i], corners[(i + 1) % corners.size()], point) <= EyeContact::kReach)
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+EyeContact::EyeContact(const world::World& world, const PolygonTable& polygons, world::SpaceIndex root,
+                       const Vec3& eye) {
+    std::vector<Triangle> touched;
+    polygons.trianglesAround(root, eye, kReach, touched);
+    for (const Triangle& triangle : touched)
+        inward_.push_back(planeOf(triangle.corners).n);
+    const world::Space& space = world.spaces[root];
+    for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+        const world::Portal& portal = world.portals[p];
+        if (touchesEdge(cornersOf(world, portal), eye))
+            inward_.push_back(portal.plane.n);
+    }
+}
+
+bool EyeContact::leadsIntoTheRoot(const Vec3& direction) const {
+    return std::all_of(inward_.begin(), inward_.end(),
+                       [&](const Vec3& n) { return glm::dot(n, direction) > 0.0; });
+}
+
+} // namespace limen::check

@@ -1,0 +1,90 @@
+#include "check/Judging.h"
+
+#include <chrono>
+
+namespace limen::check {
+
+namespace {
+
+constexpr std::size_t kMostWaiting = 3; // views: enough to even out, few enough for memory
+
+} // namespace
+
+Judging::Judging(TracedWorld& traced, unsigned threads, const RunEvents& events, Progress& progress)
+    : traced_(traced), threads_(threads), events_(events), progress_(progress), thread_([this] { work(); }) {}
+
+Judging::~Judging() {
+    {
+        const std::lock_guard guard(lock_);
+        ending_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void Judging::add(DrawnView view) {
+    {
+        std::unique_lock guard(lock_);
+        changed_.wait(guard, [this] { return waiting_.size() < kMostWaiting; });
+        waiting_.push_back(std::move(view));
+    }
+    changed_.notify_all();
+}
+
+Result<void> Judging::finish() {
+    std::unique_lock guard(lock_);
+    changed_.wait(guard, [this] { return waiting_.empty() && !busy_; });
+    return failure_;
+}
+
+Progress Judging::progress() const {
+    const std::lock_guard guard(lock_);
+    return progress_;
+}
+
+void Judging::work() {
+    for (;;) {
+        DrawnView next;
+        {
+            std::unique_lock guard(lock_);
+            changed_.wait(guard, [this] { return !waiting_.empty() || ending_; });
+            if (waiting_.empty())
+                return;
+            next = std::move(waiting_.front());
+            waiting_.pop_front();
+            busy_ = true;
+        }
+        changed_.notify_all();
+        judge(next);
+        {
+            const std::lock_guard guard(lock_);
+            busy_ = false;
+        }
+        changed_.notify_all();
+    }
+}
+
+void Judging::judge(const DrawnView& drawn) {
+    const auto start = std::chrono::steady_clock::now();
+    reference::tracePicture(traced_.scene(), drawn.camera, threads_, picture_);
+    ViewRetracer retracer(traced_, drawn.camera);
+    compare(drawn.images, picture_, retracer, comparison_);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::uint64_t number = 0;
+    {
+        const std::lock_guard guard(lock_);
+        number = progress_.totals.sum().views;
+        progress_.totals.add(drawn.view, number, comparison_, drawn.moved);
+        progress_.totals.drawSeconds += drawn.seconds;
+        progress_.totals.traceSeconds += seconds;
+        ++progress_.views;
+    }
+    if (!events_.picture || (comparison_.findings() == 0 && drawn.moved == 0))
+        return;
+    Result<void> shown = events_.picture({drawn.view, number, drawn.images, picture_, comparison_});
+    const std::lock_guard guard(lock_);
+    if (!shown && failure_)
+        failure_ = std::move(shown);
+}
+
+} // namespace limen::check

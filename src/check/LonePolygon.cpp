@@ -1,0 +1,122 @@
+#include "check/LonePolygon.h"
+
+#include "geometry/ConvexPolygon.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace limen::check {
+
+namespace {
+
+constexpr double kSnap = 1.0 / 128.0;       // pixels
+constexpr double kDepthShare = 1e-4;        // of the depth
+constexpr double kTransformShare = 4e-7;    // of the farthest corner's distance
+constexpr double kBlockFloat = 2e-5;        // metres
+constexpr double kStoredRounding = 0x1p-22; // of the largest inverse depth
+
+/// A triangle relative to an eye, and its plane n·p = offset. n is not unit length.
+struct Seen {
+    Vec3 a{0.0}, ab{0.0}, ac{0.0}, n{0.0};
+    double offset = 0.0;
+
+    Seen(const Triangle& triangle, const Vec3& eye)
+        : a(triangle.corners[0] - eye), ab(triangle.corners[1] - triangle.corners[0]),
+          ac(triangle.corners[2] - triangle.corners[0]), n(glm::cross(ab, ac)), offset(glm::dot(n, a)) {}
+};
+
+/// Directions through the corners of the square of half-width kSnap around a pixel's centre, counter-clockwise as seen.
+std::array<Vec3, 4> squareAround(const reference::Camera& camera, int x, int y) {
+    const auto at = [&](double dx, double dy) {
+        return reference::rayThrough(camera, x + dx * kSnap, y + dy * kSnap).direction;
+    };
+    return {at(-1, 1), at(1, 1), at(1, -1), at(-1, -1)};
+}
+
+/// True if any part of the triangle before the eye lies within the pyramid over the square.
+bool reaches(const Seen& seen, const std::array<Vec3, 4>& square) {
+    std::vector<Vec3> part{seen.a, seen.a + seen.ab, seen.a + seen.ac}, clipped;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+        const Vec3 inward = glm::normalize(glm::cross(square[(i + 1) % square.size()], square[i]));
+        const Vec3 middle = square[0] + square[2];
+        clipPolygon(part, {glm::dot(inward, middle) > 0.0 ? inward : -inward, 0.0}, 0.0, clipped);
+        part.swap(clipped);
+    }
+    return !part.empty(); // four planes through the eye leave only what is ahead
+}
+
+/// The range of n·d over some directions.
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void include(double v) {
+        low = std::min(low, v);
+        high = std::max(high, v);
+    }
+    [[nodiscard]] double farthest() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+/// Affine in the place on the screen: the corners bound it.
+Range over(const Seen& seen, const std::array<Vec3, 4>& square) {
+    Range range;
+    for (const Vec3& direction : square)
+        range.include(glm::dot(seen.n, direction));
+    return range;
+}
+
+Range overPicture(const Seen& seen, const reference::Camera& camera) {
+    Range range;
+    const double right = camera.width - 0.5, bottom = camera.height - 0.5;
+    for (const double x : {-0.5, right}) {
+        for (const double y : {-0.5, bottom})
+            range.include(glm::dot(seen.n, reference::rayThrough(camera, x, y).direction));
+    }
+    return range;
+}
+
+bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int x, int y, double drawn) {
+    const std::array<Vec3, 4> square = squareAround(camera, x, y);
+    const Range facing = over(seen, square);
+    // On the plane n·d = offset / t: all terms in units of n.
+    const double wanted = seen.offset / drawn;
+    const double reach =
+        std::max({glm::length(seen.a), glm::length(seen.a + seen.ab), glm::length(seen.a + seen.ac)});
+    const double slack = kDepthShare * std::abs(wanted) +
+                         glm::length(seen.n) * (kTransformShare * reach + kBlockFloat) / drawn +
+                         kStoredRounding * overPicture(seen, camera).farthest();
+    if (!(wanted >= facing.low - slack && wanted <= facing.high + slack))
+        return false;
+    return reaches(seen, square);
+}
+
+} // namespace
+
+bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& camera, int x, int y,
+                  double shown) {
+    const std::array<Vec3, 4> square = squareAround(camera, x, y);
+    bool covered = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Triangle& triangle : polygon) {
+        const Seen seen(triangle, camera.eye);
+        covered = covered || reaches(seen, square);
+        const Range facing = over(seen, square);
+        // t = offset / (n·d): nearest where n·d is farthest from 0 on the side of offset.
+        const double steepest = seen.offset > 0.0 ? facing.high : -facing.low;
+        if (steepest > 0.0)
+            nearest = std::min(nearest, std::abs(seen.offset) / steepest);
+    }
+    return covered && (nearest <= shown || !std::isfinite(shown));
+}
+
+bool mayHaveDepth(std::span<const Triangle> polygon, const reference::Camera& camera, int x, int y,
+                  double drawn) {
+    if (!(drawn > 0.0) || !std::isfinite(drawn))
+        return false;
+    return std::any_of(polygon.begin(), polygon.end(), [&](const Triangle& triangle) {
+        return triangleMayHaveDepth(Seen(triangle, camera.eye), camera, x, y, drawn);
+    });
+}
+
+} // namespace limen::check

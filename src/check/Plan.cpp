@@ -1,0 +1,112 @@
+#include "check/Plan.h"
+
+#include "check/Views.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+
+namespace limen::check {
+
+namespace {
+
+constexpr std::array<std::size_t, kKindCount> kParts{30, 20, 20, 28, 2};
+
+/// How many times the outside views of a block without buildings one with buildings gets: openings are where pictures go
+/// wrong, and every block costs a load.
+constexpr std::uint64_t kBuiltWeight = 12;
+
+/// Shares `amount` out by weight; the shares add up to it unless all weights are 0. `take` gets each share.
+template <class Take>
+void shareOut(std::size_t amount, std::span<const std::uint64_t> weights, Take take) {
+    const std::uint64_t all = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});
+    std::uint64_t before = 0;
+    for (std::size_t i = 0; i < weights.size() && all > 0; ++i) {
+        const std::uint64_t after = before + weights[i];
+        take(i, static_cast<std::size_t>(amount * after / all - amount * before / all));
+        before = after;
+    }
+}
+
+bool isNeighbour(dat::BlockCoord a, dat::BlockCoord b) {
+    return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
+}
+
+} // namespace
+
+Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive) {
+    std::map<dat::RecordId, BlockSummary> all;
+    const Result<void> read = archive.cell().forEach([&](const dat::Entry& entry) {
+        if (entry.id == dat::kIterationId)
+            return true;
+        BlockSummary& summary = all[entry.id & 0xFFFF0000u];
+        summary.block = dat::blockOf(entry.id);
+        const std::uint32_t low = entry.id & 0xFFFFu;
+        if (low == 0xFFFFu)
+            summary.hasLandscape = true;
+        else if (low == 0xFFFEu) {
+            const auto info = archive.load<dat::LandBlockInfo>(entry.id);
+            summary.hasBuildings = info && !info->buildings.empty();
+        } else if (low >= dat::kFirstCell)
+            ++summary.cells;
+        return true;
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    std::vector<BlockSummary> built, blocks;
+    for (const auto& [word, summary] : all) {
+        if (summary.hasBuildings)
+            built.push_back(summary);
+    }
+    for (const auto& [word, summary] : all) {
+        const bool near =
+            summary.hasLandscape && std::any_of(built.begin(), built.end(), [&](const auto& other) {
+                return isNeighbour(summary.block, other.block);
+            });
+        if (summary.cells > 0 || summary.hasBuildings || near)
+            blocks.push_back(summary);
+    }
+    return blocks;
+}
+
+KindCounts shareAmongKinds(std::size_t views, std::span<const Kind> kinds) {
+    std::array<std::uint64_t, kKindCount> weights{};
+    for (const Kind kind : kinds)
+        weights[static_cast<std::size_t>(kind)] = kParts[static_cast<std::size_t>(kind)];
+    KindCounts counts{};
+    shareOut(views, weights, [&](std::size_t i, std::size_t share) {
+        counts[i] = weights[i] > 0 ? std::max<std::size_t>(share, 1) : 0;
+    });
+    return counts;
+}
+
+std::size_t BlockTask::total() const {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+std::vector<BlockTask> planTasks(std::span<const BlockSummary> blocks, std::span<const world::Place> tour,
+                                 const KindCounts& counts) {
+    std::vector<std::uint64_t> byCells, byLandscape;
+    std::vector<BlockTask> tasks;
+    for (const BlockSummary& block : blocks) {
+        byCells.push_back(block.cells);
+        byLandscape.push_back(!block.hasLandscape ? 0 : block.hasBuildings ? kBuiltWeight : 1);
+        tasks.push_back({block.block, {}, 0});
+    }
+    KindCounts shared = counts;
+    const std::size_t path = static_cast<std::size_t>(Kind::Path);
+    const std::size_t tourViews = tour.size() < 2 ? 0 : counts[path] / 2;
+    shared[path] -= tourViews;
+    for (std::size_t kind = 0; kind < kKindCount; ++kind) {
+        const bool outside = static_cast<Kind>(kind) == Kind::Outside;
+        shareOut(shared[kind], outside ? byLandscape : byCells,
+                 [&](std::size_t i, std::size_t share) { tasks[i].counts[kind] = share; });
+    }
+    for (BlockTask& task : tasks)
+        task.tourViews = tourPointsIn(tour, tourViews, task.block) > 0 ? tourViews : 0;
+    std::erase_if(tasks, [](const BlockTask& task) { return task.total() + task.tourViews == 0; });
+    return tasks;
+}
+
+} // namespace limen::check

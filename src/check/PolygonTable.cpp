@@ -1,0 +1,79 @@
+#include "check/PolygonTable.h"
+
+#include "world/PolygonDistance.h"
+
+#include <algorithm>
+
+namespace limen::check {
+
+PolygonTable::PolygonTable(const world::World& world, const world::Moment* moment)
+    : world_(world), moment_(moment) {
+    const auto add = [&](const world::Instance& instance) {
+        if (instance.mesh != world::kNone && world.meshes[instance.mesh].polygonCount > 0)
+            byId_.push_back(&instance);
+    };
+    std::for_each(world.instances.begin(), world.instances.end(), add);
+    if (moment != nullptr)
+        std::for_each(moment->instances.begin(), moment->instances.end(), add);
+    std::sort(byId_.begin(), byId_.end(), [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
+}
+
+template <class Visit>
+void PolygonTable::forTriangles(const world::Instance& instance, bool blended, Visit visit) const {
+    if (instance.mesh == world::kNone)
+        return;
+    const world::Mesh& mesh = world_.meshes[instance.mesh];
+    const Vec3 block = instance.block == world::kNone ? Vec3(0.0) : world_.blocks[instance.block].origin();
+    const Vec3 origin = block + Vec3(instance.origin);
+    const Mat3 linear(instance.linear);
+    for (std::size_t s = 0; s < mesh.ranges.size(); ++s) {
+        if (!blended && static_cast<world::SurfaceClass>(s) == world::SurfaceClass::Blended)
+            continue;
+        const world::Mesh::Range& range = mesh.ranges[s];
+        for (std::uint32_t i = range.firstIndex; i + 2 < range.firstIndex + range.indexCount; i += 3) {
+            const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {
+                return world_.vertices[mesh.firstVertex + world_.indices[i + k]];
+            };
+            const auto place = [&](std::uint32_t k) { return origin + linear * Vec3(vertex(k).position); };
+            visit(vertex(0).polygon, Triangle{{place(0), place(1), place(2)}});
+        }
+    }
+}
+
+void PolygonTable::trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const {
+    out.clear();
+    const auto after =
+        std::upper_bound(byId_.begin(), byId_.end(), id,
+                         [](std::uint32_t wanted, const auto* i) { return wanted < i->idBase; });
+    if (id < 2 || after == byId_.begin())
+        return;
+    const world::Instance& instance = **(after - 1);
+    forTriangles(instance, true, [&](std::uint32_t polygon, const Triangle& triangle) {
+        if (instance.idBase + polygon == id)
+            out.push_back(triangle);
+    });
+}
+
+void PolygonTable::addTrianglesAround(const world::Instance& instance, const Vec3& point, double reach,
+                                      std::vector<Triangle>& out) const {
+    if (glm::length(point - instance.bounds.centre) > instance.bounds.radius + reach)
+        return;
+    forTriangles(instance, false, [&](std::uint32_t, const Triangle& triangle) {
+        if (world::distanceToPolygon(triangle.corners, planeOf(triangle.corners), point) <= reach)
+            out.push_back(triangle);
+    });
+}
+
+void PolygonTable::trianglesAround(world::SpaceIndex index, const Vec3& point, double reach,
+                                   std::vector<Triangle>& out) const {
+    out.clear();
+    const world::Space& space = world_.spaces[index];
+    for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i)
+        addTrianglesAround(world_.instances[world_.spaceInstances[i]], point, reach, out);
+    if (moment_ == nullptr)
+        return;
+    for (const world::InstanceIndex i : moment_->instancesIn(index))
+        addTrianglesAround(moment_->instances[i], point, reach, out);
+}
+
+} // namespace limen::check

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "geometry/Vec.h"
+#include "world/Moment.h"
+#include "world/World.h"
+
+#include <array>
+#include <vector>
+
+namespace limen::check {
+
+/// A triangle of a drawn polygon in global coordinates, counter-clockwise from the front.
+struct Triangle {
+    std::array<Vec3, 3> corners{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
+};
+
+/// Finds the triangles behind ids and around points. The world and the moment must outlive it.
+class PolygonTable {
+public:
+    /// `moment` may be null: nothing moves.
+    PolygonTable(const world::World& world, const world::Moment* moment);
+
+    /// The triangles that show as `id`; none for void, sky and ids that nothing has. `out` is overwritten.
+    void trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const;
+    /// The opaque and cut-out triangles that members of `space` have within `reach` metres of a point. `out` is
+    /// overwritten.
+    void trianglesAround(world::SpaceIndex space, const Vec3& point, double reach,
+                         std::vector<Triangle>& out) const;
+
+private:
+    template <class Visit>
+    void forTriangles(const world::Instance& instance, bool blended, Visit visit) const;
+    void addTrianglesAround(const world::Instance& instance, const Vec3& point, double reach,
+                            std::vector<Triangle>& out) const;
+
+    const world::World& world_;
+    const world::Moment* moment_;
+    std::vector<const world::Instance*> byId_; ///< those with polygons, ascending by idBase
+};
+
+} // namespace limen::check

@@ -1,0 +1,89 @@
+#include "check/Standing.h"
+
+#include "motion/Locate.h"
+#include "world/Loader.h"
+
+#include <algorithm>
+
+namespace limen::check {
+
+namespace {
+
+constexpr int kTries = 40;
+
+/// Anywhere, now and then straight up or down.
+Gaze anyGaze(Dice& dice) {
+    const double pitch = dice.unit() < 0.04 ? (dice.unit() < 0.5 ? -90.0 : 90.0) : dice.between(-75.0, 75.0);
+    return {dice.between(0.0, 360.0), pitch};
+}
+
+View lookFrom(const Surroundings& around, Kind kind, const Vec3& eye, const Gaze& gaze, double fov,
+              world::SpaceIndex root) {
+    View view;
+    view.kind = kind;
+    view.eye = eye;
+    view.yaw = gaze.yaw;
+    view.pitch = gaze.pitch;
+    view.fov = fov;
+    view.width = around.width;
+    view.height = around.height;
+    view.root = cellIdOf(around.world, root);
+    return view;
+}
+
+/// The block's building portals.
+std::vector<world::PortalIndex> doorsOf(const world::World& world, dat::BlockCoord block) {
+    std::vector<world::PortalIndex> doors = openingsOf(world, block);
+    std::erase_if(doors,
+                  [&](world::PortalIndex p) { return world.portals[p].destination != world::kOutside; });
+    return doors;
+}
+
+/// A place above the block's ground; near `door` if there is one. NaN height where there is no ground.
+Vec3 placeAboveGround(const Surroundings& around, const world::Portal* door, Dice& dice) {
+    Vec3 eye = Vec3(around.block.x, around.block.y, 0.0) * world::kBlockSize +
+               Vec3(dice.unit(), dice.unit(), 0.0) * world::kBlockSize;
+    if (door != nullptr) {
+        const double turn = dice.between(0.0, 2.0 * std::numbers::pi), far = dice.betweenLog(0.2, 20.0);
+        eye = middleOf(around.world, *door) + Vec3(std::cos(turn), std::sin(turn), 0.0) * far;
+    }
+    eye.z = world::terrainHeight(around.world, eye.x, eye.y) + dice.betweenLog(0.3, 20.0);
+    return eye;
+}
+
+} // namespace
+
+void addRandomViews(const Surroundings& around, Kind kind, std::size_t count, std::vector<View>& out) {
+    const std::vector<world::SpaceIndex> cells = cellsOf(around.world, around.block);
+    for (std::size_t i = 0; i < count && !cells.empty(); ++i) {
+        Dice dice(around.seed, {static_cast<std::uint64_t>(kind), dat::blockWord(around.block), i});
+        const world::SpaceIndex cell = cells[(i + dice.below(2)) % cells.size()];
+        const std::optional<Vec3> eye = placeInCell(around, cell, dice);
+        if (eye)
+            out.push_back(lookFrom(around, kind, *eye, anyGaze(dice), dice.between(40.0, 100.0), cell));
+    }
+}
+
+void addOutsideViews(const Surroundings& around, std::size_t count, std::vector<View>& out) {
+    const std::vector<world::PortalIndex> doors = doorsOf(around.world, around.block);
+    for (std::size_t i = 0; i < count; ++i) {
+        Dice dice(around.seed, {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
+        for (int attempt = 0; attempt < kTries; ++attempt) {
+            const world::Portal* door = doors.empty() || dice.unit() < 0.4
+                                            ? nullptr
+                                            : &around.world.portals[doors[dice.below(doors.size())]];
+            const Vec3 eye = placeAboveGround(around, door, dice);
+            if (!isFinite(eye) || world::blockAt(eye) != around.block ||
+                motion::locate(around.world, eye).space != world::kOutside ||
+                !standsFree(around, world::kOutside, eye, dice))
+                continue;
+            const bool atDoor = door != nullptr && dice.unit() < 0.5;
+            const Gaze gaze = atDoor ? gazeAlong(middleOf(around.world, *door) - eye) : anyGaze(dice);
+            out.push_back(
+                lookFrom(around, Kind::Outside, eye, gaze, dice.between(40.0, 100.0), world::kOutside));
+            break;
+        }
+    }
+}
+
+} // namespace limen::check

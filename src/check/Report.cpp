@@ -1,0 +1,117 @@
+#include "check/Report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace limen::check {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kWorstShown = 20;
+
+Json categoriesOf(const KindTotals& totals) {
+    Json json = Json::object();
+    for (std::size_t i = 1; i < kVerdictCount; ++i)
+        json[std::string(kVerdictNames[i])] = totals.counts[i];
+    json["moved"] = totals.moved;
+    return json;
+}
+
+Json worstJson(const Totals& totals, const std::string& worldOptions) {
+    Json worst = Json::array();
+    for (std::size_t i = 0; i < std::min(kWorstShown, totals.worst.size()); ++i) {
+        const Finding& finding = totals.worst[i];
+        worst.push_back({{"count", finding.count},
+                         {"command", shotCommand(finding.view, worldOptions)},
+                         {"number", finding.number},
+                         {"kind", nameOf(finding.view.kind)},
+                         {"about", finding.view.about},
+                         {"pixels", categoriesOf({1, 0, finding.counts, finding.moved})}});
+    }
+    return worst;
+}
+
+/// "3 wrong_ids, 1 depth".
+std::string causesOf(const Finding& finding) {
+    std::string text;
+    for (std::size_t i = 0; i < kVerdictCount; ++i) {
+        if (isFinding(static_cast<Verdict>(i)) && finding.counts[i] > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", finding.counts[i], kVerdictNames[i]);
+    }
+    if (finding.moved > 0)
+        text += fmt::format("{}{} moved", text.empty() ? "" : ", ", finding.moved);
+    return text;
+}
+
+double viewsPerSecond(const Totals& totals) {
+    return totals.seconds > 0.0 ? static_cast<double>(totals.sum().views) / totals.seconds : 0.0;
+}
+
+} // namespace
+
+std::string shotCommand(const View& view, const std::string& worldOptions) {
+    return "limen shot" + worldOptions + " " + shotOptions(view) + " --ids ids.npy";
+}
+
+std::string reportJson(const Totals& totals, const ReportContext& context) {
+    const KindTotals all = totals.sum();
+    Json kinds = Json::object();
+    for (std::size_t i = 0; i < kKindCount; ++i) {
+        const KindTotals& kind = totals.kinds[i];
+        if (kind.views == 0)
+            continue;
+        Json json{{"views", kind.views}, {"pixels", kind.pixels}, {"disagreeing_pixels", kind.disagreeing()}};
+        json.update(categoriesOf(kind));
+        kinds[std::string(kKindNames[i])] = std::move(json);
+    }
+    Json json{{"views", all.views},
+              {"pixels", all.pixels},
+              {"disagreeing_pixels", all.disagreeing()},
+              {"void_pixels", all.count(Verdict::Void)},
+              {"worst", worstJson(totals, context.worldOptions)},
+              {"seed", context.seed},
+              {"seconds", totals.seconds},
+              {"views_with_findings", totals.viewsWithFindings},
+              {"views_per_second", viewsPerSecond(totals)},
+              {"draw_seconds", totals.drawSeconds},
+              {"trace_seconds", totals.traceSeconds},
+              {"blocks_left_out", totals.blocksLeftOut}};
+    json.update(categoriesOf(all));
+    json["kinds"] = std::move(kinds);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string reportText(const Totals& totals, const ReportContext& context) {
+    std::string text = fmt::format("{:<8} {:>7} {:>11}", "kind", "views", "pixels");
+    for (std::size_t i = 1; i < kVerdictCount; ++i)
+        text += fmt::format(" {:>9}", kVerdictNames[i]);
+    text += fmt::format(" {:>9}\n", "moved");
+    const auto line = [&](std::string_view name, const KindTotals& kind) {
+        text += fmt::format("{:<8} {:>7} {:>11}", name, kind.views, kind.pixels);
+        for (std::size_t i = 1; i < kVerdictCount; ++i)
+            text += fmt::format(" {:>9}", kind.counts[i]);
+        text += fmt::format(" {:>9}\n", kind.moved);
+    };
+    for (std::size_t i = 0; i < kKindCount; ++i) {
+        if (totals.kinds[i].views > 0)
+            line(kKindNames[i], totals.kinds[i]);
+    }
+    const KindTotals all = totals.sum();
+    line("all", all);
+    for (std::size_t i = 0; i < std::min(kWorstShown, totals.worst.size()); ++i) {
+        const Finding& finding = totals.worst[i];
+        text += fmt::format("{:>7} pixels ({}), {}{}{}: {}\n", finding.count, causesOf(finding),
+                            nameOf(finding.view.kind), finding.view.about.empty() ? "" : ", ",
+                            finding.view.about, shotCommand(finding.view, context.worldOptions));
+    }
+    text +=
+        fmt::format("{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second "
+                    "({:.1f} s drawing, {:.1f} s tracing, side by side), seed {}\n",
+                    all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings,
+                    all.views, viewsPerSecond(totals), totals.drawSeconds, totals.traceSeconds, context.seed);
+    return text;
+}
+
+} // namespace limen::check

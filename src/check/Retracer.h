@@ -1,0 +1,32 @@
+#pragma once
+
+#include "reference/Scene.h"
+
+#include <cstdint>
+
+namespace limen::check {
+
+/// Answers about single rays of one view, for pixels that need a second look. (x, y) are pixels of the picture, centres at
+/// whole numbers. An interface, so that each verdict can be tested with answers made by hand.
+class Retracer {
+public:
+    virtual ~Retracer() = default;
+
+    /// The ray rule, as in the traced picture.
+    [[nodiscard]] virtual reference::Answer exact(double x, double y) = 0;
+    /// The rule's other reading: objects met in every space of their zones (reference::RuleOptions::objectsByZone).
+    [[nodiscard]] virtual reference::Answer byZone(double x, double y) = 0;
+    /// True if the near plane cuts a surface on this ray.
+    [[nodiscard]] virtual bool isCutByNearPlane(double x, double y) = 0;
+    /// False for a ray out of the space that an eye on a wall or on the edge of an opening is said to be in
+    /// (check/EyeContact.h).
+    [[nodiscard]] virtual bool leadsIntoTheRoot(double x, double y) = 0;
+    /// True if the polygon `id` covers the pixel's centre but for the rasteriser's rounding, and its plane there lies
+    /// before depth `shown` (check/LonePolygon.h).
+    [[nodiscard]] virtual bool isEdgeOn(int x, int y, std::uint32_t id, double shown) = 0;
+    /// True if view depth `drawn` is one that the rasteriser may give polygon `id` at the pixel's centre
+    /// (check/LonePolygon.h).
+    [[nodiscard]] virtual bool mayHaveDepth(int x, int y, std::uint32_t id, double drawn) = 0;
+};
+
+} // namespace limen::check

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "check/Plan.h"
+#include "check/Report.h"
+#include "check/Traced.h"
+
+#include <functional>
+
+// The run itself, whoever draws.
+namespace limen::check {
+
+/// What draws the views of a run: the renderer, or a test's stand-in. Called from one thread.
+class Drawer {
+public:
+    virtual ~Drawer() = default;
+
+    /// What was loaded; valid until the next load.
+    struct Loaded {
+        const world::World* world = nullptr;
+        const world::Moment* moment = nullptr; ///< null: nothing moves
+    };
+    [[nodiscard]] virtual Result<Loaded> load(dat::BlockCoord block) = 0;
+    /// The view's axes, as they are drawn.
+    [[nodiscard]] virtual reference::Camera cameraOf(const View& view, world::SpaceIndex root) = 0;
+    /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour.
+    [[nodiscard]] virtual Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) = 0;
+};
+
+struct RunRequest {
+    std::vector<BlockTask> tasks;
+    std::uint64_t seed = 1;
+    std::uint32_t width = 640, height = 360;          ///< pixels
+    std::uint32_t sweepWidth = 160, sweepHeight = 90; ///< pixels
+    std::span<const world::Place> tour;
+    unsigned threads = 2; ///< that trace
+};
+
+/// Everything about a view with findings, for pictures of it. Lives for the call only.
+struct FindingPicture {
+    const View& view;
+    std::uint64_t number;
+    const DrawnImages& drawn;
+    const reference::Picture& traced;
+    const Comparison& comparison;
+};
+
+/// What a run tells while it goes. All may be empty. `picture` is called from the tracing thread, one call at a time.
+struct RunEvents {
+    std::function<void(std::size_t done)> step;         ///< views judged or left out, of viewsAsked
+    std::function<Result<void>(const Progress&)> saved; ///< a state to keep; every few seconds and at the end
+    std::function<Result<void>(const FindingPicture&)> picture;
+    std::function<void(dat::BlockCoord, const Error&)> leftOut; ///< a block that could not be loaded
+};
+
+/// Views that a plan asks for.
+[[nodiscard]] std::size_t viewsAsked(const RunRequest& request);
+
+/// The views of one task, in order: the same for every call.
+[[nodiscard]] std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task,
+                                        const world::World& world, const reference::Scene& scene);
+
+/// Draws and judges all views from `progress` on, the next one being drawn while one is traced; `progress` is brought up
+/// to date. Errors: the drawer's and the events'; what was judged until then is in `progress`.
+[[nodiscard]] Result<void> runCheck(const RunRequest& request, Drawer& drawer, const RunEvents& events,
+                                    Progress& progress);
+
+} // namespace limen::check

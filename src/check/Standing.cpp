@@ -1,0 +1,111 @@
+#include "check/Standing.h"
+
+#include "motion/Locate.h"
+
+#include <algorithm>
+
+namespace limen::check {
+
+namespace {
+
+constexpr int kTries = 64;         // for a random place
+constexpr int kFeelers = 6;        // directions that a place is felt out in
+constexpr double kFar = 300.0;     // metres: where a feeler into the sky is walked back from
+constexpr double kFromWall = 1e-4; // share of a feeler's length that is left out before its end
+constexpr double kIntoCell = 0.05; // metres before an opening that are surely in its cell
+
+} // namespace
+
+std::vector<world::SpaceIndex> cellsOf(const world::World& world, dat::BlockCoord block) {
+    std::vector<world::SpaceIndex> cells;
+    for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s) {
+        if (dat::blockOf(world.spaces[s].cellId) == block)
+            cells.push_back(s);
+    }
+    return cells;
+}
+
+std::vector<world::PortalIndex> openingsOf(const world::World& world, dat::BlockCoord block) {
+    std::vector<world::PortalIndex> openings;
+    for (const world::SpaceIndex cell : cellsOf(world, block)) {
+        const world::Space& space = world.spaces[cell];
+        for (world::PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            const world::Portal& portal = world.portals[p];
+            const bool second = portal.reciprocal != world::kNone && portal.destination != world::kOutside &&
+                                portal.reciprocal < p;
+            if (portal.destination != world::kNone && !second && portal.plane.n != Vec3(0.0))
+                openings.push_back(p);
+        }
+    }
+    return openings;
+}
+
+Vec3 middleOf(const world::World& world, const world::Portal& portal) {
+    const std::span<const Vec3> corners = cornersOf(world, portal);
+    Vec3 sum(0.0);
+    for (const Vec3& corner : corners)
+        sum += corner;
+    return sum / static_cast<double>(corners.size());
+}
+
+std::optional<world::SpaceIndex> walk(const Surroundings& around, world::SpaceIndex space, const Vec3& from,
+                                      const Vec3& to) {
+    if (from != to) {
+        const reference::Answer met = around.scene.trace(space, {from, to - from, 0.0});
+        if (met.t < 1.0 - 1e-7)
+            return std::nullopt;
+    }
+    return motion::sweep(around.world, space, from, to);
+}
+
+bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3& eye, Dice& dice) {
+    for (int i = 0; i < kFeelers; ++i) {
+        const Vec3 direction = dice.direction();
+        const reference::Answer seen = around.scene.trace(space, {eye, direction, 0.0});
+        if (std::isnan(seen.t))
+            continue; // a hole of the data says nothing
+        const double length = std::min(seen.t, kFar) * (1.0 - kFromWall);
+        const reference::Answer back =
+            around.scene.trace(seen.space, {eye + direction * length, -direction, 0.0});
+        if (back.t < length * (1.0 - kFromWall))
+            return false;
+    }
+    return true;
+}
+
+std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex cell, Dice& dice) {
+    const world::Space& space = around.world.spaces[cell];
+    const Vec3 size = space.bounds.max - space.bounds.min;
+    for (int i = 0; i < kTries && !space.bounds.empty(); ++i) {
+        const Vec3 eye = space.bounds.min + size * Vec3(dice.unit(), dice.unit(), dice.unit());
+        if (motion::cellContains(around.world, cell, eye) && standsFree(around, cell, eye, dice))
+            return eye;
+    }
+    // A cell whose tree holds nothing: feel the way in from an opening.
+    for (int i = 0; i < kTries && space.portalCount > 0; ++i) {
+        const world::Portal& portal = around.world.portals[space.firstPortal + dice.below(space.portalCount)];
+        const Vec3 start = middleOf(around.world, portal) + portal.plane.n * kIntoCell;
+        const Vec3 direction = dice.direction();
+        const reference::Answer seen = around.scene.trace(cell, {start, direction, 0.0});
+        if (seen.space != cell || !std::isfinite(seen.t))
+            continue;
+        const Vec3 eye = start + direction * (seen.t * dice.unit());
+        if (standsFree(around, cell, eye, dice))
+            return eye;
+    }
+    return std::nullopt;
+}
+
+Gaze gazeAlong(const Vec3& direction) {
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const double flat = std::hypot(direction.x, direction.y);
+    const double yaw =
+        flat > 1e-9 * std::abs(direction.z) ? std::atan2(direction.x, direction.y) * kDegrees : 0.0;
+    return {yaw < 0.0 ? yaw + 360.0 : yaw + 0.0, std::atan2(direction.z, flat) * kDegrees + 0.0}; // no "-0"
+}
+
+dat::RecordId cellIdOf(const world::World& world, world::SpaceIndex space) {
+    return space == world::kOutside ? 0 : world.spaces[space].cellId;
+}
+
+} // namespace limen::check

@@ -1,0 +1,64 @@
+#include "check/Traced.h"
+
+#include "check/LonePolygon.h"
+
+namespace limen::check {
+
+TracedWorld::TracedWorld(const world::World& world, const world::Moment* moment)
+    : world_(world), moment_(moment), scene_(world) {
+    if (moment_ != nullptr)
+        scene_.setMoment(*moment_);
+}
+
+const reference::Scene& TracedWorld::sceneByZone() {
+    if (!byZone_) {
+        byZone_.emplace(world_, reference::RuleOptions{.objectsByZone = true});
+        if (moment_ != nullptr)
+            byZone_->setMoment(*moment_);
+    }
+    return *byZone_;
+}
+
+const PolygonTable& TracedWorld::polygons() {
+    if (!polygons_)
+        polygons_.emplace(world_, moment_);
+    return *polygons_;
+}
+
+reference::Answer ViewRetracer::exact(double x, double y) {
+    return traced_.scene().trace(camera_.root, rayThrough(camera_, x, y));
+}
+
+reference::Answer ViewRetracer::byZone(double x, double y) {
+    return traced_.sceneByZone().trace(camera_.root, rayThrough(camera_, x, y));
+}
+
+bool ViewRetracer::isCutByNearPlane(double x, double y) {
+    reference::Ray ray = rayThrough(camera_, x, y);
+    ray.nearPlane = 0.0;
+    return traced_.scene().trace(camera_.root, ray).t < camera_.nearPlane;
+}
+
+bool ViewRetracer::leadsIntoTheRoot(double x, double y) {
+    if (!contact_)
+        contact_.emplace(traced_.world(), traced_.polygons(), camera_.root, camera_.eye);
+    return contact_->touchesNothing() || contact_->leadsIntoTheRoot(rayThrough(camera_, x, y).direction);
+}
+
+bool ViewRetracer::isEdgeOn(int x, int y, std::uint32_t id, double shown) {
+    return coversEdgeOn(trianglesOf(id), camera_, x, y, shown);
+}
+
+bool ViewRetracer::mayHaveDepth(int x, int y, std::uint32_t id, double drawn) {
+    return check::mayHaveDepth(trianglesOf(id), camera_, x, y, drawn);
+}
+
+const std::vector<Triangle>& ViewRetracer::trianglesOf(std::uint32_t id) {
+    if (trianglesId_ != id) {
+        traced_.polygons().trianglesOf(id, triangles_);
+        trianglesId_ = id;
+    }
+    return triangles_;
+}
+
+} // namespace limen::check

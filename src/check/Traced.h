@@ -1,0 +1,54 @@
+#pragma once
+
+#include "check/EyeContact.h"
+#include "check/PolygonTable.h"
+#include "check/Retracer.h"
+#include "reference/Picture.h"
+
+#include <optional>
+
+namespace limen::check {
+
+/// A loaded world as the reference sees it. What is rarely needed is made when it is; so it serves one thread at a time.
+/// The world and the moment must outlive it.
+class TracedWorld {
+public:
+    /// `moment` may be null: nothing moves, all openings are open.
+    TracedWorld(const world::World& world, const world::Moment* moment);
+
+    [[nodiscard]] const world::World& world() const { return world_; }
+    [[nodiscard]] const reference::Scene& scene() const { return scene_; }
+    [[nodiscard]] const reference::Scene& sceneByZone();
+    [[nodiscard]] const PolygonTable& polygons();
+
+private:
+    const world::World& world_;
+    const world::Moment* moment_;
+    reference::Scene scene_;
+    std::optional<reference::Scene> byZone_;
+    std::optional<PolygonTable> polygons_;
+};
+
+/// The second looks at one view of a traced world.
+class ViewRetracer final : public Retracer {
+public:
+    ViewRetracer(TracedWorld& traced, const reference::Camera& camera) : traced_(traced), camera_(camera) {}
+
+    reference::Answer exact(double x, double y) override;
+    reference::Answer byZone(double x, double y) override;
+    bool isCutByNearPlane(double x, double y) override;
+    bool leadsIntoTheRoot(double x, double y) override;
+    bool isEdgeOn(int x, int y, std::uint32_t id, double shown) override;
+    bool mayHaveDepth(int x, int y, std::uint32_t id, double drawn) override;
+
+private:
+    const std::vector<Triangle>& trianglesOf(std::uint32_t id);
+
+    TracedWorld& traced_;
+    reference::Camera camera_;
+    std::optional<EyeContact> contact_;
+    std::uint32_t trianglesId_ = 0; ///< what triangles_ belong to
+    std::vector<Triangle> triangles_;
+};
+
+} // namespace limen::check

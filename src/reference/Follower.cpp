@@ -1,0 +1,164 @@
+#include "reference/Follower.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::reference {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+Follower::Follower(const SceneData& scene, const Ray& ray)
+    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), boxRay_(ray_.eye, ray.direction, 0.0),
+      nearPlane_(ray.nearPlane) {}
+
+template <class Do>
+void Follower::forBodies(world::SpaceIndex space, Do&& act) const {
+    act(scene_.fixed.at(space));
+    if (!scene_.moving.empty())
+        act(scene_.moving.at(space));
+    if (scene_.options.objectsByZone) {
+        const world::ZoneIndex zone = scene_.world.spaces[space].zone;
+        act(scene_.fixedByZone.at(zone));
+        act(scene_.movingByZone.at(zone));
+    }
+}
+
+Leaving Follower::leavingFrom(const Visit& visit) const {
+    return {visit.space, visit.after, visit.cameBy, nearPlane_, scene_.shut, notAgain_};
+}
+
+Exit Follower::exitOf(const Visit& visit) const {
+    return scene_.openings.nearest(ray_, boxRay_, leavingFrom(visit));
+}
+
+void Follower::meetSurfaces(const Visit& visit, double most) {
+    const Stretch stretch{visit.surfacesAfter, nearPlane_, most};
+    forBodies(visit.space, [&](const Bodies& bodies) {
+        if (!bodies.solid.empty())
+            bodies.solid.findNearest(scene_.world, ray_, boxRay_, stretch, nearest_);
+    });
+    const Stretch before{visit.surfacesAfter, nearPlane_, std::min(most, nearest_.t)};
+    forBodies(visit.space, [&](const Bodies& bodies) {
+        if (!bodies.blended.empty())
+            meetLayers(bodies.blended, before);
+    });
+}
+
+void Follower::meetLayers(const TriangleSet& blended, const Stretch& stretch) {
+    blended.findAll(ray_, boxRay_, stretch, [&](std::uint32_t id, double t) {
+        const auto known =
+            std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == id; });
+        if (known == layers_.end())
+            layers_.push_back({id, t});
+        else
+            known->t = std::min(known->t, t);
+    });
+}
+
+/// A closed filling makes its whole portal a surface: its triangle that the ray meets, else the polygon of it that faces
+/// the ray most.
+void Follower::meetFilling(const Exit& exit) {
+    nearest_ = {exit.t, 0};
+    end_ = exit.before; // the filling is first of what lies in its plane
+    const std::uint32_t filling = scene_.fillings.empty() ? world::kNone : scene_.fillings[exit.portal];
+    if (filling == world::kNone)
+        return;
+    double most = -kInfinity; // one that faces away still stands for the object
+    bool met = false;
+    for (const Triangle& triangle : scene_.fillingSurfaces[filling].triangles()) {
+        Meeting at;
+        const bool meets = meetsFront(ray_, triangle, at);
+        const double facing =
+            -glm::dot(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a), ray_.direction);
+        if (met && !meets)
+            continue;
+        if ((meets && !met) || facing > most || (facing == most && triangle.id < nearest_.id)) {
+            most = facing;
+            nearest_.id = triangle.id;
+        }
+        met = met || meets;
+    }
+}
+
+/// A ray in a cell that meets nothing may have slipped through a gap narrower than the data's own rounding: then it
+/// belongs to the nearer of what lies around the gap. True if that is a portal.
+bool Follower::closeGap(const Visit& visit, Exit& exit) {
+    const BoxRay wide(ray_.eye, ray_.direction, kTolerance);
+    exit = scene_.openings.nearestGrown(ray_, wide, leavingFrom(visit));
+    const Stretch stretch{visit.surfacesAfter, nearPlane_, exit.found() ? exit.t : kInfinity};
+    forBodies(visit.space, [&](const Bodies& bodies) {
+        if (!bodies.solid.empty())
+            bodies.solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);
+    });
+    if (nearest_.id != 0)
+        exit = {};
+    return exit.found();
+}
+
+Layers Follower::layersBefore(double end) const {
+    Layers result;
+    for (const Layer& layer : layers_) {
+        if (layer.t <= end) {
+            ++result.count;
+            result.hash += layerHash(layer.id);
+        }
+    }
+    return result;
+}
+
+Answer Follower::follow(world::SpaceIndex root) {
+    const world::World& world = scene_.world;
+    LIMEN_ASSERT(root < world.spaces.size(), "a ray begins in a space of the world");
+    Answer answer;
+    Visit visit{root, 0.0, 0.0, world::kNone};
+    bool hole = false;
+    // A portal is left through once at its place on the ray, and once more at most by notAgain_.
+    const std::size_t limit = 4 * world.portals.size() + 16;
+    for (;;) {
+        LIMEN_ASSERT(answer.spacesVisited < limit, "a straight ray crosses every portal's plane once");
+        ++answer.spacesVisited;
+        answer.reachedOutside = answer.reachedOutside || visit.space == world::kOutside;
+        Exit exit = exitOf(visit);
+        meetSurfaces(visit, exit.found() ? exit.beyond : kInfinity);
+        bool slipped = false;
+        if (!exit.found() && nearest_.id == 0 && visit.space != world::kOutside)
+            slipped = closeGap(visit, exit);
+        // What lies within the tolerance of the portal's plane is met from both sides, so the ray goes on even if it
+        // has met something there; the nearest counts.
+        if (!exit.found() || nearest_.t < exit.before)
+            break;
+        if (isShut(exit.portal)) {
+            meetFilling(exit);
+            hole = nearest_.id == 0;
+            break;
+        }
+        if (nearest_.t > exit.beyond)
+            nearest_ = {};
+        if (world.portals[exit.portal].destination == world::kNone ||
+            !scene_.openings.passesPair(exit.portal, ray_, visit.after)) {
+            hole = true;
+            break;
+        }
+        if (slipped || exit.t <= 0.0)
+            notAgain_.push_back(exit.portal);
+        visit = {world.portals[exit.portal].destination, std::max(exit.t, visit.after),
+                 std::max(exit.before, 0.0), exit.portal};
+    }
+    answer.space = visit.space;
+    answer.id = nearest_.id;
+    answer.t = nearest_.t;
+    if (nearest_.id == 0) {
+        const bool sky = visit.space == world::kOutside && !hole;
+        answer.id = sky ? 1 : 0;
+        answer.t = sky ? kInfinity : std::numeric_limits<double>::quiet_NaN();
+    }
+    answer.layers = layersBefore(std::min(end_, nearest_.t));
+    return answer;
+}
+
+} // namespace limen::reference

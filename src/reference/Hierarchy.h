@@ -1,0 +1,126 @@
+#pragma once
+
+#include "geometry/Vec.h"
+
+#include <array>
+#include <cstdint>
+#include <emmintrin.h>
+#include <span>
+#include <vector>
+
+namespace limen::reference {
+
+/// An axis-aligned box in floats, rounded outwards: it holds what it was made of, whatever the rounding.
+struct Box {
+    std::array<float, 3> min{1e30f, 1e30f, 1e30f}, max{-1e30f, -1e30f, -1e30f};
+
+    void include(const Vec3& p);
+    void include(const Box& other);
+    /// Moves every side outwards by `margin` (metres) and one rounding step.
+    void grow(double margin);
+};
+
+/// A ray as boxes are tested against it: in float, and for certain never missing a box that the ray in double meets.
+struct BoxRay {
+    /// `margin` (metres) has boxes tested as if they were larger by that much.
+    BoxRay(const Vec3& eye, const Vec3& direction, double margin);
+
+    // The nearer side of a slab is seen from `nearOrigin`, the farther one from `farOrigin`; they lie on either side
+    // of the eye, so that the interval is a little too long.
+    std::array<float, 3> nearOrigin{}, farOrigin{}, inverse{};
+    std::array<std::uint8_t, 3> negative{}; ///< 1 where the direction runs down its axis
+};
+
+/// A hierarchy of boxes, four children a node, over things that the owner keeps in its order. Ref: Dammertz, Hanika,
+/// Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays" (2008); the split is the
+/// binned surface area heuristic of Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007).
+class Hierarchy {
+public:
+    /// Rebuilds over `boxes`; `order` becomes the order in which leaves hold them. Costs n log n; keeps its capacity.
+    /// The same boxes always give the same hierarchy.
+    void build(std::span<const Box> boxes, std::vector<std::uint32_t>& order);
+    void clear() { nodes_.clear(); }
+    [[nodiscard]] bool empty() const { return nodes_.empty(); }
+
+    /// Calls leaf(first, count) for runs of things whose boxes the ray may meet at a parameter in [nearest, farthest],
+    /// roughly from near to far. `leaf` may lower `farthest`; what lies at `farthest` itself is still visited.
+    template <class Leaf>
+    void walk(const BoxRay& ray, double nearest, const double& farthest, Leaf&& leaf) const;
+
+private:
+    static constexpr std::uint32_t kWidth = 4;
+    static constexpr std::uint32_t kLeafSize = 4; ///< at most this many things are not divided further
+    /// From this depth on ranges are halved, so that no data makes a hierarchy deeper than kMaxDepth.
+    static constexpr std::uint32_t kHalvingDepth = 32, kMaxDepth = kHalvingDepth + 32;
+
+    struct alignas(16) Node {
+        float sides[2][3][kWidth];     ///< [0] least, [1] greatest; an unused child's are the wrong way round
+        std::uint32_t child[kWidth]{}; ///< a node, or the first thing of a leaf
+        std::uint32_t count[kWidth]{}; ///< things in a leaf; 0: an inner node
+    };
+    struct Range {
+        std::uint32_t first = 0, count = 0;
+        Box box;
+    };
+    struct Build;
+    std::uint32_t buildNode(Build& build, const Range& range, std::uint32_t depth);
+
+    std::vector<Node> nodes_; ///< the root first
+};
+
+template <class Leaf>
+void Hierarchy::walk(const BoxRay& ray, double nearest, const double& farthest, Leaf&& leaf) const {
+    if (nodes_.empty())
+        return;
+    struct Entry {
+        std::uint32_t child, count;
+        float entered;
+    };
+    // Each level leaves at most three siblings behind.
+    Entry stack[(kWidth - 1) * kMaxDepth + kWidth];
+    std::uint32_t height = 0;
+    stack[height++] = {0, 0, -1e30f};
+    // A parameter in float carries three roundings (difference, reciprocal, product), 2^-24 of itself each; 2^-20
+    // covers them, and 1e-6 what is left of it around zero.
+    constexpr float kWiden = 1.0f + 1.0f / (1 << 20), kNearZero = 1e-6f;
+    const __m128 lower =
+        _mm_set1_ps(static_cast<float>(nearest) - kNearZero - std::abs(static_cast<float>(nearest)) * 1e-6f);
+    while (height > 0) {
+        const Entry top = stack[--height];
+        const float bound = static_cast<float>(farthest) * kWiden + kNearZero;
+        if (top.entered > bound)
+            continue;
+        if (top.count > 0) {
+            leaf(top.child, top.count);
+            continue;
+        }
+        const Node& node = nodes_[top.child];
+        __m128 enter = lower, leave = _mm_set1_ps(bound);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t down = ray.negative[axis];
+            const __m128 inverse = _mm_set1_ps(ray.inverse[axis]);
+            const __m128 in = _mm_mul_ps(
+                _mm_sub_ps(_mm_load_ps(node.sides[down][axis]), _mm_set1_ps(ray.nearOrigin[axis])), inverse);
+            const __m128 out = _mm_mul_ps(
+                _mm_sub_ps(_mm_load_ps(node.sides[1 - down][axis]), _mm_set1_ps(ray.farOrigin[axis])),
+                inverse);
+            enter = _mm_max_ps(enter, in);
+            leave = _mm_min_ps(leave, out);
+        }
+        leave = _mm_add_ps(_mm_mul_ps(leave, _mm_set1_ps(kWiden)), _mm_set1_ps(kNearZero));
+        int met = _mm_movemask_ps(_mm_cmple_ps(enter, leave));
+        alignas(16) float entered[kWidth];
+        _mm_store_ps(entered, enter);
+        const std::uint32_t base = height;
+        for (; met != 0; met &= met - 1) {
+            const auto i = static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(met)));
+            // Sorted as they are pushed, the nearest on top.
+            std::uint32_t at = height++;
+            for (; at > base && stack[at - 1].entered < entered[i]; --at)
+                stack[at] = stack[at - 1];
+            stack[at] = {node.child[i], node.count[i], entered[i]};
+        }
+    }
+}
+
+} // namespace limen::reference

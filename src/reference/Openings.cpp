@@ -1,0 +1,191 @@
+#include "reference/Openings.h"
+
+#include "geometry/ConvexPolygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::reference {
+namespace {
+
+/// A space with no more portals than this has them asked one by one.
+constexpr std::uint32_t kFew = 6;
+
+/// True if the ray meets the convex polygon that faces it, edges included.
+bool meetsConvex(const RayFrame& ray, std::span<const Vec3> polygon) {
+    Sheared last = ray(polygon.back());
+    for (const Vec3& p : polygon) {
+        const Sheared corner = ray(p);
+        if (edgeSide(last, corner) < 0.0)
+            return false;
+        last = corner;
+    }
+    return true;
+}
+
+/// The same for a polygon that is only nearly convex: it winds around the ray, or the ray meets an edge. Ref: Hormann,
+/// Agathos, "The Point in Polygon Problem for Arbitrary Polygons" (2001).
+bool meetsOutline(const RayFrame& ray, std::span<const Vec3> polygon) {
+    int winding = 0;
+    Sheared last = ray(polygon.back());
+    for (const Vec3& p : polygon) {
+        const Sheared corner = ray(p);
+        const double side = edgeSide(last, corner);
+        if (side == 0.0 && last.x * corner.x + last.y * corner.y <= 0.0)
+            return true;
+        if ((last.y <= 0.0) != (corner.y <= 0.0)) {
+            const bool up = last.y <= 0.0;
+            winding += up ? (side < 0.0 ? 1 : 0) : (side > 0.0 ? -1 : 0);
+        }
+        last = corner;
+    }
+    return winding != 0;
+}
+
+/// Where the ray is within kTolerance of a plane that it crosses at `t` with `speed` metres a unit.
+void setBand(Exit& exit, double t, double speed) {
+    const double half = kTolerance / std::abs(speed);
+    exit.before = t - half;
+    exit.beyond = t + half;
+}
+
+bool contains(std::span<const world::PortalIndex> portals, world::PortalIndex portal) {
+    return std::find(portals.begin(), portals.end(), portal) != portals.end();
+}
+
+} // namespace
+
+void Openings::addOpening(const world::Portal& portal, const Vec3& origin) {
+    Opening opening{portal.plane.relativeTo(origin), static_cast<std::uint32_t>(points_.size()),
+                    portal.cornerCount};
+    for (const Vec3& p : world::cornersOf(world_, portal))
+        points_.push_back(p - origin);
+    if (portal.vertexCount > portal.cornerCount) {
+        opening.firstOutline = static_cast<std::uint32_t>(points_.size());
+        opening.outlineCount = portal.vertexCount;
+        for (const Vec3& p : world::polygonOf(world_, portal))
+            points_.push_back(p - origin);
+    }
+    openings_.push_back(opening);
+}
+
+Openings::Openings(const world::World& world, const Vec3& origin) : world_(world) {
+    for (const world::Portal& portal : world.portals)
+        addOpening(portal, origin);
+    std::vector<Box> boxes;
+    std::vector<std::uint32_t> order;
+    for (const world::Space& space : world.spaces) {
+        SpaceOpenings& here = spaces_.emplace_back();
+        here.first = static_cast<std::uint32_t>(order_.size());
+        boxes.clear();
+        for (world::PortalIndex i = space.firstPortal; i < space.firstPortal + space.portalCount; ++i) {
+            if (openings_[i].cornerCount < 3)
+                continue; // shut by the loader
+            Box box;
+            const Opening& opening = openings_[i];
+            for (const Vec3& p : cornersOf(opening))
+                box.include(p);
+            for (const Vec3& p : std::span(points_).subspan(opening.firstOutline, opening.outlineCount))
+                box.include(p);
+            box.grow(2.0 * kTolerance); // an eye in its plane is in the box
+            boxes.push_back(box);
+            order_.push_back(i);
+        }
+        here.count = static_cast<std::uint32_t>(order_.size()) - here.first;
+        if (here.count <= kFew)
+            continue;
+        here.tree.build(boxes, order);
+        const std::vector<std::uint32_t> portals(order_.begin() + here.first, order_.end());
+        for (std::uint32_t i = 0; i < here.count; ++i)
+            order_[here.first + i] = portals[order[i]];
+    }
+}
+
+template <class Offer>
+void Openings::offerAll(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from,
+                        const double& farthest, Offer&& offer) const {
+    const SpaceOpenings& here = spaces_[from.space];
+    const world::PortalIndex back =
+        from.cameBy == world::kNone ? world::kNone : world_.portals[from.cameBy].reciprocal;
+    const auto offerRun = [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const world::PortalIndex portal = order_[here.first + i];
+            const double speed = glm::dot(openings_[portal].plane.n, ray.direction);
+            if (speed < 0.0 && portal != back)
+                offer(portal, openings_[portal], speed);
+        }
+    };
+    if (here.tree.empty())
+        offerRun(0, here.count);
+    else
+        here.tree.walk(boxRay, 0.0, farthest, offerRun);
+}
+
+bool Openings::isOpenAt(const Opening& opening, const RayFrame& ray) const {
+    // The outline is what the walls around it end at, to the bit; the corners alone are the polygon as it was meant.
+    // Either counts: where a wall reaches into the corners' polygon it lies in its plane and is met from both sides.
+    return meetsConvex(ray, cornersOf(opening)) ||
+           (opening.outlineCount > 0 &&
+            meetsOutline(ray, std::span(points_).subspan(opening.firstOutline, opening.outlineCount)));
+}
+
+bool Openings::holdsEye(const Opening& opening, const Vec3& eye) const {
+    return std::abs(opening.plane.signedDistance(eye)) <= kTolerance &&
+           containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
+}
+
+Exit Openings::nearest(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const {
+    Exit exit;
+    offerAll(ray, boxRay, from, exit.t, [&](world::PortalIndex i, const Opening& opening, double speed) {
+        const double side = opening.plane.signedDistance(ray.eye);
+        const bool shut = !from.shut.empty() && from.shut[i] != 0;
+        // Nothing leaves through a shut one, so that it cannot hold the eye either.
+        const bool inPlane =
+            from.after <= 0.0 && !shut && holdsEye(opening, ray.eye) && !contains(from.notAgain, i);
+        const double at = inPlane ? 0.0 : -side / speed;
+        if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
+            return;
+        if (at > exit.t || (at == exit.t && i > exit.portal) || (!inPlane && !isOpenAt(opening, ray)))
+            return;
+        exit.portal = i;
+        exit.t = at;
+        setBand(exit, -side / speed, speed);
+    });
+    return exit;
+}
+
+Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const {
+    Exit exit;
+    offerAll(ray, boxRay, from, exit.t, [&](world::PortalIndex i, const Opening& opening, double speed) {
+        if (contains(from.notAgain, i))
+            return;
+        Exit other{i, -opening.plane.signedDistance(ray.eye) / speed, 0.0, 0.0};
+        setBand(other, other.t, speed);
+        const bool shut = !from.shut.empty() && from.shut[i] != 0;
+        // Two openings that share an edge are crossed at one parameter but for rounding: hence `beyond`.
+        if (other.t < 0.0 || other.beyond < from.after || (shut && other.t < from.nearPlane) ||
+            other.t > exit.t || (other.t == exit.t && i > exit.portal))
+            return;
+        const Vec3 point = ray.eye + ray.direction * other.t;
+        if (containsProjection(cornersOf(opening), opening.plane.n, point, kTolerance))
+            exit = other;
+    });
+    return exit;
+}
+
+bool Openings::passesPair(world::PortalIndex portal, const RayFrame& ray, double after) const {
+    const world::PortalIndex back = world_.portals[portal].reciprocal;
+    if (world_.portals[portal].exact || back == world::kNone)
+        return true;
+    const Opening& other = openings_[back];
+    if (other.cornerCount < 3)
+        return false;
+    if (after <= 0.0 && holdsEye(other, ray.eye))
+        return true;
+    const double speed = glm::dot(other.plane.n, ray.direction);
+    const double t = -other.plane.signedDistance(ray.eye) / speed;
+    return speed != 0.0 &&
+           containsProjection(cornersOf(other), other.plane.n, ray.eye + ray.direction * t, 0.0);
+}
+
+} // namespace limen::reference

@@ -1,0 +1,22 @@
+#include "reference/Scene.h"
+
+#include "reference/Follower.h"
+#include "reference/SceneData.h"
+
+namespace limen::reference {
+
+Scene::Scene(const world::World& world, const RuleOptions& options)
+    : data_(std::make_unique<Data>(world, options)) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+void Scene::setMoment(const world::Moment& moment) {
+    data_->takeMoment(moment);
+}
+
+Answer Scene::trace(world::SpaceIndex root, const Ray& ray) const {
+    return Follower(*data_, ray).follow(root);
+}
+
+} // namespace limen::reference

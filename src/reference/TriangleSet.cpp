@@ -1,0 +1,120 @@
+#include "reference/TriangleSet.h"
+
+#include "geometry/ConvexPolygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::reference {
+namespace {
+
+/// The texel's number along one side that holds the coordinate.
+std::uint32_t texelAt(double coordinate, std::uint32_t size, bool clamp) {
+    const double within = clamp ? std::clamp(coordinate, 0.0, 1.0) : coordinate - std::floor(coordinate);
+    return std::min(static_cast<std::uint32_t>(within * size), size - 1);
+}
+
+} // namespace
+
+void TriangleSet::add(const world::World& world, const world::Instance& instance,
+                      world::SurfaceClass surfaces, const Vec3& origin) {
+    if (instance.mesh >= world.meshes.size())
+        return;
+    const world::Mesh& mesh = world.meshes[instance.mesh];
+    const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
+    const Mat3 linear(instance.linear);
+    const Vec3 at = world.blocks[instance.block].origin() + Vec3(instance.origin);
+    // By way of the global position, as openings have it: a corner that a wall and an opening share gets the same bits.
+    const auto place = [&](const world::MeshVertex& v) { return (at + linear * Vec3(v.position)) - origin; };
+    for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3) {
+        const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {
+            return world.vertices[mesh.firstVertex + world.indices[i + k]];
+        };
+        const world::MeshVertex &a = vertex(0), &b = vertex(1), &c = vertex(2);
+        Triangle triangle{place(a), place(b), place(c), instance.idBase + a.polygon, world::kNone};
+        if (surfaces == world::SurfaceClass::CutOut) {
+            triangle.cutOut = static_cast<std::uint32_t>(cutOuts_.size());
+            cutOuts_.push_back({a.uv, b.uv, c.uv, world.materialRefs[instance.firstMaterial + a.surface]});
+        }
+        triangles_.push_back(triangle);
+    }
+}
+
+void TriangleSet::build() {
+    boxes_.assign(triangles_.size(), Box{});
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        for (const Vec3& p : {triangles_[i].a, triangles_[i].b, triangles_[i].c})
+            boxes_[i].include(p);
+    }
+    tree_.build(boxes_, order_);
+    sorted_.clear();
+    for (const std::uint32_t i : order_)
+        sorted_.push_back(triangles_[i]);
+    triangles_.swap(sorted_);
+}
+
+void TriangleSet::clear() {
+    triangles_.clear();
+    cutOuts_.clear();
+    tree_.clear();
+}
+
+bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const {
+    if (triangle.cutOut == world::kNone)
+        return false;
+    const CutOut& cut = cutOuts_[triangle.cutOut];
+    const world::Material& material = world.materials[cut.material];
+    if (material.texture == world::kNone)
+        return false;
+    const world::Image& image = world.textures[material.texture];
+    if (image.width == 0 || image.height == 0)
+        return false;
+    const Vec2 uv = Vec2(cut.a) * at.a + Vec2(cut.b) * at.b + Vec2(cut.c) * at.c;
+    const bool clamp = (material.flags & world::Material::kClamp) != 0;
+    const std::size_t texel =
+        std::size_t{texelAt(uv.y, image.height, clamp)} * image.width + texelAt(uv.x, image.width, clamp);
+    return image.rgba[texel * 4 + 3] < 128; // 127 of 255 is the last below one half
+}
+
+void TriangleSet::findNearest(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
+                              const Stretch& stretch, Nearest& nearest) const {
+    double farthest = std::min(stretch.most, nearest.t);
+    tree_.walk(boxRay, stretch.after, farthest, [&](std::uint32_t first, std::uint32_t count) {
+        for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
+            Meeting at;
+            if (meetsFront(ray, triangle, at) && at.t > stretch.after && at.t >= stretch.least &&
+                at.t <= farthest && !isHole(world, triangle, at)) {
+                nearest.take(at.t, triangle.id);
+                farthest = std::min(farthest, nearest.t);
+            }
+        }
+    });
+}
+
+void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
+                                   const Stretch& stretch, double margin, Nearest& nearest) const {
+    const double farthest = std::min(stretch.most, nearest.t);
+    tree_.walk(boxRay, stretch.after, farthest, [&](std::uint32_t first, std::uint32_t count) {
+        for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
+            const Vec3 corners[] = {triangle.a, triangle.b, triangle.c};
+            const Plane plane = planeOf(corners);
+            const double speed = glm::dot(plane.n, ray.direction);
+            if (!(speed < 0.0))
+                continue;
+            const double t = -plane.signedDistance(ray.eye) / speed;
+            if (!(t > stretch.after && t >= stretch.least && t <= stretch.most) ||
+                !containsProjection(corners, plane.n, ray.eye + ray.direction * t, margin))
+                continue;
+            // Weights by areas; beside the triangle they run a little out of 0..1, and so does the texel.
+            const Vec3 p = ray.eye + ray.direction * t;
+            const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+            const double whole = glm::dot(normal, normal);
+            const double b = glm::dot(glm::cross(p - triangle.a, triangle.c - triangle.a), normal) / whole;
+            const double c = glm::dot(glm::cross(triangle.b - triangle.a, p - triangle.a), normal) / whole;
+            if (!isHole(world, triangle, {t, 1.0 - b - c, b, c}))
+                nearest.take(t, triangle.id);
+        }
+    });
+}
+
+} // namespace limen::reference

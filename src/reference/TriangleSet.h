@@ -1,0 +1,103 @@
+#pragma once
+
+#include "reference/Hierarchy.h"
+#include "reference/RayFrame.h"
+#include "world/World.h"
+
+#include <limits>
+#include <vector>
+
+namespace limen::reference {
+
+/// A triangle of an instance, relative to the scene's origin.
+struct Triangle {
+    Vec3 a{0.0}, b{0.0}, c{0.0};         ///< counter-clockwise from the front
+    std::uint32_t id = 0;                ///< as the pixel shows it
+    std::uint32_t cutOut = world::kNone; ///< index into TriangleSet::cutOuts; kNone: solid
+};
+
+/// What a triangle of a cut-out needs to find its texel.
+struct CutOut {
+    Vec2f a{0.0f}, b{0.0f}, c{0.0f};
+    std::uint32_t material = world::kNone;
+};
+
+/// Where on a triangle a ray meets it: parameter and barycentric weights.
+struct Meeting {
+    double t = 0.0, a = 0.0, b = 0.0, c = 0.0;
+};
+
+/// True if the ray's line meets the triangle's front, edges included.
+[[nodiscard]] inline bool meetsFront(const RayFrame& ray, const Triangle& triangle, Meeting& meeting) {
+    const Sheared a = ray(triangle.a), b = ray(triangle.b), c = ray(triangle.c);
+    const double u = edgeSide(b, c), v = edgeSide(c, a), w = edgeSide(a, b);
+    const double sum = u + v + w;
+    if (u < 0.0 || v < 0.0 || w < 0.0 || !(sum > 0.0))
+        return false;
+    meeting = {(u * a.z + v * b.z + w * c.z) * ray.scale / sum, u / sum, v / sum, w / sum};
+    return true;
+}
+
+/// The nearest surface so far. Of two at the same parameter the one with the lower id counts, so that no order of
+/// testing shows.
+struct Nearest {
+    double t = std::numeric_limits<double>::infinity();
+    std::uint32_t id = 0;
+    void take(double at, std::uint32_t other) {
+        if (at < t || (at == t && other < id)) {
+            t = at;
+            id = other;
+        }
+    }
+};
+
+/// The parameters in which surfaces are met: after `after`, at least `least`, at most `most`.
+struct Stretch {
+    double after = 0.0, least = 0.0, most = std::numeric_limits<double>::infinity();
+};
+
+/// Triangles of one class of surface, and a hierarchy over them.
+class TriangleSet {
+public:
+    /// Adds an instance's triangles of one class; `origin` is the scene's. build() must follow.
+    void add(const world::World& world, const world::Instance& instance, world::SurfaceClass surfaces,
+             const Vec3& origin);
+    void build();
+    void clear();
+    [[nodiscard]] bool empty() const { return triangles_.empty(); }
+    [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+
+    /// Lowers `nearest` to the nearest front face in the stretch, cut-outs tested.
+    void findNearest(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
+                     const Stretch& stretch, Nearest& nearest) const;
+
+    /// Calls met(id, t) for every front face in the stretch, texels not asked.
+    template <class Met>
+    void findAll(const RayFrame& ray, const BoxRay& boxRay, const Stretch& stretch, Met&& met) const {
+        tree_.walk(boxRay, stretch.after, stretch.most, [&](std::uint32_t first, std::uint32_t count) {
+            for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
+                Meeting at;
+                if (meetsFront(ray, triangle, at) && at.t > stretch.after && at.t >= stretch.least &&
+                    at.t <= stretch.most)
+                    met(triangle.id, at.t);
+            }
+        });
+    }
+
+    /// As findNearest for triangles that are larger by `margin` metres all around. `boxRay` must have that margin.
+    /// Slow: for the rays that would meet nothing.
+    void findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
+                          const Stretch& stretch, double margin, Nearest& nearest) const;
+
+private:
+    [[nodiscard]] bool isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const;
+
+    std::vector<Triangle> triangles_;
+    std::vector<CutOut> cutOuts_;
+    Hierarchy tree_;
+    std::vector<Box> boxes_;           ///< scratch of build()
+    std::vector<std::uint32_t> order_; ///< likewise
+    std::vector<Triangle> sorted_;     ///< likewise
+};
+
+} // namespace limen::reference

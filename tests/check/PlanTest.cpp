@@ -1,0 +1,86 @@
+#include "check/Plan.h"
+
+#include "check/House.h"
+
+#include <numeric>
+
+namespace limen::check {
+namespace {
+
+constexpr std::array<Kind, kKindCount> kAll{Kind::Random, Kind::Outside, Kind::Path, Kind::Sweep,
+                                            Kind::Still};
+
+std::size_t sum(const KindCounts& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+TEST(Plan, kindsShareTheBudget) {
+    EXPECT_EQ(sum(shareAmongKinds(1000, kAll)), 1000u);
+    const std::array<Kind, 1> sweep{Kind::Sweep};
+    const KindCounts only = shareAmongKinds(77, sweep);
+    EXPECT_EQ(only[static_cast<std::size_t>(Kind::Sweep)], 77u);
+    EXPECT_EQ(sum(only), 77u);
+}
+
+TEST(Plan, everyWantedKindGetsAView) {
+    for (const std::size_t count : shareAmongKinds(1, kAll))
+        EXPECT_GE(count, 1u);
+}
+
+TEST(Plan, blocksShareByCells) {
+    const std::vector<BlockSummary> blocks{
+        {{1, 1}, 30, true, true}, {{1, 2}, 0, false, true}, {{9, 9}, 10, false, false}};
+    KindCounts counts{};
+    counts[static_cast<std::size_t>(Kind::Random)] = 40;
+    counts[static_cast<std::size_t>(Kind::Outside)] = 26;
+    const std::vector<BlockTask> tasks = planTasks(blocks, {}, counts);
+    ASSERT_EQ(tasks.size(), 3u);
+    EXPECT_EQ(tasks[0].counts[0], 30u);
+    EXPECT_EQ(tasks[1].counts[0], 0u) << "no cells";
+    EXPECT_EQ(tasks[2].counts[0], 10u);
+    EXPECT_EQ(tasks[0].counts[1], 24u) << "has buildings";
+    EXPECT_EQ(tasks[1].counts[1], 2u);
+    EXPECT_EQ(tasks[2].counts[1], 0u) << "no landscape";
+}
+
+TEST(Plan, leavesOutBlocksWithoutAShare) {
+    const std::vector<BlockSummary> blocks{{{1, 1}, 1, true, true}, {{1, 2}, 1, true, true}};
+    KindCounts counts{};
+    counts[static_cast<std::size_t>(Kind::Random)] = 1;
+    EXPECT_EQ(planTasks(blocks, {}, counts).size(), 1u);
+    EXPECT_TRUE(planTasks({}, {}, counts).empty());
+}
+
+TEST(Plan, halfOfThePathIsTheTourWhereThereIsOne) {
+    const test::House house;
+    const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
+    KindCounts counts{};
+    counts[static_cast<std::size_t>(Kind::Path)] = 20;
+    const auto with = planTasks(blocks, house.tour, counts), without = planTasks(blocks, {}, counts);
+    ASSERT_EQ(with.size(), 1u);
+    EXPECT_EQ(with[0].tourViews, 10u);
+    EXPECT_EQ(with[0].total(), 10u);
+    EXPECT_EQ(without[0].tourViews, 0u);
+    EXPECT_EQ(without[0].total(), 20u);
+}
+
+TEST(Plan, findsTheBlocksOfAnArchive) {
+    test::House house;
+    house.source.setFlatTerrain({0x21, 0x30}, 5); // beside the house
+    house.source.setFlatTerrain({0x40, 0x30}, 5); // far away
+    const limen::test::TempDir directory;
+    ASSERT_TRUE(house.source.write(directory.path()));
+    const auto archive = dat::Archive::open(directory.path());
+    ASSERT_TRUE(archive);
+    const auto blocks = blocksOf(*archive);
+    ASSERT_TRUE(blocks);
+    ASSERT_EQ(blocks->size(), 2u);
+    EXPECT_EQ((*blocks)[0].block, house.source.home());
+    EXPECT_EQ((*blocks)[0].cells, 2u);
+    EXPECT_TRUE((*blocks)[0].hasBuildings);
+    EXPECT_TRUE((*blocks)[0].hasLandscape);
+    EXPECT_EQ((*blocks)[1].cells, 0u);
+}
+
+} // namespace
+} // namespace limen::check

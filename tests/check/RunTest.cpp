@@ -1,0 +1,217 @@
+#include "check/Run.h"
+
+#include "app/Camera.h"
+#include "check/House.h"
+
+#include <functional>
+
+namespace limen::check {
+namespace {
+
+using test::House;
+
+/// Draws by tracing: right to the bit, unless it is told to break something.
+struct TracingDrawer final : Drawer {
+    const House& house;
+    std::function<void(const View&, std::size_t shot, DrawnImages&)> breakIt;
+    std::size_t shots = 0, failAfter = 1u << 30;
+    bool loads = true;
+
+    explicit TracingDrawer(const House& h) : house(h) {}
+
+    Result<Loaded> load(dat::BlockCoord block) override {
+        EXPECT_EQ(block, house.source.home());
+        if (!loads)
+            return fail(ErrorCode::Malformed, "block", "is damaged");
+        return Loaded{&house.world, nullptr};
+    }
+    reference::Camera cameraOf(const View& view, world::SpaceIndex root) override {
+        const app::CameraBasis axes = app::basisOf({view.yaw, view.pitch});
+        reference::Camera camera{view.eye, axes.right, axes.up, axes.forward};
+        camera.tanHalfY = std::tan(view.fov * 0.00872664625997165);
+        camera.tanHalfX = camera.tanHalfY * view.width / view.height;
+        camera.width = view.width;
+        camera.height = view.height;
+        camera.root = root;
+        return camera;
+    }
+    Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) override {
+        if (shots++ >= failAfter)
+            return fail(ErrorCode::Driver, "", "is gone");
+        reference::Picture traced;
+        reference::tracePicture(*house.scene, cameraOf(view, root), 1, traced);
+        DrawnImages images;
+        images.width = view.width;
+        images.height = view.height;
+        for (int y = 0; y < static_cast<int>(view.height); ++y) {
+            for (int x = 0; x < static_cast<int>(view.width); ++x) {
+                const reference::Answer& a = traced.at(x, y);
+                images.ids.push_back(a.id);
+                images.depth.push_back(a.id < 2 ? 0.0f : static_cast<float>(0.02 / a.t));
+            }
+        }
+        if (colour)
+            images.colour.assign(images.ids.size() * 4, 7);
+        if (breakIt)
+            breakIt(view, shots, images);
+        return images;
+    }
+};
+
+struct SmallRun {
+    House house;
+    TracingDrawer drawer{house};
+    RunRequest request;
+    Progress progress;
+
+    explicit SmallRun(std::size_t views = 60) {
+        const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
+        constexpr std::array<Kind, kKindCount> kAll{Kind::Random, Kind::Outside, Kind::Path, Kind::Sweep,
+                                                    Kind::Still};
+        request.tasks = planTasks(blocks, house.tour, shareAmongKinds(views, kAll));
+        request.width = request.sweepWidth = 24;
+        request.height = request.sweepHeight = 16;
+        request.tour = house.tour;
+    }
+    Totals run(const RunEvents& events = {}) {
+        const Result<void> done = runCheck(request, drawer, events, progress);
+        EXPECT_TRUE(done) << (done ? "" : done.error().message());
+        return progress.totals;
+    }
+};
+
+TEST(Run, aRightPictureHasNoFindings) {
+    SmallRun small;
+    const Totals totals = small.run();
+    EXPECT_GT(totals.sum().views, 50u);
+    EXPECT_LE(totals.sum().views, viewsAsked(small.request));
+    for (const KindTotals& kind : totals.kinds)
+        EXPECT_GT(kind.views, 0u);
+    EXPECT_EQ(totals.sum().findings(), 0u);
+    EXPECT_TRUE(totals.worst.empty());
+}
+
+TEST(Run, oneWrongPixelIsAFindingWithACommand) {
+    SmallRun small;
+    small.drawer.breakIt = [](const View&, std::size_t shot, DrawnImages& images) {
+        if (shot == 5)
+            images.ids[100] = 0xFFFFFF;
+    };
+    std::size_t pictures = 0;
+    RunEvents events;
+    events.picture = [&](const FindingPicture& finding) {
+        ++pictures;
+        EXPECT_EQ(finding.comparison.verdicts[100], Verdict::Disagrees);
+        EXPECT_EQ(finding.number, 4u);
+        return Result<void>{};
+    };
+    const Totals totals = small.run(events);
+    EXPECT_EQ(totals.sum().disagreeing(), 1u);
+    EXPECT_EQ(pictures, 1u);
+    ASSERT_EQ(totals.worst.size(), 1u);
+    const std::vector<View> views =
+        viewsOf(small.request, small.request.tasks[0], small.house.world, *small.house.scene);
+    EXPECT_EQ(shotOptions(totals.worst[0].view), shotOptions(views[4]));
+}
+
+TEST(Run, aWrongDepthIsAFinding) {
+    SmallRun small;
+    small.drawer.breakIt = [](const View&, std::size_t, DrawnImages& images) {
+        for (float& depth : images.depth)
+            depth *= 1.01f;
+    };
+    const Totals totals = small.run();
+    EXPECT_EQ(totals.sum().disagreeing(), 0u);
+    EXPECT_GT(totals.sum().count(Verdict::Depth), 1000u);
+}
+
+TEST(Run, aPictureThatChangesWhileNothingMovesIsAFinding) {
+    SmallRun small;
+    small.drawer.breakIt = [](const View&, std::size_t shot, DrawnImages& images) {
+        if (!images.colour.empty())
+            images.colour[0] = static_cast<std::uint8_t>(shot);
+    };
+    const Totals totals = small.run();
+    EXPECT_EQ(totals.kinds[static_cast<std::size_t>(Kind::Still)].moved,
+              totals.kinds[static_cast<std::size_t>(Kind::Still)].views);
+    EXPECT_GT(totals.sum().findings(), 0u);
+}
+
+TEST(Run, everyVoidIsSeen) {
+    SmallRun small;
+    small.drawer.breakIt = [](const View&, std::size_t shot, DrawnImages& images) {
+        if (shot == 3)
+            images.ids[7] = 0;
+    };
+    EXPECT_EQ(small.run().sum().count(Verdict::Void), 1u);
+}
+
+TEST(Run, aStoppedRunContinuesAndEndsAsAWholeOne) {
+    const auto breakSome = [](const View& view, std::size_t, DrawnImages& images) {
+        if (view.kind == Kind::Sweep)
+            images.ids[3] = 0xFFFFFF;
+    };
+    SmallRun whole, stopped;
+    whole.drawer.breakIt = stopped.drawer.breakIt = breakSome;
+    const Totals all = whole.run();
+    stopped.drawer.failAfter = 37;
+    EXPECT_FALSE(runCheck(stopped.request, stopped.drawer, {}, stopped.progress));
+    EXPECT_EQ(stopped.progress.totals.sum().views, 37u);
+    const auto kept = parseProgress(progressJson(stopped.progress));
+    ASSERT_TRUE(kept);
+    stopped.progress = *kept;
+    stopped.drawer.failAfter = 1u << 30;
+    Totals continued = stopped.run();
+    EXPECT_LT(stopped.drawer.shots, whole.drawer.shots + 3) << "nothing is done twice";
+    continued.seconds = all.seconds;
+    continued.drawSeconds = all.drawSeconds;
+    continued.traceSeconds = all.traceSeconds;
+    EXPECT_EQ(reportJson(continued, {}), reportJson(all, {}));
+    EXPECT_GT(all.sum().disagreeing(), 0u);
+}
+
+TEST(Run, aFinishedRunIsNotDoneAgain) {
+    SmallRun small;
+    small.run();
+    const std::size_t shots = small.drawer.shots;
+    small.run();
+    EXPECT_EQ(small.drawer.shots, shots);
+}
+
+TEST(Run, savesItsStateAtTheEnd) {
+    SmallRun small(10);
+    Progress last;
+    RunEvents events;
+    events.saved = [&](const Progress& state) {
+        last = state;
+        return Result<void>{};
+    };
+    const Totals totals = small.run(events);
+    EXPECT_EQ(last.tasks, 1u);
+    EXPECT_EQ(last.totals.sum().views, totals.sum().views);
+}
+
+TEST(Run, aBlockThatCannotBeLoadedIsCounted) {
+    SmallRun small;
+    small.drawer.loads = false;
+    std::string said;
+    RunEvents events;
+    events.leftOut = [&](dat::BlockCoord, const Error& error) { said = error.message(); };
+    const Totals totals = small.run(events);
+    EXPECT_EQ(totals.sum().views, 0u);
+    EXPECT_EQ(totals.blocksLeftOut, 1u);
+    EXPECT_EQ(said, "block: is damaged");
+}
+
+TEST(Run, aPictureThatCannotBeWrittenIsAnError) {
+    SmallRun small(10);
+    small.drawer.breakIt = [](const View&, std::size_t, DrawnImages& images) { images.ids[0] = 0xFFFFFF; };
+    RunEvents events;
+    events.picture = [](const FindingPicture&) -> Result<void> {
+        return fail(ErrorCode::Unreadable, "x.png", "the disk is full");
+    };
+    EXPECT_FALSE(runCheck(small.request, small.drawer, events, small.progress));
+}
+
+} // namespace
+} // namespace limen::check

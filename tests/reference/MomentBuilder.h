@@ -1,0 +1,86 @@
+#pragma once
+
+#include "reference/TracedWorld.h"
+#include "world/Moment.h"
+
+namespace limen::test {
+
+/// Makes a moment by hand. Its instances borrow the meshes of a world's statics, so a test puts the models it needs into
+/// a closed room far away.
+class MomentBuilder {
+public:
+    explicit MomentBuilder(const world::World& world) : world_(world), nextId_(world.idEnd) {}
+
+    /// An instance of the mesh of the static whose idBase shows as `like`, at `position` (local to its block), upright.
+    /// Yields its idBase.
+    std::uint32_t add(world::InstanceIndex like, const Vec3& position, std::vector<world::SpaceIndex> members,
+                      world::Kind kind = world::Kind::Dynamic) {
+        world::Instance instance = world_.instances[like];
+        instance.kind = kind;
+        instance.linear = glm::mat3(1.0f);
+        instance.origin = Vec3f(position);
+        instance.bounds = {world_.blocks[instance.block].origin() + position, 100.0};
+        instance.placedIn = members.front();
+        instance.firstMember = static_cast<std::uint32_t>(moment_.members.size());
+        instance.memberCount = static_cast<std::uint32_t>(members.size());
+        instance.idBase = nextId_;
+        nextId_ += world_.meshes[instance.mesh].polygonCount;
+        moment_.members.insert(moment_.members.end(), members.begin(), members.end());
+        moment_.instances.push_back(instance);
+        return instance.idBase;
+    }
+    /// Shuts both portals of a pair; the last instance added fills them.
+    void shut(world::PortalIndex portal, bool filled = true) {
+        moment_.closed.resize(world_.portals.size(), 0);
+        moment_.fillings.resize(world_.portals.size(), world::kNone);
+        for (const world::PortalIndex p : {portal, world_.portals[portal].reciprocal}) {
+            moment_.closed[p] = 1;
+            moment_.fillings[p] =
+                filled ? static_cast<world::InstanceIndex>(moment_.instances.size() - 1) : world::kNone;
+        }
+    }
+    [[nodiscard]] world::Moment build() {
+        moment_.spaceInstances.clear();
+        moment_.firstInSpace.assign(1, 0);
+        for (world::SpaceIndex s = 0; s < world_.spaces.size(); ++s) {
+            for (world::InstanceIndex i = 0; i < moment_.instances.size(); ++i) {
+                const world::Instance& in = moment_.instances[i];
+                for (std::uint32_t m = in.firstMember; m < in.firstMember + in.memberCount; ++m) {
+                    if (moment_.members[m] == s)
+                        moment_.spaceInstances.push_back(i);
+                }
+            }
+            moment_.firstInSpace.push_back(static_cast<std::uint32_t>(moment_.spaceInstances.size()));
+        }
+        return moment_;
+    }
+
+private:
+    const world::World& world_;
+    world::Moment moment_;
+    std::uint32_t nextId_;
+};
+
+/// A square panel around the origin in the plane x = 0, `half` metres to each side.
+[[nodiscard]] inline Wall panel(double half, const std::string& surface, bool twoSided = true) {
+    std::vector<Vec3> points = rectangle({0, -half, -half}, {0, half, half});
+    std::reverse(points.begin(), points.end()); // its front looks west
+    return {points, surface, twoSided};
+}
+
+/// A wall and its back as a polygon of its own: the second polygon of the model looks the other way.
+[[nodiscard]] inline Walls bothWays(const Wall& wall) {
+    return {wall, insideOut({wall}).front()};
+}
+
+/// The static instance made from a model. One of them must be there.
+[[nodiscard]] inline world::InstanceIndex staticOf(const world::World& world, std::uint32_t model) {
+    for (world::InstanceIndex i = 0; i < world.instances.size(); ++i) {
+        if (world.instances[i].record == model && world.instances[i].kind == world::Kind::Static)
+            return i;
+    }
+    ADD_FAILURE() << "no static of this model";
+    return 0;
+}
+
+} // namespace limen::test
