@@ -98,7 +98,7 @@ dat::RecordId PlanWriter::add(CellsPlan plan, const Placement& at) {
     const Neighbours neighbours = neighboursOf(plan.cells);
     for (std::uint32_t c = 0; c < plan.cells.size(); ++c) {
         const PlannedCell& cell = plan.cells[c];
-        const StoredShape shape = shapes_.add(cell.faces, outwardPortals(cell));
+        const StoredShape shape = shapes_.add(cell.faces, cell.eye, outwardPortals(cell));
         LIMEN_ASSERT(shape.portalPolygons.size() == cell.portals.size(), "one portal face for each portal");
         dat::EnvCell record;
         record.id = (info_.id & 0xFFFF0000u) | (firstCell + c);

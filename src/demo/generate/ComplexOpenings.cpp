@@ -71,6 +71,11 @@ Polygon shifted(Polygon polygon, const Polygon& face, Random& random) {
     return polygon;
 }
 
+bool few(const Polygon& polygon) {
+    constexpr std::size_t kMostCorners = 12;
+    return !polygon.empty() && polygon.size() <= kMostCorners;
+}
+
 bool fits(const Polygon& polygon, const Polygon& face) {
     return std::all_of(polygon.begin(), polygon.end(),
                        [&](const Vec3& p) { return edgeDistance(face, p) > 0.01; });
@@ -101,18 +106,18 @@ std::vector<OpeningPair> makeOpenings(const Polygon& face, const OpeningMix& mix
     }
     if (pick < mix.slivers + mix.twins) {
         const Halves halves = halvesOf(random.chance(0.5) ? face : roundOpening(face, random), random);
-        if (!halves.front.empty()) {
+        if (few(halves.front) && few(halves.back)) {
             return {{halves.front, halves.front, true}, {halves.back, halves.back, true}};
         }
     }
     const double shape = random.unit();
-    if (shape < 0.2) {
+    if (shape < 0.2 && few(face)) {
         return {{face, face, true}};
     }
     if (shape < 0.4) {
-        Halves halves = halvesOf(face, random);
-        if (!halves.front.empty()) {
-            const Polygon& part = random.chance(0.5) ? halves.front : halves.back;
+        const Halves halves = halvesOf(face, random);
+        const Polygon& part = random.chance(0.5) ? halves.front : halves.back;
+        if (few(part)) {
             return {{part, part, true}};
         }
     }

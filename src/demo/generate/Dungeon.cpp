@@ -39,22 +39,6 @@ std::vector<std::uint16_t> dressed(const std::vector<std::uint16_t>& surfaces, s
     return out;
 }
 
-/// A clear spot in every form of room, off the hatches.
-Vec3 standingPoint(const LatticeRoom& room) {
-    switch (room.form) {
-    case Form::NoWest:
-        return room.floor + Vec3(1.5, 0.3, 1.6);
-    case Form::NoEast:
-        return room.floor + Vec3(-1.5, 0.3, 1.6);
-    case Form::NoSouth:
-        return room.floor + Vec3(0.3, 1.5, 1.6);
-    case Form::NoNorth:
-        return room.floor + Vec3(0.3, -1.5, 1.6);
-    default:
-        return room.floor + Vec3(0.3, 0.2, 1.6);
-    }
-}
-
 /// The index of the first opening of a way in a room's list.
 std::uint16_t firstOpening(const LatticeRoom& room, std::size_t way) {
     std::uint16_t index = 0;
@@ -241,7 +225,7 @@ private:
                 room.doors.begin());
             const std::array<Vec3, 5> ahead{Vec3(-1, 0.02, -0.05), Vec3(1, -0.03, -0.05), Vec3(0.02, -1, -0.05),
                                             Vec3(0.02, 1, -0.05), Vec3(0.6, 0.6, -0.3)};
-            const Vec3 eye = blockToGlobal(coord_, standingPoint(room));
+            const Vec3 eye = blockToGlobal(coord_, room.floor + eyePoint(room.form));
             notes.addPlace(fmt::format("room.{}", notes.placeCount()), eye, eye + ahead[way], idOf(room.cell));
         }
     }

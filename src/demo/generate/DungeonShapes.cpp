@@ -237,6 +237,21 @@ std::vector<Face> roomShell(const LatticeRoom& room) {
     return faces;
 }
 
+Vec3 eyePoint(Form form) {
+    switch (form) {
+    case Form::NoWest:
+        return {1.5, 0.3, 1.6};
+    case Form::NoEast:
+        return {-1.5, 0.3, 1.6};
+    case Form::NoSouth:
+        return {0.3, 1.5, 1.6};
+    case Form::NoNorth:
+        return {0.3, -1.5, 1.6};
+    default:
+        return {0.3, 0.2, 1.6};
+    }
+}
+
 std::vector<Face> passageShell(Door door, double length, double rise, bool deadEnd) {
     const Outline section = profile(door);
     const auto at = [&](const Vec2& p, bool end) {
@@ -311,7 +326,7 @@ const StoredShape& DungeonShapes::of(const LatticeRoom& room) {
         key[3 + way] = static_cast<long long>(room.doors[way]);
     }
     const auto found = shapes_.find(key);
-    return found != shapes_.end() ? found->second : shapes_[key] = library_.add(roomShell(room));
+    return found != shapes_.end() ? found->second : shapes_[key] = library_.add(roomShell(room), eyePoint(room.form));
 }
 
 const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
@@ -326,9 +341,12 @@ const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
     if (found != shapes_.end()) {
         return found->second;
     }
+    const Vec3 middle = passage.way == Way::Up ? Vec3(0.0, 0.0, passage.length / 2)
+                                               : Vec3(passage.length / 2, 0.0, rise / 2 + 1.0);
     return shapes_[key] = library_.add(
                passage.way == Way::Up ? shaftShell(passage.door, passage.length)
-                                      : passageShell(passage.door, passage.length, rise, passage.to == kNothing));
+                                      : passageShell(passage.door, passage.length, rise, passage.to == kNothing),
+               middle);
 }
 
 } // namespace limen::demo

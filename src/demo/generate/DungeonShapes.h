@@ -22,6 +22,9 @@ struct DoorExtent {
 /// StoneWall (walls), Brick (ceiling).
 [[nodiscard]] std::vector<Face> roomShell(const LatticeRoom& room);
 
+/// A point at eye's height that sees every corner of the room, from the middle of its floor; clear of hatches' edges.
+[[nodiscard]] Vec3 eyePoint(Form form);
+
 /// A passage's shell: along +x from the origin, `rise` higher at its end, openings at x = 0 first; a dead end has
 /// no others.
 [[nodiscard]] std::vector<Face> passageShell(Door door, double length, double rise, bool deadEnd);

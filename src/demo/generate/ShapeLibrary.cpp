@@ -24,10 +24,10 @@ void windPortals(std::vector<Face>& faces, const std::vector<bool>& outward) {
 
 } // namespace
 
-StoredShape ShapeLibrary::add(std::vector<Face> faces, const std::vector<bool>& outwardPortals) {
+StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle, const std::vector<bool>& outwardPortals) {
     closeSeams(faces);
     dat::CellStruct shape;
-    shape.cellBsp = buildSolidCellBsp(faces);
+    shape.cellBsp = buildSolidCellBsp(faces, middle);
     windPortals(faces, outwardPortals);
     EncodedMesh mesh = encodeMesh(faces);
     for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -19,8 +19,8 @@ public:
 
     /// `faces` look inwards and close, T-junctions apart (they are closed here); portal faces are the cell's
     /// portals, in order. Those in `outwardPortals` are stored wound the other way round. Of a cell that is not
-    /// convex, the tree's chain of positive children is a convex part.
-    StoredShape add(std::vector<Face> faces, const std::vector<bool>& outwardPortals = {});
+    /// convex, the tree's chain of positive children is a convex part around `middle`.
+    StoredShape add(std::vector<Face> faces, const Vec3& middle, const std::vector<bool>& outwardPortals = {});
 
 private:
     WorldRecords& records_;
@@ -28,7 +28,8 @@ private:
 
 /// A cell tree for any closed shell whose faces look inwards: in front of a node's plane lies the positive
 /// child, behind it the negative one; a missing negative child is outside. One chain of positive children if
-/// the shell is convex.
-[[nodiscard]] dat::BspTree buildSolidCellBsp(const std::vector<Face>& faces);
+/// the shell is convex; else a convex part that holds `middle`, a point that some convex part of the shell's own planes
+/// holds.
+[[nodiscard]] dat::BspTree buildSolidCellBsp(const std::vector<Face>& faces, const Vec3& middle);
 
 } // namespace limen::demo

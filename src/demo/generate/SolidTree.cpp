@@ -48,6 +48,8 @@ Parting part(const std::vector<Piece>& pieces, const Plane& plane) {
 
 class SolidTreeBuilder {
 public:
+    explicit SolidTreeBuilder(const Vec3& middle) : middle_(middle) {}
+
     dat::BspTree build(const std::vector<Piece>& pieces) {
         node(pieces);
         return std::move(tree_);
@@ -63,11 +65,15 @@ private:
         }
         Parting best;
         std::size_t chosen = pieces.size();
+        bool keepsMiddle = false;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             Parting parting = part(pieces, pieces[i].plane);
-            if (chosen == pieces.size() || parting.back.size() < best.back.size()) {
+            const bool keeps = pieces[i].plane.signedDistance(middle_) >= 0.0;
+            if (chosen == pieces.size() || (keeps && !keepsMiddle) ||
+                (keeps == keepsMiddle && parting.back.size() < best.back.size())) {
                 best = std::move(parting);
                 chosen = i;
+                keepsMiddle = keeps;
             }
             if (best.back.empty()) {
                 break;
@@ -85,17 +91,18 @@ private:
         return index;
     }
 
+    Vec3 middle_;
     dat::BspTree tree_;
 };
 
 } // namespace
 
-dat::BspTree buildSolidCellBsp(const std::vector<Face>& faces) {
+dat::BspTree buildSolidCellBsp(const std::vector<Face>& faces, const Vec3& middle) {
     std::vector<Piece> pieces;
     for (const Face& face : faces) {
         pieces.push_back({face.points, planeOf(face.points)});
     }
-    return SolidTreeBuilder().build(pieces);
+    return SolidTreeBuilder(middle).build(pieces);
 }
 
 } // namespace limen::demo
