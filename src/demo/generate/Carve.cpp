@@ -100,6 +100,13 @@ std::vector<Polygon> withoutOpenings(const Polygon& wall, std::span<const Polygo
     return pieces;
 }
 
+Polygon facing(Polygon polygon, const Vec3& inside) {
+    if (planeOf(polygon).signedDistance(inside) < 0.0) {
+        std::reverse(polygon.begin(), polygon.end());
+    }
+    return polygon;
+}
+
 double areaOf(std::span<const Vec3> polygon) {
     return 0.5 * glm::length(newellNormal(polygon));
 }

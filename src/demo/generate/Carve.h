@@ -26,6 +26,9 @@ inline constexpr double kOnCut = 1e-4; ///< metres
 /// winding. T-junctions between the pieces are left to closeSeams.
 [[nodiscard]] std::vector<Polygon> withoutOpenings(const Polygon& wall, std::span<const Polygon> openings);
 
+/// The polygon wound so that `inside` lies in front of it.
+[[nodiscard]] Polygon facing(Polygon polygon, const Vec3& inside);
+
 [[nodiscard]] double areaOf(std::span<const Vec3> polygon);
 /// The mean of the triangles' centres, weighted by area.
 [[nodiscard]] Vec3 centroidOf(std::span<const Vec3> polygon);

@@ -66,14 +66,6 @@ Outline hatch(Door door) {
             {kBevel, kHalf},   {-kBevel, kHalf}, {-kHalf, kBevel}, {-kHalf, -kBevel}};
 }
 
-Polygon facing(Polygon polygon, const Vec3& inside) {
-    const Plane plane = planeOf(polygon);
-    if (plane.signedDistance(inside) < 0.0) {
-        std::reverse(polygon.begin(), polygon.end());
-    }
-    return polygon;
-}
-
 Polygon onWall(const Outline& outline, Way way, const RoomSize& size) {
     Polygon out;
     for (const Vec2& p : outline) {

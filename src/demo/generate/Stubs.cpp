@@ -1,5 +1,4 @@
 #include "demo/generate/Kinds.h"
 namespace limen::demo {
-WorldRecords buildTown(const GeneratedSpec&) { return {}; }
 WorldRecords buildTerrainWorld(const GeneratedSpec&) { return {}; }
 }
