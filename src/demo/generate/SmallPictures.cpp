@@ -14,7 +14,7 @@ constexpr auto kMaterials = static_cast<std::uint32_t>(Material::Count);
 constexpr auto kGrounds = static_cast<std::uint32_t>(Ground::Count);
 constexpr std::uint32_t kFirstPicture = 0x06000100u;
 
-enum class Pattern { Grain, Boards, Courses, Slabs, Lattice, Bars, Glow, Horizon };
+enum class Pattern { Grain, Boards, Courses, Slabs, Lattice, Bars, Glow, Wisps, Horizon };
 
 struct Look {
     Vec3f light, dark;
@@ -56,8 +56,9 @@ Look lookOf(Material material) {
     case Material::Flame:
     case Material::Sun:
     case Material::Moon:
-    case Material::Clouds:
         return {{1.0f, 0.95f, 0.85f}, {1.0f, 0.7f, 0.4f}, Pattern::Glow};
+    case Material::Clouds:
+        return {{1.0f, 1.0f, 1.0f}, {0.9f, 0.92f, 0.95f}, Pattern::Wisps};
     case Material::SkyDay:
         return {{0.30f, 0.50f, 0.80f}, {0.72f, 0.82f, 0.90f}, Pattern::Horizon};
     case Material::SkyNight:
@@ -117,6 +118,8 @@ Texel texelOf(Pattern pattern, double u, double v, double grain) {
         const double r = std::hypot(u - 0.5, v - 0.5);
         return {1.0 - r, 1.0 - smoothStep(0.15, 0.5, r)};
     }
+    case Pattern::Wisps:
+        return {1.0, 0.5 * smoothStep(0.5, 0.9, grain)};
     case Pattern::Horizon:
         return {1.0 - smoothStep(0.2, 0.8, v)};
     case Pattern::Grain:
