@@ -80,7 +80,7 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
             ->capture_default_str();
     CLI::Option* overlap =
         verb->add_option("--overlap", chosen->overlap,
-                         "dungeon: share of cells that run through other cells, 0 to 0.2")
+                         "dungeon: share of cells that run through other cells, 0 to 0.05")
             ->type_name("SHARE")
             ->capture_default_str();
     verb->callback([&console, &choice, chosen, size, seed, overlap] {

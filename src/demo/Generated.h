@@ -22,7 +22,7 @@ struct GeneratedSpec {
     /// terrain (to 500).
     std::uint32_t size = 50;
     std::uint32_t seed = 1;
-    /// Share of a dungeon's cells, 0..0.2, that are corridors straight through other rooms: cells that overlap in space.
+    /// Share of a dungeon's cells, 0..0.05, that are corridors straight through other rooms: cells that overlap in space.
     double overlapShare = 0.02;
 };
 

@@ -76,8 +76,13 @@ private:
             way = lastWay_;
         }
         const std::uint32_t left = wanted_ - out_.cells;
-        if (out_.crossings < overlapShare_ * out_.cells && addCrossing(random_.below(count))) {
-            return;
+        if (out_.crossings < overlapShare_ * out_.cells) {
+            constexpr int kTries = 24; // three rooms in a row with free sides are not everywhere
+            for (int k = 0; k < kTries; ++k) {
+                if (addCrossing(random_.below(count))) {
+                    return;
+                }
+            }
         }
         if (random_.chance(left == 1 ? 0.5 : 0.04)) {
             addDeadEnd(random_.below(count), random_.chance(0.5) ? 1 : 3);
