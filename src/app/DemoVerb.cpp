@@ -61,28 +61,30 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
 void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb = program.add_subcommand("demo", "writes the built-in or a generated world as dat files");
     const auto chosen = std::make_shared<DemoChoice>();
-    verb->add_option("DIR", chosen->directory, "the directory to write to; made if it is missing")->type_name("");
+    verb->add_option("DIR", chosen->directory, "the directory to write to; made if it is missing")
+        ->type_name("");
     verb->add_option("-o,--output", chosen->output, "the same, as an option")->type_name("DIR");
-    verb->add_option("--kind", chosen->kind,
-                     "built-in: the world the program carries; dungeon: rooms, corridors and shafts; town: houses "
-                     "and streets; complex: convex cells with openings of every shape; terrain: cells that the "
-                     "ground runs through")
+    verb->add_option(
+            "--kind", chosen->kind,
+            "built-in: the world the program carries; dungeon: rooms, corridors and shafts; town: houses "
+            "and streets; complex: convex cells with openings of every shape; terrain: cells that the "
+            "ground runs through")
         ->type_name("KIND")
         ->check(CLI::IsMember({"built-in", "dungeon", "town", "complex", "terrain"}))
         ->capture_default_str();
-    CLI::Option* size = verb->add_option("--size", chosen->size,
-                                         "how many cells (dungeon, complex), houses (town) or sites (terrain)")
-                            ->type_name("N")
+    CLI::Option* size =
+        verb->add_option("--size", chosen->size,
+                         "how many cells (dungeon, complex), houses (town) or sites (terrain)")
+            ->type_name("N")
+            ->capture_default_str();
+    CLI::Option* seed = verb->add_option("--seed", chosen->seed,
+                                         "which of the worlds of that kind and size; the same every time")
+                            ->type_name("S")
                             ->capture_default_str();
-    CLI::Option* seed =
-        verb->add_option("--seed", chosen->seed, "which of the worlds of that kind and size; the same every time")
-            ->type_name("S")
-            ->capture_default_str();
-    CLI::Option* overlap =
-        verb->add_option("--overlap", chosen->overlap,
-                         "dungeon: share of cells that run through other cells, 0 to 0.05")
-            ->type_name("SHARE")
-            ->capture_default_str();
+    CLI::Option* overlap = verb->add_option("--overlap", chosen->overlap,
+                                            "dungeon: share of cells that run through other cells, 0 to 0.05")
+                               ->type_name("SHARE")
+                               ->capture_default_str();
     verb->callback([&console, &choice, chosen, size, seed, overlap] {
         chosen->tuned = size->count() + seed->count() + overlap->count() > 0;
         choice.run = [&console, chosen] { return write(*chosen, console); };

@@ -45,9 +45,9 @@ TEST(CommonPart, ofPolygonsThatMeetInAnEdgeIsNothing) {
 }
 
 TEST(WithoutOpenings, leavesExactlyTheRest) {
-    const std::vector<Polygon> openings{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},      // in a corner
-                                        {{2, 2, 0}, {3, 2, 0}, {2.5, 3, 0}},               // inside
-                                        {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}}};     // beside the first
+    const std::vector<Polygon> openings{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},  // in a corner
+                                        {{2, 2, 0}, {3, 2, 0}, {2.5, 3, 0}},           // inside
+                                        {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}}}; // beside the first
     const std::vector<Polygon> pieces = withoutOpenings(kSquare, openings);
     EXPECT_NEAR(areaOfAll(pieces), 16.0 - 2.5, 1e-9);
     for (const Polygon& piece : pieces) {
@@ -118,7 +118,9 @@ bool holds(const dat::BspTree& tree, std::int32_t node, const Vec3& p) {
     if (n.tag == dat::BspTag::Leaf) {
         return true;
     }
-    return holds(tree, glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) >= 0.0 ? n.positive : n.negative, p);
+    return holds(
+        tree, glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) >= 0.0 ? n.positive : n.negative,
+        p);
 }
 
 bool chainHolds(const dat::BspTree& tree, const Vec3& p) {
@@ -135,8 +137,8 @@ bool chainHolds(const dat::BspTree& tree, const Vec3& p) {
 
 TEST(SolidCellBsp, ofARoomWithAYardHoldsTheRoomAndNotTheYard) {
     const Vec3 middle(0.5, -3.5, 1.0);
-    const dat::BspTree tree =
-        buildSolidCellBsp(facesOf(courtShell({-8, -6, 0}, {8, 6, 3}, {-3, -1, 3, 6}, Material::Plaster)), middle);
+    const dat::BspTree tree = buildSolidCellBsp(
+        facesOf(courtShell({-8, -6, 0}, {8, 6, 3}, {-3, -1, 3, 6}, Material::Plaster)), middle);
     for (double x = -8.9; x < 9.0; x += 0.7) {
         for (double y = -6.9; y < 7.0; y += 0.7) {
             for (const double z : {-0.5, 0.5, 2.5, 3.5}) {

@@ -134,7 +134,8 @@ TEST(GeneratedComplex, seedsDifferInWhatTheyAreMadeOf) {
             const std::span<const Vec3> corners = world::cornersOf(world, portal);
             twelve += corners.size() >= 12 ? 1 : 0;
             for (std::size_t i = 0; i < corners.size(); ++i) {
-                slivers += corners.size() == 4 && glm::length(corners[i] - corners[(i + 1) % 4]) < 0.0102 ? 1 : 0;
+                slivers +=
+                    corners.size() == 4 && glm::length(corners[i] - corners[(i + 1) % 4]) < 0.0102 ? 1 : 0;
             }
         }
         for (const world::Space& space : world.spaces) {

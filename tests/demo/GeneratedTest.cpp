@@ -62,7 +62,8 @@ bool holds(const world::World& world, const world::Space& space, const Vec3& poi
     return inside;
 }
 
-void expectPlacesInTheirCells(const GeneratedWorld& generated, const world::World& world, dat::BlockCoord block) {
+void expectPlacesInTheirCells(const GeneratedWorld& generated, const world::World& world,
+                              dat::BlockCoord block) {
     for (const world::Place& place : generated.file().places) {
         if (place.cell == 0 || !(dat::blockOf(place.cell) == block)) {
             continue;

@@ -38,7 +38,8 @@ world::World GeneratedWorld::load(dat::BlockCoord block, bool mergeZones, int ra
 
 std::string nameOf(const GeneratedSpec& spec) {
     constexpr const char* kNames[] = {"dungeon", "town", "complex", "terrain"};
-    return fmt::format("{} of {}, seed {}", kNames[static_cast<std::size_t>(spec.kind)], spec.size, spec.seed);
+    return fmt::format("{} of {}, seed {}", kNames[static_cast<std::size_t>(spec.kind)], spec.size,
+                       spec.seed);
 }
 
 std::size_t reachedFrom(const world::World& world, world::SpaceIndex from) {

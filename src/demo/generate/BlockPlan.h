@@ -51,8 +51,8 @@ private:
 };
 
 /// Cells within so many openings of each, itself included, ascending: for lists of visible cells.
-[[nodiscard]] std::vector<std::uint32_t> cellsWithin(const std::vector<std::vector<std::uint32_t>>& neighbours,
-                                                     std::uint32_t cell, std::size_t steps);
+[[nodiscard]] std::vector<std::uint32_t>
+cellsWithin(const std::vector<std::vector<std::uint32_t>>& neighbours, std::uint32_t cell, std::size_t steps);
 
 /// Global metres from a landblock's own.
 [[nodiscard]] inline Vec3 blockToGlobal(dat::BlockCoord coord, const Vec3& local) {

@@ -116,8 +116,7 @@ Vec3 centroidOf(std::span<const Vec3> polygon) {
     Vec3 sum(0.0);
     double weight = 0.0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        const double w =
-            glm::dot(glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]), normal);
+        const double w = glm::dot(glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]), normal);
         sum += (polygon[0] + polygon[i] + polygon[i + 1]) * (w / 3.0);
         weight += w;
     }
@@ -128,8 +127,8 @@ double edgeDistance(std::span<const Vec3> polygon, const Vec3& point) {
     const Vec3 normal = planeOf(polygon).n;
     double nearest = 1e300;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        nearest = std::min(nearest, edgePlane(polygon[i], polygon[(i + 1) % polygon.size()], normal)
-                                        .signedDistance(point));
+        nearest = std::min(
+            nearest, edgePlane(polygon[i], polygon[(i + 1) % polygon.size()], normal).signedDistance(point));
     }
     return nearest;
 }

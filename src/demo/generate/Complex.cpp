@@ -4,6 +4,7 @@
 #include "demo/generate/Kinds.h"
 #include "demo/generate/Land.h"
 #include "demo/generate/Props.h"
+#include "demo/generate/Shell.h"
 #include "demo/generate/SmallPictures.h"
 #include "demo/generate/SolidCutter.h"
 #include "demo/generate/WorldNotes.h"
@@ -58,8 +59,8 @@ Material materialOf(const Polygon& points, Random& random) {
     if (up > 0.7) {
         return random.chance(0.5) ? Material::Flagstones : Material::Planks;
     }
-    constexpr std::array kWalls{Material::StoneWall, Material::Brick, Material::InnerPlaster, Material::Rock,
-                                Material::Rug,       Material::Beam};
+    constexpr std::array kWalls{Material::StoneWall, Material::Brick, Material::InnerPlaster,
+                                Material::Rock,      Material::Rug,   Material::Beam};
     return kWalls[random.below(kWalls.size())];
 }
 
@@ -75,10 +76,11 @@ public:
         min_ = Vec3(-side / 2, -side / 2, 0.0);
         solids_ = cutBox(min_, max_, count, random_);
         plan_.cells.resize(solids_.size());
-        holes_.resize(solids_.size());
-        portals_.resize(solids_.size());
+        shells_.resize(solids_.size());
         for (std::uint32_t c = 0; c < solids_.size(); ++c) {
-            holes_[c].resize(solids_[c].sides.size());
+            for (const Solid::Side& wall : solids_[c].sides) {
+                shells_[c].walls.push_back({wall.points, materialOf(wall.points, random_)});
+            }
         }
         openFaces();
         if (mix_.toGround) {
@@ -88,7 +90,9 @@ public:
             shell(c);
         }
         if (mix_.toGround) {
-            exterior();
+            for (Face& face : facesOf(exterior_, true)) {
+                plan_.exterior.add(std::move(face));
+            }
         }
         return std::move(plan_);
     }
@@ -109,26 +113,25 @@ private:
     }
 
     void open(const SharedFace& face) {
-        for (const OpeningPair& pair : makeOpenings(face.points, mix_, random_)) {
+        const std::array<Polygon, 2> walls{solids_[face.first].sides[face.firstSide].points,
+                                           solids_[face.second].sides[face.secondSide].points};
+        for (const OpeningPair& pair : makeOpenings(face.points, walls, mix_, random_)) {
             const auto a = static_cast<std::uint16_t>(plan_.cells[face.first].portals.size());
             const auto b = static_cast<std::uint16_t>(plan_.cells[face.second].portals.size());
-            add(face.first, face.firstSide, pair.first, {face.second, b, pair.exact});
-            add(face.second, face.secondSide, pair.second, {face.first, a, pair.exact});
+            add(face.first, pair.first, {face.second, b, pair.exact});
+            add(face.second, pair.second, {face.first, a, pair.exact});
         }
     }
 
-    void add(std::uint32_t cell, std::uint32_t side, Polygon polygon, PlannedPortal portal) {
-        if (glm::dot(planeOf(polygon).n, planeOf(solids_[cell].sides[side].points).n) < 0.0) {
-            std::reverse(polygon.begin(), polygon.end());
-        }
+    void add(std::uint32_t cell, const Polygon& polygon, PlannedPortal portal) {
         portal.insidePositive = !random_.chance(mix_.reversed);
         plan_.cells[cell].portals.push_back(portal);
-        portals_[cell].push_back(portalFace(polygon));
-        holes_[cell][side].push_back(std::move(polygon));
+        shells_[cell].openings.push_back(polygon);
     }
 
     /// Ways out through the upright sides of the box, at least one.
     void openOutside() {
+        exterior_ = boxShell(min_, max_, Material::StoneWall);
         struct Spot {
             std::uint32_t cell, side;
         };
@@ -148,30 +151,23 @@ private:
             const Polygon& side = solids_[spots[i].cell].sides[spots[i].side].points;
             const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].portals.size());
             const Polygon opening = roundOpening(side, random_);
-            add(spots[i].cell, spots[i].side, opening, {PlannedPortal::kOutside, dat::kNoPortal});
+            add(spots[i].cell, opening, {PlannedPortal::kOutside, dat::kNoPortal});
             plan_.exits.push_back({spots[i].cell, index});
-            exits_.push_back(opening);
+            exterior_.openings.push_back(opening);
         }
     }
 
     void shell(std::uint32_t c) {
         PlannedCell& cell = plan_.cells[c];
         cell.eye = middleOf(solids_[c]);
-        for (std::size_t k = 0; k < solids_[c].sides.size(); ++k) {
-            const Solid::Side& side = solids_[c].sides[k];
-            const Material material = materialOf(side.points, random_);
-            for (Polygon& piece : withoutOpenings(side.points, holes_[c][k])) {
-                cell.faces.push_back(planarFace(std::move(piece), material));
-            }
-        }
-        cell.faces.insert(cell.faces.end(), portals_[c].begin(), portals_[c].end());
+        cell.faces = facesOf(shells_[c]);
         furnish(cell);
     }
 
     /// Things that hang in the middle of the cell, some in its openings.
     void furnish(PlannedCell& cell) {
         if (random_.chance(0.4)) {
-            const std::array<dat::RecordId, 6> things{props_.crate, props_.rod,  props_.pole,
+            const std::array<dat::RecordId, 6> things{props_.crate,  props_.rod,  props_.pole,
                                                       props_.screen, props_.pane, props_.lamp};
             cell.statics.push_back({things[random_.below(things.size())],
                                     {cell.eye + Vec3(0.35, 0.2, -0.6), random_.between(0.0, 360.0)}});
@@ -180,39 +176,10 @@ private:
             if (face.portal && random_.chance(0.08)) {
                 const Vec3 n = planeOf(face.points).n;
                 const bool upright = std::abs(n.z) > 0.7;
-                cell.statics.push_back({upright ? props_.pole : props_.rod,
-                                        {centroidOf(face.points), upright ? 0.0 : std::atan2(n.y, n.x) * 57.29577951308232}});
+                cell.statics.push_back(
+                    {upright ? props_.pole : props_.rod,
+                     {centroidOf(face.points), upright ? 0.0 : std::atan2(n.y, n.x) * 57.29577951308232}});
             }
-        }
-    }
-
-    void exterior() {
-        std::array<Polygon, 5> sides;
-        const Vec3 a = min_, b = max_;
-        sides[0] = {{a.x, b.y, a.z}, {a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}};
-        sides[1] = {{b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, {b.x, a.y, b.z}};
-        sides[2] = {{a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}};
-        sides[3] = {{b.x, b.y, a.z}, {a.x, b.y, a.z}, {a.x, b.y, b.z}, {b.x, b.y, b.z}};
-        sides[4] = {{a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}};
-        for (const Polygon& side : sides) {
-            const Plane plane = planeOf(side);
-            std::vector<Polygon> holes;
-            for (const Polygon& exit : exits_) {
-                if (std::abs(plane.signedDistance(exit[0])) < 0.01 && std::abs(plane.signedDistance(exit[1])) < 0.01 &&
-                    std::abs(plane.signedDistance(exit[2])) < 0.01) {
-                    holes.push_back(exit);
-                }
-            }
-            for (Polygon& piece : withoutOpenings(side, holes)) {
-                plan_.exterior.polygon(std::move(piece), Material::StoneWall);
-            }
-        }
-        for (Polygon exit : exits_) {
-            const Vec3 out = centroidOf(exit) - Vec3(0.0, 0.0, (min_.z + max_.z) / 2);
-            if (glm::dot(planeOf(exit).n, out) < 0.0) {
-                std::reverse(exit.begin(), exit.end());
-            }
-            plan_.exterior.add(portalFace(std::move(exit)));
         }
     }
 
@@ -221,9 +188,8 @@ private:
     Random random_;
     Vec3 min_{0.0}, max_{0.0};
     std::vector<Solid> solids_;
-    std::vector<std::vector<std::vector<Polygon>>> holes_; ///< by cell and side
-    std::vector<std::vector<Face>> portals_;               ///< by cell
-    std::vector<Polygon> exits_;
+    std::vector<Shell> shells_; ///< by cell
+    Shell exterior_;
     CellsPlan plan_;
 };
 
@@ -239,7 +205,8 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     const OpeningMix mix = mixOf(random);
     const Land land(kBlock, 1, 1, mix.toGround ? kGroundIndex : 0);
     // Without land the block is a dungeon.
-    const Placement at{{96.0, 96.0, heightOfIndex(kGroundIndex) + 0.125}, mix.toGround ? random.between(0.0, 360.0) : 0.0};
+    const Placement at{{96.0, 96.0, heightOfIndex(kGroundIndex) + 0.125},
+                       mix.toGround ? random.between(0.0, 360.0) : 0.0};
     CellsPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
     WorldNotes notes;
     const std::vector<PlannedCell> cells = plan.cells;
@@ -253,11 +220,12 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     }
     const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostPlaces);
     for (std::size_t c = 0; c < cells.size(); c += step) {
-        const Vec3 target = cells[c].portals.empty()
-                                ? cells[c].eye + Vec3(1.0, 0.0, 0.0)
-                                : centroidOf(std::find_if(cells[c].faces.begin(), cells[c].faces.end(),
-                                                          [](const Face& f) { return f.portal; })
-                                                 ->points);
+        const Vec3 target =
+            cells[c].portals.empty()
+                ? cells[c].eye + Vec3(1.0, 0.0, 0.0)
+                : centroidOf(std::find_if(cells[c].faces.begin(), cells[c].faces.end(), [](const Face& f) {
+                                 return f.portal;
+                             })->points);
         notes.addPlace(fmt::format("cell.{}", c), blockToGlobal(kBlock, place(at, cells[c].eye)),
                        blockToGlobal(kBlock, place(at, target)), first + static_cast<dat::RecordId>(c));
     }

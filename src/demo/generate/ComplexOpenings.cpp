@@ -58,7 +58,8 @@ Polygon sliverOpening(const Polygon& face, Random& random) {
     const double a = kTurn * random.unit();
     const Vec3 along = (axes.u * std::cos(a) + axes.v * std::sin(a)) * length;
     const Vec3 across = glm::normalize(glm::cross(axes.n, along)) * (kSliver / 2);
-    return {middle - along - across, middle + along - across, middle + along + across, middle - along + across};
+    return {middle - along - across, middle + along - across, middle + along + across,
+            middle - along + across};
 }
 
 Polygon shifted(Polygon polygon, const Polygon& face, Random& random) {
@@ -71,9 +72,36 @@ Polygon shifted(Polygon polygon, const Polygon& face, Random& random) {
     return polygon;
 }
 
-bool few(const Polygon& polygon) {
+double distanceToEdge(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 along = b - a;
+    const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+    return glm::length(p - (a + along * t));
+}
+
+/// On it, or well away.
+bool isClear(double distance) {
+    constexpr double kOn = 1e-6, kAway = 0.01;
+    return distance < kOn || distance > kAway;
+}
+
+bool clearOf(const Polygon& a, const Polygon& b) {
+    return std::all_of(a.begin(), a.end(), [&](const Vec3& p) {
+        for (std::size_t i = 0; i < b.size(); ++i) {
+            const Vec3& from = b[i];
+            if (!isClear(glm::length(p - from)) || !isClear(distanceToEdge(p, from, b[(i + 1) % b.size()]))) {
+                return false;
+            }
+        }
+        return true;
+    });
+}
+
+/// Fit to share edges with the walls around it.
+bool clean(const Polygon& polygon, std::span<const Polygon> walls) {
     constexpr std::size_t kMostCorners = 12;
-    return !polygon.empty() && polygon.size() <= kMostCorners;
+    return !polygon.empty() && polygon.size() <= kMostCorners && clearOf(polygon, polygon) &&
+           std::all_of(walls.begin(), walls.end(),
+                       [&](const Polygon& wall) { return clearOf(polygon, wall) && clearOf(wall, polygon); });
 }
 
 bool fits(const Polygon& polygon, const Polygon& face) {
@@ -98,7 +126,8 @@ Polygon roundOpening(const Polygon& face, Random& random) {
     return out;
 }
 
-std::vector<OpeningPair> makeOpenings(const Polygon& face, const OpeningMix& mix, Random& random) {
+std::vector<OpeningPair> makeOpenings(const Polygon& face, std::span<const Polygon> walls,
+                                      const OpeningMix& mix, Random& random) {
     const double pick = random.unit();
     if (pick < mix.slivers) {
         const Polygon sliver = sliverOpening(face, random);
@@ -106,18 +135,18 @@ std::vector<OpeningPair> makeOpenings(const Polygon& face, const OpeningMix& mix
     }
     if (pick < mix.slivers + mix.twins) {
         const Halves halves = halvesOf(random.chance(0.5) ? face : roundOpening(face, random), random);
-        if (few(halves.front) && few(halves.back)) {
+        if (clean(halves.front, walls) && clean(halves.back, walls)) {
             return {{halves.front, halves.front, true}, {halves.back, halves.back, true}};
         }
     }
     const double shape = random.unit();
-    if (shape < 0.2 && few(face)) {
+    if (shape < 0.2 && clean(face, walls)) {
         return {{face, face, true}};
     }
     if (shape < 0.4) {
         const Halves halves = halvesOf(face, random);
         const Polygon& part = random.chance(0.5) ? halves.front : halves.back;
-        if (few(part)) {
+        if (clean(part, walls)) {
             return {{part, part, true}};
         }
     }

@@ -1,4 +1,5 @@
 #include "demo/generate/BlockPlan.h"
+#include "demo/generate/DungeonDoors.h"
 #include "demo/generate/DungeonShapes.h"
 #include "demo/generate/Kinds.h"
 #include "demo/generate/Props.h"
@@ -43,8 +44,8 @@ std::vector<std::uint16_t> dressed(const std::vector<std::uint16_t>& surfaces, s
 std::uint16_t firstOpening(const LatticeRoom& room, std::size_t way) {
     std::uint16_t index = 0;
     for (std::size_t w = 0; w < way; ++w) {
-        index = static_cast<std::uint16_t>(index + (w >= 4 ? (room.doors[w] == Door::None ? 0 : 1)
-                                                           : openingsOf(room.doors[w])));
+        index = static_cast<std::uint16_t>(
+            index + (w >= 4 ? (room.doors[w] == Door::None ? 0 : 1) : openingsOf(room.doors[w])));
     }
     return index;
 }
@@ -88,7 +89,9 @@ private:
     [[nodiscard]] static std::uint16_t wordOf(std::uint32_t cell) {
         return static_cast<std::uint16_t>(dat::kFirstCell + cell);
     }
-    [[nodiscard]] dat::RecordId idOf(std::uint32_t cell) const { return dat::blockWord(coord_) | wordOf(cell); }
+    [[nodiscard]] dat::RecordId idOf(std::uint32_t cell) const {
+        return dat::blockWord(coord_) | wordOf(cell);
+    }
 
     dat::EnvCell& begin(std::uint32_t cell, const StoredShape& shape, const Placement& at) {
         dat::EnvCell& record = cells_[cell];
@@ -100,7 +103,8 @@ private:
         return record;
     }
 
-    void addPortal(std::uint32_t cell, const StoredShape& shape, std::uint32_t other, std::uint16_t otherPortal) {
+    void addPortal(std::uint32_t cell, const StoredShape& shape, std::uint32_t other,
+                   std::uint16_t otherPortal) {
         dat::EnvCell& record = cells_[cell];
         dat::CellPortal portal;
         portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
@@ -124,7 +128,8 @@ private:
                     addPortal(room.cell, shape, next.cell,
                               static_cast<std::uint16_t>(firstOpening(next, opposite(way)) + k));
                 } else {
-                    addPortal(room.cell, shape, passage.cell, static_cast<std::uint16_t>(outOf ? k : count + k));
+                    addPortal(room.cell, shape, passage.cell,
+                              static_cast<std::uint16_t>(outOf ? k : count + k));
                 }
             }
         }
@@ -138,7 +143,8 @@ private:
         begin(passage.cell, shape, passagePlacement(passage, from));
         const std::uint16_t count = openingCount(from, way);
         for (std::uint16_t k = 0; k < count; ++k) {
-            addPortal(passage.cell, shape, from.cell, static_cast<std::uint16_t>(firstOpening(from, way) + k));
+            addPortal(passage.cell, shape, from.cell,
+                      static_cast<std::uint16_t>(firstOpening(from, way) + k));
         }
         if (passage.to == kNothing) {
             return;
@@ -220,13 +226,15 @@ private:
         const std::size_t step = std::max<std::size_t>(1, count / kMostPlaces);
         for (std::size_t r = 0; r < count; r += step) {
             const LatticeRoom& room = layout_->rooms[r];
-            const auto way = static_cast<std::size_t>(
-                std::find_if(room.doors.begin(), room.doors.begin() + 4, [](Door d) { return d != Door::None; }) -
-                room.doors.begin());
-            const std::array<Vec3, 5> ahead{Vec3(-1, 0.02, -0.05), Vec3(1, -0.03, -0.05), Vec3(0.02, -1, -0.05),
-                                            Vec3(0.02, 1, -0.05), Vec3(0.6, 0.6, -0.3)};
+            const auto way = static_cast<std::size_t>(std::find_if(room.doors.begin(), room.doors.begin() + 4,
+                                                                   [](Door d) { return d != Door::None; }) -
+                                                      room.doors.begin());
+            const std::array<Vec3, 5> ahead{Vec3(-1, 0.02, -0.05), Vec3(1, -0.03, -0.05),
+                                            Vec3(0.02, -1, -0.05), Vec3(0.02, 1, -0.05),
+                                            Vec3(0.6, 0.6, -0.3)};
             const Vec3 eye = blockToGlobal(coord_, room.floor + eyePoint(room.form));
-            notes.addPlace(fmt::format("room.{}", notes.placeCount()), eye, eye + ahead[way], idOf(room.cell));
+            notes.addPlace(fmt::format("room.{}", notes.placeCount()), eye, eye + ahead[way],
+                           idOf(room.cell));
         }
     }
 

@@ -21,7 +21,17 @@ inline constexpr std::size_t kWays = 6;
 enum class Door : std::uint8_t { Narrow, Wide, Twin, Arch, None };
 
 /// Box-shaped, or without one corner, or without the middle of one side.
-enum class Form : std::uint8_t { Box, NoSouthWest, NoSouthEast, NoNorthWest, NoNorthEast, NoWest, NoEast, NoSouth, NoNorth };
+enum class Form : std::uint8_t {
+    Box,
+    NoSouthWest,
+    NoSouthEast,
+    NoNorthWest,
+    NoNorthEast,
+    NoWest,
+    NoEast,
+    NoSouth,
+    NoNorth
+};
 
 /// Half the extents along x and y, and the height; metres.
 struct RoomSize {

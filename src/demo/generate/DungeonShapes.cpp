@@ -3,68 +3,11 @@
 #include "core/Assert.h"
 #include "demo/Panel.h"
 #include "demo/generate/Carve.h"
+#include "demo/generate/DungeonDoors.h"
 
 namespace limen::demo {
 
 namespace {
-
-/// (across, up) as seen in a passage to the east, whose +y is `across`; counter-clockwise in that plane.
-using Outline = std::vector<Vec2>;
-
-Outline rectangle(double from, double to, double top) {
-    return {{from, 0.0}, {to, 0.0}, {to, top}, {from, top}};
-}
-
-Outline arch() {
-    // A half circle of eight chords over upright sides: eleven edges.
-    constexpr double kMiddle = 1.25, kRadius = 1.0, kSpring = 1.5;
-    Outline out{{kMiddle - kRadius, 0.0}, {kMiddle + kRadius, 0.0}};
-    constexpr int kChords = 8;
-    for (int k = 0; k <= kChords; ++k) {
-        const double a = 3.14159265358979323846 * k / kChords;
-        const auto snap = [](double v) { return std::round(v * 1024.0) / 1024.0; };
-        out.emplace_back(kMiddle + snap(kRadius * std::cos(a)), kSpring + snap(kRadius * std::sin(a)));
-    }
-    return out;
-}
-
-std::vector<Outline> openings(Door door) {
-    switch (door) {
-    case Door::Narrow:
-        return {rectangle(-1.875, -0.625, 2.25)};
-    case Door::Wide:
-        return {rectangle(-1.0, 1.0, 2.5)};
-    case Door::Twin:
-        return {rectangle(-2.125, -0.875, 2.25), rectangle(0.875, 2.125, 2.25)};
-    case Door::Arch:
-        return {arch()};
-    case Door::None:
-        break;
-    }
-    return {};
-}
-
-/// A passage's cross-section: the opening itself, or wider.
-Outline profile(Door door) {
-    switch (door) {
-    case Door::Wide:
-        return rectangle(-1.5, 1.5, 2.75);
-    case Door::Twin:
-        return rectangle(-2.5, 2.5, 2.75);
-    default:
-        return openings(door).front();
-    }
-}
-
-/// A horizontal opening around the origin.
-Outline hatch(Door door) {
-    constexpr double kHalf = 1.0, kBevel = 0.5;
-    if (door == Door::Narrow) {
-        return {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
-    }
-    return {{-kBevel, -kHalf}, {kBevel, -kHalf}, {kHalf, -kBevel}, {kHalf, kBevel},
-            {kBevel, kHalf},   {-kBevel, kHalf}, {-kHalf, kBevel}, {-kHalf, -kBevel}};
-}
 
 Polygon onWall(const Outline& outline, Way way, const RoomSize& size) {
     Polygon out;
@@ -180,33 +123,19 @@ std::vector<Rect> holesIn(const RoomSide& side, const std::vector<Rect>& notches
 std::vector<Outline> outlinesOf(const LatticeRoom& room, Way way) {
     const Door door = room.doors[static_cast<std::size_t>(way)];
     if (door == Door::None || way < Way::Down) {
-        return openings(door);
+        return openingOutlines(door);
     }
-    return {hatch(door)};
+    return {hatchOutline(door)};
 }
 
-void addWall(std::vector<Face>& faces, const Polygon& wall, std::span<const Polygon> holes, Material material) {
+void addWall(std::vector<Face>& faces, const Polygon& wall, std::span<const Polygon> holes,
+             Material material) {
     for (Polygon& piece : withoutOpenings(wall, holes)) {
         faces.push_back(planarFace(std::move(piece), material));
     }
 }
 
 } // namespace
-
-std::uint16_t openingsOf(Door door) {
-    return door == Door::None ? 0 : door == Door::Twin ? 2 : 1;
-}
-
-DoorExtent extentOf(Door door, std::uint16_t opening) {
-    const Outline outline = openings(door).at(opening);
-    DoorExtent out{1e9, -1e9, 0.0, door != Door::Arch};
-    for (const Vec2& p : outline) {
-        out.from = std::min(out.from, p.x);
-        out.to = std::max(out.to, p.x);
-        out.height = std::max(out.height, p.y);
-    }
-    return out;
-}
 
 std::vector<Face> roomShell(const LatticeRoom& room) {
     const RoomSize& size = kRoomSizes[room.size];
@@ -245,7 +174,7 @@ Vec3 eyePoint(Form form) {
 }
 
 std::vector<Face> passageShell(Door door, double length, double rise, bool deadEnd) {
-    const Outline section = profile(door);
+    const Outline section = passageOutline(door);
     const auto at = [&](const Vec2& p, bool end) {
         return Vec3(end ? length : 0.0, p.x, p.y + (end ? rise : 0.0));
     };
@@ -257,7 +186,9 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
     for (std::size_t i = 0; i < section.size(); ++i) {
         const Vec2& p = section[i];
         const Vec2& q = section[(i + 1) % section.size()];
-        const Material material = i == 0 ? Material::Flagstones : p.y > 2.0 && q.y > 2.0 ? Material::Brick : Material::StoneWall;
+        const Material material = i == 0                   ? Material::Flagstones
+                                  : p.y > 2.0 && q.y > 2.0 ? Material::Brick
+                                                           : Material::StoneWall;
         faces.push_back(
             planarFace(facing({at(p, false), at(q, false), at(q, true), at(p, true)}, inside), material));
     }
@@ -270,7 +201,7 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
             return facing(std::move(out), inside);
         };
         std::vector<Polygon> holes;
-        for (const Outline& outline : end && deadEnd ? std::vector<Outline>{} : openings(door)) {
+        for (const Outline& outline : end&& deadEnd ? std::vector<Outline>{} : openingOutlines(door)) {
             holes.push_back(polygon(outline));
             portals.push_back(portalFace(holes.back()));
         }
@@ -281,7 +212,7 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
 }
 
 std::vector<Face> shaftShell(Door door, double length) {
-    const Outline section = hatch(door);
+    const Outline section = hatchOutline(door);
     const Vec3 inside(0.0, 0.0, length / 2);
     std::vector<Face> faces;
     Polygon below, above;
@@ -318,7 +249,8 @@ const StoredShape& DungeonShapes::of(const LatticeRoom& room) {
         key[3 + way] = static_cast<long long>(room.doors[way]);
     }
     const auto found = shapes_.find(key);
-    return found != shapes_.end() ? found->second : shapes_[key] = library_.add(roomShell(room), eyePoint(room.form));
+    return found != shapes_.end() ? found->second
+                                  : shapes_[key] = library_.add(roomShell(room), eyePoint(room.form));
 }
 
 const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
@@ -335,10 +267,10 @@ const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
     }
     const Vec3 middle = passage.way == Way::Up ? Vec3(0.0, 0.0, passage.length / 2)
                                                : Vec3(passage.length / 2, 0.0, rise / 2 + 1.0);
-    return shapes_[key] = library_.add(
-               passage.way == Way::Up ? shaftShell(passage.door, passage.length)
-                                      : passageShell(passage.door, passage.length, rise, passage.to == kNothing),
-               middle);
+    return shapes_[key] = library_.add(passage.way == Way::Up ? shaftShell(passage.door, passage.length)
+                                                              : passageShell(passage.door, passage.length,
+                                                                             rise, passage.to == kNothing),
+                                       middle);
 }
 
 } // namespace limen::demo

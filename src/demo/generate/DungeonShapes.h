@@ -7,17 +7,6 @@
 
 namespace limen::demo {
 
-/// How many openings a door is made of.
-[[nodiscard]] std::uint16_t openingsOf(Door door);
-
-/// The middle of an opening (x along the wall, seen as in a passage to the east; y up) and its extents, and whether it
-/// is a rectangle.
-struct DoorExtent {
-    double from = 0.0, to = 0.0, height = 0.0;
-    bool rectangular = true;
-};
-[[nodiscard]] DoorExtent extentOf(Door door, std::uint16_t opening);
-
 /// A room's shell around the middle of its floor; portals in the order of Way. The surfaces are Flagstones (floor),
 /// StoneWall (walls), Brick (ceiling).
 [[nodiscard]] std::vector<Face> roomShell(const LatticeRoom& room);

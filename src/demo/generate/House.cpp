@@ -57,22 +57,25 @@ private:
     }
 
     void window(Room& room, Side side, double middle, double sill) {
-        room.ways.push_back({{side, {middle - kWindowWidth / 2, sill, middle + kWindowWidth / 2,
-                                     sill + kWindowHeight}}});
+        room.ways.push_back(
+            {{side, {middle - kWindowWidth / 2, sill, middle + kWindowWidth / 2, sill + kWindowHeight}}});
     }
 
     void addGroundFloor() {
         const double doorX = random_.chance(0.5) ? -0.75 : 0.75;
         const Rect door{doorX - kDoorWidth / 2, 0.0, doorX + kDoorWidth / 2, kDoorHeight};
-        const double middle = s_.divided ? std::floor((0.4 + 0.2 * random_.unit()) * s_.depth * 8.0) / 8.0 : inner_.v1;
-        rooms_.push_back(room({inner_.u0, inner_.v0, inner_.u1, middle}, 0.0, s_.height, Material::InnerPlaster));
+        const double middle =
+            s_.divided ? std::floor((0.4 + 0.2 * random_.unit()) * s_.depth * 8.0) / 8.0 : inner_.v1;
+        rooms_.push_back(
+            room({inner_.u0, inner_.v0, inner_.u1, middle}, 0.0, s_.height, Material::InnerPlaster));
         rooms_[0].ways.push_back({{Side::South, door}, PlannedPortal::kOutside, true});
         if (random_.chance(0.7)) {
             window(rooms_[0], Side::South, -2.2 * doorX, 0.875);
         }
         if (s_.divided) {
             rooms_[0].ways.push_back({{Side::North, door}, 1, true});
-            rooms_.push_back(room({inner_.u0, middle, inner_.u1, inner_.v1}, 0.0, s_.height, Material::StoneWall));
+            rooms_.push_back(
+                room({inner_.u0, middle, inner_.u1, inner_.v1}, 0.0, s_.height, Material::StoneWall));
             rooms_[1].ways.push_back({{Side::South, door}, 0, true});
         }
         Room& back = rooms_.back();
@@ -97,7 +100,8 @@ private:
         const Rect hatch = hatchOf(rooms_[above], true);
         const RoomSpec& over = rooms_[above].spec;
         rooms_[above].ways.push_back({{Side::Floor, hatch}, below, false});
-        rooms_.push_back(room({over.min.x, over.min.y, over.max.x, over.max.y}, -kCellarDepth, 0.0, Material::Rock));
+        rooms_.push_back(
+            room({over.min.x, over.min.y, over.max.x, over.max.y}, -kCellarDepth, 0.0, Material::Rock));
         rooms_[below].ways.push_back({{Side::Ceiling, hatch}, above, false});
     }
 
@@ -129,8 +133,9 @@ private:
                 const double at = planeOfSide(room, side);
                 // A door between rooms is hung once.
                 if (way.to == PlannedPortal::kOutside || way.to > index) {
-                    out_.openings.push_back({index, portal, alongY ? Vec3(at, r.u0, r.v0) : Vec3(r.u0, at, r.v0),
-                                             alongY, way.door});
+                    out_.openings.push_back({index, portal,
+                                             alongY ? Vec3(at, r.u0, r.v0) : Vec3(r.u0, at, r.v0), alongY,
+                                             way.door});
                 }
             }
             if (way.to == PlannedPortal::kOutside) {
@@ -170,7 +175,8 @@ private:
             });
             if (way != room.ways.end()) {
                 const Rect& r = way->opening.rect;
-                cell.statics.push_back({props_.rod, {{0.5 * (r.u0 + r.u1), room.spec.max.y, r.v0 + 0.25}, 90.0}});
+                cell.statics.push_back(
+                    {props_.rod, {{0.5 * (r.u0 + r.u1), room.spec.max.y, r.v0 + 0.25}, 90.0}});
             }
         }
     }
@@ -240,7 +246,8 @@ private:
         const Vec3 middle = (outer[0] + inner[2]) * 0.5;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t j = (i + 1) % 4;
-            out_.plan.exterior.polygon(facing({outer[i], outer[j], inner[j], inner[i]}, middle), Material::StoneWall);
+            out_.plan.exterior.polygon(facing({outer[i], outer[j], inner[j], inner[i]}, middle),
+                                       Material::StoneWall);
         }
     }
 
@@ -251,15 +258,22 @@ private:
         const double eaves = top() - rise * kOverhang;
         const double w = s_.halfWidth + kOverhang;
         MeshBuilder& mesh = out_.plan.exterior;
-        Face south = planarFace({{-w, -kOverhang, eaves}, {w, -kOverhang, eaves}, {w, s_.depth / 2, ridge}, {-w, s_.depth / 2, ridge}},
+        Face south = planarFace({{-w, -kOverhang, eaves},
+                                 {w, -kOverhang, eaves},
+                                 {w, s_.depth / 2, ridge},
+                                 {-w, s_.depth / 2, ridge}},
                                 Material::Thatch);
-        Face north = planarFace({{w, s_.depth + kOverhang, eaves}, {-w, s_.depth + kOverhang, eaves}, {-w, s_.depth / 2, ridge}, {w, s_.depth / 2, ridge}},
+        Face north = planarFace({{w, s_.depth + kOverhang, eaves},
+                                 {-w, s_.depth + kOverhang, eaves},
+                                 {-w, s_.depth / 2, ridge},
+                                 {w, s_.depth / 2, ridge}},
                                 Material::Thatch);
         south.twoSided = north.twoSided = true;
         mesh.add(std::move(south));
         mesh.add(std::move(north));
         for (const double x : {-s_.halfWidth, s_.halfWidth}) {
-            mesh.polygon(facing({{x, 0.0, top()}, {x, s_.depth, top()}, {x, s_.depth / 2, ridge}}, {3.0 * x, s_.depth / 2, top()}),
+            mesh.polygon(facing({{x, 0.0, top()}, {x, s_.depth, top()}, {x, s_.depth / 2, ridge}},
+                                {3.0 * x, s_.depth / 2, top()}),
                          Material::OldPlanks);
         }
     }
@@ -289,28 +303,6 @@ HouseSpec randomHouse(Random& random, double foot) {
 
 House planHouse(const HouseSpec& spec, const Props& props, Random& random) {
     return HousePlanner(spec, props, random).plan();
-}
-
-HouseLeaves addHouseLeaves(ModelSink& sink) {
-    return {addLeaf(sink, kDoorWidth, kDoorHeight, true), addLeaf(sink, kWindowWidth, kWindowHeight, false)};
-}
-
-void noteDoors(const std::vector<HouseOpening>& openings, const HouseLeaves& leaves, dat::BlockCoord block,
-               const Placement& at, dat::RecordId firstCell, Random& random, WorldNotes& notes) {
-    for (const HouseOpening& opening : openings) {
-        if (!random.chance(opening.door ? 0.5 : 0.4)) {
-            continue;
-        }
-        WorldNotes::Door door;
-        door.cell = firstCell + opening.cell;
-        door.portal = opening.portal;
-        door.opaque = opening.door;
-        door.open = !opening.door || random.chance(0.4) ? 0.0 : random.chance(0.5) ? 1.0 : 0.625;
-        const WorldNotes::Leaf leaf{opening.door ? leaves.door : leaves.pane,
-                                    blockToGlobal(block, place(at, opening.corner)),
-                                    (opening.alongY ? -90.0 : 0.0) - at.turn, opening.door ? -95.0 : 0.0};
-        notes.addDoor(door, {&leaf, 1});
-    }
 }
 
 } // namespace limen::demo

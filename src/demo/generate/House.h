@@ -23,9 +23,9 @@ struct HouseSpec {
 struct HouseOpening {
     std::uint32_t cell = 0;
     std::uint16_t portal = 0;
-    Vec3 corner{0.0};         ///< its lower corner, from which the leaf extends
-    bool alongY = false;      ///< the leaf extends along +y, else +x
-    bool door = false;        ///< kDoorWidth × kDoorHeight; else a window
+    Vec3 corner{0.0};    ///< its lower corner, from which the leaf extends
+    bool alongY = false; ///< the leaf extends along +y, else +x
+    bool door = false;   ///< kDoorWidth × kDoorHeight; else a window
 };
 inline constexpr double kDoorWidth = 1.125, kDoorHeight = 2.0, kWindowWidth = 1.0, kWindowHeight = 1.125;
 

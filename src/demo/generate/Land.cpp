@@ -8,8 +8,8 @@ Land::Land(dat::BlockCoord southWest, int blocksX, int blocksY, int heightIndex)
     : southWest_(southWest), blocksX_(blocksX), blocksY_(blocksY), verticesX_(blocksX * kCellsPerBlock + 1),
       verticesY_(blocksY * kCellsPerBlock + 1),
       heights_(static_cast<std::size_t>(verticesX_ * verticesY_), static_cast<std::uint8_t>(heightIndex)),
-      words_(heights_.size(), static_cast<std::uint16_t>(static_cast<std::uint32_t>(TerrainKind::Grassland) << 2)) {
-}
+      words_(heights_.size(),
+             static_cast<std::uint16_t>(static_cast<std::uint32_t>(TerrainKind::Grassland) << 2)) {}
 
 std::size_t Land::indexOf(int vx, int vy) const {
     return static_cast<std::size_t>(vx * verticesY_ + vy);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dat/Ids.h"
-#include "demo/WorldRecords.h"
 #include "demo/TerrainShape.h"
+#include "demo/WorldRecords.h"
 
 namespace limen::demo {
 
@@ -21,7 +21,9 @@ public:
     /// Metres above the zero level at metres from the south-west corner, by the triangle there.
     [[nodiscard]] double heightAt(double x, double y) const;
 
-    [[nodiscard]] dat::BlockCoord blockAt(int bx, int by) const { return {southWest_.x + bx, southWest_.y + by}; }
+    [[nodiscard]] dat::BlockCoord blockAt(int bx, int by) const {
+        return {southWest_.x + bx, southWest_.y + by};
+    }
     /// Adds the LandBlocks; each has a LandBlockInfo.
     void addTo(WorldRecords& records) const;
 

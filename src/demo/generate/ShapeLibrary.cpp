@@ -24,7 +24,8 @@ void windPortals(std::vector<Face>& faces, const std::vector<bool>& outward) {
 
 } // namespace
 
-StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle, const std::vector<bool>& outwardPortals) {
+StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle,
+                              const std::vector<bool>& outwardPortals) {
     closeSeams(faces);
     dat::CellStruct shape;
     shape.cellBsp = buildSolidCellBsp(faces, middle);
@@ -41,8 +42,7 @@ StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle, const
     shape.drawingBsp = buildDrawingBsp(faces);
     shape.vertexArray = std::move(mesh.vertexArray);
     shape.polygons = std::move(mesh.polygons);
-    if (records_.environments.empty() ||
-        records_.environments.back().cells.size() >= kShapesPerEnvironment) {
+    if (records_.environments.empty() || records_.environments.back().cells.size() >= kShapesPerEnvironment) {
         dat::Environment environment;
         environment.id = kFirstEnvironment + static_cast<dat::RecordId>(records_.environments.size());
         records_.environments.push_back(std::move(environment));

@@ -20,7 +20,8 @@ public:
     /// `faces` look inwards and close, T-junctions apart (they are closed here); portal faces are the cell's
     /// portals, in order. Those in `outwardPortals` are stored wound the other way round. Of a cell that is not
     /// convex, the tree's chain of positive children is a convex part around `middle`.
-    StoredShape add(std::vector<Face> faces, const Vec3& middle, const std::vector<bool>& outwardPortals = {});
+    StoredShape add(std::vector<Face> faces, const Vec3& middle,
+                    const std::vector<bool>& outwardPortals = {});
 
 private:
     WorldRecords& records_;

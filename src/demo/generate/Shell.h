@@ -23,7 +23,7 @@ struct Shell {
 [[nodiscard]] Shell courtShell(const Vec3& min, const Vec3& max, const Rect& court, Material walls);
 
 /// The walls without the openings, and a portal face for each opening, in their order; seen from inside, or all seen
-/// from outside.
+/// from outside. Of several ways to cut the walls, one whose corners stay clear of each other and of edges.
 [[nodiscard]] std::vector<Face> facesOf(const Shell& shell, bool fromOutside = false);
 
 } // namespace limen::demo

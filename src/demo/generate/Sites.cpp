@@ -84,18 +84,20 @@ constexpr double kFoot = -1.5; ///< lower end of walls, below the ground
 CellsPlan planVault(const Props& props, Random& random) {
     SitePlanner site;
     constexpr double kHallTop = -2.5, kHallFloor = -5.5;
-    const std::uint32_t hall =
-        site.addCell(boxShell({-22, -2.5, kHallFloor}, {22, 5.5, kHallTop}, Material::Rock), {0.5, 1.0, kHallFloor + 1.6});
+    const std::uint32_t hall = site.addCell(
+        boxShell({-22, -2.5, kHallFloor}, {22, 5.5, kHallTop}, Material::Rock), {0.5, 1.0, kHallFloor + 1.6});
     for (const Vec2& middle : {Vec2(-19, 0), Vec2(19, 3)}) {
         const Vec3 low(middle.x - 2.5, middle.y - 2.25, 0.0), high(middle.x + 2.5, middle.y + 2.25, 2.75);
-        const std::uint32_t hut = site.addCell(boxShell(low, high, Material::InnerPlaster), {middle.x, middle.y - 1.25, 1.6});
+        const std::uint32_t hut =
+            site.addCell(boxShell(low, high, Material::InnerPlaster), {middle.x, middle.y - 1.25, 1.6});
         const Rect hatch{middle.x - 0.75, middle.y - 0.5, middle.x + 0.75, middle.y + 1.0};
         const std::uint32_t shaft =
             site.addCell(boxShell({hatch.u0, hatch.v0, kHallTop}, {hatch.u1, hatch.v1, 0.0}, Material::Brick),
                          {middle.x, middle.y + 0.25, -1.0});
         site.join(hut, shaft, rectangle(Side::Floor, 0.0, hatch));
         site.join(shaft, hall, rectangle(Side::Floor, kHallTop, hatch));
-        Shell exterior = withoutFloor(boxShell({low.x, low.y, kFoot}, {high.x, high.y, 2.75}, Material::OldPlanks));
+        Shell exterior =
+            withoutFloor(boxShell({low.x, low.y, kFoot}, {high.x, high.y, 2.75}, Material::OldPlanks));
         const double x = middle.x + random.between(-0.5, 0.5);
         site.openOutside(hut, rectangle(Side::South, low.y, {x - 0.625, 0.0, x + 0.625, 2.125}), exterior);
         if (random.chance(0.7)) {
@@ -120,10 +122,12 @@ CellsPlan planTunnel(const Props& props, Random& random) {
         const Side outward = end < 0 ? Side::West : Side::East;
         const Rect opening{-kHalf, 0.0, kHalf, kTop};
         const std::uint32_t arm =
-            site.addCell(boxShell({std::min(inner, outer), -kHalf, 0}, {std::max(inner, outer), kHalf, kTop}, Material::Rock),
+            site.addCell(boxShell({std::min(inner, outer), -kHalf, 0}, {std::max(inner, outer), kHalf, kTop},
+                                  Material::Rock),
                          {0.5 * (inner + outer), 0.25, 1.6});
         site.join(room, arm, rectangle(outward, inner, opening));
-        Shell facade = boxShell({std::min(back, outer), -2.75, kFoot}, {std::max(back, outer), 2.75, 4.0}, Material::StoneWall);
+        Shell facade = boxShell({std::min(back, outer), -2.75, kFoot}, {std::max(back, outer), 2.75, 4.0},
+                                Material::StoneWall);
         site.openOutside(arm, rectangle(outward, outer, opening), facade);
         site.addExterior(facade);
     }
@@ -151,7 +155,8 @@ CellsPlan planTower(const Props& props, Random& random) {
     Shell exterior = withoutFloor(prismShell(footprint, foot - 0.5, top, Material::StoneWall));
     for (int s = 0; s < kStoreys; ++s) {
         const double floor = foot + s * kStorey;
-        const Shell shell = prismShell(footprint, floor, floor + kStorey, s < kBelow ? Material::Rock : Material::Brick);
+        const Shell shell =
+            prismShell(footprint, floor, floor + kStorey, s < kBelow ? Material::Rock : Material::Brick);
         const auto cell = site.addCell(shell, {2.0, 0.5, floor + 1.6});
         if (s > 0) {
             const bool whole = random.chance(0.2);
@@ -178,8 +183,11 @@ CellsPlan planTower(const Props& props, Random& random) {
     site.addExterior(exterior);
     for (int k = 0; k < kSides && !openTop; ++k) {
         const Polygon eaves = ring(kRadius, top);
-        site.addOutside(planarFace(facing({eaves[static_cast<std::size_t>(k)], eaves[static_cast<std::size_t>((k + 1) % kSides)],
-                                           {0, 0, top + 4.0}}, {0, 0, top + 40.0}), Material::Thatch));
+        site.addOutside(planarFace(facing({eaves[static_cast<std::size_t>(k)],
+                                           eaves[static_cast<std::size_t>((k + 1) % kSides)],
+                                           {0, 0, top + 4.0}},
+                                          {0, 0, top + 40.0}),
+                                   Material::Thatch));
     }
     return site.finish();
 }
@@ -189,7 +197,8 @@ CellsPlan planCourt(const Props& props, Random& random) {
     const Vec3 low(-8, -6, 0), high(8, 6, 3);
     const Rect court{-3, -1, 3, 6};
     Shell exterior = withoutFloor(courtShell({low.x, low.y, kFoot}, high, court, Material::Plaster));
-    const std::uint32_t room = site.addCell(courtShell(low, high, court, Material::InnerPlaster), {0.5, -3.5, 1.6});
+    const std::uint32_t room =
+        site.addCell(courtShell(low, high, court, Material::InnerPlaster), {0.5, -3.5, 1.6});
     const double y = 2.0 + random.between(0.0, 2.0);
     site.openOutside(room, rectangle(Side::East, court.u0, {y, 0.875, y + 1.25, 2.125}), exterior);
     site.openOutside(room, rectangle(Side::West, court.u1, {y, 0.875, y + 1.25, 2.125}), exterior);

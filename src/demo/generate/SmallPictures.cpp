@@ -158,12 +158,12 @@ void addSmallMaterials(WorldRecords& records) {
         const std::uint32_t index = image.id - kFirstPicture;
         const bool blend = index >= kMaterials + kGrounds;
         const bool ground = !blend && index >= kMaterials;
-        const Canvas canvas =
-            blend    ? paintSmallBlend(index - kMaterials - kGrounds)
-            : ground ? paintSmall(lookOf(static_cast<Ground>(index - kMaterials)), index)
-                     : paintSmall(lookOf(static_cast<Material>(index)), index);
+        const Canvas canvas = blend    ? paintSmallBlend(index - kMaterials - kGrounds)
+                              : ground ? paintSmall(lookOf(static_cast<Ground>(index - kMaterials)), index)
+                                       : paintSmall(lookOf(static_cast<Material>(index)), index);
         const dat::RecordId id = image.id;
-        image = encodeImage(canvas, blend ? dat::PixelFormat::LandscapeAlpha : dat::PixelFormat::A8R8G8B8).image;
+        image =
+            encodeImage(canvas, blend ? dat::PixelFormat::LandscapeAlpha : dat::PixelFormat::A8R8G8B8).image;
         image.id = id;
     }
 }

@@ -11,15 +11,17 @@ namespace limen::demo {
 struct Solid {
     struct Side {
         Polygon points;
-        std::int32_t cut = 0; ///< number of the plane it lies in: 0..5 the first box (west, east, south, north, floor,
-                              ///< ceiling), then the cuts, in their order
+        std::int32_t cut =
+            0; ///< number of the plane it lies in: 0..5 the first box (west, east, south, north, floor,
+               ///< ceiling), then the cuts, in their order
     };
     std::vector<Side> sides;
 };
 
 /// Cuts a box into `count` >= 1 convex solids by planes, two of three tilted. No corner of a solid lies near a plane
 /// that cuts it, so that edges are no shorter than some centimetres.
-[[nodiscard]] std::vector<Solid> cutBox(const Vec3& min, const Vec3& max, std::uint32_t count, Random& random);
+[[nodiscard]] std::vector<Solid> cutBox(const Vec3& min, const Vec3& max, std::uint32_t count,
+                                        Random& random);
 
 /// A part of a plane that two solids share.
 struct SharedFace {

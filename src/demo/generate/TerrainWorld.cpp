@@ -39,7 +39,8 @@ public:
                 PlanWriter block(sink_, shapes_, land_.blockAt(bx, by));
                 for (std::uint32_t k = 0; k < kSitesPerBlock && site < spec_.size; ++k, ++site) {
                     // Kinds take turns, so that a small world has as many of them as it can.
-                    const auto kind = static_cast<Site>((first + site) % static_cast<std::uint32_t>(Site::Count));
+                    const auto kind =
+                        static_cast<Site>((first + site) % static_cast<std::uint32_t>(Site::Count));
                     addSite(block, kind, site, bx, by, static_cast<int>(k));
                 }
                 block.finish();
@@ -66,8 +67,9 @@ private:
         const int vx = bx * kCellsPerBlock + 2 + 4 * (quarter % 2);
         const int vy = by * kCellsPerBlock + 2 + 4 * (quarter / 2);
         const bool alongY = random_.chance(0.5);
-        Placement at{{48.0 + 96.0 * (quarter % 2), 48.0 + 96.0 * (quarter / 2), heightOfIndex(kGround) + kAboveGround},
-                     alongY ? 90.0 : 0.0};
+        Placement at{
+            {48.0 + 96.0 * (quarter % 2), 48.0 + 96.0 * (quarter / 2), heightOfIndex(kGround) + kAboveGround},
+            alongY ? 90.0 : 0.0};
         std::vector<HouseOpening> openings;
         shapeGround(kind, vx, vy, alongY);
         CellsPlan plan = planOf(kind, at, openings);
@@ -129,8 +131,8 @@ private:
         for (std::size_t c = 0; c < cells.size() && notes_.placeCount() < kMostPlaces; ++c) {
             const auto portal = std::find_if(cells[c].faces.begin(), cells[c].faces.end(),
                                              [](const Face& f) { return f.portal; });
-            notes_.addPlace(fmt::format("{}.{}", name, c), global(cells[c].eye), global(centroidOf(portal->points)),
-                            first + static_cast<dat::RecordId>(c));
+            notes_.addPlace(fmt::format("{}.{}", name, c), global(cells[c].eye),
+                            global(centroidOf(portal->points)), first + static_cast<dat::RecordId>(c));
         }
         notes_.addPlace(name, global({-34.0, -20.0, 12.0}), global({0.0, 0.0, 1.0}), 0);
     }

@@ -29,9 +29,12 @@ constexpr std::array<double, 2> kFences{16.5, -16.5};
 class TownBuilder {
 public:
     explicit TownBuilder(const GeneratedSpec& spec)
-        : spec_(spec), random_(seedOf(spec)), blocks_((spec.size + kColumns * kRows - 1) / (kColumns * kRows)),
-          across_(acrossOf(blocks_)),
-          land_(kSouthWestOfTown, across_, static_cast<int>((blocks_ + static_cast<std::uint32_t>(across_) - 1) / static_cast<std::uint32_t>(across_)), kGround) {}
+        : spec_(spec), random_(seedOf(spec)),
+          blocks_((spec.size + kColumns * kRows - 1) / (kColumns * kRows)), across_(acrossOf(blocks_)),
+          land_(kSouthWestOfTown, across_,
+                static_cast<int>((blocks_ + static_cast<std::uint32_t>(across_) - 1) /
+                                 static_cast<std::uint32_t>(across_)),
+                kGround) {}
 
     WorldRecords build() {
         addSmallMaterials(records_);
@@ -44,7 +47,9 @@ public:
             buildBlock(static_cast<int>(b) % across_, static_cast<int>(b) / across_, houses);
         }
         for (std::uint32_t b = blocks_; b < static_cast<std::uint32_t>(across_ * landBlocksY()); ++b) {
-            PlanWriter(sink_, shapes_, land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_)).finish();
+            PlanWriter(sink_, shapes_,
+                       land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_))
+                .finish();
         }
         land_.addTo(records_);
         records_.worldFile = notes_.take();
@@ -66,7 +71,8 @@ private:
         for (int vx = 0; vx < land_.verticesX(); ++vx) {
             for (int vy = 0; vy < land_.verticesY(); ++vy) {
                 land_.setHeight(vx, vy, kGround + static_cast<int>(random_.below(4)));
-                land_.setCover(vx, vy, random_.chance(0.3) ? TerrainKind::PackedDirt : TerrainKind::LushGrass, false);
+                land_.setCover(vx, vy, random_.chance(0.3) ? TerrainKind::PackedDirt : TerrainKind::LushGrass,
+                               false);
             }
         }
     }
@@ -80,8 +86,10 @@ private:
         for (std::uint32_t h = 0; h < houses; ++h) {
             const Row& row = kTownRows[h % kRows];
             const std::uint32_t column = h / kRows;
-            const double x = kLot * (static_cast<double>((column + 2) % kColumns) - 2.0) + random_.between(-2.0, 2.0);
-            Placement at{place(district, {x, row.y + random_.between(-0.75, 0.75), 0.0}), district.turn + row.turn};
+            const double x =
+                kLot * (static_cast<double>((column + 2) % kColumns) - 2.0) + random_.between(-2.0, 2.0);
+            Placement at{place(district, {x, row.y + random_.between(-0.75, 0.75), 0.0}),
+                         district.turn + row.turn};
             if (random_.chance(0.3)) {
                 at.turn += random_.between(-7.0, 7.0);
             }
@@ -102,7 +110,8 @@ private:
         noteDoors(planned.openings, leaves_, coord, at, first, random_, notes_);
         for (std::size_t c = 0; c < cells.size() && notes_.placeCount() < kMostPlaces; ++c) {
             const Vec3 target = c == 0 ? Vec3(0.0, 0.0, 1.2) : cells[c].eye + Vec3(0.3, 1.0, -0.1);
-            notes_.addPlace(fmt::format("house.{}.{}", house_, c), blockToGlobal(coord, place(at, cells[c].eye)),
+            notes_.addPlace(fmt::format("house.{}.{}", house_, c),
+                            blockToGlobal(coord, place(at, cells[c].eye)),
                             blockToGlobal(coord, place(at, target)), first + static_cast<dat::RecordId>(c));
         }
         ++house_;
