@@ -177,7 +177,7 @@ TEST(Program, demoGeneratesAWorldOfAKind) {
     const ProgramRun written =
         runner.run({"demo", "--kind", "town", "--size", "2", "--seed", "3", "-o", "town"});
     ASSERT_EQ(written.exit, 0) << written.err;
-    const ProgramRun list = runner.run({"dat", "ls", "--type", "LandBlockInfo", "--dat", "town"});
+    const ProgramRun list = runner.run({"dat", "ls", "town", "--type", "LandBlockInfo"});
     EXPECT_EQ(list.exit, 0) << list.err;
     EXPECT_FALSE(list.out.empty());
 }
