@@ -1,29 +1,93 @@
 #include "app/OutputFile.h"
 #include "app/Verbs.h"
 #include "demo/Demo.h"
+#include "demo/Generated.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 namespace limen::app {
+namespace {
+
+using demo::GeneratedKind;
+
+struct DemoChoice {
+    std::string directory, output;
+    std::string kind = "built-in";
+    std::uint32_t size = 50, seed = 1;
+    double overlap = 0.02;
+    bool tuned = false; ///< an option was given that generated worlds alone have
+};
+
+/// None: the built-in world.
+std::optional<GeneratedKind> kindOf(std::string_view name) {
+    if (name == "dungeon")
+        return GeneratedKind::Dungeon;
+    if (name == "town")
+        return GeneratedKind::Town;
+    if (name == "complex")
+        return GeneratedKind::Complex;
+    if (name == "terrain")
+        return GeneratedKind::Terrain;
+    return std::nullopt;
+}
+
+Result<Exit> write(const DemoChoice& chosen, const Console& console) {
+    const std::string& directory = chosen.output.empty() ? chosen.directory : chosen.output;
+    if (directory.empty() || !(chosen.directory.empty() || chosen.output.empty()))
+        return fail(ErrorCode::BadArgument, "demo", "name one directory to write to: DIR or -o DIR");
+    if (Result<void> made = makeDirectory(directory); !made)
+        return tl::unexpected(made.error());
+    const std::optional<GeneratedKind> kind = kindOf(chosen.kind);
+    if (!kind && chosen.tuned)
+        return fail(ErrorCode::BadArgument, "demo", "--size, --seed and --overlap go with another --kind");
+    const Result<void> written =
+        kind ? demo::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap}, directory)
+             : demo::writeBuiltInWorld(directory);
+    if (!written)
+        return tl::unexpected(written.error());
+    const std::string what =
+        kind ? fmt::format("A {} of size {}, seed {},", chosen.kind, chosen.size, chosen.seed)
+             : "The built-in world";
+    console.note(
+        fmt::format("{} is in {}: client_portal.dat, client_cell_1.dat, world.json", what, directory));
+    return Exit::Done;
+}
+
+} // namespace
 
 void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("demo", "writes the built-in world as dat files");
-    const auto directory = std::make_shared<std::string>();
-    verb->add_option("DIR", *directory, "the directory to write to; made if it is missing")
-        ->required()
+    CLI::App* verb = program.add_subcommand("demo", "writes the built-in or a generated world as dat files");
+    const auto chosen = std::make_shared<DemoChoice>();
+    verb->add_option("DIR", chosen->directory, "the directory to write to; made if it is missing")
         ->type_name("");
-    verb->callback([&console, &choice, directory] {
-        choice.run = [&console, directory]() -> Result<Exit> {
-            if (Result<void> made = makeDirectory(*directory); !made)
-                return tl::unexpected(made.error());
-            if (Result<void> written = demo::writeBuiltInWorld(*directory); !written)
-                return tl::unexpected(written.error());
-            console.note(fmt::format(
-                "The built-in world is in {}: client_portal.dat, client_cell_1.dat, world.json", *directory));
-            return Exit::Done;
-        };
+    verb->add_option("-o,--output", chosen->output, "the same, as an option")->type_name("DIR");
+    verb->add_option(
+            "--kind", chosen->kind,
+            "built-in: the world the program carries; dungeon: rooms, corridors and shafts; town: houses "
+            "and streets; complex: convex cells with openings of every shape; terrain: cells that the "
+            "ground runs through")
+        ->type_name("KIND")
+        ->check(CLI::IsMember({"built-in", "dungeon", "town", "complex", "terrain"}))
+        ->capture_default_str();
+    CLI::Option* size =
+        verb->add_option("--size", chosen->size,
+                         "how many cells (dungeon, complex), houses (town) or sites (terrain)")
+            ->type_name("N")
+            ->capture_default_str();
+    CLI::Option* seed = verb->add_option("--seed", chosen->seed,
+                                         "which of the worlds of that kind and size; the same every time")
+                            ->type_name("S")
+                            ->capture_default_str();
+    CLI::Option* overlap = verb->add_option("--overlap", chosen->overlap,
+                                            "dungeon: share of cells that run through other cells, 0 to 0.05")
+                               ->type_name("SHARE")
+                               ->capture_default_str();
+    verb->callback([&console, &choice, chosen, size, seed, overlap] {
+        chosen->tuned = size->count() + seed->count() + overlap->count() > 0;
+        choice.run = [&console, chosen] { return write(*chosen, console); };
     });
 }
 

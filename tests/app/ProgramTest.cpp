@@ -172,6 +172,24 @@ TEST(Program, demoWritesTheSameBytesTwice) {
     }
 }
 
+TEST(Program, demoGeneratesAWorldOfAKind) {
+    const ProgramRunner runner;
+    const ProgramRun written =
+        runner.run({"demo", "--kind", "town", "--size", "2", "--seed", "3", "-o", "town"});
+    ASSERT_EQ(written.exit, 0) << written.err;
+    const ProgramRun list = runner.run({"dat", "ls", "town", "--type", "LandBlockInfo"});
+    EXPECT_EQ(list.exit, 0) << list.err;
+    EXPECT_FALSE(list.out.empty());
+}
+
+TEST(Program, demoRefusesWhatItCannotGenerate) {
+    const ProgramRunner runner;
+    expectRefusal(runner, {"demo", "--kind", "castle", "-o", "x"}, "castle");
+    expectRefusal(runner, {"demo", "--kind", "town", "--size", "0", "-o", "x"}, "size");
+    expectRefusal(runner, {"demo", "--size", "9", "x"}, "--kind");
+    expectRefusal(runner, {"demo", "one", "-o", "two"}, "one directory");
+}
+
 TEST(Program, datListsAndShowsRecords) {
     const ProgramRunner runner;
     const ProgramRun list = runner.run({"dat", "ls", "--type", "Region", "--json"});
