@@ -12,7 +12,7 @@ namespace limen::demo::inn {
 inline constexpr Rect kKitchenDoor{-5.5, 0.0, -4.5, 2.05};
 inline constexpr Rect kParlourDoor{1.6, 0.0, 2.6, 2.05};
 inline constexpr Rect kBackDoor{8.0, 0.0, 9.0, 2.05};
-inline constexpr Rect kPassageDoor{1.8, 0.0, 2.8, 2.05};
+inline constexpr Rect kPassageDoor{1.8, 0.0, 2.72, 2.05};
 inline constexpr Rect kStairsDoor{5.35, 0.0, 6.15, 2.05};
 inline constexpr Rect kLandingDoor{9.85, kUpper, 10.65, kUpper + 2.05};
 inline constexpr Rect kStoreDoor{5.4, 0.0, 6.3, 2.05};

@@ -14,8 +14,8 @@ dat::RecordId addBar(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-1.80, -0.36, 1.04}, {1.80, 0.30, 1.10}, Material::Oak);
     mesh.beam({-1.74, -0.24, 0.0}, {1.74, -0.18, 1.04}, Material::OldPlanks);
-    for (const double x : {-1.74, -0.58, 0.52, 1.68}) {
-        mesh.beam({x, -0.28, 0.0}, {x + 0.06, -0.235, 1.04}, Material::Beam);
+    for (const double x : {-1.735, -0.58, 0.52, 1.675}) {
+        mesh.beam({x, -0.28, 0.004}, {x + 0.06, -0.235, 1.036}, Material::Beam);
     }
     for (const double x : {-1.72, 1.64}) {
         mesh.beam({x, -0.18, 0.0}, {x + 0.08, 0.26, 1.04}, Material::OldPlanks);
@@ -48,7 +48,7 @@ dat::RecordId addRoundTable(ModelSink& sink) {
                    .cap = Material::Oak});
     mesh.cylinder({.base = {0, 0, 0.04}, .lower = 0.09, .upper = 0.07, .height = 0.67, .sides = 10});
     mesh.beam({-0.34, -0.05, 0.0}, {0.34, 0.05, 0.07}, Material::Oak);
-    mesh.beam({-0.05, -0.34, 0.0}, {0.05, 0.34, 0.065}, Material::Oak);
+    mesh.beam({-0.05, -0.34, 0.004}, {0.05, 0.34, 0.065}, Material::Oak);
     return single(sink, mesh);
 }
 
@@ -63,8 +63,9 @@ dat::RecordId addFlight(ModelSink& sink) {
     for (int k = 1; k <= kRisers; ++k) {
         const double top = -rise * k;
         const double y = -tread * (k - 1);
+        const double foot = k == kRisers ? top + 0.003 : top;
         const double above = k == 1 ? -0.06 : top + rise - 0.05;
-        mesh.beam({-kHalf + 0.02, y, top}, {kHalf - 0.02, y + 0.02, above}, Material::OldPlanks);
+        mesh.beam({-kHalf + 0.02, y, foot}, {kHalf - 0.02, y + 0.02, above}, Material::OldPlanks);
         if (k < kRisers) {
             mesh.beam({-kHalf, y - tread - 0.02, top - 0.05}, {kHalf, y + 0.03, top}, Material::Planks);
         }

@@ -13,6 +13,8 @@ using namespace hall;
 constexpr double kWallTop = 3.875; ///< of the nave's long walls, inside
 constexpr double kApseHeight = 4.375;
 constexpr double kApseSouth = 2.375, kApseNorth = 7.25;
+/// The apse's exterior stands this much lower, so that its stones lie in no plane of the nave's.
+constexpr double kApseLower = 1.0 / 128.0;
 constexpr double kArchRadius = 1.875, kSpringing = 2.125;
 constexpr int kArchSegments = 12;
 constexpr Rect kDoor{kMiddle - 1.4375, 0.0, kMiddle + 1.4375, 2.875};
@@ -64,6 +66,8 @@ HouseShell apseShell() {
     Rect window = kApseWindow;
     window.u0 -= kApseSouth - kWall;
     window.u1 -= kApseSouth - kWall;
+    window.v0 += kApseLower;
+    window.v1 += kApseLower;
     shell.holes.push_back({Side::East, window, false});
     return shell;
 }
@@ -239,7 +243,7 @@ BuildingPlan planMeetingHall(ModelSink& sink, const Furniture& furniture) {
     plan.name = "meeting hall";
     plan.exterior = buildHouseShell(naveShell());
     const HouseShell behind = apseShell();
-    plan.exterior.append(buildHouseShell(behind), {{6.25 + behind.halfWidth, kApseSouth - kWall, 0.0}, 0.0});
+    plan.exterior.append(buildHouseShell(behind), {{6.25 + behind.halfWidth, kApseSouth - kWall, -kApseLower}, 0.0});
     plan.cells = {
         nave(sink),
         archedPassage("arch", kInnerEnd, kApseWest, 0.0, arch(), Material::StoneWall, Material::Flagstones),

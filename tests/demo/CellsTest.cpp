@@ -24,7 +24,7 @@ std::vector<Edge> edgesOf(const std::vector<Vec3>& polygon) {
 }
 
 TEST(Cells, everyEdgeHasExactlyOnePartnerRunningTheOtherWay) {
-    ASSERT_EQ(world().envCells.size(), 9u);
+    ASSERT_EQ(world().envCells.size(), 38u);
     for (const dat::EnvCell& cell : world().envCells) {
         const dat::CellStruct& shape = shapeOf(cell);
         std::map<Edge, int> count;
@@ -99,28 +99,69 @@ TEST(Cells, interiorLiesOnTheSideThatTheFlagSays) {
     }
 }
 
+/// The planes of a cell's shell, interior in front; the cells are convex.
+std::vector<Plane> planesOf(const dat::EnvCell& cell) {
+    const dat::CellStruct& shape = shapeOf(cell);
+    std::vector<Plane> out;
+    for (const auto& [id, polygon] : shape.polygons) {
+        out.push_back(planeOf(pointsOf(shape.vertexArray, polygon, cell.position)));
+    }
+    return out;
+}
+
+std::vector<Vec3> cornersOf(const dat::EnvCell& cell) {
+    std::vector<Vec3> out;
+    for (const auto& [key, vertex] : shapeOf(cell).vertexArray.vertices) {
+        out.push_back(apply(cell.position, Vec3(vertex.position)));
+    }
+    return out;
+}
+
+TEST(Cells, areConvex) {
+    for (const dat::EnvCell& cell : world().envCells) {
+        const std::vector<Vec3> corners = cornersOf(cell);
+        for (const Plane& plane : planesOf(cell)) {
+            for (const Vec3& p : corners) {
+                ASSERT_GT(plane.signedDistance(p), -0.0005) << std::hex << cell.id;
+            }
+        }
+    }
+}
+
 TEST(Cells, cellTreeHoldsTheInsideAndNothingElse) {
     for (const dat::EnvCell& cell : world().envCells) {
         const Aabb box = boundsOf(cell);
+        const std::vector<Plane> planes = planesOf(cell);
         for (int k = 0; k < 343; ++k) {
             const Vec3 t{(k % 7) / 5.0 - 0.1, (k / 7 % 7) / 5.0 - 0.1, (k / 49) / 5.0 - 0.1};
             const Vec3 p = box.min + (box.max - box.min) * t;
-            const bool inside = std::min({t.x, t.y, t.z}) > 0.0 && std::max({t.x, t.y, t.z}) < 1.0;
-            EXPECT_EQ(contains(cell, p), inside)
-                << std::hex << cell.id << " " << t.x << " " << t.y << " " << t.z;
+            double depth = 1e300; // below the nearest plane of the shell
+            for (const Plane& plane : planes) {
+                depth = std::min(depth, plane.signedDistance(p));
+            }
+            if (std::abs(depth) > 0.001) {
+                EXPECT_EQ(contains(cell, p), depth > 0.0)
+                    << std::hex << cell.id << " " << t.x << " " << t.y << " " << t.z;
+            }
         }
     }
+}
+
+/// True if all corners lie behind one of the planes.
+bool behindOne(const std::vector<Plane>& planes, const std::vector<Vec3>& corners) {
+    return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+        return std::all_of(corners.begin(), corners.end(),
+                           [&](const Vec3& p) { return plane.signedDistance(p) < 0.001; });
+    });
 }
 
 TEST(Cells, ofABuildingAreDisjoint) {
     const auto& cells = world().envCells;
     for (std::size_t a = 0; a < cells.size(); ++a) {
         for (std::size_t b = a + 1; b < cells.size(); ++b) {
-            // The cells are upright boxes (proved by the tree test), so boxes decide.
-            const Aabb p = boundsOf(cells[a]);
-            const Aabb q = boundsOf(cells[b]);
-            const Vec3 overlap = glm::min(p.max, q.max) - glm::max(p.min, q.min);
-            EXPECT_LT(std::min({overlap.x, overlap.y, overlap.z}), 0.01)
+            // Convex and all but upright prisms: a wall of one of them parts them.
+            EXPECT_TRUE(behindOne(planesOf(cells[a]), cornersOf(cells[b])) ||
+                        behindOne(planesOf(cells[b]), cornersOf(cells[a])))
                 << std::hex << cells[a].id << " " << cells[b].id;
         }
     }
