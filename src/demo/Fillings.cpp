@@ -54,10 +54,14 @@ MeshBuilder leafMesh(double width, double height) {
                  Material::Iron);
     }
     const double x = from + width - 0.09;
-    mesh.box({x - 0.02, -kThick / 2 - 0.012, 0.98}, {x + 0.02, kThick / 2 + 0.012, 1.12}, Material::Iron);
-    mesh.beam({x - 0.10, -kThick / 2 - 0.05, 1.045}, {x + 0.012, -kThick / 2 - 0.03, 1.07}, Material::Iron);
-    mesh.beam({x - 0.10, kThick / 2 + 0.03, 1.045}, {x + 0.012, kThick / 2 + 0.05, 1.07}, Material::Iron);
-    mesh.box({x - 0.012, -kThick / 2 - 0.035, 1.047}, {x + 0.01, kThick / 2 + 0.035, 1.067}, Material::Iron);
+    mesh.box({x - 0.02, -kThick / 2 - 0.008, 0.98}, {x + 0.02, kThick / 2 + 0.008, 1.12}, Material::Iron);
+    for (const double side : {-1.0, 1.0}) {
+        const double near = side * (kThick / 2 + 0.012);
+        const double far = side * (kThick / 2 + 0.023);
+        mesh.beam({x - 0.10, std::min(near, far), 1.045}, {x + 0.012, std::max(near, far), 1.07},
+                  Material::Iron);
+    }
+    mesh.box({x - 0.012, -kThick / 2 - 0.018, 1.048}, {x + 0.008, kThick / 2 + 0.018, 1.066}, Material::Iron);
     return mesh;
 }
 

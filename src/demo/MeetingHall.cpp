@@ -243,7 +243,8 @@ BuildingPlan planMeetingHall(ModelSink& sink, const Furniture& furniture) {
     plan.name = "meeting hall";
     plan.exterior = buildHouseShell(naveShell());
     const HouseShell behind = apseShell();
-    plan.exterior.append(buildHouseShell(behind), {{6.25 + behind.halfWidth, kApseSouth - kWall, -kApseLower}, 0.0});
+    plan.exterior.append(buildHouseShell(behind),
+                         {{6.25 + behind.halfWidth, kApseSouth - kWall, -kApseLower}, 0.0});
     plan.cells = {
         nave(sink),
         archedPassage("arch", kInnerEnd, kApseWest, 0.0, arch(), Material::StoneWall, Material::Flagstones),

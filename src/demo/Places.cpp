@@ -75,13 +75,13 @@ public:
             looking(outdoorEye(x, y), target));
     }
     /// Straight through the air: indoors, over steps.
-    void straight(const Vec3& to, double speed, const Vec3& target) {
+    void straight(const Vec3& to, double speed, const Vec3& target, double stride = 0.25) {
         Eye end;
         end.position = to;
         lookAt(end, target);
         leg(
-            speed, 0.25, [&](double t, const Eye& from) { return from.position + (to - from.position) * t; },
-            end);
+            speed, stride,
+            [&](double t, const Eye& from) { return from.position + (to - from.position) * t; }, end);
     }
     /// Stands and turns.
     void look(const Vec3& target, double seconds) {
@@ -172,7 +172,7 @@ void follow(Walk& walk, const std::vector<TourStep>& steps) {
             walk.alongGround(area.x, area.y, step.pace, step.target);
             break;
         case TourStep::Kind::Straight:
-            walk.straight(step.to, step.pace, step.target);
+            walk.straight(step.to, step.pace, step.target, 0.4);
             break;
         case TourStep::Kind::Look:
             walk.look(step.target, step.pace);
