@@ -8,7 +8,7 @@ layout(location = kOutputBlended) out vec4 outColour;
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instances[vInstance];
+    Instance instance = instanceAt(vInstance);
     Keep keep = keepOf(instance, vEyeRelative);
     if (!keep.kept) {
         discard;
@@ -19,7 +19,7 @@ void main() {
         texel = sampleTexture(material.texture, vUv, dx, dy);
     }
     float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
-    alpha *= material.colour.a;
+    alpha *= material.colour.a * instance.opacity;
     vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, vEyeRelative, vNormal);
     colour = highlighted(colour, instance.highlight) * alpha;
     float covered = (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha;

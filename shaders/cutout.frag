@@ -10,7 +10,7 @@ const float kAlphaThreshold = 0.5;
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instances[vInstance];
+    Instance instance = instanceAt(vInstance);
     Keep keep = keepOf(instance, vEyeRelative);
     Material material = materials[vSurface];
     vec4 colour = materialColour(material, dx, dy);

@@ -21,7 +21,7 @@ layout(location = 5) flat out uint vId;
 
 void main() {
     uint index = uint(gl_BaseInstanceARB);
-    Instance instance = instances[index];
+    Instance instance = instanceAt(index);
     vec3 local = blockFromModel(inPosition, instance.row0, instance.row1, instance.row2);
     vec3 eyeRelative = eyeFromBlock(local, instance.block);
     gl_Position = clipFromEye(eyeRelative);

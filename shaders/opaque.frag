@@ -7,7 +7,7 @@ layout(location = kOutputId) out uint outId;
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instances[vInstance];
+    Instance instance = instanceAt(vInstance);
     Keep keep = keepOf(instance, vEyeRelative);
     if (!keep.kept) {
         discard;

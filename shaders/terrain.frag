@@ -79,7 +79,7 @@ vec3 blendedTerrain(uint cell, CellUv uv) {
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instances[vInstance];
+    Instance instance = instanceAt(vInstance);
     Keep keep = keepOf(instance, vEyeRelative);
     if (!keep.kept) {
         discard;

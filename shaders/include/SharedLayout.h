@@ -36,6 +36,8 @@ LIMEN_CONST kBindTextures = 10;    // TextureRef (static)
 LIMEN_CONST kBindOwnership = 11;   // OwnershipVertex
 LIMEN_CONST kBindClipSets = 12;    // ClipSet
 LIMEN_CONST kBindSky = 13;         // SkyInstance
+LIMEN_CONST kBindMovers = 14;      // Instance: what moves, of this frame
+LIMEN_CONST kBindMoverMembers = 15; // Member, likewise
 
 // Texture units: the ownership target, then the array pages (none in bindless mode).
 LIMEN_CONST kUnitOwnership = 0;
@@ -80,6 +82,10 @@ LIMEN_STRUCT(FrameConstants) {
     uint visitCount LIMEN_ZERO;
     uint flags LIMEN_ZERO;
     float nearPlane LIMEN_ZERO;
+    uint staticInstances LIMEN_ZERO; // numbers from here on are movers
+    uint staticMembers LIMEN_ZERO;   // likewise
+    uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {
@@ -101,7 +107,7 @@ LIMEN_STRUCT(Instance) {
     uint memberCount LIMEN_ZERO;
     uint kind LIMEN_ZERO;
     uint highlight LIMEN_ZERO;     // RGBA8, alpha = strength; 0 none
-    uint reserved0 LIMEN_ZERO;
+    float opacity LIMEN_ZERO;      // times its blended surfaces' own
 };
 
 // A zone an instance belongs to, and the light it has there.

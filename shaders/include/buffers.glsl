@@ -14,4 +14,21 @@ layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights
 layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
 layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
 layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
+layout(std430, binding = kBindMovers) readonly buffer MoverBuffer { Instance movers[]; };
+layout(std430, binding = kBindMoverMembers) readonly buffer MoverMemberBuffer { Member moverMembers[]; };
 layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };
+
+// What stands still and what moves are numbered on, from one array into the other.
+Instance instanceAt(uint index) {
+    if (index < frame.staticInstances) {
+        return instances[index];
+    }
+    return movers[index - frame.staticInstances];
+}
+
+Member memberAt(uint index) {
+    if (index < frame.staticMembers) {
+        return members[index];
+    }
+    return moverMembers[index - frame.staticMembers];
+}

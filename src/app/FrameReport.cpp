@@ -39,13 +39,13 @@ Json visitsJson(const world::World& world, const visibility::VisibleSet& visible
     return list;
 }
 
-Json idsJson(const IdTable& table, std::span<const std::uint32_t> ids) {
+Json idsJson(const IdTable& table, const world::Moment& moment, std::span<const std::uint32_t> ids) {
     std::vector<std::uint32_t> distinct(ids.begin(), ids.end());
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     Json map = Json::object();
     for (const std::uint32_t id : distinct) {
-        const IdMeaning meaning = table.meaning(id);
+        const IdMeaning meaning = table.meaning(id, moment);
         map[std::to_string(id)] = {{"space", meaning.space},
                                    {"kind", meaning.kind},
                                    {"record", meaning.record},
@@ -105,8 +105,9 @@ std::vector<dat::RecordId> cellsSeen(const world::World& world, const visibility
 }
 
 Json frameJson(const world::World& world, const IdTable& table, const FrameEye& eye,
-               const visibility::VisibleSet& visible, const frame::FramePlan& plan,
-               const FrameFigures& figures, std::span<const std::uint32_t> ids) {
+               const world::Moment& moment, const visibility::VisibleSet& visible,
+               const frame::FramePlan& plan, const FrameFigures& figures,
+               std::span<const std::uint32_t> ids) {
     Json cells = Json::array();
     for (const dat::RecordId cell : cellsSeen(world, visible))
         cells.push_back(hexId(cell));
@@ -119,6 +120,8 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
                 {"player", vector(eye.player)},
                 {"time", number(eye.time)},
                 {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
+                {"seconds", number(eye.seconds)},
+                {"doors", eye.doors ? number(*eye.doors) : Json()},
                 {"root", spaceName(world, eye.root)},
                 {"root_ambiguous", eye.rootAmbiguous},
                 {"cells", std::move(cells)},
@@ -135,7 +138,7 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
                 {"textures", figures.textures}};
     if (!ids.empty()) {
         report["void_pixels"] = voids;
-        report["ids"] = idsJson(table, ids);
+        report["ids"] = idsJson(table, moment, ids);
     }
     return report;
 }
@@ -143,9 +146,14 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
 std::string reproduction(const world::World& world, const FrameEye& eye, const std::string& datOption) {
     const Vec3& p = eye.camera.eye;
     return fmt::format(
-        "limen shot{} --eye={},{},{} --yaw={} --pitch={} --fov={} --size={}x{} --root={} --time={}",
-        datOption, p.x, p.y, p.z, eye.camera.heading.yaw, eye.camera.heading.pitch, eye.camera.fovDegrees,
-        eye.size.width, eye.size.height, spaceName(world, eye.root), eye.time);
+               "limen shot{} --eye={},{},{} --yaw={} --pitch={} --fov={} --size={}x{} --root={} --time={}",
+               datOption, p.x, p.y, p.z, eye.camera.heading.yaw, eye.camera.heading.pitch,
+               eye.camera.fovDegrees, eye.size.width, eye.size.height, spaceName(world, eye.root), eye.time) +
+           (eye.seconds != 0.0 ? fmt::format(" --seconds={}", eye.seconds) : "") +
+           (eye.doors ? fmt::format(" --doors={}", *eye.doors) : "") +
+           (eye.weather == Weather::Rain ? " --weather=rain" : "") +
+           (eye.player != p ? fmt::format(" --player={},{},{}", eye.player.x, eye.player.y, eye.player.z)
+                            : "");
 }
 
 } // namespace limen::app

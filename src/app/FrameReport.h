@@ -6,6 +6,7 @@
 #include "visibility/VisibleSet.h"
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,11 +38,14 @@ struct FrameEye {
     Vec3 player{0.0};
     double time = 0.5;
     Weather weather = Weather::Clear;
+    double seconds = 0.0;        ///< since the world began: where villagers, sprites and clouds are
+    std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as it rests
 };
 
 /// The frame as JSON (docs/interface.md). `ids` is the id image, or empty if it was not drawn.
 [[nodiscard]] nlohmann::ordered_json frameJson(const world::World& world, const IdTable& table,
-                                               const FrameEye& eye, const visibility::VisibleSet& visible,
+                                               const FrameEye& eye, const world::Moment& moment,
+                                               const visibility::VisibleSet& visible,
                                                const frame::FramePlan& plan, const FrameFigures& figures,
                                                std::span<const std::uint32_t> ids);
 

@@ -11,9 +11,8 @@ namespace {
 constexpr std::array<const char*, 8> kKindNames{"shell",  "terrain", "exterior", "scenery",
                                                 "static", "dynamic", "filling",  "sky"};
 
-std::uint32_t polygonCount(const world::World& world, world::InstanceIndex instance) {
-    const std::uint32_t mesh = world.instances[instance].mesh;
-    return mesh < world.meshes.size() ? world.meshes[mesh].polygonCount : 0;
+std::uint32_t polygonCount(const world::World& world, const world::Instance& instance) {
+    return instance.mesh < world.meshes.size() ? world.meshes[instance.mesh].polygonCount : 0;
 }
 
 } // namespace
@@ -25,34 +24,36 @@ std::string spaceName(const world::World& world, world::SpaceIndex space) {
 }
 
 IdTable::IdTable(const world::World& world) : world_(world) {
-    for (world::InstanceIndex i = 0; i < world.instances.size(); ++i) {
-        if (polygonCount(world, i) > 0)
-            byId_.push_back(i);
+    for (const auto* instances : {&world.instances, &world.movingParts}) {
+        for (const world::Instance& instance : *instances) {
+            if (polygonCount(world, instance) > 0)
+                byId_.push_back(&instance);
+        }
     }
-    std::sort(byId_.begin(), byId_.end(),
-              [&](auto a, auto b) { return world_.instances[a].idBase < world_.instances[b].idBase; });
+    std::sort(byId_.begin(), byId_.end(), [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
 }
 
-world::InstanceIndex IdTable::instance(std::uint32_t id) const {
+const world::Instance* IdTable::instance(std::uint32_t id) const {
     const auto after =
-        std::upper_bound(byId_.begin(), byId_.end(), id, [&](std::uint32_t wanted, world::InstanceIndex i) {
-            return wanted < world_.instances[i].idBase;
-        });
+        std::upper_bound(byId_.begin(), byId_.end(), id,
+                         [](std::uint32_t wanted, const world::Instance* i) { return wanted < i->idBase; });
     if (after == byId_.begin())
-        return world::kNone;
-    const world::InstanceIndex found = *(after - 1);
-    return id - world_.instances[found].idBase < polygonCount(world_, found) ? found : world::kNone;
+        return nullptr;
+    const world::Instance* found = *(after - 1);
+    return id - found->idBase < polygonCount(world_, *found) ? found : nullptr;
 }
 
-IdMeaning IdTable::meaning(std::uint32_t id) const {
+IdMeaning IdTable::meaning(std::uint32_t id, const world::Moment& moment) const {
     if (id == kVoidPixel)
         return {"none", "void", hexId(0), "", 0};
     if (id == kSkyPixel)
         return {"outside", "sky", hexId(0), "", 0};
-    const world::InstanceIndex index = instance(id);
-    if (index == world::kNone)
+    const world::Instance* known = instance(id);
+    if (known == nullptr)
         return {"none", "unknown", hexId(0), "", id};
-    const world::Instance& found = world_.instances[index];
+    const auto here = std::find_if(moment.instances.begin(), moment.instances.end(),
+                                   [&](const world::Instance& i) { return i.idBase == known->idBase; });
+    const world::Instance& found = here != moment.instances.end() ? *here : *known;
     const std::uint32_t number = id - found.idBase;
     const std::size_t info = world_.meshes[found.mesh].firstPolygonInfo + std::size_t{number};
     const std::uint32_t polygon = info < world_.polygonIds.size() ? world_.polygonIds[info] : number;

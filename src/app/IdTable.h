@@ -1,5 +1,6 @@
 #pragma once
 
+#include "world/Moment.h"
 #include "world/World.h"
 
 #include <string>
@@ -26,14 +27,14 @@ inline constexpr std::uint32_t kVoidPixel = 0, kSkyPixel = 1;
 class IdTable {
 public:
     explicit IdTable(const world::World& world);
-    /// An id that no instance has is told as kind "unknown", space "none".
-    [[nodiscard]] IdMeaning meaning(std::uint32_t id) const;
-    /// The instance an id belongs to, or kNone.
-    [[nodiscard]] world::InstanceIndex instance(std::uint32_t id) const;
+    /// An id that no instance has is told as kind "unknown", space "none". What moves is placed where `moment` says.
+    [[nodiscard]] IdMeaning meaning(std::uint32_t id, const world::Moment& moment = {}) const;
+    /// The instance an id belongs to: one of World::instances or of World::movingParts, or null.
+    [[nodiscard]] const world::Instance* instance(std::uint32_t id) const;
 
 private:
     const world::World& world_;
-    std::vector<world::InstanceIndex> byId_; ///< instances with polygons, ascending by idBase
+    std::vector<const world::Instance*> byId_; ///< those with polygons, ascending by idBase
 };
 
 } // namespace limen::app

@@ -120,6 +120,18 @@ Result<Weather> parseWeather(std::string_view option, std::string_view text) {
     return bad(option, text, "clear or rain");
 }
 
+Result<std::optional<double>> parseDoors(std::string_view option, std::string_view text) {
+    const std::string_view word = trimmed(text);
+    if (word == "rest")
+        return std::optional<double>{};
+    if (word == "closed" || word == "half" || word == "open")
+        return std::optional(word == "closed" ? 0.0 : word == "half" ? 0.5 : 1.0);
+    const Result<double> share = parseNumberBetween(option, text, 0.0, 1.0);
+    if (!share)
+        return bad(option, text, "rest, closed, half, open or a number from 0 to 1");
+    return std::optional(*share);
+}
+
 Result<dat::RecordId> parseRecordId(std::string_view option, std::string_view text) {
     std::uint32_t id = 0;
     if (!readHex(trimmed(text), 8, id))

@@ -6,6 +6,7 @@
 #include "geometry/Vec.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,9 @@ using frame::Weather;
 
 /// "clear" or "rain".
 [[nodiscard]] Result<Weather> parseWeather(std::string_view option, std::string_view text);
+
+/// "rest" (none), "closed", "half", "open", or a share 0..1.
+[[nodiscard]] Result<std::optional<double>> parseDoors(std::string_view option, std::string_view text);
 
 /// A record id: one to eight hexadecimal digits, "0x" in front or not.
 [[nodiscard]] Result<dat::RecordId> parseRecordId(std::string_view option, std::string_view text);

@@ -52,7 +52,7 @@ frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
     view.width = eye.size.width;
     view.height = eye.size.height;
     view.timeOfDay = eye.time;
-    view.seconds = options.seconds;
+    view.seconds = eye.seconds;
     view.weather = eye.weather;
     view.exactCutOuts = options.ids;
     return view;
@@ -91,8 +91,9 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
 }
 
 Result<std::unique_ptr<LoadedWorld>> LoadedWorld::load(const dat::Archive& archive, dat::BlockCoord centre,
-                                                       const world::LoadOptions& options) {
-    Result<world::World> world = world::loadWorld(archive, centre, options);
+                                                       const world::LoadOptions& options,
+                                                       const world::MovingEntries& moving) {
+    Result<world::World> world = world::loadWorld(archive, centre, options, moving);
     if (!world)
         return tl::unexpected(world.error());
     Result<visibility::Graph> graph = frame::visibilityGraph(*world);
@@ -123,6 +124,21 @@ Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, Pi
     return eye;
 }
 
+motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) {
+    const visibility::View view = viewOf(eye.camera, eye.size, eye.root);
+    motion::MomentInput input;
+    input.seconds = eye.seconds;
+    input.allDoors = eye.doors;
+    input.eye = view.eye;
+    input.right = view.right;
+    input.up = view.up;
+    input.forward = view.forward;
+    const world::SpaceIndex player =
+        eye.player == eye.camera.eye ? eye.root : motion::locate(world, eye.player).space;
+    input.rain = eye.weather == Weather::Rain && player == world::kOutside;
+    return input;
+}
+
 Session::Session(WorldSource source, const SessionOptions& options, gpu::GlDevice& device)
     : source_(std::move(source)), options_(options), device_(device),
       renderer_(device, {.textures = {.mode = options.textures}}) {}
@@ -132,7 +148,8 @@ Session::~Session() = default;
 Result<void> Session::load(dat::BlockCoord centre) {
     if (loaded_ && loaded_->centre == centre)
         return {};
-    Result<std::unique_ptr<LoadedWorld>> loaded = LoadedWorld::load(source_.archive, centre, options_.load);
+    Result<std::unique_ptr<LoadedWorld>> loaded =
+        LoadedWorld::load(source_.archive, centre, options_.load, source_.file.moving);
     if (!loaded)
         return tl::unexpected(loaded.error());
     if (Result<void> uploaded = renderer_.upload(frame::buildScene((*loaded)->world)); !uploaded)
@@ -173,11 +190,12 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     if (Result<void> fitted = fitTarget(eye.size); !fitted)
         return fitted;
     const frame::FrameView view = frameView(eye, options);
+    loaded_->moments.at(momentInput(loaded_->world, eye), moment_);
     const Stopwatch flooding;
-    visibility::flood(loaded_->graph, {}, view.view, {}, scratch_, visible_);
+    visibility::flood(loaded_->graph, moment_.closed, view.view, {}, scratch_, visible_);
     floodMs_ = flooding.ms();
     const Stopwatch planning;
-    loaded_->planner.plan(view, visible_, plan_);
+    loaded_->planner.plan(view, moment_, visible_, plan_);
     planMs_ = planning.ms();
     return renderer_.render(plan_, *target_, {.wantIds = options.ids});
 }

@@ -6,6 +6,7 @@
 #include "gpu/GlDevice.h"
 #include "gpu/HeadlessContext.h"
 #include "gpu/Renderer.h"
+#include "motion/Moments.h"
 #include "visibility/Flood.h"
 #include "world/Loader.h"
 
@@ -30,8 +31,10 @@ void addSessionOptions(CLI::App& command, SessionOptions& options);
 class LoadedWorld {
 public:
     /// Errors: the loader's; portals that the graph refuses.
-    [[nodiscard]] static Result<std::unique_ptr<LoadedWorld>>
-    load(const dat::Archive& archive, dat::BlockCoord centre, const world::LoadOptions& options);
+    [[nodiscard]] static Result<std::unique_ptr<LoadedWorld>> load(const dat::Archive& archive,
+                                                                   dat::BlockCoord centre,
+                                                                   const world::LoadOptions& options,
+                                                                   const world::MovingEntries& moving = {});
     LoadedWorld(const LoadedWorld&) = delete;
     LoadedWorld& operator=(const LoadedWorld&) = delete;
 
@@ -40,20 +43,24 @@ public:
     const IdTable ids;
     const dat::BlockCoord centre;
     frame::Planner planner;
+    motion::Moments moments;
 
 private:
     LoadedWorld(world::World loaded, visibility::Graph made, dat::BlockCoord around)
-        : world(std::move(loaded)), graph(std::move(made)), ids(world), centre(around), planner(world) {}
+        : world(std::move(loaded)), graph(std::move(made)), ids(world), centre(around), planner(world),
+          moments(world) {}
 };
 
 /// Eye, root and height of the ground of a standpoint, found in a loaded world. Errors: a root cell that is
 /// not there; no ground where the eye is to stand on it.
 [[nodiscard]] Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size);
 
+/// What the world is like in a frame: a moment's input. Weather falls while the player is outside.
+[[nodiscard]] motion::MomentInput momentInput(const world::World& world, const FrameEye& eye);
+
 /// What the renderer is asked to draw of a frame.
 struct DrawOptions {
-    bool ids = false;     ///< write the id image, cut-outs tested exactly
-    double seconds = 0.0; ///< for what moves by itself
+    bool ids = false; ///< write the id image, cut-outs tested exactly
 };
 
 /// One world on one graphics device: archive, loaded part, flood, plan, renderer. Every verb that draws goes
@@ -80,6 +87,7 @@ public:
     /// The last frame.
     [[nodiscard]] const visibility::VisibleSet& visible() const { return visible_; }
     [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
+    [[nodiscard]] const world::Moment& moment() const { return moment_; }
     [[nodiscard]] const gpu::RenderTarget& target() const { return *target_; }
     [[nodiscard]] FrameFigures figures() const;
     /// The driver in one line.
@@ -95,6 +103,7 @@ private:
     std::optional<gpu::RenderTarget> target_;
     std::unique_ptr<LoadedWorld> loaded_;
     visibility::FloodScratch scratch_;
+    world::Moment moment_;
     visibility::VisibleSet visible_;
     frame::FramePlan plan_;
     double floodMs_ = 0.0, planMs_ = 0.0;

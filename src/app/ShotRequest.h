@@ -18,7 +18,7 @@ namespace limen::app {
 /// The options that say what one frame looks at, as typed; empty: not given. The same set serves the command
 /// line of `shot`, each line of its views file and each line of a tour's path file.
 struct ViewArguments {
-    std::string eye, at, yaw, pitch, fov, size, root, player, time, weather;
+    std::string eye, at, yaw, pitch, fov, size, root, player, time, weather, seconds, doors;
 };
 
 /// What a frame is asked to be written to; empty: not asked for.
@@ -38,6 +38,8 @@ struct ViewRequest {
     std::optional<Vec3> player;
     double time = 0.5; ///< fraction of the day
     Weather weather = Weather::Clear;
+    double seconds = 0.0;        ///< since the world began
+    std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as it rests
 };
 
 /// Adds the options of ViewArguments to a command. `withSize` leaves out --size where the verb has one for

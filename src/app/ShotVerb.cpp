@@ -70,8 +70,9 @@ Result<void> writeMeasurements(Session& session, const FrameEye& eye, const Outp
     }
     if (outputs.json.empty())
         return {};
-    nlohmann::ordered_json json = frameJson(session.loaded().world, session.loaded().ids, eye,
-                                            session.visible(), session.plan(), session.figures(), ids);
+    nlohmann::ordered_json json =
+        frameJson(session.loaded().world, session.loaded().ids, eye, session.moment(), session.visible(),
+                  session.plan(), session.figures(), ids);
     json["command"] = reproduction(session.loaded().world, eye, session.source().datOption);
     return writeFile(outputs.json, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
@@ -83,6 +84,8 @@ Result<void> shoot(Session& session, const ListedView& listed, const Standpoint&
         return tl::unexpected(eye.error());
     eye->time = listed.view.time;
     eye->weather = listed.view.weather;
+    eye->seconds = listed.view.seconds;
+    eye->doors = listed.view.doors;
     if (eye->rootAmbiguous)
         console.note(fmt::format("limen: several cells claim the eye; {} is taken, --root names another",
                                  spaceName(session.loaded().world, eye->root)));

@@ -95,6 +95,7 @@ public:
 
     /// Moves to a later time on the path, through every corner on the way.
     const FrameEye& moveTo(double time) {
+        eye_.seconds = time;
         path_.cornersBetween(time_, time, corners_);
         const Camera camera = path_.at(time);
         corners_.push_back(camera.eye);
@@ -158,7 +159,7 @@ Result<void> drawFrames(Session& session, const CameraPath& path, const FrameEye
         const double time =
             request.fps > 0.0 ? static_cast<double>(frame) / request.fps : path.timeOfFrame(frame, count);
         const FrameEye& eye = walk.moveTo(time);
-        if (Result<void> drawn = session.draw(eye, {.ids = false, .seconds = time}); !drawn)
+        if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
             return drawn;
         const Picture picture =
             pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());

@@ -39,7 +39,6 @@ public:
         const double real = now - lastSeconds_;
         const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : real;
         lastSeconds_ = now;
-        worldSeconds_ += elapsed;
         // Times are averaged, not rates: one short frame must not outweigh a hundred long ones. The first is no frame.
         if (frames_++ > 0)
             frameSeconds_ = frameSeconds_ > 0.0 ? frameSeconds_ + (real - frameSeconds_) * 0.1 : real;
@@ -47,8 +46,8 @@ public:
             press(key);
         moveEye(elapsed);
         eye_.size = window_.size();
-        if (Result<void> drawn = session_.draw(eye_, {.ids = switches_.ids, .seconds = worldSeconds_});
-            !drawn)
+        eye_.seconds += elapsed;
+        if (Result<void> drawn = session_.draw(eye_, {.ids = switches_.ids}); !drawn)
             return drawn;
         overlay();
         return {};
@@ -94,6 +93,8 @@ private:
         eye->camera.fovDegrees = eye_.camera.fovDegrees;
         eye->time = eye_.time;
         eye->weather = eye_.weather;
+        eye->seconds = eye_.seconds;
+        eye->doors = eye_.doors;
         eye_ = std::move(*eye);
         tracker_.place(eye_.root);
     }
@@ -144,7 +145,7 @@ private:
     FrameEye eye_;
     RootTracker tracker_;
     OverlaySwitches switches_;
-    double lastSeconds_ = 0.0, worldSeconds_ = 0.0;
+    double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< running mean
     std::uint64_t frames_ = 0;
     bool leaving_ = false;
@@ -254,6 +255,8 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
         return tl::unexpected(start.error());
     start->time = opening->view.time;
     start->weather = opening->view.weather;
+    start->seconds = opening->view.seconds;
+    start->doors = opening->view.doors;
     return loop(**window, **device, session, *start, *limit, options, console);
 }
 

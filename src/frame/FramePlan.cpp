@@ -9,6 +9,8 @@ void FramePlan::clear() {
     ownershipVertices.clear();
     clipSets.clear();
     skyInstances.clear();
+    movers.clear();
+    moverMembers.clear();
     commands.clear();
     batches.clear();
     stages.clear();

@@ -57,6 +57,8 @@ struct FramePlan {
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::SkyInstance> skyInstances;
+    std::vector<gpu::Instance> movers;     ///< numbered on from the scene's instances
+    std::vector<gpu::Member> moverMembers; ///< numbered on from the scene's members
     std::vector<gpu::DrawCommand> commands;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "frame/Ownership.h"
+#include "frame/PackInstance.h"
 
 #include <algorithm>
 
@@ -41,21 +42,36 @@ constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
 } // namespace
 
-Planner::Planner(const world::World& world) : world_(world), marks_(world.instances.size()) {
+Planner::Planner(const world::World& world) : world_(world) {
+    std::vector<gpu::Member> zones;
     for (const world::Instance& in : world.instances) {
-        bool single = true;
-        for (std::uint32_t m = in.firstMember; m < in.firstMember + in.memberCount; ++m) {
-            single = single &&
-                     world.spaces[world.members[m]].zone == world.spaces[world.members[in.firstMember]].zone;
-        }
-        singleZone_.push_back(single ? 1 : 0);
+        zones.clear();
+        const std::uint32_t count = packInstance(world, in, world.members, zones).memberCount;
+        singleZone_.push_back(count == 1 ? 1 : 0);
+        staticMembers_ += count;
     }
 }
 
-void Planner::plan(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+void Planner::packMovers(FramePlan& plan) {
+    plan.constants.staticInstances = static_cast<std::uint32_t>(world_.instances.size());
+    plan.constants.staticMembers = staticMembers_;
+    singleZone_.resize(world_.instances.size());
+    for (const world::Instance& in : moment_->instances) {
+        gpu::Instance packed = packInstance(world_, in, moment_->members, plan.moverMembers);
+        packed.firstMember += staticMembers_;
+        singleZone_.push_back(packed.memberCount == 1 ? 1 : 0);
+        plan.movers.push_back(packed);
+    }
+    marks_.resize(singleZone_.size());
+}
+
+void Planner::plan(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set,
+                   FramePlan& plan) {
     LIMEN_ASSERT(!set.visits.empty(), "a flood yields at least the root");
+    moment_ = &moment;
     plan.clear();
     fillConstants(frame, set, plan);
+    packMovers(plan);
     beginStage(plan, StageKind::Ownership);
     planOwnership(world_, frame, set, plan);
     const bool several = set.visits.size() > 1;
@@ -122,6 +138,9 @@ void Planner::collect(const FrameView& frame, const visibility::VisibleSet& set,
         for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
             meet(frame, seen, world_.spaceInstances[i], plan);
         }
+        for (const world::InstanceIndex moving : moment_->instancesIn(seen.space)) {
+            meet(frame, seen, static_cast<std::uint32_t>(world_.instances.size()) + moving, plan);
+        }
     }
 }
 
@@ -129,14 +148,16 @@ void Planner::meet(const FrameView& frame, const visibility::SeenSpace& seen, wo
                    FramePlan& plan) {
     Mark& mark = marks_[index];
     if (mark.frame != frameNumber_) {
-        mark = {frameNumber_, Containment::Outside};
+        mark = {frameNumber_, Containment::Outside, false};
         met_.push_back(index);
     }
-    if (mark.seen == Containment::Inside) {
+    const bool again = mark.tested;
+    mark.tested = true;
+    if (mark.seen == Containment::Inside || (again && !frame.rules.viewcone)) {
         return;
     }
     ++plan.counts.instancesTested;
-    const Sphere& bounds = world_.instances[index].bounds;
+    const Sphere& bounds = instance(index).bounds;
     const Sphere ball{bounds.centre - frame.view.eye, bounds.radius};
     const Containment here = cones_.classify(seen.visit, ball);
     if (here == Containment::Outside || !cones_.touches(seen.rect, ball)) {
@@ -154,7 +175,7 @@ void Planner::finishDrawn(const FrameView& frame, const visibility::VisibleSet& 
             ++plan.counts.instancesCulled;
             continue;
         }
-        const Sphere& bounds = world_.instances[index].bounds;
+        const Sphere& bounds = instance(index).bounds;
         const Vec3 offset = bounds.centre - frame.view.eye;
         // A member of several zones is lit by the zone that keeps each fragment, so it always takes the test.
         const bool gated = several && !(mark.seen == Containment::Inside && singleZone_[index] != 0);
@@ -167,14 +188,14 @@ void Planner::finishDrawn(const FrameView& frame, const visibility::VisibleSet& 
     });
 }
 
-void Planner::addCommand(FramePlan& plan, std::uint32_t instance, world::SurfaceClass surfaces) const {
-    const world::Mesh& mesh = world_.meshes[world_.instances[instance].mesh];
+void Planner::addCommand(FramePlan& plan, std::uint32_t index, world::SurfaceClass surfaces) const {
+    const world::Mesh& mesh = world_.meshes[instance(index).mesh];
     const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
     if (range.indexCount == 0) {
         return;
     }
     plan.commands.push_back(
-        {range.indexCount, 1, range.firstIndex, static_cast<std::int32_t>(mesh.firstVertex), instance});
+        {range.indexCount, 1, range.firstIndex, static_cast<std::int32_t>(mesh.firstVertex), index});
     plan.counts.triangles += range.indexCount / 3;
 }
 
@@ -182,7 +203,7 @@ void Planner::addBatch(FramePlan& plan, Program program, bool gated, world::Surf
                        bool terrain) const {
     Batch batch{program, gated, static_cast<std::uint32_t>(plan.commands.size()), 0};
     const auto add = [&](const Drawn& d) {
-        const bool isTerrain = world_.instances[d.instance].kind == world::Kind::Terrain;
+        const bool isTerrain = instance(d.instance).kind == world::Kind::Terrain;
         if (d.gated == gated && isTerrain == terrain) {
             addCommand(plan, d.instance, surfaces);
         }

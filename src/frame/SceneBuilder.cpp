@@ -1,5 +1,7 @@
 #include "frame/SceneBuilder.h"
 
+#include "frame/PackInstance.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -14,33 +16,6 @@ std::uint32_t packNormal(const Vec3f& n) {
         return static_cast<std::uint32_t>(i) & 0x3FFu;
     };
     return pack(n.x) | pack(n.y) << 10 | pack(n.z) << 20;
-}
-
-gpu::Instance packInstance(const world::Instance& in) {
-    gpu::Instance out;
-    // glm matrices are indexed by column first.
-    out.row0 = {in.linear[0][0], in.linear[1][0], in.linear[2][0], in.origin.x};
-    out.row1 = {in.linear[0][1], in.linear[1][1], in.linear[2][1], in.origin.y};
-    out.row2 = {in.linear[0][2], in.linear[1][2], in.linear[2][2], in.origin.z};
-    out.block = in.block;
-    out.idBase = in.idBase;
-    out.firstMaterial = in.firstMaterial;
-    out.kind = static_cast<std::uint32_t>(in.kind);
-    return out;
-}
-
-void addMembers(const world::World& world, const world::Instance& in, SceneUpload& scene,
-                gpu::Instance& out) {
-    out.firstMember = static_cast<std::uint32_t>(scene.members.size());
-    for (std::uint32_t m = in.firstMember; m < in.firstMember + in.memberCount; ++m) {
-        const world::Space& space = world.spaces[world.members[m]];
-        const auto begin = scene.members.begin() + out.firstMember;
-        if (std::none_of(begin, scene.members.end(),
-                         [&](const gpu::Member& x) { return x.zone == space.zone; })) {
-            scene.members.push_back({space.zone, space.lightSet});
-        }
-    }
-    out.memberCount = static_cast<std::uint32_t>(scene.members.size()) - out.firstMember;
 }
 
 gpu::TerrainLayer packLayer(const world::TerrainCell::Layer& in) {
@@ -132,9 +107,7 @@ SceneUpload buildScene(const world::World& world) {
     }
     scene.indices = world.indices;
     for (const world::Instance& in : world.instances) {
-        gpu::Instance out = packInstance(in);
-        addMembers(world, in, scene, out);
-        scene.instances.push_back(out);
+        scene.instances.push_back(packInstance(world, in, world.members, scene.members));
     }
     addMaterials(world, scene);
     addTextures(world, scene);

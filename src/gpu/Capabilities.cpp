@@ -12,7 +12,7 @@ namespace limen::gpu {
 namespace {
 
 // Of the storage buffers in SharedLayout.h, each stage may use all.
-constexpr int kStorageBindings = static_cast<int>(frame::gpu::kBindSky) + 1;
+constexpr int kStorageBindings = static_cast<int>(frame::gpu::kBindMoverMembers) + 1;
 // The ownership target and at least one array page for each way of wrapping.
 constexpr int kLeastTextureUnits = 3;
 constexpr int kDrawBuffers = static_cast<int>(frame::gpu::kOutputBlended) + 1;

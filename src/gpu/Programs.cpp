@@ -83,7 +83,8 @@ Programs::Programs(Device& device) : device_(&device) {
     }
 }
 
-Result<Programs> Programs::create(Device& device, const SceneBindings& textures) {
+Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
+                                  std::span<const std::string> defines) {
     Programs programs(device);
     for (std::size_t i = 0; i < kPrograms; ++i) {
         const auto program = static_cast<frame::Program>(i);
@@ -93,7 +94,9 @@ Result<Programs> Programs::create(Device& device, const SceneBindings& textures)
             if (gated && !hasGatedVariant(program)) {
                 continue;
             }
-            Result<ProgramHandle> handle = device.createProgram(programSource(program, gated, sampled));
+            ProgramSource source = programSource(program, gated, sampled);
+            source.defines.insert(source.defines.end(), defines.begin(), defines.end());
+            Result<ProgramHandle> handle = device.createProgram(source);
             if (!handle) {
                 return tl::unexpected(handle.error());
             }

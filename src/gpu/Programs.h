@@ -21,8 +21,9 @@ struct SceneBindings {
 /// All programs of a frame, for one way of binding textures. Destroyed with this.
 class Programs {
 public:
-    /// Errors: Driver, with the log of the first that does not build.
-    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures);
+    /// `defines` go to every shader. Errors: Driver, with the log of the first that does not build.
+    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures,
+                                                 std::span<const std::string> defines = {});
     Programs(Programs&& other) noexcept;
     Programs& operator=(Programs&& other) noexcept;
     ~Programs();

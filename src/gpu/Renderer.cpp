@@ -13,14 +13,14 @@ namespace {
 
 namespace layout = frame::gpu;
 
-constexpr std::size_t kStorageBindings = layout::kBindSky + 1;
+constexpr std::size_t kStorageBindings = layout::kBindMoverMembers + 1;
 // What an empty array is bound as: a range may not be empty.
 constexpr std::size_t kSmallestRange = 256;
 
 // The bindings whose contents change with every frame, in the order they are written.
-constexpr std::array<std::uint32_t, 6> kFrameBindings{layout::kBindFrame,    layout::kBindBlocks,
-                                                      layout::kBindVisits,   layout::kBindOwnership,
-                                                      layout::kBindClipSets, layout::kBindSky};
+constexpr std::array<std::uint32_t, 8> kFrameBindings{
+    layout::kBindFrame,    layout::kBindBlocks, layout::kBindVisits, layout::kBindOwnership,
+    layout::kBindClipSets, layout::kBindSky,    layout::kBindMovers, layout::kBindMoverMembers};
 
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& array) {
@@ -34,7 +34,9 @@ std::array<std::span<const std::byte>, kFrameBindings.size()> frameArrays(const 
             bytesOf(plan.visits),
             bytesOf(plan.ownershipVertices),
             bytesOf(plan.clipSets),
-            bytesOf(plan.skyInstances)};
+            bytesOf(plan.skyInstances),
+            bytesOf(plan.movers),
+            bytesOf(plan.moverMembers)};
 }
 
 void copyTo(std::span<std::byte> ring, std::size_t offset, std::span<const std::byte> bytes) {
@@ -152,7 +154,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     if (!textures) {
         return tl::unexpected(textures.error());
     }
-    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures));
+    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures), options_.shaderDefines);
     if (!programs) {
         return tl::unexpected(programs.error());
     }

@@ -14,6 +14,8 @@ namespace limen::gpu {
 
 struct RendererOptions {
     TextureStoreOptions textures;
+    /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
+    std::vector<std::string> shaderDefines;
 };
 
 struct RenderOptions {

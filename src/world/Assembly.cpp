@@ -137,10 +137,17 @@ void Assembly::findMembers() {
         instance.memberCount = 1;
         world_.members.push_back(instance.placedIn);
     }
+    const std::vector<std::uint8_t> shut = allShut();
+    std::vector<SpaceIndex> reachedShut;
     for (const Group& group : objects_) {
-        membership.reach(world_.instances[group.first].placedIn, group.bounds, reached);
+        const SpaceIndex placedIn = world_.instances[group.first].placedIn;
+        membership.reach(placedIn, group.bounds, {}, reached);
         if (reached.size() == 1)
             continue;
+        // Shutting doors only takes spaces away, so what is the same with all shut is the same always.
+        membership.reach(placedIn, group.bounds, shut, reachedShut);
+        if (reachedShut.size() != reached.size())
+            world_.looseObjects.push_back({group.first, group.count, group.bounds});
         const auto first = static_cast<std::uint32_t>(world_.members.size());
         world_.members.insert(world_.members.end(), reached.begin(), reached.end());
         for (InstanceIndex i = group.first; i < group.first + group.count; ++i) {
@@ -152,8 +159,13 @@ void Assembly::findMembers() {
 
 void Assembly::listInstances() {
     std::vector<std::vector<InstanceIndex>> bySpace(world_.spaces.size());
+    std::vector<std::uint8_t> loose(world_.instances.size(), 0); // the moment lists these
+    for (const LooseObject& object : world_.looseObjects)
+        std::fill_n(loose.begin() + object.firstInstance, object.instanceCount, std::uint8_t{1});
     for (InstanceIndex i = 0; i < world_.instances.size(); ++i) {
         const Instance& instance = world_.instances[i];
+        if (loose[i] != 0)
+            continue;
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
             std::vector<InstanceIndex>& list = bySpace[world_.members[instance.firstMember + m]];
             if (instance.kind == Kind::Shell)
@@ -174,10 +186,17 @@ void Assembly::numberPolygons() {
         instance.idBase = world_.idEnd;
         world_.idEnd += world_.meshes[instance.mesh].polygonCount;
     }
+    for (Instance& part : world_.movingParts) {
+        part.idBase = world_.idEnd;
+        world_.idEnd += world_.meshes[part.mesh].polygonCount;
+    }
+    world_.spriteIds = world_.idEnd;
+    world_.idEnd += kMostSprites;
 }
 
-World Assembly::finish() {
+World Assembly::finish(const MovingEntries& moving) {
     gatherOutdoorPortals();
+    addMoving(moving);
     findMembers();
     listInstances();
     numberPolygons();

@@ -4,6 +4,7 @@
 #include "world/Lights.h"
 #include "world/Materials.h"
 #include "world/MeshArena.h"
+#include "world/MovingEntries.h"
 
 namespace limen::world {
 
@@ -15,7 +16,7 @@ public:
     Assembly(Records& records, Models& models, const dat::Region* region);
 
     void add(const BlockContent& block);
-    [[nodiscard]] World finish();
+    [[nodiscard]] World finish(const MovingEntries& moving = {});
 
 private:
     void addTerrain(const BlockContent& block);
@@ -32,6 +33,17 @@ private:
     std::uint32_t terrainRun(const Ground& ground);
     [[nodiscard]] TerrainCell paint(const CellCorners& corners);
     [[nodiscard]] SpaceIndex spaceOf(std::uint32_t local) const;
+
+    void addMoving(const MovingEntries& moving);
+    void addDoor(const DoorEntry& entry, std::size_t index);
+    void addVillagers(const MovingEntries& moving);
+    void addEmitter(const EmitterEntry& entry);
+    [[nodiscard]] MovingBody addBody(dat::RecordId model, Kind kind, std::uint64_t object);
+    [[nodiscard]] std::uint32_t addRoute(const RouteEntry& entry);
+    [[nodiscard]] std::uint32_t addFilling(const Door& door, std::uint64_t object);
+    [[nodiscard]] std::uint32_t addSprite(std::uint32_t firstMaterial, std::uint32_t key);
+    [[nodiscard]] std::uint32_t plainMaterial(const Vec4f& colour, SurfaceClass surfaces);
+    [[nodiscard]] std::vector<std::uint8_t> allShut() const;
 
     void gatherOutdoorPortals();
     void findMembers();

@@ -117,7 +117,7 @@ void lightSpaces(const std::vector<PlacedLamp>& lamps, World& world) {
     const Membership membership(world);
     std::vector<SpaceIndex> reached;
     for (const PlacedLamp& lamp : lamps) {
-        membership.reach(lamp.placedIn, {lamp.light.position, lamp.light.range}, reached);
+        membership.reach(lamp.placedIn, {lamp.light.position, lamp.light.range}, {}, reached);
         const LampRays rays(world, lamp);
         const double power = lamp.light.colour.x + lamp.light.colour.y + lamp.light.colour.z;
         for (const SpaceIndex space : reached) {

@@ -43,17 +43,10 @@ Result<std::unique_ptr<dat::Region>> loadRegion(const dat::Archive& archive,
     return nullptr;
 }
 
-const Block* findBlock(const World& world, dat::BlockCoord coord) {
-    const auto before = [](const Block& block, dat::BlockCoord c) {
-        return block.coord.x != c.x ? block.coord.x < c.x : block.coord.y < c.y;
-    };
-    const auto found = std::lower_bound(world.blocks.begin(), world.blocks.end(), coord, before);
-    return found != world.blocks.end() && found->coord == coord ? &*found : nullptr;
-}
-
 } // namespace
 
-Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, const LoadOptions& options) {
+Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, const LoadOptions& options,
+                        const MovingEntries& moving) {
     if (centre.x < 0 || centre.y < 0 || centre.x >= kMapSize || centre.y >= kMapSize || options.radius < 0)
         return fail(ErrorCode::BadArgument, archive.directory().string(),
                     "no landblock there: blocks run from 0 to 254");
@@ -76,7 +69,7 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
     if (!any)
         return fail(ErrorCode::NotFound, archive.directory().string(),
                     "no landblock around the place asked for");
-    return assembly.finish();
+    return assembly.finish(moving);
 }
 
 SpaceIndex findCell(const World& world, dat::RecordId cellId) {
@@ -96,6 +89,14 @@ dat::BlockCoord blockAt(const Vec3& position) {
         return block > 0.0 ? static_cast<int>(std::min(block, kMapSize - 1.0)) : 0;
     };
     return {clamped(position.x), clamped(position.y)};
+}
+
+const Block* findBlock(const World& world, dat::BlockCoord coord) {
+    const auto before = [](const Block& block, dat::BlockCoord c) {
+        return block.coord.x != c.x ? block.coord.x < c.x : block.coord.y < c.y;
+    };
+    const auto found = std::lower_bound(world.blocks.begin(), world.blocks.end(), coord, before);
+    return found != world.blocks.end() && found->coord == coord ? &*found : nullptr;
 }
 
 double terrainHeight(const World& world, double x, double y) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dat/Archive.h"
+#include "world/MovingEntries.h"
 #include "world/World.h"
 
 namespace limen::world {
@@ -13,9 +14,10 @@ struct LoadOptions {
 /// Loads the landblocks around `centre` with all they hold. Blocks and records that do not exist are skipped;
 /// a block whose own data is damaged is left out and reported in World::findings. Errors: nothing at all
 /// could be loaded, or the Region is unreadable while there is terrain (a world without a Region is dungeons
-/// only). A centre block that is a pure dungeon is loaded alone.
+/// only). A centre block that is a pure dungeon is loaded alone. Of `moving`, what refers to cells that are not
+/// loaded is left out; what refers to nothing at all is reported in World::findings.
 [[nodiscard]] Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre,
-                                      const LoadOptions& options);
+                                      const LoadOptions& options, const MovingEntries& moving = {});
 
 /// The space of a cell id, or kNone.
 [[nodiscard]] SpaceIndex findCell(const World& world, dat::RecordId cellId);

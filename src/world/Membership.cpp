@@ -21,15 +21,23 @@ bool Membership::reaches(PortalIndex portal, const Sphere& ball) const {
     return distanceToPolygon(cornersOf(world_, p), p.plane, ball.centre) <= ball.radius;
 }
 
-void Membership::reach(SpaceIndex start, const Sphere& ball, std::vector<SpaceIndex>& out) const {
+void Membership::reach(SpaceIndex start, const Sphere& ball, std::span<const std::uint8_t> closed,
+                       std::vector<SpaceIndex>& out) const {
     out.assign(1, start);
+    extend(ball, closed, out);
+}
+
+void Membership::extend(const Sphere& ball, std::span<const std::uint8_t> closed,
+                        std::vector<SpaceIndex>& out) const {
     if (ball.radius < 0.0)
         return;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const Space& space = world_.spaces[out[i]];
         for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
             const SpaceIndex next = world_.portals[p].destination;
-            if (next != kNone && reaches(p, ball) && std::find(out.begin(), out.end(), next) == out.end())
+            if (next == kNone || (!closed.empty() && closed[p] != 0) || !reaches(p, ball))
+                continue;
+            if (std::find(out.begin(), out.end(), next) == out.end())
                 out.push_back(next);
         }
     }

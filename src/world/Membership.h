@@ -11,8 +11,11 @@ public:
     explicit Membership(const World& world);
 
     /// The spaces reached from `start`, which comes first, in the order they are reached. `out` is
-    /// overwritten.
-    void reach(SpaceIndex start, const Sphere& ball, std::vector<SpaceIndex>& out) const;
+    /// overwritten. `closed`: by portal, nonzero stops the ball; empty: all are open.
+    void reach(SpaceIndex start, const Sphere& ball, std::span<const std::uint8_t> closed,
+               std::vector<SpaceIndex>& out) const;
+    /// Goes on from all that `out` holds.
+    void extend(const Sphere& ball, std::span<const std::uint8_t> closed, std::vector<SpaceIndex>& out) const;
 
 private:
     [[nodiscard]] bool reaches(PortalIndex portal, const Sphere& ball) const;

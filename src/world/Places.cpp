@@ -1,7 +1,8 @@
 #include "world/Places.h"
 
+#include "world/JsonFields.h"
+
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace limen::world {
 namespace {
@@ -24,58 +25,19 @@ Result<std::string> readText(const std::filesystem::path& path) {
     return text;
 }
 
-/// Reads a finite number; absent is fine and leaves `out` alone.
-bool readNumber(const Json& object, const char* key, double& out) {
-    const auto found = object.find(key);
-    if (found == object.end())
-        return true;
-    if (!found->is_number())
-        return false;
-    out = found->get<double>();
-    return std::isfinite(out);
-}
-
-/// A cell id: a number, or text such as "0x20300100"; "" and "outside" are the outside.
-bool readCell(const Json& object, dat::RecordId& out) {
-    const auto found = object.find("cell");
-    if (found == object.end() || found->is_null())
-        return true;
-    if (found->is_number_unsigned()) {
-        out = static_cast<dat::RecordId>(found->get<std::uint64_t>());
-        return found->get<std::uint64_t>() <= 0xFFFFFFFFu;
-    }
-    if (!found->is_string())
-        return false;
-    const std::string text = found->get<std::string>();
-    if (text.empty() || text == "outside")
-        return true;
-    char* end = nullptr;
-    const unsigned long long value = std::strtoull(text.c_str(), &end, 0);
-    out = static_cast<dat::RecordId>(value);
-    return *end == '\0' && value <= 0xFFFFFFFFu;
-}
-
 /// A position, as "eye": [x, y, z] or as x, y, z of the object itself.
 bool readEye(const Json& object, Vec3& out) {
     const auto found = object.find("eye");
     if (found == object.end())
         return object.contains("x") && object.contains("y") && object.contains("z") &&
-               readNumber(object, "x", out.x) && readNumber(object, "y", out.y) &&
-               readNumber(object, "z", out.z);
-    if (!found->is_array() || found->size() != 3)
-        return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Json& value = (*found)[static_cast<std::size_t>(axis)];
-        if (!value.is_number() || !std::isfinite(value.get<double>()))
-            return false;
-        out[axis] = value.get<double>();
-    }
-    return true;
+               readField(object, "x", out.x) && readField(object, "y", out.y) &&
+               readField(object, "z", out.z);
+    return readField(object, "eye", out);
 }
 
 bool readPlace(const Json& object, Place& out) {
-    return object.is_object() && readEye(object, out.eye) && readNumber(object, "yaw", out.yaw) &&
-           readNumber(object, "pitch", out.pitch) && readCell(object, out.cell);
+    return object.is_object() && readEye(object, out.eye) && readField(object, "yaw", out.yaw) &&
+           readField(object, "pitch", out.pitch) && readId(object, "cell", out.cell);
 }
 
 } // namespace
@@ -117,6 +79,10 @@ Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
             world.tour.push_back(std::move(place));
         }
     }
+    Result<MovingEntries> moving = readMovingEntries(json, path.string());
+    if (!moving)
+        return tl::unexpected(moving.error());
+    world.moving = std::move(*moving);
     return world;
 }
 

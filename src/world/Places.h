@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "dat/Ids.h"
 #include "geometry/Vec.h"
+#include "world/MovingEntries.h"
 
 #include <filesystem>
 #include <string>
@@ -23,6 +24,7 @@ struct Place {
 struct WorldFile {
     std::vector<Place> places;
     std::vector<Place> tour; ///< way points, walked in straight lines
+    MovingEntries moving;
 };
 
 /// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: unreadable or not of this

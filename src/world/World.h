@@ -4,6 +4,8 @@
 #include "geometry/Bounds.h"
 #include "geometry/Plane.h"
 #include "world/Image.h"
+#include "world/Index.h"
+#include "world/Moving.h"
 #include "world/Sky.h"
 
 #include <array>
@@ -22,15 +24,8 @@
 // share have the very same block-local bits and so project to the same point (watertight).
 namespace limen::world {
 
-using SpaceIndex = std::uint32_t;
-using PortalIndex = std::uint32_t;
-using ZoneIndex = std::uint32_t;
-using InstanceIndex = std::uint32_t;
-
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-inline constexpr SpaceIndex kOutside = 0;    ///< spaces[0] is always the outside
-inline constexpr ZoneIndex kOutsideZone = 0; ///< zones[0] holds the outside alone
 inline constexpr double kBlockSize = 192.0;
+inline constexpr std::uint32_t kMostSprites = 8192; ///< in one moment; what exceeds them is left out
 
 /// A resident landblock.
 struct Block {
@@ -136,6 +131,7 @@ struct Instance {
     std::uint32_t firstMaterial =
         0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
     std::uint32_t idBase = 0; ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
+    float opacity = 1.0f;     ///< times its blended surfaces' own
 };
 
 /// What a surface looks like.
@@ -211,9 +207,25 @@ struct World {
     std::vector<LightSet> lightSets;
     Sky sky;
 
+    // What moves. Parts are instances in the frame of the thing they are part of; block, members and placedIn are the
+    // moment's (world/Moment.h).
+    std::vector<Instance> movingParts;
+    std::vector<Door> doors;
+    std::vector<Leaf> leaves;
+    std::vector<Route> routes;
+    std::vector<RoutePoint> routePoints;
+    std::vector<Villager> villagers;
+    std::vector<Emitter> emitters;
+    std::vector<LooseObject> looseObjects;
+    std::uint32_t rainDrop = kNone; ///< movingParts: a unit square in the colour of rain
+    std::uint32_t spriteIds = 0;    ///< the first of kMostSprites ids by which sprites count as layers
+
     std::vector<Finding> findings;
     std::uint32_t idEnd = 2; ///< one past the last id in use
 };
+
+/// The resident block with these coordinates, or null. Cost: a binary search.
+[[nodiscard]] const Block* findBlock(const World& world, dat::BlockCoord coord);
 
 /// A portal's outline as it is drawn, with every vertex that other polygons have on its edges: global,
 /// counter-clockwise seen from inside its space. Inserted vertices lie up to 0.2 mm off its edges, so it is

@@ -69,7 +69,7 @@ nlohmann::ordered_json reportOf(std::span<const std::uint32_t> ids) {
     FrameFigures figures;
     figures.driver = "a driver";
     figures.stages = {{"solid", 3, 0.5, std::numeric_limits<double>::quiet_NaN()}};
-    return frameJson(world, table, eye, twoVisits(), {}, figures, ids);
+    return frameJson(world, table, eye, {}, twoVisits(), {}, figures, ids);
 }
 
 TEST(IdTable, tellsEveryIdApart) {

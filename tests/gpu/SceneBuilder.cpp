@@ -145,6 +145,8 @@ std::uint32_t SceneBuilder::visitThrough(glm::vec2 min, glm::vec2 max, float y, 
 const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     using frame::Program;
     plan.constants.visitCount = static_cast<std::uint32_t>(plan.visits.size());
+    plan.constants.staticInstances = static_cast<std::uint32_t>(upload.instances.size());
+    plan.constants.staticMembers = static_cast<std::uint32_t>(upload.members.size());
     plan.commands.clear();
     plan.batches.clear();
     plan.stages.clear();

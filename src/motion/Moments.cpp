@@ -1,0 +1,284 @@
+#include "motion/Moments.h"
+
+#include "motion/Locate.h"
+#include "motion/Sprites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace limen::motion {
+namespace {
+
+using world::kNone;
+
+/// Turns a model whose front is +y to a compass direction.
+Mat3 turned(double yaw) {
+    const double angle = -yaw * std::numbers::pi / 180.0;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {Vec3(c, s, 0.0), Vec3(-s, c, 0.0), Vec3(0.0, 0.0, 1.0)};
+}
+
+double compass(const Vec3& direction) {
+    return std::atan2(direction.x, direction.y) * 180.0 / std::numbers::pi;
+}
+
+// Rain: columns of drops on a grid that is fixed in the world, so that the eye moves through standing rain.
+constexpr double kRainGrid = 1.5, kRainRadius = 10.5; // metres
+constexpr double kRainBelow = 4.0, kRainPeriod = 6.0, kRainSpeed = 9.0;
+constexpr int kRainPerColumn = 2; // periods above each other
+constexpr Vec2 kRainSize{0.012, 0.5};
+
+} // namespace
+
+Moments::Moments(const world::World& world) : world_(world), membership_(world) {}
+
+std::uint32_t Moments::blockFor(const Vec3& position) const {
+    std::uint32_t best = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t b = 0; b < world_.blocks.size(); ++b) {
+        const Vec3 offset = position - world_.blocks[b].origin() - Vec3(world::kBlockSize / 2);
+        const double distance = std::max(std::abs(offset.x), std::abs(offset.y));
+        if (distance < nearest) {
+            nearest = distance;
+            best = b;
+        }
+    }
+    return best;
+}
+
+double Moments::openness(const MomentInput& input, std::size_t door) const {
+    if (input.allDoors)
+        return *input.allDoors;
+    return door < input.doors.size() ? input.doors[door] : world_.doors[door].open;
+}
+
+void Moments::at(const MomentInput& input, world::Moment& out) {
+    out.instances.clear();
+    out.members.clear();
+    sprites_ = 0;
+    shut(input, out);
+    addDoors(input, out);
+    addVillagers(input.seconds, out);
+    addLoose(out);
+    for (const world::Emitter& emitter : world_.emitters)
+        addSprites(input, emitter, out);
+    if (input.rain && world_.rainDrop != kNone)
+        addRain(input, out);
+    listBySpace(out);
+}
+
+void Moments::shut(const MomentInput& input, world::Moment& out) {
+    out.closed.assign(world_.doors.empty() ? 0 : world_.portals.size(), 0);
+    out.fillings.assign(out.closed.size(), kNone);
+    for (std::size_t i = 0; i < world_.doors.size(); ++i) {
+        const world::Door& door = world_.doors[i];
+        if (!door.opaque || openness(input, i) > 0.0)
+            continue;
+        out.closed[door.portal] = 1;
+        if (door.reciprocal != kNone)
+            out.closed[door.reciprocal] = 1;
+    }
+}
+
+void Moments::giveMembers(std::size_t firstInstance, world::Moment& out) const {
+    const auto first = static_cast<std::uint32_t>(out.members.size());
+    out.members.insert(out.members.end(), reached_.begin(), reached_.end());
+    for (std::size_t i = firstInstance; i < out.instances.size(); ++i) {
+        out.instances[i].placedIn = reached_.front();
+        out.instances[i].firstMember = first;
+        out.instances[i].memberCount = static_cast<std::uint32_t>(reached_.size());
+    }
+}
+
+void Moments::addBody(const world::MovingBody& body, const Pose& pose, world::SpaceIndex placedIn,
+                      world::Moment& out) {
+    for (std::uint32_t p = body.firstPart; p < body.firstPart + body.partCount; ++p) {
+        world::Instance part = world_.movingParts[p];
+        const Mat3 linear = pose.linear * Mat3(part.linear);
+        const Vec3 origin = pose.origin + pose.linear * Vec3(part.origin);
+        part.block = blockFor(origin);
+        part.linear = glm::mat3(linear);
+        part.origin = Vec3f(origin - world_.blocks[part.block].origin());
+        part.bounds.centre = origin + linear * part.bounds.centre;
+        part.bounds.radius *=
+            std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+        part.placedIn = placedIn;
+        out.instances.push_back(part);
+    }
+}
+
+void Moments::addDoors(const MomentInput& input, world::Moment& out) {
+    for (std::size_t i = 0; i < world_.doors.size(); ++i) {
+        const world::Door& door = world_.doors[i];
+        const world::Portal& portal = world_.portals[door.portal];
+        const double open = openness(input, i);
+        // A filling belongs to both spaces it lies between, shut or not, and to what its leaves reach from there.
+        const auto bothSides = [&] {
+            reached_.assign(1, portal.space);
+            if (portal.destination != kNone && portal.destination != portal.space)
+                reached_.push_back(portal.destination);
+        };
+        for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l) {
+            const world::Leaf& leaf = world_.leaves[l];
+            const Pose pose{turned(leaf.yaw + leaf.swing * open), leaf.hinge};
+            const std::size_t first = out.instances.size();
+            addBody(leaf.body, pose, portal.space, out);
+            bothSides();
+            membership_.extend({pose.origin + pose.linear * leaf.body.bounds.centre, leaf.body.bounds.radius},
+                               out.closed, reached_);
+            giveMembers(first, out);
+        }
+        if (out.closed[door.portal] == 0 || door.filling == kNone)
+            continue;
+        world::Instance filling = world_.movingParts[door.filling];
+        filling.bounds.centre += world_.blocks[filling.block].origin();
+        out.fillings[door.portal] = static_cast<world::InstanceIndex>(out.instances.size());
+        if (door.reciprocal != kNone)
+            out.fillings[door.reciprocal] = out.fillings[door.portal];
+        out.instances.push_back(filling);
+        bothSides();
+        giveMembers(out.instances.size() - 1, out);
+    }
+}
+
+Moments::Standing Moments::standing(const world::Villager& villager, double seconds) const {
+    const world::Route& route = world_.routes[villager.route];
+    const auto points = std::span(world_.routePoints).subspan(route.firstPoint, route.pointCount);
+    double along = std::fmod(villager.start + villager.speed * seconds, route.length);
+    along += along < 0.0 ? route.length : 0.0;
+    const std::size_t count = points.size();
+    // There and back again is a loop of the points and, in reverse, all but the two ends.
+    const std::size_t legs = route.loop ? count : 2 * count - 2;
+    const auto point = [&](std::size_t i) { return i < count ? points[i] : points[2 * count - 2 - i]; };
+    for (std::size_t leg = 0;; ++leg) {
+        const world::RoutePoint from = point(leg);
+        const Vec3 way = point((leg + 1) % legs).position - from.position;
+        const double length = glm::length(way);
+        if (along <= length || leg + 1 == legs) {
+            const Vec3 at = from.position + way * (length > 0.0 ? std::min(along / length, 1.0) : 0.0);
+            return {at, compass(way), sweep(world_, from.space, from.position, at)};
+        }
+        along -= length;
+    }
+}
+
+void Moments::addVillagers(double seconds, world::Moment& out) {
+    for (const world::Villager& villager : world_.villagers) {
+        const Standing standing = this->standing(villager, seconds);
+        const Pose pose{turned(standing.yaw), standing.position};
+        const std::size_t first = out.instances.size();
+        addBody(villager.body, pose, standing.space, out);
+        membership_.reach(
+            standing.space,
+            {pose.origin + pose.linear * villager.body.bounds.centre, villager.body.bounds.radius},
+            out.closed, reached_);
+        giveMembers(first, out);
+    }
+}
+
+void Moments::addLoose(world::Moment& out) {
+    for (const world::LooseObject& object : world_.looseObjects) {
+        const std::size_t first = out.instances.size();
+        const auto begin = world_.instances.begin() + object.firstInstance;
+        out.instances.insert(out.instances.end(), begin, begin + object.instanceCount);
+        membership_.reach(begin->placedIn, object.bounds, out.closed, reached_);
+        giveMembers(first, out);
+    }
+}
+
+void Moments::addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size,
+                        double opacity, world::Moment& out) {
+    world::Instance sprite = world_.movingParts[part];
+    sprite.block = blockFor(at);
+    sprite.linear =
+        glm::mat3(Mat3(input.right * size.x, input.forward * std::max(size.x, size.y), input.up * size.y));
+    sprite.origin = Vec3f(at - world_.blocks[sprite.block].origin());
+    sprite.bounds = {at, 0.5 * glm::length(size)};
+    sprite.opacity = static_cast<float>(opacity);
+    sprite.idBase = world_.spriteIds + sprites_++;
+    out.instances.push_back(sprite);
+}
+
+void Moments::addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out) {
+    Pose pose{Mat3(1.0), emitter.position};
+    world::SpaceIndex space = emitter.space;
+    if (emitter.villager != kNone) {
+        const Standing carrier = standing(world_.villagers[emitter.villager], input.seconds);
+        pose = {turned(carrier.yaw), carrier.position + turned(carrier.yaw) * emitter.position};
+        space = sweep(world_, carrier.space, carrier.position, pose.origin);
+    }
+    membership_.reach(space, {pose.origin, emitter.reach}, out.closed, reached_);
+    const bool alone = reached_.size() == 1; // then no sprite can be anywhere else
+    const SpriteRange living = livingAt(emitter, input.seconds);
+    for (std::int64_t n = living.first; n <= living.last && sprites_ < world::kMostSprites; ++n) {
+        const SpriteState state = spriteAt(emitter, n, input.seconds);
+        if (!(state.size > 0.0))
+            continue;
+        const Vec3 at = pose.origin + pose.linear * state.offset;
+        addSprite(input, emitter.sprite, at, Vec2(state.size), state.opacity, out);
+        if (!alone)
+            membership_.reach(sweep(world_, space, pose.origin, at), out.instances.back().bounds, out.closed,
+                              reached_);
+        giveMembers(out.instances.size() - 1, out);
+    }
+}
+
+void Moments::addRain(const MomentInput& input, world::Moment& out) {
+    // Weather belongs to the outside alone, however near to a door a drop falls.
+    MomentInput facing = input;
+    facing.up = Vec3(0.0, 0.0, 1.0);
+    const auto reach = static_cast<int>(kRainRadius / kRainGrid);
+    const auto middleX = static_cast<std::int64_t>(std::floor(input.eye.x / kRainGrid));
+    const auto middleY = static_cast<std::int64_t>(std::floor(input.eye.y / kRainGrid));
+    for (int i = -reach; i <= reach; ++i) {
+        for (int j = -reach; j <= reach; ++j) {
+            const std::int64_t column = (middleX + i) * 0x10000 + middleY + j;
+            for (int k = 0; k < kRainPerColumn && sprites_ < world::kMostSprites; ++k) {
+                const auto seed = static_cast<std::uint64_t>(k);
+                const double x = static_cast<double>(middleX + i) + hashedUnit(seed, column, 0);
+                const double y = static_cast<double>(middleY + j) + hashedUnit(seed, column, 1);
+                const double low = input.eye.z - kRainBelow + k * kRainPeriod;
+                const double fall =
+                    hashedUnit(seed, column, 2) * kRainPeriod - kRainSpeed * input.seconds - low;
+                const Vec3 at(x * kRainGrid, y * kRainGrid,
+                              low + fall - std::floor(fall / kRainPeriod) * kRainPeriod);
+                const Vec3 towards = at - input.eye;
+                const double flat = std::hypot(towards.x, towards.y);
+                if (flat < 1e-3)
+                    continue;
+                facing.forward = Vec3(towards.x / flat, towards.y / flat, 0.0);
+                facing.right = Vec3(facing.forward.y, -facing.forward.x, 0.0);
+                addSprite(facing, world_.rainDrop, at, kRainSize, 1.0, out);
+                reached_.assign(1, world::kOutside);
+                giveMembers(out.instances.size() - 1, out);
+            }
+        }
+    }
+}
+
+void Moments::listBySpace(world::Moment& out) {
+    out.firstInSpace.assign(out.instances.empty() ? 0 : world_.spaces.size() + 1, 0);
+    out.spaceInstances.resize(out.instances.empty() ? 0 : out.spaceInstances.size());
+    if (out.instances.empty())
+        return;
+    const auto membersOf = [&](const world::Instance& instance) {
+        return std::span(out.members).subspan(instance.firstMember, instance.memberCount);
+    };
+    std::uint32_t total = 0;
+    for (const world::Instance& instance : out.instances) {
+        for (const world::SpaceIndex space : membersOf(instance))
+            ++out.firstInSpace[space + 1];
+        total += instance.memberCount;
+    }
+    for (std::size_t s = 1; s < out.firstInSpace.size(); ++s)
+        out.firstInSpace[s] += out.firstInSpace[s - 1];
+    counts_.assign(out.firstInSpace.begin(), out.firstInSpace.end());
+    out.spaceInstances.resize(total);
+    for (world::InstanceIndex i = 0; i < out.instances.size(); ++i) {
+        for (const world::SpaceIndex space : membersOf(out.instances[i]))
+            out.spaceInstances[counts_[space]++] = i;
+    }
+}
+
+} // namespace limen::motion

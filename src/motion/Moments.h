@@ -1,0 +1,69 @@
+#pragma once
+
+#include "world/Membership.h"
+#include "world/Moment.h"
+#include "world/World.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace limen::motion {
+
+/// What a moment depends on.
+struct MomentInput {
+    double seconds = 0.0; ///< since the world began; routes and sprites follow it
+    /// How far the doors are open, 0..1, by World::doors; doors beyond its end stand as they rest.
+    std::span<const double> doors;
+    std::optional<double> allDoors; ///< for all of them alike; before `doors`
+    bool rain = false;              ///< it rains and the player is outside (docs/ray-rule.md)
+    Vec3 eye{0.0};                  ///< global; rain falls around it
+    Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< what sprites face
+};
+
+/// Where everything that moves is, to which spaces it belongs, and what is shut. A pure function of world and input;
+/// keeps memory so that steady frames allocate nothing. The world must outlive it.
+class Moments {
+public:
+    explicit Moments(const world::World& world);
+
+    /// `out` is overwritten.
+    void at(const MomentInput& input, world::Moment& out);
+
+    /// Where a villager stands: feet, compass direction it faces, and the space its feet are in, found by walking the
+    /// way from the last point of its route.
+    struct Standing {
+        Vec3 position{0.0};
+        double yaw = 0.0;
+        world::SpaceIndex space = world::kOutside;
+    };
+    [[nodiscard]] Standing standing(const world::Villager& villager, double seconds) const;
+
+private:
+    struct Pose {
+        Mat3 linear{1.0};
+        Vec3 origin{0.0}; ///< global
+    };
+    void shut(const MomentInput& input, world::Moment& out);
+    void addDoors(const MomentInput& input, world::Moment& out);
+    void addVillagers(double seconds, world::Moment& out);
+    void addLoose(world::Moment& out);
+    void addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out);
+    void addRain(const MomentInput& input, world::Moment& out);
+    void addBody(const world::MovingBody& body, const Pose& pose, world::SpaceIndex placedIn,
+                 world::Moment& out);
+    void addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size, double opacity,
+                   world::Moment& out);
+    void giveMembers(std::size_t firstInstance, world::Moment& out) const;
+    void listBySpace(world::Moment& out);
+    [[nodiscard]] double openness(const MomentInput& input, std::size_t door) const;
+    [[nodiscard]] std::uint32_t blockFor(const Vec3& position) const;
+
+    const world::World& world_;
+    world::Membership membership_;
+    std::vector<world::SpaceIndex> reached_;
+    std::vector<std::uint32_t> counts_;
+    std::uint32_t sprites_ = 0;
+};
+
+} // namespace limen::motion

@@ -1,0 +1,55 @@
+#include "motion/Sprites.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace limen::motion {
+namespace {
+
+enum Use : std::uint32_t { kAround, kOut, kUp, kSpreadX, kSpreadY, kSpreadZ };
+
+/// A point of the ball of radius 1.
+Vec3 inUnitBall(std::uint32_t seed, std::int64_t number) {
+    const double around = 2.0 * std::numbers::pi * hashedUnit(seed, number, kAround);
+    const double z = 2.0 * hashedUnit(seed, number, kUp) - 1.0;
+    const double flat = std::sqrt(1.0 - z * z);
+    return Vec3(flat * std::cos(around), flat * std::sin(around), z) *
+           std::cbrt(hashedUnit(seed, number, kOut));
+}
+
+} // namespace
+
+double hashedUnit(std::uint64_t seed, std::int64_t number, std::uint32_t use) {
+    // Ref: the finaliser of SplitMix64 (Steele, Lea, Flood 2014), twice.
+    const auto mix = [](std::uint64_t x) {
+        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+        x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+        return x ^ (x >> 31);
+    };
+    const std::uint64_t bits =
+        mix(mix(seed * 0x9E3779B97F4A7C15u + use) + static_cast<std::uint64_t>(number) * 0x9E3779B97F4A7C15u);
+    return static_cast<double>(bits >> 11) * 0x1.0p-53;
+}
+
+SpriteRange livingAt(const world::Emitter& emitter, double seconds) {
+    return {static_cast<std::int64_t>(std::floor((seconds - emitter.life) * emitter.rate)) + 1,
+            static_cast<std::int64_t>(std::floor(seconds * emitter.rate))};
+}
+
+SpriteState spriteAt(const world::Emitter& emitter, std::int64_t number, double seconds) {
+    const double age = seconds - static_cast<double>(number) / emitter.rate;
+    const double share = std::min(std::max(age / emitter.life, 0.0), 1.0);
+    const Vec3 spread =
+        (2.0 * Vec3(hashedUnit(emitter.seed, number, kSpreadX), hashedUnit(emitter.seed, number, kSpreadY),
+                    hashedUnit(emitter.seed, number, kSpreadZ)) -
+         1.0) *
+        emitter.spread;
+    SpriteState state;
+    state.offset = inUnitBall(emitter.seed, number) * emitter.radius + (emitter.velocity + spread) * age +
+                   emitter.acceleration * (0.5 * age * age);
+    state.size = emitter.size[0] + (emitter.size[1] - emitter.size[0]) * share;
+    state.opacity = emitter.alpha[0] + (emitter.alpha[1] - emitter.alpha[0]) * share;
+    return state;
+}
+
+} // namespace limen::motion

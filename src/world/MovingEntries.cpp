@@ -1,0 +1,93 @@
+#include "world/MovingEntries.h"
+
+#include "world/JsonFields.h"
+
+namespace limen::world {
+namespace {
+
+using Json = nlohmann::json;
+
+bool read(const Json& object, LeafEntry& out) {
+    return readId(object, "model", out.model) && out.model != 0 &&
+           readField(object, "position", out.position) && readField(object, "yaw", out.yaw) &&
+           readField(object, "swing", out.swing);
+}
+
+bool read(const Json& object, RouteEntry::Point& out) {
+    return readField(object, "position", out.position) && readId(object, "cell", out.cell);
+}
+
+/// A list of entries; absent is fine.
+template <class Entry>
+bool readList(const Json& object, const char* key, std::vector<Entry>& out);
+
+bool read(const Json& object, DoorEntry& out) {
+    return readField(object, "name", out.name) && readId(object, "cell", out.cell) && out.cell != 0 &&
+           readField(object, "portal", out.portal) && readField(object, "opaque", out.opaque) &&
+           readField(object, "open", out.open) && out.open >= 0.0 && out.open <= 1.0 &&
+           readList(object, "leaves", out.leaves);
+}
+
+bool read(const Json& object, RouteEntry& out) {
+    return readField(object, "name", out.name) && readField(object, "loop", out.loop) &&
+           readList(object, "points", out.points) && out.points.size() >= 2;
+}
+
+bool read(const Json& object, VillagerEntry& out) {
+    return readField(object, "name", out.name) && readField(object, "route", out.route) &&
+           readId(object, "model", out.model) && out.model != 0 && readField(object, "speed", out.speed) &&
+           readField(object, "start", out.start);
+}
+
+bool read(const Json& object, EmitterEntry& out) {
+    return readField(object, "name", out.name) && readField(object, "attachedTo", out.attachedTo) &&
+           readId(object, "surface", out.surface) && out.surface != 0 && readId(object, "cell", out.cell) &&
+           readField(object, "position", out.position) && readField(object, "velocity", out.velocity) &&
+           readField(object, "acceleration", out.acceleration) && readField(object, "rate", out.rate) &&
+           readField(object, "life", out.life) && readField(object, "spread", out.spread) &&
+           readField(object, "radius", out.radius) && readField(object, "size", out.size) &&
+           readField(object, "alpha", out.alpha) && readField(object, "seed", out.seed) && out.rate > 0.0 &&
+           out.life > 0.0;
+}
+
+template <class Entry>
+bool readList(const Json& object, const char* key, std::vector<Entry>& out) {
+    const auto found = object.find(key);
+    if (found == object.end())
+        return true;
+    if (!found->is_array())
+        return false;
+    for (const Json& value : *found) {
+        Entry entry;
+        if (!value.is_object() || !read(value, entry))
+            return false;
+        out.push_back(std::move(entry));
+    }
+    return true;
+}
+
+} // namespace
+
+Result<MovingEntries> readMovingEntries(const Json& world, const std::string& file) {
+    MovingEntries entries;
+    const auto broken = [&](const char* list, std::size_t index) {
+        return fail(ErrorCode::Malformed, file,
+                    "entry " + std::to_string(index) + " of \"" + list +
+                        "\" is not as docs/world-file.md says");
+    };
+    if (!readList(world, "doors", entries.doors))
+        return broken("doors", entries.doors.size());
+    if (!readList(world, "routes", entries.routes))
+        return broken("routes", entries.routes.size());
+    if (!readList(world, "villagers", entries.villagers))
+        return broken("villagers", entries.villagers.size());
+    if (!readList(world, "emitters", entries.emitters))
+        return broken("emitters", entries.emitters.size());
+    std::string weather = "clear";
+    if (!readField(world, "weather", weather) || (weather != "clear" && weather != "rain"))
+        return fail(ErrorCode::Malformed, file, "\"weather\" is \"clear\" or \"rain\"");
+    entries.rain = weather == "rain";
+    return entries;
+}
+
+} // namespace limen::world

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/Error.h"
+#include "dat/Ids.h"
+#include "geometry/Vec.h"
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+// What world.json says of moving things, word for word (docs/world-file.md): ids and names, nothing looked up yet.
+namespace limen::world {
+
+struct LeafEntry {
+    dat::RecordId model = 0;
+    Vec3 position{0.0};
+    double yaw = 0.0, swing = 0.0;
+};
+
+struct DoorEntry {
+    std::string name;
+    dat::RecordId cell = 0;
+    std::uint32_t portal = 0; ///< index in the cell's portal list
+    bool opaque = true;
+    double open = 0.0;
+    std::vector<LeafEntry> leaves;
+};
+
+struct RouteEntry {
+    struct Point {
+        Vec3 position{0.0};
+        dat::RecordId cell = 0;
+    };
+    std::string name;
+    bool loop = false;
+    std::vector<Point> points;
+};
+
+struct VillagerEntry {
+    std::string name, route;
+    dat::RecordId model = 0;
+    double speed = 1.0, start = 0.0;
+};
+
+struct EmitterEntry {
+    std::string name, attachedTo;
+    dat::RecordId surface = 0, cell = 0;
+    Vec3 position{0.0}, velocity{0.0}, acceleration{0.0};
+    double rate = 1.0, life = 1.0, spread = 0.0, radius = 0.0;
+    std::array<double, 2> size{0.1, 0.1}, alpha{1.0, 1.0};
+    std::uint32_t seed = 0;
+};
+
+struct MovingEntries {
+    std::vector<DoorEntry> doors;
+    std::vector<RouteEntry> routes;
+    std::vector<VillagerEntry> villagers;
+    std::vector<EmitterEntry> emitters;
+    bool rain = false; ///< at the start
+};
+
+/// Reads the moving things of a world file. `file` is for messages. Errors: an entry that is not of its shape.
+[[nodiscard]] Result<MovingEntries> readMovingEntries(const nlohmann::json& world, const std::string& file);
+
+} // namespace limen::world
