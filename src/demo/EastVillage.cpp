@@ -46,8 +46,8 @@ void standProps(BlockBuilder& block, const VillageModels& m) {
     stand(block, m.furniture.barrel, 115.6, 115.6, 0.0);
     stand(block, m.furniture.sacks, 111.6, 115.7, 0.0);
     stand(block, m.props.lampPost, 107.3, 99.9, 0.0);
-    stand(block, m.props.bench, 104.9, 90.3, 180.0);
-    stand(block, m.props.bench, 116.1, 90.3, 180.0);
+    stand(block, m.props.bench, 106.9, 90.15, 180.0);
+    stand(block, m.props.bench, 114.1, 90.15, 180.0);
     stand(block, m.props.signpost, 121.0, 99.6, 180.0);
 }
 

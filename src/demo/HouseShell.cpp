@@ -277,7 +277,9 @@ double chimneyTop(const HouseShell& h) {
 }
 
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
-    const double gap = 0.003; // a strip of wall, for faces flush with the reveals would fight with them
+    // The timber reaches a little over the opening: flush with the reveals its faces would fight with theirs, and a
+    // strip of bare wall between them would show as a bright line.
+    const double gap = -0.003;
     const auto bar = [&](const Rect& rect, double depth) {
         const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));
         MeshBuilder whole;

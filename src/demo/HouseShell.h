@@ -39,7 +39,7 @@ struct HouseShell {
 [[nodiscard]] MeshBuilder buildHouseShell(const HouseShell& house);
 
 /// A timber frame around an opening, on the wall's face at `at`, reaching `out` metres from it into the room
-/// that the side looks into (negative: away from it). Leaves the opening itself free.
+/// that the side looks into (negative: away from it). Covers 3 mm of the opening's border.
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& opening, double width, double out,
               bool sill);
 

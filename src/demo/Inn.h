@@ -46,7 +46,7 @@ inline constexpr double kHeight = 2.8;                        ///< of the rooms 
 inline constexpr double kUpper = 3.05, kTop = 5.5;            ///< floor and ceiling above
 inline constexpr double kBalcony = 3.03;                      ///< the boards of the balcony
 inline constexpr double kBasement = -2.6;                     ///< the floor below
-inline constexpr double kUpX = 3.8;                       ///< middle of the stairs up
+inline constexpr double kUpX = 3.8;                           ///< middle of the stairs up
 inline constexpr double kStairsFoot = 6.2, kStairsHead = 9.8; ///< y of the lowest and the highest riser
 inline constexpr double kDownX = 5.4;                         ///< middle of the stairs down
 inline constexpr double kDownHead = 6.4, kDownRun = 2.64;
