@@ -72,9 +72,9 @@ constexpr Manner kHearth{Material::Fire, 14.0,           0.7,          {0.0, 0.0
 constexpr Manner kTorch{Material::Fire, 14.0,           0.6,          {0.0, 0.0, 0.7}, 0.08, {0.1, 0.0, 0.4},
                         0.03,           {{0.26, 0.08}}, {{0.85, 0.0}}};
 constexpr Manner kFireflies{
-    Material::Firefly, 7.0, 6.0, {0.0, 0.0, 0.05}, 0.35, {0.0, 0.0, 0.02}, 7.0, {{0.10, 0.06}}, {{1.0, 0.0}}};
+    Material::Firefly, 9.0, 6.0, {0.0, 0.0, 0.05}, 0.35, {0.0, 0.0, 0.02}, 4.5, {{0.30, 0.20}}, {{1.0, 0.0}}};
 constexpr Manner kSwirl{Material::Swirl, 5.0,  2.4,          {0.0, 0.0, 0.12}, 0.05,
-                        {0.0, 0.0, 0.0}, 0.18, {{0.7, 2.1}}, {{0.8, 0.0}}};
+                        {0.0, 0.0, 0.0}, 0.18, {{0.7, 2.1}}, {{0.3, 0.0}}};
 constexpr Manner kLanternGlow{Material::Fire, 9.0,         0.4, {0.0, 0.0, 0.25}, 0.02, {0.0, 0.0, 0.0}, 0.01,
                               {{0.14, 0.06}}, {{0.9, 0.1}}};
 
@@ -96,8 +96,8 @@ Json buildEmitters(const VillageMap& map) {
         list.at(fmt::format("meetinghall.torch.{}", ++count), kTorch,
                 globalOf(map.hall, torch + Vec3(-0.33, 0.0, 0.24)), 0);
     }
-    list.at("meadow.fireflies", kFireflies, overGround(132.0, 108.0, 1.0), 0);
-    list.at("orchard.fireflies", kFireflies, overGround(97.0, 80.0, 0.9), 0);
+    list.at("meadow.fireflies", kFireflies, overGround(132.0, 108.0, 2.6), 0);
+    list.at("orchard.fireflies", kFireflies, overGround(97.0, 80.0, 2.4), 0);
     list.at("swirl", kSwirl, overGround(134.0, 100.0, 1.4), 0);
     list.on("watchman.lantern", kLanternGlow, "watchman", kLantern);
     return list.take();

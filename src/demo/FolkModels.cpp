@@ -82,7 +82,7 @@ MeshBuilder armMesh(const Clothes& c, double bend) {
     MeshBuilder mesh; // origin at the shoulder
     const Vec3 elbow{0.0, 0.03, -0.29};
     const Vec3 hand = elbow + Vec3(0.0, 0.24 * std::sin(bend), -0.24 * std::cos(bend));
-    mesh.strut({0, 0, 0.05}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
+    mesh.strut({0, 0, -0.01}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
     mesh.strut(elbow + Vec3(0, 0.0, 0.01), hand, {1, 0, 0}, 0.088, 0.088, c.coat);
     const Vec3 ahead = glm::normalize(hand - elbow);
     mesh.strut(hand - ahead * 0.01, hand + ahead * 0.10, {1, 0, 0}, 0.062, 0.075, Material::Skin);
@@ -105,8 +105,8 @@ std::vector<SetupPart> person(ModelSink& sink, const Clothes& c, const Bends& be
     const dat::RecordId leg = sink.addMesh(legMesh(c), false);
     return {{sink.addMesh(bodyMesh(c), false), {}},
             {sink.addMesh(headMesh(c), false), {{0.0, 0.0, kNeck}, 0.0}},
-            {sink.addMesh(armMesh(c, bends.left), false), {{-0.275, 0.0, kShoulder - 0.05}, 0.0}},
-            {sink.addMesh(armMesh(c, bends.right), false), {{0.275, 0.0, kShoulder - 0.05}, 0.0}},
+            {sink.addMesh(armMesh(c, bends.left), false), {{-0.265, 0.0, kShoulder - 0.05}, 0.0}},
+            {sink.addMesh(armMesh(c, bends.right), false), {{0.265, 0.0, kShoulder - 0.05}, 0.0}},
             {leg, {{-0.105, 0.0, kHip}, 0.0}},
             {leg, {{0.105, 0.0, kHip}, 0.0}}};
 }

@@ -80,7 +80,8 @@ void addReveals(std::vector<Face>& faces, const HouseShell& h, const HouseShell:
     const std::vector<Vec3> outer = rectOnSide(hole.side, outerPlane(h, hole.side), hole.rect);
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
-        const Material material = i == 0 ? (hole.door ? Material::Flagstones : Material::Beam) : h.walls;
+        const Material material =
+            i == 0 ? (hole.door && hole.rect.v0 == 0.0 ? Material::Flagstones : Material::Beam) : h.walls;
         faces.push_back(planarFace({inner[i], inner[j], outer[j], outer[i]}, material));
     }
     faces.push_back(flipped(portalFace(inner)));
