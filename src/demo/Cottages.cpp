@@ -1,6 +1,7 @@
 #include "demo/Cottages.h"
 
 #include "demo/HouseShell.h"
+#include "demo/RoomParts.h"
 
 namespace limen::demo {
 
@@ -9,16 +10,6 @@ namespace {
 constexpr double kRoomHeight = 2.5;
 constexpr double kJoistUnderside =
     kRoomHeight - 0.17; ///< where lanterns hang: under a joist, x = +-0.95, 2.85
-
-/// Timber around openings as seen from inside a room; stands at the building's origin.
-dat::RecordId addTrim(ModelSink& sink, const std::vector<std::pair<Opening, double>>& openings) {
-    MeshBuilder mesh;
-    for (const auto& [opening, at] : openings) {
-        const bool window = opening.rect.v0 > 0.3;
-        addFrame(mesh, opening.side, at, opening.rect, 0.11, 0.035, window);
-    }
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
-}
 
 HouseShell cottageShell() {
     HouseShell shell;
@@ -152,14 +143,6 @@ CellPlan cellar(ModelSink& sink, const Furniture& f) {
     return cell;
 }
 
-CellPlan doorway(const char* name, const Vec3& min, const Vec3& max, bool alongY, Material walls,
-                 Material floor) {
-    const Rect rect = alongY ? Rect{min.x, min.z, max.x, max.z} : Rect{min.y, min.z, max.y, max.z};
-    return roomWithOpenings(
-        {.name = name, .min = min, .max = max, .floor = floor, .walls = walls, .ceiling = Material::Beam},
-        {{alongY ? Side::South : Side::West, rect}, {alongY ? Side::North : Side::East, rect}});
-}
-
 } // namespace
 
 BuildingPlan planCottage(ModelSink& sink, const Furniture& furniture) {
@@ -168,10 +151,10 @@ BuildingPlan planCottage(ModelSink& sink, const Furniture& furniture) {
     plan.exterior = buildHouseShell(cottageShell());
     plan.cells.push_back(frontRoom(sink, furniture));
     plan.cells.push_back(
-        doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, true, Material::Beam, Material::Oak));
+        doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, Axis::Y, Material::Beam, Material::Oak));
     plan.cells.push_back(rearRoom(sink, furniture));
     plan.cells.push_back(stairwell(sink));
-    plan.cells.push_back(doorway("cellar.doorway", {-0.7, 8.55, -2.6}, {-0.5, 9.45, -0.6}, false,
+    plan.cells.push_back(doorway("cellar.doorway", {-0.7, 8.55, -2.6}, {-0.5, 9.45, -0.6}, Axis::X,
                                  Material::StoneWall, Material::Flagstones));
     plan.cells.push_back(cellar(sink, furniture));
     return plan;
@@ -184,13 +167,13 @@ BuildingPlan planNeighbour(ModelSink& sink, const Furniture& f) {
     plan.name = "neighbour";
     plan.exterior = buildHouseShell(shell);
     std::vector<Opening> openings;
-    std::vector<std::pair<Opening, double>> trims;
+    std::vector<WallOpening> trims;
     for (std::size_t k = 0; k < 3; ++k) {
         openings.push_back({shell.holes[k].side, shell.holes[k].rect});
-        trims.emplace_back(openings.back(), 0.3);
+        trims.push_back({openings.back(), 0.3});
     }
     openings.push_back({Side::North, inner});
-    trims.emplace_back(openings.back(), 4.4);
+    trims.push_back({openings.back(), 4.4});
     CellPlan room = roomWithOpenings({.name = "room",
                                       .min = {-3.7, 0.3, 0.0},
                                       .max = {3.7, 4.4, kRoomHeight},
@@ -209,7 +192,7 @@ BuildingPlan planNeighbour(ModelSink& sink, const Furniture& f) {
                     {f.barrel, {{-1.3, 4.0, 0.0}, 0.0}}};
     plan.cells.push_back(std::move(room));
     plan.cells.push_back(
-        doorway("doorway", {-0.6, 4.4, 0.0}, {0.6, 4.6, 2.1}, true, Material::Beam, Material::Oak));
+        doorway("doorway", {-0.6, 4.4, 0.0}, {0.6, 4.6, 2.1}, Axis::Y, Material::Beam, Material::Oak));
     const Rect window = shell.holes[3].rect;
     CellPlan back = roomWithOpenings(
         {.name = "back", .min = {-3.7, 4.6, 0.0}, .max = {3.7, 6.7, kRoomHeight}, .floor = Material::Planks},

@@ -81,7 +81,7 @@ void addReveals(std::vector<Face>& faces, const HouseShell& h, const HouseShell:
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
         const Material material =
-            i == 0 ? (hole.door ? Material::Flagstones : Material::Beam) : Material::Plaster;
+            i == 0 ? (hole.door && hole.rect.v0 == 0.0 ? Material::Flagstones : Material::Beam) : h.walls;
         faces.push_back(planarFace({inner[i], inner[j], outer[j], outer[i]}, material));
     }
     faces.push_back(flipped(portalFace(inner)));
@@ -93,7 +93,7 @@ std::vector<Face> wallFaces(const HouseShell& h) {
     for (const Side side : kWalls) {
         const auto [u0, u1] = wallSpan(h, side);
         for (const Rect& r : withoutHoles({u0, h.base, u1, h.top}, holesOf(h, side, 0.0))) {
-            faces.push_back(flipped(planarFace(rectOnSide(side, outerPlane(h, side), r), Material::Plaster)));
+            faces.push_back(flipped(planarFace(rectOnSide(side, outerPlane(h, side), r), h.walls)));
         }
     }
     const double ridge = h.top + h.pitch * h.depth / 2.0;
@@ -102,7 +102,7 @@ std::vector<Face> wallFaces(const HouseShell& h) {
         if (x < 0.0) {
             std::swap(gable[0], gable[1]);
         }
-        faces.push_back(planarFace(std::move(gable), Material::Plaster));
+        faces.push_back(planarFace(std::move(gable), h.walls));
     }
     for (const HouseShell::Hole& hole : h.holes) {
         addReveals(faces, h, hole);
@@ -128,8 +128,25 @@ void addPlinth(MeshBuilder& mesh, const HouseShell& h) {
     }
 }
 
-bool clearOf(const std::vector<Rect>& holes, double u0, double u1) {
-    return std::none_of(holes.begin(), holes.end(), [&](const Rect& r) { return r.u0 < u1 && r.u1 > u0; });
+/// One storey of a wall's timbers.
+struct Band {
+    double from = 0.0, to = 0.0;
+    bool sill = false; ///< begins with a beam of its own
+};
+
+std::vector<Band> bandsOf(const HouseShell& h) {
+    if (h.upperFloor <= 0.0) {
+        return {{kPlinthTop, h.top, true}};
+    }
+    return {{kPlinthTop, h.upperFloor, true}, {h.upperFloor, h.top, false}};
+}
+
+/// True if no opening of the band, widened by `margin`, lies between u0 and u1.
+bool clearOf(const HouseShell& h, Side side, const Band& band, double margin, double u0, double u1) {
+    const std::vector<Rect> holes = holesOf(h, side, margin);
+    return std::none_of(holes.begin(), holes.end(), [&](const Rect& r) {
+        return r.u0 < u1 && r.u1 > u0 && r.v0 < band.to && r.v1 > band.from;
+    });
 }
 
 /// One post at each corner of the house, seen from both sides; sill beams and head plates end inside it.
@@ -143,39 +160,46 @@ void addCornerPosts(MeshBuilder& mesh, const HouseShell& h) {
     }
 }
 
-/// Sill beam, head plate, posts and braces; none across an opening.
-void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side) {
+/// Braces in the corner bays of a storey.
+void addBraces(MeshBuilder& mesh, const HouseShell& h, Side side, const Band& band, double bay) {
     const auto [u0, u1] = wallSpan(h, side);
-    const std::vector<Rect> holes = holesOf(h, side, 0.02);
-    const double end = 0.5 * kCornerPost;
-    for (const Rect& r : withoutHoles({u0 + end, kPlinthTop, u1 - end, kPlinthTop + kPost}, holes)) {
-        if (r.v1 > kPlinthTop + 0.9 * kPost) {
-            addTimber(mesh, h, side, r);
-        }
-    }
-    addTimber(mesh, h, side, {u0 + end, h.top - 0.22, u1 - end, h.top}, 0.01);
-    const int bays = static_cast<int>(std::lround((u1 - u0) / 1.35));
-    for (int k = 1; k < bays; ++k) {
-        const double u = u0 + (u1 - u0) * k / bays;
-        if (clearOf(holesOf(h, side, 0.16), u - kPost / 2, u + kPost / 2)) {
-            addTimber(mesh, h, side, {u - kPost / 2, kPlinthTop + kPost, u + kPost / 2, h.top - 0.22}, -0.01);
-        }
-    }
-    // Braces in the corner bays.
     const double at = outerPlane(h, side) + outward(side) * 0.5 * (kProud - kBedded - 0.01);
-    const double bay = (u1 - u0) / bays;
+    const double low = band.sill ? band.from + kPost : band.from;
     for (const bool left : {true, false}) {
         const double foot = left ? u0 + bay : u1 - bay;
         const double head = left ? u0 + 0.2 : u1 - 0.2;
-        if (!clearOf(holesOf(h, side, 0.1), std::min(foot, head), std::max(foot, head))) {
+        if (!clearOf(h, side, band, 0.1, std::min(foot, head), std::max(foot, head))) {
             continue;
         }
         const bool alongY = side == Side::West || side == Side::East;
-        const Vec3 a = alongY ? Vec3(at, foot, kPlinthTop + kPost) : Vec3(foot, at, kPlinthTop + kPost);
-        const Vec3 b = alongY ? Vec3(at, head, h.top - 0.4) : Vec3(head, at, h.top - 0.4);
+        const Vec3 a = alongY ? Vec3(at, foot, low) : Vec3(foot, at, low);
+        const Vec3 b = alongY ? Vec3(at, head, band.to - 0.4) : Vec3(head, at, band.to - 0.4);
         mesh.strut(a, b, alongY ? Vec3(1, 0, 0) : Vec3(0, 1, 0), kProud + kBedded - 0.02, 0.14,
                    Material::Beam);
     }
+}
+
+/// Sill beam, head plate, posts and braces of a storey; none across an opening.
+void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side, const Band& band) {
+    const auto [u0, u1] = wallSpan(h, side);
+    const double end = 0.5 * kCornerPost;
+    const double low = band.sill ? band.from + kPost : band.from;
+    if (band.sill) {
+        for (const Rect& r : withoutHoles({u0 + end, band.from, u1 - end, low}, holesOf(h, side, 0.02))) {
+            if (r.v1 > band.from + 0.9 * kPost) {
+                addTimber(mesh, h, side, r);
+            }
+        }
+    }
+    addTimber(mesh, h, side, {u0 + end, band.to - 0.22, u1 - end, band.to}, 0.01);
+    const int bays = static_cast<int>(std::lround((u1 - u0) / 1.35));
+    for (int k = 1; k < bays; ++k) {
+        const double u = u0 + (u1 - u0) * k / bays;
+        if (clearOf(h, side, band, 0.16, u - kPost / 2, u + kPost / 2)) {
+            addTimber(mesh, h, side, {u - kPost / 2, low, u + kPost / 2, band.to - 0.22}, -0.01);
+        }
+    }
+    addBraces(mesh, h, side, band, (u1 - u0) / bays);
 }
 
 void addGableFraming(MeshBuilder& mesh, const HouseShell& h) {
@@ -195,6 +219,16 @@ void addGableFraming(MeshBuilder& mesh, const HouseShell& h) {
         strut({half - 1.5, h.top + 0.1}, {half - 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14, -0.02);
         strut({half + 1.5, h.top + 0.1}, {half + 2.6, h.top + h.pitch * (half - 2.6) - 0.1}, 0.14, -0.02);
     }
+}
+
+void addTimbers(MeshBuilder& mesh, const HouseShell& h) {
+    addCornerPosts(mesh, h);
+    for (const Side side : kWalls) {
+        for (const Band& band : bandsOf(h)) {
+            addFraming(mesh, h, side, band);
+        }
+    }
+    addGableFraming(mesh, h);
 }
 
 /// A cross of bars half way into a window's reveal.
@@ -239,8 +273,14 @@ double innerPlane(const HouseShell& h, Side side) {
     return outerPlane(h, side) - outward(side) * h.wall;
 }
 
+double chimneyTop(const HouseShell& h) {
+    return h.top + h.pitch * h.depth / 2.0 + 1.1;
+}
+
 void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
-    const double gap = 0.003; // a strip of wall, for faces flush with the reveals would fight with them
+    // The timber reaches a little over the opening: flush with the reveals its faces would fight with theirs, and a
+    // strip of bare wall between them would show as a bright line.
+    const double gap = -0.003;
     const auto bar = [&](const Rect& rect, double depth) {
         const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));
         MeshBuilder whole;
@@ -267,17 +307,21 @@ MeshBuilder buildHouseShell(const HouseShell& h) {
         mesh.add(std::move(face));
     }
     addPlinth(mesh, h);
-    addCornerPosts(mesh, h);
-    for (const Side side : kWalls) {
-        addFraming(mesh, h, side);
+    if (h.timbered) {
+        addTimbers(mesh, h);
     }
-    addGableFraming(mesh, h);
     for (const HouseShell::Hole& hole : h.holes) {
         addFrame(mesh, hole.side, outerPlane(h, hole.side), hole.rect, 0.15, -0.06, !hole.door);
-        hole.door ? addDoorSteps(mesh, h, hole) : addWindowBars(mesh, h, hole);
+        if (!hole.door) {
+            addWindowBars(mesh, h, hole);
+        } else if (hole.rect.v0 == 0.0) {
+            addDoorSteps(mesh, h, hole);
+        }
     }
     addThatchedRoof(mesh, {h.halfWidth, h.depth, h.top, h.pitch});
-    addChimney(mesh, {h.chimneyX, h.chimneyY, h.top}, h.top + h.pitch * h.depth / 2.0 + 1.1);
+    if (h.chimney) {
+        addChimney(mesh, {h.chimneyX, h.chimneyY, h.top}, chimneyTop(h));
+    }
     return mesh;
 }
 

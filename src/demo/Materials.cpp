@@ -46,6 +46,33 @@ Recipe glow(PixelFormat format, std::uint32_t type) {
     return {1.0, format, S::kBase1Image | S::kLuminous | type, 1.0f, 0.0f, 0.0f, 0};
 }
 
+Recipe folkRecipe(Material material) {
+    switch (material) {
+    case Material::Glass:
+        return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
+    case Material::Smoke:
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
+    case Material::Fire:
+    case Material::Firefly:
+    case Material::Swirl:
+        return glow(PixelFormat::A8R8G8B8, S::kAdditive);
+    case Material::Skin:
+        return solid(0xFFC99A78);
+    case Material::Hair:
+        return solid(0xFF3E2B1E);
+    case Material::BlueCloth:
+        return solid(0xFF3D4F73);
+    case Material::GreenCloth:
+        return solid(0xFF4F5F36);
+    case Material::BrownCloth:
+        return solid(0xFF6B4E35);
+    case Material::RedCloth:
+        return solid(0xFF8A3B30);
+    default:
+        return {};
+    }
+}
+
 Recipe natureRecipe(Material material) {
     switch (material) {
     case Material::Bark:
@@ -77,7 +104,7 @@ Recipe natureRecipe(Material material) {
     case Material::Clouds:
         return glow(PixelFormat::A8R8G8B8, S::kAlpha);
     default:
-        return {};
+        return folkRecipe(material);
     }
 }
 
@@ -136,6 +163,23 @@ Recipe recipe(Material material) {
     }
 }
 
+Canvas paintSprite(Material material) {
+    switch (material) {
+    case Material::Glass:
+        return paintGlass();
+    case Material::Smoke:
+        return paintSmoke();
+    case Material::Fire:
+        return paintFire();
+    case Material::Firefly:
+        return paintFirefly();
+    case Material::Swirl:
+        return paintSwirl();
+    default:
+        return Canvas(0, 0);
+    }
+}
+
 Canvas paintNature(Material material) {
     switch (material) {
     case Material::Bark:
@@ -167,7 +211,7 @@ Canvas paintNature(Material material) {
     case Material::Clouds:
         return paintClouds();
     default:
-        return Canvas(0, 0);
+        return paintSprite(material);
     }
 }
 

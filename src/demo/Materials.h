@@ -44,6 +44,17 @@ enum class Material : std::uint8_t {
     Sun,
     Moon,
     Clouds,
+    Glass,   ///< translucent: leaded panes
+    Smoke,   ///< sprite, translucent
+    Fire,    ///< sprite, glows, additive
+    Firefly, ///< sprite, glows, additive
+    Swirl,   ///< sprite, glows, additive
+    Skin,    ///< solid colours from here on
+    Hair,
+    BlueCloth,
+    GreenCloth,
+    BrownCloth,
+    RedCloth,
     Count
 };
 

@@ -19,6 +19,7 @@ bool canWalkThrough(const Face& face) {
     case Material::Flowers:
     case Material::Flame:
     case Material::LampGlass:
+    case Material::Glass:
         return true;
     default:
         return face.portal;

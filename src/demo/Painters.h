@@ -40,6 +40,14 @@ struct BoardStyle {
 [[nodiscard]] Canvas paintGrassTuft();
 [[nodiscard]] Canvas paintFlowers();
 
+/// Diamonds of glass in lead; alpha is how much they hide.
+[[nodiscard]] Canvas paintGlass();
+/// Sprites: alpha falls to 0 before the border; do not tile.
+[[nodiscard]] Canvas paintSmoke();
+[[nodiscard]] Canvas paintFire();
+[[nodiscard]] Canvas paintFirefly();
+[[nodiscard]] Canvas paintSwirl();
+
 /// Grass from thousands of strokes over mottled earth. `bare` 0..1 is the share of earth that shows.
 struct GrassStyle {
     Vec3f light{0.43f, 0.46f, 0.20f}, dark{0.20f, 0.24f, 0.10f}, earth{0.33f, 0.26f, 0.17f};

@@ -1,6 +1,7 @@
 #include "demo/Places.h"
 
 #include "demo/Cottages.h"
+#include "demo/EastPlaces.h"
 #include "demo/TerrainShape.h"
 
 #include <fmt/format.h>
@@ -28,11 +29,6 @@ Eye outdoorEye(double x, double y) {
     Eye eye;
     eye.position = toGlobal({x, y, groundHeight(x, y) + kEyeHeight});
     return eye;
-}
-
-/// A point of a building on the map.
-Vec3 globalOf(const Placement& building, const Vec3& local) {
-    return toGlobal(villageToArea(place(building, local)));
 }
 
 Eye indoorEye(const Placement& building, const Vec3& local, const Vec3& target, dat::RecordId cell) {
@@ -79,13 +75,13 @@ public:
             looking(outdoorEye(x, y), target));
     }
     /// Straight through the air: indoors, over steps.
-    void straight(const Vec3& to, double speed, const Vec3& target) {
+    void straight(const Vec3& to, double speed, const Vec3& target, double stride = 0.25) {
         Eye end;
         end.position = to;
         lookAt(end, target);
         leg(
-            speed, 0.25, [&](double t, const Eye& from) { return from.position + (to - from.position) * t; },
-            end);
+            speed, stride,
+            [&](double t, const Eye& from) { return from.position + (to - from.position) * t; }, end);
     }
     /// Stands and turns.
     void look(const Vec3& target, double seconds) {
@@ -162,7 +158,27 @@ nlohmann::ordered_json buildPlaces(const VillageMap& map) {
     places["neighbour.front"] = toJson(looking(outdoorEye(278.0, 288.5), globalOf(next, {0.0, 0.0, 2.0})));
     places["neighbour.room"] =
         toJson(indoorEye(next, {-0.9, 3.9, 1.7}, {1.3, 0.3, 1.45}, theirs(NeighbourCell::Room)));
+    for (const auto& [name, eye] : eastPlaces(map)) {
+        places[name] = toJson(eye);
+    }
     return places;
+}
+
+void follow(Walk& walk, const std::vector<TourStep>& steps) {
+    for (const TourStep& step : steps) {
+        const Vec3 area = step.to - toGlobal(Vec3(0.0));
+        switch (step.kind) {
+        case TourStep::Kind::AlongGround:
+            walk.alongGround(area.x, area.y, step.pace, step.target);
+            break;
+        case TourStep::Kind::Straight:
+            walk.straight(step.to, step.pace, step.target, 0.4);
+            break;
+        case TourStep::Kind::Look:
+            walk.look(step.target, step.pace);
+            break;
+        }
+    }
 }
 
 nlohmann::ordered_json buildTour(const VillageMap& map) {
@@ -216,10 +232,23 @@ nlohmann::ordered_json buildTour(const VillageMap& map) {
     walk.straight(at(kStairsX, 5.4, 1.7), 1.2, at(0.0, 4.9, 1.5));
     walk.straight(at(0.0, 5.3, 1.7), 1.4, at(0.0, 0.0, 1.5));
     walk.look(at(0.0, 0.0, 1.5), 1.0);
+    follow(walk, eastTour(map));
     return walk.toJsonList();
 }
 
 } // namespace
+
+Vec3 globalOf(const Placement& building, const Vec3& local) {
+    return toGlobal(villageToArea(place(building, local)));
+}
+
+Eye eyeTowards(const Vec3& position, const Vec3& target, dat::RecordId cell) {
+    Eye eye;
+    eye.position = position;
+    eye.cell = cell;
+    lookAt(eye, target);
+    return eye;
+}
 
 nlohmann::ordered_json buildWorldFile(const VillageMap& map) {
     nlohmann::ordered_json json;
@@ -227,9 +256,11 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map) {
     json["version"] = 1;
     json["places"] = buildPlaces(map);
     json["tour"] = buildTour(map);
-    json["doors"] = nlohmann::ordered_json::array();
-    json["villagers"] = nlohmann::ordered_json::array();
-    json["routes"] = nlohmann::ordered_json::array();
+    json["doors"] = map.doors;
+    json["routes"] = map.routes;
+    json["villagers"] = map.villagers;
+    json["emitters"] = map.emitters;
+    json["weather"] = "clear";
     return json;
 }
 

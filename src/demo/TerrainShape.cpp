@@ -10,8 +10,8 @@ namespace limen::demo {
 namespace {
 
 constexpr int kSiteIndex = 85;
-// The vertices between which the ground is level: both cottages' landcells.
-constexpr double kSiteWest = 11.0, kSiteEast = 12.0, kSiteSouth = 11.0, kSiteNorth = 13.0;
+// The vertices between which the ground is level: the landcells of the cottages, the inn and the meeting hall.
+constexpr double kSiteWest = 11.0, kSiteEast = 13.0, kSiteSouth = 11.0, kSiteNorth = 13.0;
 
 double distanceToSite(double vx, double vy) {
     const double dx = std::max({kSiteWest - vx, vx - kSiteEast, 0.0});

@@ -1,6 +1,7 @@
 #include "demo/Village.h"
 
 #include "demo/Cottages.h"
+#include "demo/EastVillage.h"
 #include "demo/Noise.h"
 #include "demo/OutdoorProps.h"
 #include "demo/TerrainShape.h"
@@ -84,6 +85,7 @@ VillageMap addVillage(ModelSink& sink, const Plants& plants) {
     stand(block, props.bench, 81.2, 86.7, 180.0);
     stand(block, props.woodpile, 89.0, 82.0, 90.0);
     plantGardens(block, plants);
+    addEastVillage(sink, block, {furniture, props, plants}, map);
     block.finish();
     return map;
 }

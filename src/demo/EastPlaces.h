@@ -1,0 +1,14 @@
+#pragma once
+
+#include "demo/Places.h"
+
+namespace limen::demo {
+
+/// Places in and around the inn and the meeting hall.
+[[nodiscard]] std::vector<std::pair<std::string, Eye>> eastPlaces(const VillageMap& map);
+
+/// The tour's second part: from the cottage's rear room to the inn, up to its balcony, down to its basement, then
+/// into the meeting hall.
+[[nodiscard]] std::vector<TourStep> eastTour(const VillageMap& map);
+
+} // namespace limen::demo

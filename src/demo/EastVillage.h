@@ -1,0 +1,21 @@
+#pragma once
+
+#include "demo/Building.h"
+#include "demo/Furniture.h"
+#include "demo/OutdoorProps.h"
+#include "demo/Places.h"
+#include "demo/Plants.h"
+
+namespace limen::demo {
+
+struct VillageModels {
+    const Furniture& furniture;
+    const OutdoorProps& props;
+    const Plants& plants;
+};
+
+/// Adds the inn, the meeting hall, what stands around them, and everything that moves in the village. Requires: the
+/// map's cottages are placed. Fills the rest of the map.
+void addEastVillage(ModelSink& sink, BlockBuilder& block, const VillageModels& models, VillageMap& map);
+
+} // namespace limen::demo

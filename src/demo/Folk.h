@@ -1,0 +1,15 @@
+#pragma once
+
+#include "demo/Models.h"
+#include "demo/Places.h"
+
+namespace limen::demo {
+
+/// Adds the villagers' models and fills the map's routes, villagers and emitters. Requires: the map's buildings are
+/// placed.
+void addFolk(ModelSink& sink, VillageMap& map);
+
+/// Where torches hang beside the meeting hall's door; coordinates of the hall, their backs towards +x.
+[[nodiscard]] std::vector<Vec3> hallTorches();
+
+} // namespace limen::demo

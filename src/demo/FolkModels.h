@@ -1,0 +1,17 @@
+#pragma once
+
+#include "demo/Models.h"
+
+namespace limen::demo {
+
+/// People about 1.75 m tall in six parts (body, head, arms, legs), feet at z = 0, front to the north. Arms and legs
+/// have their origin at the joint.
+struct FolkModels {
+    dat::RecordId innkeeper = 0, maid = 0, farmer = 0, elder = 0;
+    dat::RecordId watchman = 0; ///< carries a lantern at `kLantern`
+    dat::RecordId carter = 0;   ///< pulls a loaded cart
+};
+inline constexpr Vec3 kLantern{0.31, 0.16, 0.86};
+[[nodiscard]] FolkModels addFolkModels(ModelSink& sink);
+
+} // namespace limen::demo
