@@ -138,9 +138,9 @@ Json maidRoute(const VillageMap& map) {
 /// The elder walks from the apse through the arch, out of the hall and along its front.
 Json elderRoute(const VillageMap& map) {
     Route route(map, "elder", false);
-    const double y = hall::kMiddle + 0.9;
-    route.hall(HallCell::Apse, 7.3, hall::kMiddle + 1.5)
-        .hall(HallCell::Apse, 7.0, hall::kMiddle + 1.0)
+    const double y = hall::kMiddle + 0.45;
+    route.hall(HallCell::Apse, 7.15, hall::kMiddle + 1.5)
+        .hall(HallCell::Apse, 7.1, hall::kMiddle + 0.6)
         .hall(HallCell::Nave, 5.2, y);
     throughTheHallsDoor(route, map, y, true);
     route.ground(114.0, 92.6).ground(118.5, 93.6);
@@ -201,7 +201,7 @@ void addFolk(ModelSink& sink, VillageMap& map) {
                      villager("maid", models.maid, "maid", 1.2, 2.0),
                      villager("elder", models.elder, "elder", 0.9, 0.0),
                      villager("watchman", models.watchman, "watch", 1.3, 20.0),
-                     villager("farmer", models.farmer, "farm", 1.2, 6.0),
+                     villager("farmer", models.farmer, "farm", 1.2, 30.0),
                      villager("carter", models.carter, "cart", 1.1, 40.0)};
     map.emitters = buildEmitters(map);
 }

@@ -78,7 +78,7 @@ CellPlan passage(Kit& k) {
                       .floor = Material::Flagstones},
                      {{Side::West, kBackDoor}, {Side::South, kPassageDoor}, {Side::East, kStairsDoor}},
                      {{f.crate, {{2.66, 6.75, 0.0}, 90.0}},
-                      {f.sacks, {{2.55, 7.75, 0.0}, 90.0}},
+                      {f.barrel, {{2.6, 7.7, 0.0}, 90.0}},
                       {f.lantern, {{2.2, 7.6, kHeight}, 45.0}}});
 }
 

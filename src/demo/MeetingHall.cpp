@@ -185,7 +185,7 @@ dat::RecordId addTruss(ModelSink& sink) {
 
 dat::RecordId addLectern(ModelSink& sink) {
     MeshBuilder mesh;
-    mesh.box({-1.3, -1.9, 0.0}, {1.4, 1.9, 0.16}, Material::Flagstones);
+    mesh.box({-1.3, -1.8, 0.0}, {1.4, 1.8, 0.16}, Material::Flagstones);
     mesh.beam({-0.30, -0.30, 0.16}, {0.30, 0.30, 0.24}, Material::Oak);
     mesh.beam({-0.07, -0.07, 0.24}, {0.07, 0.07, 1.18}, Material::Oak);
     mesh.strut({-0.26, 0.0, 1.14}, {0.26, 0.0, 1.32}, {0, 1, 0}, 0.62, 0.05, Material::Oak);
@@ -228,7 +228,7 @@ void furnish(ModelSink& sink, const Furniture& f, CellPlan& nave, CellPlan& apse
     }
     nave.statics.push_back({f.chest, {{5.6, 1.2, 0.0}, -90.0}});
     nave.statics.push_back({f.barrel, {{-5.6, 8.7, 0.0}, 0.0}});
-    apse.statics.push_back({addLectern(sink), {{8.4, kMiddle, 0.0}, 0.0}});
+    apse.statics.push_back({addLectern(sink), {{8.7, kMiddle, 0.0}, 0.0}});
     apse.statics.push_back({f.candle, {{9.2, kMiddle - 1.4, 0.16}, 0.0}});
     apse.statics.push_back({f.candle, {{9.2, kMiddle + 1.4, 0.16}, 0.0}});
     apse.statics.push_back({f.shelf, {{9.4, kApseNorth - 0.01, 0.0}, 0.0}});
