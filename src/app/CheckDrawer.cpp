@@ -10,13 +10,16 @@ FrameEye eyeOf(const check::View& view, world::SpaceIndex root) {
     eye.size = {view.width, view.height};
     eye.root = root;
     eye.player = view.eye;
+    eye.seconds = view.seconds;
+    eye.doors = view.doors;
+    eye.weather = view.rain ? Weather::Rain : Weather::Clear;
     return eye;
 }
 
-Result<check::Drawer::Loaded> CheckDrawer::load(dat::BlockCoord block) {
+Result<const world::World*> CheckDrawer::load(dat::BlockCoord block) {
     if (Result<void> loaded = session_.load(block); !loaded)
         return tl::unexpected(loaded.error());
-    return Loaded{&session_.loaded().world, nullptr};
+    return &session_.loaded().world;
 }
 
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {

@@ -14,9 +14,10 @@ public:
     /// `outlines`: keep the regions of visits, for pictures of findings.
     CheckDrawer(Session& session, bool outlines) : session_(session), outlines_(outlines) {}
 
-    Result<Loaded> load(dat::BlockCoord block) override;
+    Result<const world::World*> load(dat::BlockCoord block) override;
     reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override;
     Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
+    const world::Moment& moment() const override { return session_.moment(); }
 
 private:
     Session& session_;

@@ -16,7 +16,7 @@ namespace {
 
 struct CheckOptions {
     SessionOptions session;
-    std::string kinds, size, block, directory, resume;
+    std::string kinds, size, block, directory, resume, doors = "rest", weather = "clear";
     std::size_t views = 1000;
     std::uint64_t seed = 1;
     bool apart = false, json = false;
@@ -70,6 +70,14 @@ Result<check::RunRequest> requestOf(const CheckOptions& options, const WorldSour
     check::RunRequest request;
     request.seed = options.seed;
     request.tour = source.file.tour;
+    const Result<std::optional<double>> doors = parseDoors("--doors", options.doors);
+    if (!doors)
+        return tl::unexpected(doors.error());
+    request.doors = *doors;
+    const Result<Weather> weather = parseWeather("--weather", options.weather);
+    if (!weather)
+        return tl::unexpected(weather.error());
+    request.rain = *weather == Weather::Rain;
     request.threads = std::max(1u, std::thread::hardware_concurrency());
     if (!options.size.empty()) {
         const Result<PixelSize> size = parseSize("--size", options.size);
@@ -102,8 +110,9 @@ std::string worldOptions(const CheckOptions& options, const WorldSource& source)
 
 /// Everything that decides which views are checked and how.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
-    return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' world '{}'", options.views,
-                       options.kinds, options.seed, options.size, options.block, world);
+    return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' weather '{}' world '{}'",
+                       options.views, options.kinds, options.seed, options.size, options.block, options.doors,
+                       options.weather, world);
 }
 
 Result<check::Progress> progressOf(const CheckOptions& options, const std::string& run) {
@@ -208,6 +217,10 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("WxH");
     verb->add_option("--block", options->block, "one landblock only, as four hexadecimal digits")
         ->type_name("XXYY");
+    verb->add_option("--doors", options->doors,
+                     "how far all doors stand open: rest, closed, half, open or 0..1 (rest)")
+        ->type_name("STATE");
+    verb->add_option("--weather", options->weather, "clear or rain (clear)")->type_name("WEATHER");
     verb->add_flag("--apart", options->apart, "every cell its own zone, as --zones cells");
     verb->add_option("-o,--output", options->directory,
                      "a directory for a picture of each view with a finding; made if it is missing")

@@ -153,11 +153,14 @@ Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
 }
 
 /// One view traced instead of drawn.
-Result<void> trace(const LoadedWorld& loaded, const reference::Scene& scene, const std::string& datOption,
+Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const std::string& datOption,
                    const ListedView& listed, const Standpoint& stand, const Console& console) {
     const Result<FrameEye> eye = eyeOf(loaded, listed, stand, console);
     if (!eye)
         return tl::unexpected(eye.error());
+    world::Moment moment;
+    loaded.moments.at(momentInput(loaded.world, *eye), moment);
+    scene.setMoment(moment);
     const TracedFrame frame = traceFrame(scene, *eye);
     const OutputPaths& outputs = listed.outputs;
     const std::uint32_t width = eye->size.width, height = eye->size.height;
@@ -175,7 +178,7 @@ Result<void> trace(const LoadedWorld& loaded, const reference::Scene& scene, con
         !written)
         return written;
     return writeIfAsked(outputs.json, [&] {
-        return tracedJson(loaded.world, loaded.ids, *eye, frame, datOption)
+        return tracedJson(loaded.world, loaded.ids, *eye, moment, frame, datOption)
                    .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                "\n";
     });
@@ -194,7 +197,7 @@ Result<Exit> runTraced(const WorldSource& source, const ShotOptions& options,
             const bool first = !loaded;
             scene.reset(); // it refers to the world that goes
             Result<std::unique_ptr<LoadedWorld>> next =
-                LoadedWorld::load(source.archive, stands[i].centre, options.session.load);
+                LoadedWorld::load(source.archive, stands[i].centre, options.session.load, source.file.moving);
             if (!next)
                 return tl::unexpected(next.error());
             loaded = std::move(*next);

@@ -66,6 +66,7 @@ void Judging::work() {
 
 void Judging::judge(const DrawnView& drawn) {
     const auto start = std::chrono::steady_clock::now();
+    traced_.setMoment(drawn.moment);
     reference::tracePicture(traced_.scene(), drawn.camera, threads_, picture_);
     ViewRetracer retracer(traced_, drawn.camera);
     compare(drawn.images, picture_, retracer, comparison_);

@@ -14,6 +14,7 @@ struct DrawnView {
     View view;
     reference::Camera camera;
     DrawnImages images;
+    world::Moment moment;    ///< of the picture
     std::uint64_t moved = 0; ///< pixels that a second picture of it had otherwise
     double seconds = 0.0;    ///< that drawing took
 };

@@ -6,15 +6,13 @@
 
 namespace limen::check {
 
-PolygonTable::PolygonTable(const world::World& world, const world::Moment* moment)
+PolygonTable::PolygonTable(const world::World& world, const world::Moment& moment)
     : world_(world), moment_(moment) {
     const auto add = [&](const world::Instance& instance) {
         if (instance.mesh != world::kNone && world.meshes[instance.mesh].polygonCount > 0)
             byId_.push_back(&instance);
     };
     std::for_each(world.instances.begin(), world.instances.end(), add);
-    if (moment != nullptr)
-        std::for_each(moment->instances.begin(), moment->instances.end(), add);
     std::sort(byId_.begin(), byId_.end(), [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
 }
 
@@ -40,14 +38,23 @@ void PolygonTable::forTriangles(const world::Instance& instance, bool blended, V
     }
 }
 
-void PolygonTable::trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const {
-    out.clear();
+const world::Instance* PolygonTable::instanceOf(std::uint32_t id) const {
+    for (const world::Instance& moving : moment_.instances) {
+        if (id >= moving.idBase && id - moving.idBase < world_.meshes[moving.mesh].polygonCount)
+            return &moving;
+    }
     const auto after =
         std::upper_bound(byId_.begin(), byId_.end(), id,
                          [](std::uint32_t wanted, const auto* i) { return wanted < i->idBase; });
-    if (id < 2 || after == byId_.begin())
+    return after == byId_.begin() ? nullptr : *(after - 1);
+}
+
+void PolygonTable::trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const {
+    out.clear();
+    const world::Instance* found = instanceOf(id);
+    if (id < 2 || found == nullptr)
         return;
-    const world::Instance& instance = **(after - 1);
+    const world::Instance& instance = *found;
     forTriangles(instance, true, [&](std::uint32_t polygon, const Triangle& triangle) {
         if (instance.idBase + polygon == id)
             out.push_back(triangle);
@@ -70,10 +77,8 @@ void PolygonTable::trianglesAround(world::SpaceIndex index, const Vec3& point, d
     const world::Space& space = world_.spaces[index];
     for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i)
         addTrianglesAround(world_.instances[world_.spaceInstances[i]], point, reach, out);
-    if (moment_ == nullptr)
-        return;
-    for (const world::InstanceIndex i : moment_->instancesIn(index))
-        addTrianglesAround(moment_->instances[i], point, reach, out);
+    for (const world::InstanceIndex i : moment_.instancesIn(index))
+        addTrianglesAround(moment_.instances[i], point, reach, out);
 }
 
 } // namespace limen::check

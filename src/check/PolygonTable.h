@@ -14,11 +14,10 @@ struct Triangle {
     std::array<Vec3, 3> corners{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
 };
 
-/// Finds the triangles behind ids and around points. The world and the moment must outlive it.
+/// Finds the triangles behind ids and around points. The world and the moment must outlive it; the moment may change.
 class PolygonTable {
 public:
-    /// `moment` may be null: nothing moves.
-    PolygonTable(const world::World& world, const world::Moment* moment);
+    PolygonTable(const world::World& world, const world::Moment& moment);
 
     /// The triangles that show as `id`; none for void, sky and ids that nothing has. `out` is overwritten.
     void trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const;
@@ -28,14 +27,15 @@ public:
                          std::vector<Triangle>& out) const;
 
 private:
+    [[nodiscard]] const world::Instance* instanceOf(std::uint32_t id) const;
     template <class Visit>
     void forTriangles(const world::Instance& instance, bool blended, Visit visit) const;
     void addTrianglesAround(const world::Instance& instance, const Vec3& point, double reach,
                             std::vector<Triangle>& out) const;
 
     const world::World& world_;
-    const world::Moment* moment_;
-    std::vector<const world::Instance*> byId_; ///< those with polygons, ascending by idBase
+    const world::Moment& moment_;
+    std::vector<const world::Instance*> byId_; ///< static ones with polygons, ascending by idBase
 };
 
 } // namespace limen::check

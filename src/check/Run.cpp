@@ -1,5 +1,6 @@
 #include "check/Run.h"
 
+#include "check/Dice.h"
 #include "check/Judging.h"
 #include "check/Views.h"
 #include "core/Assert.h"
@@ -47,18 +48,19 @@ public:
 
 private:
     Result<void> runTask(const BlockTask& task) {
-        const Result<Drawer::Loaded> loaded = drawer_.load(task.block);
+        const Result<const world::World*> loaded = drawer_.load(task.block);
         if (!loaded) { // one damaged block among thousands must not end the run; the report counts it
             ++progress_.totals.blocksLeftOut;
             if (events_.leftOut)
                 events_.leftOut(task.block, loaded.error());
             return {};
         }
-        TracedWorld traced(*loaded->world, loaded->moment);
-        const std::vector<View> views = viewsOf(request_, task, *loaded->world, traced.scene());
+        const world::World& world = **loaded;
+        TracedWorld traced(world);
+        const std::vector<View> views = viewsOf(request_, task, world, traced.scene());
         Judging judging(traced, request_.threads, events_, progress_);
         for (std::size_t v = progress_.views; v < views.size(); ++v) {
-            Result<DrawnView> drawn = draw(*loaded->world, views[v]);
+            Result<DrawnView> drawn = draw(world, views[v]);
             if (!drawn)
                 return tl::unexpected(drawn.error());
             judging.add(std::move(*drawn));
@@ -83,6 +85,7 @@ private:
         if (!images)
             return tl::unexpected(images.error());
         drawn.images = std::move(*images);
+        drawn.moment = drawer_.moment();
         if (still) {
             const Result<DrawnImages> again = drawer_.draw(view, root, true);
             if (!again)
@@ -140,6 +143,12 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
     around.width = request.sweepWidth;
     around.height = request.sweepHeight;
     addSweepViews(around, count(Kind::Sweep), views);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        Dice dice(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
+        views[i].seconds = std::floor(dice.between(0.0, request.longest) * 100.0) / 100.0;
+        views[i].doors = request.doors;
+        views[i].rain = request.rain;
+    }
     return views;
 }
 

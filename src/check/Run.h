@@ -5,6 +5,7 @@
 #include "check/Traced.h"
 
 #include <functional>
+#include <optional>
 
 // The run itself, whoever draws.
 namespace limen::check {
@@ -14,16 +15,14 @@ class Drawer {
 public:
     virtual ~Drawer() = default;
 
-    /// What was loaded; valid until the next load.
-    struct Loaded {
-        const world::World* world = nullptr;
-        const world::Moment* moment = nullptr; ///< null: nothing moves
-    };
-    [[nodiscard]] virtual Result<Loaded> load(dat::BlockCoord block) = 0;
+    /// Yields what was loaded, valid until the next load.
+    [[nodiscard]] virtual Result<const world::World*> load(dat::BlockCoord block) = 0;
     /// The view's axes, as they are drawn.
     [[nodiscard]] virtual reference::Camera cameraOf(const View& view, world::SpaceIndex root) = 0;
     /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour.
     [[nodiscard]] virtual Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) = 0;
+    /// Where everything was in the picture drawn last.
+    [[nodiscard]] virtual const world::Moment& moment() const = 0;
 };
 
 struct RunRequest {
@@ -32,7 +31,10 @@ struct RunRequest {
     std::uint32_t width = 640, height = 360;          ///< pixels
     std::uint32_t sweepWidth = 160, sweepHeight = 90; ///< pixels
     std::span<const world::Place> tour;
-    unsigned threads = 2; ///< that trace
+    std::optional<double> doors; ///< how far all doors stand open; none: each as it rests
+    bool rain = false;
+    double longest = 600.0; ///< views are taken at times from 0 to this, seconds
+    unsigned threads = 2;   ///< that trace
 };
 
 /// Everything about a view with findings, for pictures of it. Lives for the call only.

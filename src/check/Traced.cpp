@@ -4,18 +4,20 @@
 
 namespace limen::check {
 
-TracedWorld::TracedWorld(const world::World& world, const world::Moment* moment)
-    : world_(world), moment_(moment), scene_(world) {
-    if (moment_ != nullptr)
-        scene_.setMoment(*moment_);
+TracedWorld::TracedWorld(const world::World& world) : world_(world), scene_(world) {}
+
+void TracedWorld::setMoment(const world::Moment& moment) {
+    moment_ = moment;
+    scene_.setMoment(moment_);
+    byZoneIsOld_ = true;
 }
 
 const reference::Scene& TracedWorld::sceneByZone() {
-    if (!byZone_) {
+    if (!byZone_)
         byZone_.emplace(world_, reference::RuleOptions{.objectsByZone = true});
-        if (moment_ != nullptr)
-            byZone_->setMoment(*moment_);
-    }
+    if (byZoneIsOld_)
+        byZone_->setMoment(moment_);
+    byZoneIsOld_ = false;
     return *byZone_;
 }
 

@@ -10,11 +10,14 @@
 namespace limen::check {
 
 /// A loaded world as the reference sees it. What is rarely needed is made when it is; so it serves one thread at a time.
-/// The world and the moment must outlive it.
+/// The world must outlive it.
 class TracedWorld {
 public:
-    /// `moment` may be null: nothing moves, all openings are open.
-    TracedWorld(const world::World& world, const world::Moment* moment);
+    /// Until a moment is set nothing moves and all openings are open.
+    explicit TracedWorld(const world::World& world);
+    TracedWorld(const TracedWorld&) = delete;
+    TracedWorld& operator=(const TracedWorld&) = delete;
+    void setMoment(const world::Moment& moment);
 
     [[nodiscard]] const world::World& world() const { return world_; }
     [[nodiscard]] const reference::Scene& scene() const { return scene_; }
@@ -23,9 +26,10 @@ public:
 
 private:
     const world::World& world_;
-    const world::Moment* moment_;
+    world::Moment moment_;
     reference::Scene scene_;
     std::optional<reference::Scene> byZone_;
+    bool byZoneIsOld_ = true; ///< it has another moment
     std::optional<PolygonTable> polygons_;
 };
 

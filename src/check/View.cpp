@@ -22,7 +22,10 @@ dat::BlockCoord centreOf(const View& view) {
 std::string shotOptions(const View& view) {
     const std::string root = view.root == 0 ? "outside" : fmt::format("0x{:08X}", view.root);
     return fmt::format("--eye={},{},{} --yaw={} --pitch={} --fov={} --size={}x{} --root={}", view.eye.x,
-                       view.eye.y, view.eye.z, view.yaw, view.pitch, view.fov, view.width, view.height, root);
+                       view.eye.y, view.eye.z, view.yaw, view.pitch, view.fov, view.width, view.height,
+                       root) +
+           (view.seconds != 0.0 ? fmt::format(" --seconds={}", view.seconds) : "") +
+           (view.doors ? fmt::format(" --doors={}", *view.doors) : "") + (view.rain ? " --weather=rain" : "");
 }
 
 } // namespace limen::check

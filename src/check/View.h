@@ -36,7 +36,10 @@ struct View {
     double fov = 60.0;                       ///< vertical, degrees
     std::uint32_t width = 640, height = 360; ///< pixels
     dat::RecordId root = 0;                  ///< cell that the eye is in; 0: outside
-    std::string about;                       ///< where it comes from, for people
+    double seconds = 0.0;                    ///< since the world began
+    std::optional<double> doors;             ///< how far all doors stand open; none: each as it rests
+    bool rain = false;
+    std::string about; ///< where it comes from, for people
 };
 
 /// The landblock that `limen shot` loads around for this view: the root cell's, else the eye's.

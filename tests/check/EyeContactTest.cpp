@@ -7,7 +7,8 @@ namespace {
 
 struct Contacts {
     test::House house;
-    PolygonTable polygons{house.world, nullptr};
+    world::Moment still;
+    PolygonTable polygons{house.world, still};
     [[nodiscard]] EyeContact at(const Vec3& local, world::SpaceIndex root) const {
         return EyeContact(house.world, polygons, root, house.at(local));
     }

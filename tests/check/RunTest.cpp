@@ -19,12 +19,14 @@ struct TracingDrawer final : Drawer {
 
     explicit TracingDrawer(const House& h) : house(h) {}
 
-    Result<Loaded> load(dat::BlockCoord block) override {
+    world::Moment still;
+    Result<const world::World*> load(dat::BlockCoord block) override {
         EXPECT_EQ(block, house.source.home());
         if (!loads)
             return fail(ErrorCode::Malformed, "block", "is damaged");
-        return Loaded{&house.world, nullptr};
+        return &house.world;
     }
+    const world::Moment& moment() const override { return still; }
     reference::Camera cameraOf(const View& view, world::SpaceIndex root) override {
         const app::CameraBasis axes = app::basisOf({view.yaw, view.pitch});
         reference::Camera camera{view.eye, axes.right, axes.up, axes.forward};
