@@ -43,9 +43,9 @@ vec2 stretchOver(Instance instance, vec3 direction) {
         vec3 to = loopCorner(instance, vLoop.x + i);
         vec2 depths = vec2(dot(along, from), dot(along, to));
         vec2 sides = vec2(dot(across, from), dot(across, to));
-        // Part of the edge with |side| <= beside * depth.
-        vec2 left = depths * beside - sides;
-        vec2 right = depths * beside + sides;
+        // Part of the edge with |side| <= beside * |depth|: edges behind the eye bound the stretch as well.
+        vec2 left = abs(depths) * beside - sides;
+        vec2 right = abs(depths) * beside + sides;
         float first = 0.0;
         float last = 1.0;
         first = left.x < 0.0 ? (left.y < 0.0 ? 2.0 : left.x / (left.x - left.y)) : first;
