@@ -8,6 +8,9 @@
 
 // Metres of depth that snapping may have cost before it is worth looking.
 const float kDepthDoubt = 0.0005;
+// A fragment that was moved lies on its polygon's outline, at equal depth with the polygon beyond the edge, if there is one.
+// That one is the one to be seen: nothing of this polygon's area lies in front of it.
+const float kBehindNeighbour = 1.0e-5;
 // Pixels, either side: corners are snapped by up to half of 1/256 of a pixel each way. The same as kSnap of the gate.
 const float kBesideRay = 1.0 / 128.0;
 
@@ -75,7 +78,7 @@ vec3 onPolygon(Instance instance) {
     if (!(moved > 0.0) || moved == depth) {
         return vEyeRelative;
     }
-    gl_FragDepth = min(frame.nearPlane / moved, 1.0);
+    gl_FragDepth = min(frame.nearPlane / (moved * (1.0 + kBehindNeighbour)), 1.0);
     return direction * moved;
 }
 

@@ -14,6 +14,11 @@ constexpr double kNearOpening = 0.05;
 /// at by float rounding. Equal to the fragment test's own tolerance (shaders/include/gate.glsl).
 constexpr double kEntryTolerance = 0.001;
 
+/// Pixels by which a parent's edges are moved outwards. They are exact, while the parent itself was drawn with corners
+/// snapped to 1/256 of a pixel: a pixel it owns must not be lost to its child. No more than that, or the child takes
+/// pixels beside a thin jamb whose parent does not own them, and with them what lies behind the parent's plane there.
+constexpr double kGrowth = 1.0 / 128.0;
+
 /// Edges that fit a clip set beside the entry plane: GL guarantees eight clip distances.
 constexpr std::size_t kEdgesPerSet = 7;
 
@@ -69,11 +74,11 @@ private:
         return open;
     }
 
-    /// The plane through the eye and one edge of a region, moved outwards by a pixel, eye-relative.
+    /// The plane through the eye and one edge of a region, moved outwards by kGrowth, eye-relative.
     [[nodiscard]] gpu::vec4 grownEdge(const Vec3& a, const Vec3& b) const {
         Vec3 edge = glm::cross(a, b);
         if (frame_.rules.growth) {
-            edge.z += std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height;
+            edge.z += kGrowth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
         }
         const Vec3 n = glm::transpose(screen_) * edge;
         const double length = std::sqrt(glm::dot(n, n));
