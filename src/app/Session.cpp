@@ -174,11 +174,15 @@ bool Session::follow(const Vec3& eye, world::SpaceIndex& root) {
     return true;
 }
 
-Result<void> Session::fitTarget(PixelSize size) {
-    if (target_ && target_->width() == size.width && target_->height() == size.height)
+Result<void> Session::fitTarget(PixelSize size, const DrawOptions& options) {
+    // A target that can count layers serves frames without, so that taking turns makes no new ones.
+    const bool fits = target_ && target_->width() == size.width && target_->height() == size.height;
+    const bool layers = options.layers || (fits && target_->options().layers);
+    if (fits && target_->options().layers == layers)
         return {};
     target_.reset(); // room for the new one
-    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(device_, size.width, size.height);
+    Result<gpu::RenderTarget> made =
+        gpu::RenderTarget::create(device_, size.width, size.height, {.layers = layers});
     if (!made)
         return tl::unexpected(made.error());
     target_.emplace(std::move(*made));
@@ -187,7 +191,7 @@ Result<void> Session::fitTarget(PixelSize size) {
 
 Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     LIMEN_ASSERT(loaded_ != nullptr, "load before drawing");
-    if (Result<void> fitted = fitTarget(eye.size); !fitted)
+    if (Result<void> fitted = fitTarget(eye.size, options); !fitted)
         return fitted;
     const frame::FrameView view = frameView(eye, options);
     loaded_->moments.at(momentInput(loaded_->world, eye), moment_);
@@ -197,7 +201,8 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     const Stopwatch planning;
     loaded_->planner.plan(view, moment_, visible_, plan_);
     planMs_ = planning.ms();
-    return renderer_.render(plan_, *target_, {.wantIds = options.ids});
+    return renderer_.render(
+        plan_, *target_, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
 }
 
 FrameFigures Session::figures() const {

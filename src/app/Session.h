@@ -61,6 +61,8 @@ private:
 /// What the renderer is asked to draw of a frame.
 struct DrawOptions {
     bool ids = false; ///< write the id image, cut-outs tested exactly
+    gpu::Shading shading = gpu::Shading::Lit;
+    bool layers = false; ///< count the layers of translucent surfaces instead of painting them
 };
 
 /// One world on one graphics device: archive, loaded part, flood, plan, renderer. Every verb that draws goes
@@ -94,7 +96,7 @@ public:
     [[nodiscard]] std::string driver() const;
 
 private:
-    [[nodiscard]] Result<void> fitTarget(PixelSize size);
+    [[nodiscard]] Result<void> fitTarget(PixelSize size, const DrawOptions& options);
 
     WorldSource source_;
     SessionOptions options_;

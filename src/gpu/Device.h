@@ -23,21 +23,32 @@ enum class TextureHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 enum class ProgramHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 enum class TargetHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 
-/// The images of a render target: RGBA8, R32UI, D32F (reversed: 0 is infinitely far), R32UI.
-enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership };
+/// The images of a render target: RGBA8, R32UI, D32F (reversed: 0 is infinitely far), R32UI, and where it has them
+/// RG32F.
+enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership, Layers };
+[[nodiscard]] constexpr std::size_t bytesPerPixel(TargetImage image) {
+    return image == TargetImage::Layers ? 8 : 4;
+}
+
+/// What a render target has beside colour, ids, depth and ownership.
+struct TargetOptions {
+    bool layers = false; ///< the image that translucent layers are counted in
+};
 
 /// Which images a draw writes. Each is a framebuffer of the target.
 enum class Pass : std::uint8_t {
     Ownership,  ///< ownership only; no depth
     Solid,      ///< colour, id, depth
     SolidNoIds, ///< colour, depth
-    Blended     ///< colour, blended (one, one minus source alpha), and depth
+    SolidIds,   ///< id, depth
+    Blended,    ///< colour, blended (one, one minus source alpha), and depth
+    Layers      ///< layers, blended likewise, and depth
 };
-inline constexpr std::size_t kPassCount = 4;
+inline constexpr std::size_t kPassCount = 6;
 
 /// The whole pipeline as far as it varies. Fixed for good: depth test >= (reversed depth, so equal means
-/// "later wins"), lower-left origin, depth 0..1, counter-clockwise fronts, blending for the Blended pass's
-/// output.
+/// "later wins"), lower-left origin, depth 0..1, counter-clockwise fronts, blending for the output of the
+/// Blended and Layers passes.
 struct DrawState {
     ProgramHandle program = ProgramHandle::Invalid;
     bool cullBackFaces = true;
@@ -57,7 +68,7 @@ struct TextureShape {
     float anisotropy = 1.0f;
 };
 
-/// What an image is cleared to: colour, visit number or id, depth.
+/// What an image is cleared to: colour or layers, visit number or id, depth.
 using ClearValue = std::variant<glm::vec4, std::uint32_t, float>;
 
 /// Milliseconds of GPU time per stage, of the latest frame whose results have arrived.
@@ -91,9 +102,11 @@ public:
     virtual void destroyTexture(TextureHandle texture) = 0;
     [[nodiscard]] virtual Result<ProgramHandle> createProgram(const ProgramSource& source) = 0;
     virtual void destroyProgram(ProgramHandle program) = 0;
-    [[nodiscard]] virtual Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) = 0;
+    [[nodiscard]] virtual Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
+                                                            const TargetOptions& options) = 0;
     virtual void destroyTarget(TargetHandle target) = 0;
-    /// Reads an image, bottom row first, 4 bytes a pixel (R,G,B,A; uint32; float). Waits for the GPU.
+    /// Reads an image that the target has, bottom row first, bytesPerPixel each (R,G,B,A; uint32; float; two floats).
+    /// Waits for the GPU.
     virtual void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) = 0;
     /// The vertex and index arena that indexed draws use from now on.
     virtual void setGeometry(BufferHandle vertices, BufferHandle indices) = 0;

@@ -141,6 +141,10 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
         call(glClearNamedFramebufferfv, framebufferOf(Pass::Solid), GLenum{GL_COLOR},
              static_cast<GLint>(frame::gpu::kOutputColour), &std::get<glm::vec4>(value).x);
         return;
+    case TargetImage::Layers:
+        call(glClearNamedFramebufferfv, framebufferOf(Pass::Layers), GLenum{GL_COLOR},
+             static_cast<GLint>(frame::gpu::kOutputBlended), &std::get<glm::vec4>(value).x);
+        return;
     case TargetImage::Id:
         call(glClearNamedFramebufferuiv, framebufferOf(Pass::Solid), GLenum{GL_COLOR},
              static_cast<GLint>(frame::gpu::kOutputId), &std::get<std::uint32_t>(value));

@@ -146,16 +146,24 @@ Result<void> GlDevice::makePasses(Target& target) {
                                         Attachment{GL_COLOR_ATTACHMENT1, target.id.id()},
                                         Attachment{GL_DEPTH_ATTACHMENT, target.depth.id()}};
     const std::array<Attachment, 2> noIds{all[0], all[2]};
+    const std::array<Attachment, 2> onlyIds{all[1], all[2]};
+    const std::array<Attachment, 2> layers{Attachment{GL_COLOR_ATTACHMENT0, target.layers.id()}, all[2]};
     const std::array<GLenum, 1> one{GL_COLOR_ATTACHMENT0};
     const std::array<GLenum, 2> colourAndId{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    const std::array<GLenum, 2> onlyId{GL_NONE, GL_COLOR_ATTACHMENT1};
     const std::array<GLenum, 3> blended{GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT0}; // kOutputBlended
     return make(Pass::Ownership, "ownership", {&owner, 1}, one)
         .and_then([&] { return make(Pass::Solid, "solid", all, colourAndId); })
         .and_then([&] { return make(Pass::SolidNoIds, "solid without ids", noIds, one); })
-        .and_then([&] { return make(Pass::Blended, "blended", noIds, blended); });
+        .and_then([&] { return make(Pass::SolidIds, "solid ids", onlyIds, onlyId); })
+        .and_then([&] { return make(Pass::Blended, "blended", noIds, blended); })
+        .and_then([&] {
+            return target.layers.empty() ? Result<void>{} : make(Pass::Layers, "layers", layers, blended);
+        });
 }
 
-Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height) {
+Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height,
+                                            const TargetOptions& options) {
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
         return fail(
             ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
@@ -168,6 +176,9 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     target->id = Texture::createImage("id", GL_R32UI, width, height);
     target->depth = Texture::createImage("depth", GL_DEPTH_COMPONENT32F, width, height);
     target->ownership = Texture::createImage("ownership", GL_R32UI, width, height);
+    if (options.layers) {
+        target->layers = Texture::createImage("layers", GL_RG32F, width, height);
+    }
     if (glGetError() == GL_OUT_OF_MEMORY) {
         return fail(ErrorCode::Driver, driverString(),
                     fmt::format("has no memory for a picture of {}x{}", width, height));
@@ -185,7 +196,8 @@ void GlDevice::destroyTarget(TargetHandle target) {
 
 void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) {
     const Target& from = *targets_[static_cast<std::size_t>(target)];
-    LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * 4, "four bytes a pixel");
+    LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * bytesPerPixel(image),
+                 "the image's size");
     const auto read = [&](const Texture& texture, GLenum format, GLenum type) {
         glGetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
     };
@@ -198,6 +210,9 @@ void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std:
         return read(from.depth, GL_DEPTH_COMPONENT, GL_FLOAT);
     case TargetImage::Ownership:
         return read(from.ownership, GL_RED_INTEGER, GL_UNSIGNED_INT);
+    case TargetImage::Layers:
+        LIMEN_ASSERT(!from.layers.empty(), "the target was made to count layers");
+        return read(from.layers, GL_RG, GL_FLOAT);
     }
 }
 

@@ -71,7 +71,8 @@ void NullDevice::destroyProgram(ProgramHandle) {
     state_.forgetProgram();
 }
 
-Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t height) {
+Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t height,
+                                              const TargetOptions&) {
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
         return fail(ErrorCode::BadArgument, "target",
                     "a picture has at least one pixel and at most the device's limit");

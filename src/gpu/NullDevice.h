@@ -58,7 +58,8 @@ public:
     void destroyTexture(TextureHandle texture) override;
     [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override;
     void destroyProgram(ProgramHandle program) override;
-    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) override;
+    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
+                                                    const TargetOptions& options) override;
     void destroyTarget(TargetHandle target) override;
     void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;

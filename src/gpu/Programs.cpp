@@ -1,5 +1,7 @@
 #include "gpu/Programs.h"
 
+#include "core/Assert.h"
+
 #include <utility>
 
 namespace limen::gpu {
@@ -46,14 +48,27 @@ Shaders shadersOf(frame::Program program) {
     return {"", "", ""};
 }
 
+bool hasFlatVariant(frame::Program program) {
+    return program != frame::Program::Ownership && program != frame::Program::SkyObjects;
+}
+
 } // namespace
 
-ProgramSource programSource(frame::Program program, bool gated, const TextureBinding& textures) {
+ProgramSource programSource(frame::Program program, ProgramVariant variant, const TextureBinding& textures) {
     const Shaders shaders = shadersOf(program);
     ProgramSource source{shaders.name, shaders.vertex, shaders.fragment, {}, textures};
-    if (gated && hasGatedVariant(program)) {
-        source.label += " gated";
-        source.defines.emplace_back("GATED");
+    const auto vary = [&source](const char* name, const char* define) {
+        source.label += std::string(" ") + name;
+        source.defines.emplace_back(define);
+    };
+    if (program == frame::Program::Blended && variant.flat) {
+        source.label = "layers";
+        source.fragmentShader = "layers.frag";
+    } else if (hasFlatVariant(program) && variant.flat) {
+        vary("flat", "FLAT");
+    }
+    if (hasGatedVariant(program) && variant.gated) {
+        vary("gated", "GATED");
     }
     if (program == frame::Program::Terrain) {
         source.defines.emplace_back("TERRAIN");
@@ -61,53 +76,73 @@ ProgramSource programSource(frame::Program program, bool gated, const TextureBin
     return source;
 }
 
-Pass passOf(frame::Program program, bool wantIds) {
+Pass passOf(frame::Program program, const RenderOptions& options) {
     switch (program) {
     case frame::Program::Ownership:
         return Pass::Ownership;
-    case frame::Program::SkyObjects:
     case frame::Program::Blended:
+        return options.wantLayers ? Pass::Layers : Pass::Blended;
+    case frame::Program::SkyObjects:
         return Pass::Blended;
     case frame::Program::Opaque:
     case frame::Program::CutOut:
     case frame::Program::Terrain:
     case frame::Program::SkyPlain:
-        return wantIds ? Pass::Solid : Pass::SolidNoIds;
+        break;
     }
-    return Pass::Solid;
+    if (options.shading == Shading::IdsOnly) {
+        return Pass::SolidIds;
+    }
+    return options.wantIds ? Pass::Solid : Pass::SolidNoIds;
 }
 
-Programs::Programs(Device& device) : device_(&device) {
+Programs::Programs(Device& device, SceneBindings textures)
+    : device_(&device), textures_(std::move(textures)) {
     for (auto& variants : handles_) {
         variants.fill(ProgramHandle::Invalid);
     }
 }
 
 Result<Programs> Programs::create(Device& device, const SceneBindings& textures) {
-    Programs programs(device);
+    Programs programs(device, textures);
     for (std::size_t i = 0; i < kPrograms; ++i) {
-        const auto program = static_cast<frame::Program>(i);
-        const TextureBinding& sampled =
-            program == frame::Program::Terrain ? textures.terrain : textures.meshes;
         for (const bool gated : {false, true}) {
-            if (gated && !hasGatedVariant(program)) {
-                continue;
+            if (Result<void> made = programs.prepare(static_cast<frame::Program>(i), {.gated = gated});
+                !made) {
+                return tl::unexpected(made.error());
             }
-            Result<ProgramHandle> handle = device.createProgram(programSource(program, gated, sampled));
-            if (!handle) {
-                return tl::unexpected(handle.error());
-            }
-            programs.handles_[i][gated ? 1 : 0] = *handle;
         }
     }
     return programs;
 }
 
+std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
+    const std::size_t gated = variant.gated && hasGatedVariant(program) ? 1 : 0;
+    const std::size_t flat = variant.flat && hasFlatVariant(program) ? 2 : 0;
+    return gated + flat;
+}
+
+Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
+    ProgramHandle& handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
+    if (handle != ProgramHandle::Invalid) {
+        return {};
+    }
+    const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
+    Result<ProgramHandle> made = device_->createProgram(programSource(program, variant, sampled));
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    handle = *made;
+    return {};
+}
+
 Programs::Programs(Programs&& other) noexcept
-    : device_(std::exchange(other.device_, nullptr)), handles_(other.handles_) {}
+    : device_(std::exchange(other.device_, nullptr)), textures_(std::move(other.textures_)),
+      handles_(other.handles_) {}
 
 Programs& Programs::operator=(Programs&& other) noexcept {
     std::swap(device_, other.device_);
+    std::swap(textures_, other.textures_);
     std::swap(handles_, other.handles_);
     return *this;
 }
@@ -125,8 +160,10 @@ Programs::~Programs() {
     }
 }
 
-ProgramHandle Programs::get(frame::Program program, bool gated) const {
-    return handles_[static_cast<std::size_t>(program)][gated && hasGatedVariant(program) ? 1 : 0];
+ProgramHandle Programs::get(frame::Program program, ProgramVariant variant) const {
+    const ProgramHandle handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
+    LIMEN_ASSERT(handle != ProgramHandle::Invalid, "a program is prepared before it is used");
+    return handle;
 }
 
 } // namespace limen::gpu

@@ -9,23 +9,25 @@
 
 namespace limen::gpu {
 
-Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, std::uint32_t height) {
-    const Result<TargetHandle> handle = device.createTarget(width, height);
+Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, std::uint32_t height,
+                                          const TargetOptions& options) {
+    const Result<TargetHandle> handle = device.createTarget(width, height, options);
     if (!handle) {
         return tl::unexpected(handle.error());
     }
-    return RenderTarget(device, *handle, width, height);
+    return RenderTarget(device, *handle, width, height, options);
 }
 
 RenderTarget::RenderTarget(RenderTarget&& other) noexcept
     : device_(other.device_), handle_(std::exchange(other.handle_, TargetHandle::Invalid)),
-      width_(other.width_), height_(other.height_) {}
+      width_(other.width_), height_(other.height_), options_(other.options_) {}
 
 RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(handle_, other.handle_);
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
+    std::swap(options_, other.options_);
     return *this;
 }
 
@@ -62,6 +64,15 @@ std::vector<float> RenderTarget::readDepth() const {
 
 std::vector<std::uint32_t> RenderTarget::readOwnership() const {
     return read<std::uint32_t>(TargetImage::Ownership, 1);
+}
+
+std::vector<LayerSum> RenderTarget::readLayers() const {
+    const std::vector<float> sums = read<float>(TargetImage::Layers, 2);
+    std::vector<LayerSum> layers(sums.size() / 2);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        layers[i] = {static_cast<std::uint32_t>(sums[2 * i]), static_cast<std::uint32_t>(sums[2 * i + 1])};
+    }
+    return layers;
 }
 
 std::vector<float> RenderTarget::readDistances(const frame::gpu::FrameConstants& constants) const {

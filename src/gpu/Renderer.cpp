@@ -1,6 +1,7 @@
 #include "gpu/Renderer.h"
 
 #include "core/Assert.h"
+#include "frame/IdColour.h"
 #include "gpu/SceneCheck.h"
 
 #include <algorithm>
@@ -94,6 +95,29 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const TextureStore& t
         std::for_each(std::begin(cell.roads), std::end(cell.roads), addLayer);
     }
     return {textures.bindingFor(meshes), textures.bindingFor(terrain)};
+}
+
+bool isFlat(const RenderOptions& options) {
+    return options.shading != Shading::Lit;
+}
+
+// Flat frames show ids, and neither what is blended nor what floats in the sky has one. Frames that count layers paint
+// nothing blended.
+bool isSkipped(frame::Program program, const RenderOptions& options) {
+    return (program == frame::Program::SkyObjects && (isFlat(options) || options.wantLayers)) ||
+           (program == frame::Program::Blended && isFlat(options) && !options.wantLayers);
+}
+
+glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options) {
+    if (!isFlat(options)) {
+        return plan.constants.voidColour;
+    }
+    const auto [r, g, b] = frame::colourOfId(layout::kVoidId);
+    return glm::vec4(r, g, b, 255) / 255.0f;
+}
+
+ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options) {
+    return {batch.gated, batch.program == frame::Program::Blended ? options.wantLayers : isFlat(options)};
 }
 
 bool isOneDraw(frame::Program program) {
@@ -190,6 +214,16 @@ Renderer::RingLayout Renderer::layOutRing(const frame::FramePlan& plan) const {
     return ring;
 }
 
+Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options) {
+    Result<void> prepared;
+    for (const frame::Batch& batch : plan.batches) {
+        if (prepared && !isSkipped(batch.program, options)) {
+            prepared = scene_->programs.prepare(batch.program, variantOf(batch, options));
+        }
+    }
+    return prepared;
+}
+
 void Renderer::bindAll(const RingLayout& ring) {
     std::array<StorageRange, kStorageBindings> storage = scene_->storage;
     for (std::size_t i = 0; i < kFrameBindings.size(); ++i) {
@@ -201,16 +235,22 @@ void Renderer::bindAll(const RingLayout& ring) {
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
     device_->clear(TargetImage::Ownership, std::uint32_t{0}); // the root visit's number
-    device_->clear(TargetImage::Colour, plan.constants.voidColour);
+    if (options.shading != Shading::IdsOnly) {
+        device_->clear(TargetImage::Colour, clearColour(plan, options));
+    }
+    if (options.wantLayers) {
+        device_->clear(TargetImage::Layers, glm::vec4(0.0f));
+    }
     if (options.wantIds) {
         device_->clear(TargetImage::Id, std::uint32_t{layout::kVoidId});
     }
     device_->clear(TargetImage::Depth, 0.0f);
 }
 
-void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset) {
+void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset,
+                         const RenderOptions& options) {
     DrawState state;
-    state.program = scene_->programs.get(batch.program, batch.gated);
+    state.program = scene_->programs.get(batch.program, variantOf(batch, options));
     state.cullBackFaces =
         batch.program != frame::Program::Ownership; // a portal polygon counts from either side
     state.writeDepth = batch.program != frame::Program::Blended;
@@ -237,11 +277,14 @@ void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (const Pass pass = passOf(batch.program, options.wantIds); pass != current) {
+            if (isSkipped(batch.program, options)) {
+                continue;
+            }
+            if (const Pass pass = passOf(batch.program, options); pass != current) {
                 device_->beginPass(pass);
                 current = pass;
             }
-            drawBatch(batch, ring.commands);
+            drawBatch(batch, ring.commands, options);
             ++report.batches;
             report.draws += isOneDraw(batch.program) ? std::min(batch.commandCount, 1u) : batch.commandCount;
         }
@@ -253,7 +296,12 @@ void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
 Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target,
                               const RenderOptions& options) {
     LIMEN_ASSERT(scene_ != nullptr, "a scene is uploaded before a frame is drawn");
+    LIMEN_ASSERT(options.wantIds || options.shading != Shading::IdsOnly, "a frame shows something");
+    LIMEN_ASSERT(!options.wantLayers || target.options().layers, "the target is made to count layers");
     assertSound(plan);
+    if (Result<void> prepared = preparePrograms(plan, options); !prepared) {
+        return prepared;
+    }
     const Stopwatch watch;
     report_ = {};
     for (std::size_t i = 0; i < report_.stages.size(); ++i) {
