@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/Rules.h"
 #include "visibility/View.h"
 
 #include <cstdint>
@@ -18,7 +19,8 @@ struct FrameView {
     std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shows where the world has a hole
-    bool exactCutOuts = false;          ///< cut-outs at mip 0, nearest texel: for ids and depth
+    Rules rules;
+    bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
 };
 
 /// A FrameView at `eye` looking along compass direction `yaw` (degrees, 0 = north, +y; 90 = east, +x) and

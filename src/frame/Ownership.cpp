@@ -28,7 +28,7 @@ public:
         for (std::uint32_t i = 0; i < set_.visits.size(); ++i) {
             const visibility::Visit& visit = set_.visits[i];
             addVisit(visit);
-            if (visit.depth == 0) {
+            if (visit.depth == 0 || !frame_.rules.ownership) {
                 continue;
             }
             const world::Portal& portal = world_.portals[visit.portal];
@@ -52,6 +52,9 @@ private:
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {
+        if (!frame_.rules.nearOpening) {
+            return false;
+        }
         const Vec3& eye = frame_.view.eye;
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         return std::abs(portal.plane.signedDistance(eye)) < kNearOpening &&
@@ -69,7 +72,9 @@ private:
     /// The plane through the eye and one edge of a region, moved outwards by a pixel, eye-relative.
     [[nodiscard]] gpu::vec4 grownEdge(const Vec3& a, const Vec3& b) const {
         Vec3 edge = glm::cross(a, b);
-        edge.z += std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height;
+        if (frame_.rules.growth) {
+            edge.z += std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height;
+        }
         const Vec3 n = glm::transpose(screen_) * edge;
         const double length = std::sqrt(glm::dot(n, n));
         return length > 0.0 ? gpu::vec4(Vec3f(n / length), 0.0f) : gpu::vec4(0, 0, 0, 1);
@@ -86,7 +91,7 @@ private:
 
     void drawPortal(std::uint32_t visit) {
         const visibility::Visit& parent = set_.visits[set_.visits[visit].parent];
-        if (parent.depth == 0) {
+        if (parent.depth == 0 || !frame_.rules.ancestorClip) {
             drawPolygon(visit, 0);
             return;
         }

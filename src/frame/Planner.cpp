@@ -148,10 +148,12 @@ void Planner::meet(const FrameView& frame, const visibility::SeenSpace& seen, wo
                    FramePlan& plan) {
     Mark& mark = marks_[index];
     if (mark.frame != frameNumber_) {
-        mark = {frameNumber_, Containment::Outside};
+        mark = {frameNumber_, Containment::Outside, false};
         met_.push_back(index);
     }
-    if (mark.seen == Containment::Inside) {
+    const bool again = mark.tested;
+    mark.tested = true;
+    if (mark.seen == Containment::Inside || (again && !frame.rules.viewcone)) {
         return;
     }
     ++plan.counts.instancesTested;

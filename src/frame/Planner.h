@@ -28,6 +28,7 @@ private:
     struct Mark {
         std::uint32_t frame = 0; ///< the last frame that met the instance
         visibility::Containment seen = visibility::Containment::Outside;
+        bool tested = false; ///< in some visit
     };
     /// One instance of this frame's draw list.
     struct Drawn {

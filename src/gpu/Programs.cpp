@@ -96,15 +96,16 @@ Pass passOf(frame::Program program, const RenderOptions& options) {
     return options.wantIds ? Pass::Solid : Pass::SolidNoIds;
 }
 
-Programs::Programs(Device& device, SceneBindings textures)
-    : device_(&device), textures_(std::move(textures)) {
+Programs::Programs(Device& device, SceneBindings textures, std::span<const std::string> defines)
+    : device_(&device), textures_(std::move(textures)), defines_(defines.begin(), defines.end()) {
     for (auto& variants : handles_) {
         variants.fill(ProgramHandle::Invalid);
     }
 }
 
-Result<Programs> Programs::create(Device& device, const SceneBindings& textures) {
-    Programs programs(device, textures);
+Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
+                                  std::span<const std::string> defines) {
+    Programs programs(device, textures, defines);
     for (std::size_t i = 0; i < kPrograms; ++i) {
         for (const bool gated : {false, true}) {
             if (Result<void> made = programs.prepare(static_cast<frame::Program>(i), {.gated = gated});
@@ -128,7 +129,9 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
         return {};
     }
     const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
-    Result<ProgramHandle> made = device_->createProgram(programSource(program, variant, sampled));
+    ProgramSource source = programSource(program, variant, sampled);
+    source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
+    Result<ProgramHandle> made = device_->createProgram(source);
     if (!made) {
         return tl::unexpected(made.error());
     }
@@ -138,11 +141,12 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
 
 Programs::Programs(Programs&& other) noexcept
     : device_(std::exchange(other.device_, nullptr)), textures_(std::move(other.textures_)),
-      handles_(other.handles_) {}
+      defines_(std::move(other.defines_)), handles_(other.handles_) {}
 
 Programs& Programs::operator=(Programs&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(textures_, other.textures_);
+    std::swap(defines_, other.defines_);
     std::swap(handles_, other.handles_);
     return *this;
 }

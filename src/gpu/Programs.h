@@ -28,8 +28,10 @@ struct SceneBindings {
 /// All programs of a frame, for one way of binding textures. Destroyed with this.
 class Programs {
 public:
-    /// Builds those of lit frames. Errors: Driver, with the log of the first that does not build.
-    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures);
+    /// Builds those of lit frames. `defines` go to every shader, later ones too. Errors: Driver, with the log of the
+    /// first that does not build.
+    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures,
+                                                 std::span<const std::string> defines = {});
     Programs(Programs&& other) noexcept;
     Programs& operator=(Programs&& other) noexcept;
     ~Programs();
@@ -42,11 +44,12 @@ public:
 private:
     static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
     static constexpr std::size_t kVariants = 4;
-    Programs(Device& device, SceneBindings textures);
+    Programs(Device& device, SceneBindings textures, std::span<const std::string> defines);
     [[nodiscard]] static std::size_t indexOf(frame::Program program, ProgramVariant variant);
 
     Device* device_ = nullptr;
     SceneBindings textures_;
+    std::vector<std::string> defines_;
     std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};
 };
 

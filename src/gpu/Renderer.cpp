@@ -178,7 +178,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     if (!textures) {
         return tl::unexpected(textures.error());
     }
-    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures));
+    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures), options_.shaderDefines);
     if (!programs) {
         return tl::unexpected(programs.error());
     }

@@ -31,14 +31,17 @@ namespace {
 /// through a plane does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
 
+/// Where openings are cut with Rules::eyePlaneClip off, metres.
+constexpr double kPretendedNear = 0.02;
+
 /// One flood: the depth-first walk over visits.
 class Walk {
 public:
-    Walk(const Graph& graph, std::span<const std::uint8_t> closed, const View& view,
+    Walk(const Graph& graph, std::span<const std::uint8_t> closed, const View& view, const Rules& rules,
          FloodScratch::Data& scratch, VisibleSet& out, double smallest)
         : graph_(graph), closed_(closed), view_(view), screen_(view.screenFromEye()),
-          eyeFromScreenTransposed_(glm::inverse(glm::transpose(screen_))), s_(scratch), out_(out),
-          smallest_(smallest) {}
+          eyeFromScreenTransposed_(glm::inverse(glm::transpose(screen_))), rules_(rules), s_(scratch),
+          out_(out), smallest_(smallest) {}
 
     /// False if more than `maxVisits` visits are needed; `out` is then incomplete.
     bool run(std::uint32_t maxVisits) {
@@ -98,7 +101,9 @@ private:
         for (std::size_t i = firstSeen; i < out_.seen.size(); ++i) {
             openingsOf(index, out_.seen[i]);
         }
-        s_.order.sort(s_.children, out_.counts);
+        if (rules_.siblingOrder) {
+            s_.order.sort(s_.children, out_.counts);
+        }
         for (std::size_t i = s_.children.items.size(); i-- > 0;) {
             const Candidate& c = s_.children.items[i];
             s_.pending.add(c, s_.children.region(c));
@@ -164,7 +169,7 @@ private:
             return;
         }
         ++out_.counts.portalsTested;
-        const bool inPlane = visit.inPlane && side <= kInPlane &&
+        const bool inPlane = rules_.halfPlane && visit.inPlane && side <= kInPlane &&
                              containsProjection(graph_.polygon(portal), portal.plane.n, view_.eye, 0.0);
         if (!inPlane && side <= 0.0) {
             return; // edge-on or from behind: no ray of this visit passes
@@ -210,6 +215,10 @@ private:
             return false;
         }
         clipPolygon(s_.relative, visit.entryPlane, 0.0, s_.beyond);
+        if (!rules_.eyePlaneClip) {
+            clipPolygon(s_.beyond, {view_.forward, -kPretendedNear}, 0.0, s_.swap);
+            s_.beyond.swap(s_.swap);
+        }
         for (Vec3& v : s_.beyond) {
             v = screen_ * v;
         }
@@ -238,6 +247,7 @@ private:
     const View& view_;
     Mat3 screen_;
     Mat3 eyeFromScreenTransposed_; ///< takes a plane's normal from eye-relative to (x, y, w)
+    const Rules& rules_;
     FloodScratch::Data& s_;
     VisibleSet& out_;
     double smallest_;
@@ -254,7 +264,8 @@ void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View&
     for (;;) {
         out.clear();
         scratch.data().pending.clear();
-        if (Walk(graph, closed, view, scratch.data(), out, smallest).run(std::max(limits.maxVisits, 1u))) {
+        if (Walk(graph, closed, view, limits.rules, scratch.data(), out, smallest)
+                .run(std::max(limits.maxVisits, 1u))) {
             return;
         }
         // Too many: leave out the smallest openings, ever larger ones until the budget holds. Regions shrink

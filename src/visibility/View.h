@@ -19,10 +19,19 @@ struct View {
     [[nodiscard]] Mat3 screenFromEye() const;
 };
 
+/// Parts of the method. All are needed: each has a view that goes wrong without it (docs/proof.md), and tests switch
+/// them off one by one to show that they would notice.
+struct Rules {
+    bool eyePlaneClip = true; ///< off: openings are cut at 2 cm before the eye, as by a near plane
+    bool halfPlane = true;    ///< off: an opening in whose plane the eye lies is seen edge-on, so not at all
+    bool siblingOrder = true; ///< off: openings of one visit are painted in the order they are listed
+};
+
 /// Bounds that the caller sets on one flood.
 struct Limits {
     std::uint32_t maxVisits =
         4096; ///< when more would be needed, those with the smallest regions are left out
+    Rules rules;
 };
 
 } // namespace limen::visibility

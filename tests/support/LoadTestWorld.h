@@ -33,7 +33,8 @@ private:
 
 /// Writes the world to files and loads the blocks around its home. A failure fails the test and gives an
 /// empty world.
-[[nodiscard]] inline world::World loadTestWorld(TestWorld& source, const world::LoadOptions& options = {}) {
+[[nodiscard]] inline world::World loadTestWorld(TestWorld& source, const world::LoadOptions& options = {},
+                                                const world::MovingEntries& moving = {}) {
     const TempDir directory;
     const Result<void> written = source.write(directory.path());
     EXPECT_TRUE(written) << (written ? "" : written.error().message());
@@ -42,7 +43,7 @@ private:
         ADD_FAILURE() << archive.error().message();
         return {};
     }
-    Result<world::World> loaded = world::loadWorld(*archive, source.home(), options);
+    Result<world::World> loaded = world::loadWorld(*archive, source.home(), options, moving);
     if (!loaded) {
         ADD_FAILURE() << loaded.error().message();
         return {};

@@ -74,11 +74,13 @@ TEST(LoadWorld, numbersEveryPolygonOnce) {
     House house;
     const World world = test::loadTestWorld(house.source);
     std::uint32_t next = 2;
-    for (const Instance& instance : world.instances) {
-        EXPECT_EQ(instance.idBase, next);
-        next += world.meshes[instance.mesh].polygonCount;
+    for (const auto* instances : {&world.instances, &world.movingParts}) {
+        for (const Instance& instance : *instances) {
+            EXPECT_EQ(instance.idBase, next);
+            next += world.meshes[instance.mesh].polygonCount;
+        }
     }
-    EXPECT_EQ(world.idEnd, next);
+    EXPECT_EQ(world.idEnd, next + kMostSprites);
 }
 
 TEST(LoadWorld, keepsIndicesInRange) {

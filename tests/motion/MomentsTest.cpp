@@ -1,0 +1,216 @@
+#include "motion/Moments.h"
+
+#include "support/MovingHut.h"
+#include "world/Loader.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace limen::motion {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+using testing::UnorderedElementsAre;
+using world::kOutside;
+using world::SpaceIndex;
+
+struct Fixture {
+    test::MovingHut hut;
+    world::World world = hut.load();
+    SpaceIndex front = world::findCell(world, hut.source.id(hut.front)),
+               rear = world::findCell(world, hut.source.id(hut.rear));
+    Moments moments{world};
+    world::Moment moment;
+
+    void at(double seconds, std::optional<double> doors, bool rain = false) {
+        MomentInput input;
+        input.seconds = seconds;
+        input.allDoors = doors;
+        input.rain = rain;
+        input.eye = hut.at({12, 12, 3.7});
+        moments.at(input, moment);
+    }
+    [[nodiscard]] std::vector<world::Instance> of(std::uint32_t record) const {
+        std::vector<world::Instance> found;
+        for (const world::Instance& i : moment.instances) {
+            if (i.record == record)
+                found.push_back(i);
+        }
+        return found;
+    }
+    [[nodiscard]] std::vector<SpaceIndex> membersOf(const world::Instance& i) const {
+        const auto begin = moment.members.begin() + i.firstMember;
+        return {begin, begin + i.memberCount};
+    }
+    [[nodiscard]] Vec3 local(const Vec3& global) const { return global - hut.at(Vec3(0.0)); }
+};
+
+TEST(Moments, closedOpaqueDoorsShutBothWays) {
+    Fixture f;
+    f.at(0, 0.0);
+    const auto& doors = f.world.doors;
+    for (const std::size_t door : {0u, 1u}) {
+        EXPECT_TRUE(f.moment.isClosed(doors[door].portal));
+        EXPECT_TRUE(f.moment.isClosed(doors[door].reciprocal));
+        const world::InstanceIndex filling = f.moment.fillings[doors[door].portal];
+        ASSERT_NE(filling, world::kNone);
+        EXPECT_EQ(f.moment.instances[filling].kind, world::Kind::Filling);
+        EXPECT_EQ(f.moment.fillings[doors[door].reciprocal], filling);
+    }
+    EXPECT_FALSE(f.moment.isClosed(doors[2].portal)) << "glass";
+    f.at(0, 0.001);
+    EXPECT_FALSE(f.moment.isClosed(doors[0].portal)) << "shut only when exactly closed";
+    EXPECT_EQ(f.moment.fillings[doors[0].portal], world::kNone);
+}
+
+TEST(Moments, doorsRestAsTheWorldFileSaysUnlessTold) {
+    Fixture f;
+    f.at(0, std::nullopt);
+    EXPECT_TRUE(f.moment.isClosed(f.world.doors[0].portal)) << "open: 0";
+    EXPECT_FALSE(f.moment.isClosed(f.world.doors[1].portal)) << "open: 0.5";
+    MomentInput input;
+    const double told[] = {1.0, 0.0};
+    input.doors = told;
+    f.moments.at(input, f.moment);
+    EXPECT_FALSE(f.moment.isClosed(f.world.doors[0].portal));
+    EXPECT_TRUE(f.moment.isClosed(f.world.doors[1].portal));
+}
+
+TEST(Moments, leavesTurnAboutTheirHingesAndBelongToBothSides) {
+    Fixture f;
+    f.at(0, 0.0);
+    auto leaves = f.of(f.hut.leaf);
+    leaves.erase(std::remove_if(leaves.begin(), leaves.end(), // fillings look like their leaf
+                                [&](const auto& i) { return f.world.meshes[i.mesh].polygonCount == 2; }),
+                 leaves.end());
+    ASSERT_EQ(leaves.size(), 2u);
+    EXPECT_NEAR(f.local(leaves[0].bounds.centre).x, 10.0, 1e-6);
+    EXPECT_NEAR(f.local(leaves[0].bounds.centre).y, 11.5, 1e-6);
+    EXPECT_THAT(f.membersOf(leaves[0]), UnorderedElementsAre(f.front, kOutside));
+    EXPECT_THAT(f.membersOf(leaves[1]), UnorderedElementsAre(f.front, f.rear));
+    f.at(0, 1.0);
+    leaves = f.of(f.hut.leaf);
+    // -90: counter-clockwise from north: the leaf of the front door stands out to the west.
+    EXPECT_NEAR(f.local(leaves[0].bounds.centre).x, 9.5, 1e-6);
+    EXPECT_NEAR(f.local(leaves[0].bounds.centre).y, 11.0, 1e-6);
+    EXPECT_NEAR(f.local(leaves[1].bounds.centre).x, 14.5, 1e-6);
+}
+
+TEST(Moments, aClosedDoorStopsMembership) {
+    Fixture f;
+    f.at(0, 1.0);
+    ASSERT_EQ(f.of(f.hut.table).size(), 1u);
+    EXPECT_THAT(f.membersOf(f.of(f.hut.table)[0]), ElementsAre(f.rear, f.front));
+    f.at(0, 0.0);
+    EXPECT_THAT(f.membersOf(f.of(f.hut.table)[0]), ElementsAre(f.rear));
+}
+
+TEST(Moments, villagersWalkTheirWayThereAndBackThroughSpaces) {
+    Fixture f;
+    const world::Villager& anna = f.world.villagers[0];
+    const auto at = [&](double seconds) { return f.moments.standing(anna, seconds); };
+    EXPECT_EQ(f.local(at(0).position), Vec3(4, 11.5, 2));
+    EXPECT_EQ(at(0).space, kOutside);
+    EXPECT_NEAR(at(0).yaw, 90.0, 1e-9);
+    EXPECT_EQ(at(5.9).space, kOutside);
+    EXPECT_EQ(at(6.1).space, f.front);
+    EXPECT_EQ(at(9.9).space, f.front);
+    EXPECT_EQ(at(10.1).space, f.rear);
+    EXPECT_EQ(at(14.1).space, f.front) << "on the way back";
+    EXPECT_NEAR(at(14.1).yaw, -90.0, 1e-9);
+    EXPECT_EQ(f.local(at(24).position), Vec3(4, 11.5, 2)) << "once there and back";
+    EXPECT_NEAR(f.local(at(-1).position).x, 5.0, 1e-9) << "before time 0 too";
+}
+
+TEST(Moments, aVillagerInADoorwayBelongsToBothSidesWhileItIsOpen) {
+    Fixture f;
+    f.at(6.0, 1.0);
+    ASSERT_EQ(f.of(f.hut.body).size(), 1u);
+    EXPECT_THAT(f.membersOf(f.of(f.hut.body)[0]), UnorderedElementsAre(kOutside, f.front));
+    f.at(6.0, 0.0);
+    EXPECT_EQ(f.membersOf(f.of(f.hut.body)[0]).size(), 1u);
+    f.at(1.0, 1.0);
+    EXPECT_THAT(f.membersOf(f.of(f.hut.body)[0]), ElementsAre(kOutside));
+}
+
+TEST(Moments, everyInstanceIsListedInAllItsSpacesAndNowhereElse) {
+    Fixture f;
+    f.at(6.0, 0.5, true);
+    ASSERT_GT(f.moment.instances.size(), 50u);
+    for (world::InstanceIndex i = 0; i < f.moment.instances.size(); ++i) {
+        const auto members = f.membersOf(f.moment.instances[i]);
+        EXPECT_EQ(members.front(), f.moment.instances[i].placedIn);
+        for (SpaceIndex s = 0; s < f.world.spaces.size(); ++s) {
+            const auto list = f.moment.instancesIn(s);
+            EXPECT_EQ(std::count(list.begin(), list.end(), i), std::count(members.begin(), members.end(), s));
+        }
+    }
+}
+
+TEST(Moments, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {
+    Fixture f;
+    const auto spritesIn = [&](SpaceIndex space) {
+        const auto list = f.moment.instancesIn(space);
+        return std::count_if(list.begin(), list.end(),
+                             [&](auto i) { return f.moment.instances[i].record == 0; });
+    };
+    f.at(5.7, 1.0); // the lantern is in the doorway
+    EXPECT_GT(spritesIn(f.front), 0);
+    EXPECT_GT(spritesIn(kOutside), spritesIn(f.front));
+    f.at(0.0, 0.0);
+    EXPECT_EQ(spritesIn(f.front), 0);
+    EXPECT_EQ(spritesIn(kOutside), 20) << "two emitters, 5 a second for 2 seconds";
+}
+
+TEST(Moments, rainBelongsToTheOutsideAloneAndFallsAroundTheEye) {
+    Fixture f;
+    f.at(0.0, 1.0);
+    const std::size_t dry = f.moment.instances.size();
+    f.at(0.0, 1.0, true);
+    ASSERT_GT(f.moment.instances.size(), dry + 100);
+    double before = 0.0;
+    for (std::size_t i = dry; i < f.moment.instances.size(); ++i) {
+        EXPECT_THAT(f.membersOf(f.moment.instances[i]), ElementsAre(kOutside));
+        const Vec3 offset = f.moment.instances[i].bounds.centre - f.hut.at({12, 12, 3.7});
+        EXPECT_LT(std::max(std::abs(offset.x), std::abs(offset.y)), 13.0);
+        before += offset.z;
+    }
+    f.at(0.01, 1.0, true);
+    double after = 0.0;
+    for (std::size_t i = dry; i < f.moment.instances.size(); ++i)
+        after += f.moment.instances[i].bounds.centre.z - f.hut.at({12, 12, 3.7}).z;
+    EXPECT_NE(before, after);
+}
+
+TEST(Moments, areAPureFunctionOfTheirInput) {
+    Fixture f;
+    f.at(6.3, 0.5, true);
+    const world::Moment first = f.moment;
+    f.at(100.0, 0.0);
+    f.at(6.3, 0.5, true);
+    ASSERT_EQ(first.instances.size(), f.moment.instances.size());
+    for (std::size_t i = 0; i < first.instances.size(); ++i) {
+        EXPECT_EQ(first.instances[i].origin, f.moment.instances[i].origin);
+        EXPECT_EQ(first.instances[i].linear, f.moment.instances[i].linear);
+        EXPECT_EQ(first.instances[i].idBase, f.moment.instances[i].idBase);
+    }
+    EXPECT_EQ(first.members, f.moment.members);
+    EXPECT_EQ(first.spaceInstances, f.moment.spaceInstances);
+    EXPECT_EQ(first.closed, f.moment.closed);
+}
+
+TEST(Moments, aWorldWithoutMovingThingsHasAnEmptyOne) {
+    test::MovingHut hut;
+    hut.moving = {};
+    hut.source.omitRegion();
+    const world::World world = hut.load();
+    Moments moments(world);
+    world::Moment moment;
+    moments.at({}, moment);
+    EXPECT_TRUE(moment.instances.empty() && moment.closed.empty() && moment.firstInSpace.empty());
+}
+
+} // namespace
+} // namespace limen::motion
