@@ -16,7 +16,7 @@ namespace limen::gpu {
 struct RendererOptions {
     TextureStoreOptions textures;
     /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
-    std::vector<std::string> shaderDefines;
+    std::vector<std::string> shaderDefines{};
 };
 
 /// Draws frame plans on a device: one GL draw call per batch, whatever it holds. The device must outlive it.
