@@ -61,7 +61,7 @@ TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
     }
     PictureWorld pictures(hut.source, {GetParam(), 1, hut.moving});
     Tally sum;
-    const Vec3 eyes[] = {{4, 11.5, 3.6}, {11, 13, 3.5}, {16, 11.2, 3.4}, {21, 12, 3.5}, {10.02, 11.4, 3.3}};
+    const Vec3 eyes[] = {{6.5, 11.5, 3.6}, {11, 13, 3.5}, {16, 11.2, 3.4}, {21, 12, 3.5}, {10.02, 11.4, 3.3}};
     for (int step = 0; step < 12; ++step) {
         for (const double doors : {0.0, 0.6}) {
             const Vec3& eye = eyes[step % 5];
