@@ -7,7 +7,7 @@
 layout(location = kOutputBlended) out vec4 outLayers;
 
 void main() {
-    Keep keep = keepOf(instanceAt(vInstance), vEyeRelative);
+    Keep keep = keepOf(instanceAt(vInstance));
     if (!keep.kept) {
         discard;
     }

@@ -8,7 +8,7 @@ layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
 
 void main() {
-    if (visits[leafVisit()].zone != kOutside) {
+    if (!keepOutside()) {
         discard;
     }
 #ifdef FLAT

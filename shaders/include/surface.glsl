@@ -9,6 +9,36 @@ layout(location = 3) flat in uint vInstance;
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
 
+Place placeHere() {
+    // Derivatives first: what follows differs from fragment to fragment.
+    vec3 dx = dFdx(vEyeRelative);
+    vec3 dy = dFdy(vEyeRelative);
+#ifdef MULTISAMPLED
+    vec3 at[kSamples] = vec3[kSamples](interpolateAtSample(vEyeRelative, 0), interpolateAtSample(vEyeRelative, 1),
+                                       interpolateAtSample(vEyeRelative, 2), interpolateAtSample(vEyeRelative, 3));
+    return Place(at[max(findLSB(gl_SampleMaskIn[0]), 0)], at, dx, dy);
+#else
+    return Place(vEyeRelative, dx, dy);
+#endif
+}
+
+// GATED: the caller discards when `kept` is false; of a multisampled pixel the samples that are not kept are masked.
+Keep keepOf(Instance instance) {
+    Place place = placeHere();
+#ifdef GATED
+#ifdef MULTISAMPLED
+    uint kept;
+    Keep keep = walkChain(instance, place, kept);
+    gl_SampleMask[0] = int(kept);
+    return keep;
+#else
+    return walkChain(instance, place);
+#endif
+#else
+    return keepUngated(instance, place);
+#endif
+}
+
 // Colour and alpha of the material here. Derivatives are parameters: see textures.glsl.
 vec4 materialColour(Material material, vec2 dx, vec2 dy) {
     vec4 colour = material.colour;

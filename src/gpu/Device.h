@@ -12,6 +12,7 @@
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 // What the renderer asks of a graphics device, at the level of "bind, clear, draw". Two implementations:
 // GlDevice and NullDevice, which records. Handles are the device's own numbers; using one that was destroyed
@@ -33,6 +34,10 @@ enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership, Layers };
 /// What a render target has beside colour, ids, depth and ownership.
 struct TargetOptions {
     bool layers = false; ///< the image that translucent layers are counted in
+    /// frame::gpu::kSamples a pixel, or 0 for one. Then there are no ids and no layers, colour is read resolved, and
+    /// depth and ownership cannot be read.
+    std::uint32_t samples = 0;
+    friend bool operator==(const TargetOptions&, const TargetOptions&) = default;
 };
 
 /// Which images a draw writes. Each is a framebuffer of the target.
@@ -104,6 +109,8 @@ public:
     virtual void destroyProgram(ProgramHandle program) = 0;
     [[nodiscard]] virtual Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
                                                             const TargetOptions& options) = 0;
+    /// Where the samples of a multisampled target's pixels lie, in pixels from the pixel's lower left corner.
+    [[nodiscard]] virtual std::vector<glm::vec2> samplePositions(TargetHandle target) = 0;
     virtual void destroyTarget(TargetHandle target) = 0;
     /// Reads an image that the target has, bottom row first, bytesPerPixel each (R,G,B,A; uint32; float; two floats).
     /// Waits for the GPU.
@@ -131,6 +138,8 @@ public:
     virtual void drawVertices(std::uint32_t first, std::uint32_t count) = 0;
     /// `count` frame::gpu::DrawCommands at `offset` of the ring memory.
     virtual void drawIndirect(std::size_t offset, std::uint32_t count) = 0;
+    /// Averages the samples of the target's colour into what is read and shown. Only for multisampled targets.
+    virtual void resolve() = 0;
     virtual void endFrame() = 0;
 
     // What happened.

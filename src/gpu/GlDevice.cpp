@@ -138,7 +138,7 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
     };
     switch (image) {
     case TargetImage::Colour:
-        call(glClearNamedFramebufferfv, framebufferOf(Pass::Solid), GLenum{GL_COLOR},
+        call(glClearNamedFramebufferfv, framebufferOf(Pass::SolidNoIds), GLenum{GL_COLOR},
              static_cast<GLint>(frame::gpu::kOutputColour), &std::get<glm::vec4>(value).x);
         return;
     case TargetImage::Layers:
@@ -153,7 +153,7 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
         if (state_.enableDepthWrite()) {
             call(glDepthMask, GLboolean{GL_TRUE});
         }
-        call(glClearNamedFramebufferfv, framebufferOf(Pass::Solid), GLenum{GL_DEPTH}, 0,
+        call(glClearNamedFramebufferfv, framebufferOf(Pass::SolidNoIds), GLenum{GL_DEPTH}, 0,
              &std::get<float>(value));
         return;
     case TargetImage::Ownership:
@@ -188,6 +188,14 @@ void GlDevice::drawVertices(std::uint32_t first, std::uint32_t count) {
 void GlDevice::drawIndirect(std::size_t offset, std::uint32_t count) {
     call(glMultiDrawElementsIndirect, GLenum{GL_TRIANGLES}, GLenum{GL_UNSIGNED_INT},
          byteOffset(ringSlot_ * ringSlotSize_ + offset), static_cast<GLsizei>(count), GLsizei{0});
+}
+
+void GlDevice::resolve() {
+    const auto width = static_cast<GLint>(frameTarget_->width),
+               height = static_cast<GLint>(frameTarget_->height);
+    call(glBlitNamedFramebuffer, frameTarget_->passes[static_cast<std::size_t>(Pass::SolidNoIds)].id(),
+         frameTarget_->resolvedPass.id(), 0, 0, width, height, 0, 0, width, height,
+         GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
 }
 
 void GlDevice::endFrame() {

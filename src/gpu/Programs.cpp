@@ -70,6 +70,9 @@ ProgramSource programSource(frame::Program program, ProgramVariant variant, cons
     if (hasGatedVariant(program) && variant.gated) {
         vary("gated", "GATED");
     }
+    if (variant.multisampled) {
+        vary("multisampled", "MULTISAMPLED");
+    }
     if (program == frame::Program::Terrain) {
         source.defines.emplace_back("TERRAIN");
     }
@@ -120,7 +123,7 @@ Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
 std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
     const std::size_t gated = variant.gated && hasGatedVariant(program) ? 1 : 0;
     const std::size_t flat = variant.flat && hasFlatVariant(program) ? 2 : 0;
-    return gated + flat;
+    return gated + flat + (variant.multisampled ? 4 : 0);
 }
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {

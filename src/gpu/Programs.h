@@ -11,6 +11,7 @@ namespace limen::gpu {
 struct ProgramVariant {
     bool gated = false; ///< with the ownership test; ownership and sky have it, or do without, either way
     bool flat = false;  ///< coloured by id (RenderOptions::shading); of Blended: the one that counts layers
+    bool multisampled = false; ///< for targets with several samples a pixel
 };
 
 /// What the program of a batch is built from.
@@ -43,7 +44,7 @@ public:
 
 private:
     static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-    static constexpr std::size_t kVariants = 4;
+    static constexpr std::size_t kVariants = 8;
     Programs(Device& device, SceneBindings textures, std::span<const std::string> defines);
     [[nodiscard]] static std::size_t indexOf(frame::Program program, ProgramVariant variant);
 

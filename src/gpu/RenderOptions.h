@@ -15,7 +15,7 @@ enum class Shading : std::uint8_t {
 
 /// What is asked of one frame.
 struct RenderOptions {
-    bool wantIds = true; ///< write the id image
+    bool wantIds = true; ///< write the id image; not on multisampled targets
     Shading shading = Shading::Lit;
     /// Count the layers of translucent surfaces per pixel; the late stage then does that instead of painting, and sky
     /// objects are left out. The target must be made for it.

@@ -10,7 +10,9 @@
 namespace limen::gpu {
 
 Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, std::uint32_t height,
-                                          const TargetOptions& options) {
+                                          const TargetOptions& asked) {
+    TargetOptions options = asked;
+    options.samples = options.samples > 1 ? options.samples : 0;
     const Result<TargetHandle> handle = device.createTarget(width, height, options);
     if (!handle) {
         return tl::unexpected(handle.error());
@@ -48,6 +50,14 @@ std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const
         std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
     }
     return pixels;
+}
+
+std::vector<glm::vec2> RenderTarget::samplePositions() const {
+    std::vector<glm::vec2> positions = device_->samplePositions(handle_);
+    for (glm::vec2& position : positions) {
+        position = {position.x - 0.5f, 0.5f - position.y};
+    }
+    return positions;
 }
 
 std::vector<std::uint8_t> RenderTarget::readColour() const {

@@ -28,7 +28,11 @@ public:
     [[nodiscard]] const TargetOptions& options() const { return options_; }
     [[nodiscard]] TargetHandle handle() const { return handle_; }
 
-    /// R,G,B,A bytes.
+    /// Where the samples of a multisampled target's pixels lie: pixels from the pixel's centre, x to the right, y
+    /// downwards. Not during a frame.
+    [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
+
+    /// R,G,B,A bytes; of a multisampled target the samples' mean.
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;
     /// Ids: kVoidId, kSkyId, or what the planner gave. Undefined after a frame without ids.
     [[nodiscard]] std::vector<std::uint32_t> readIds() const;

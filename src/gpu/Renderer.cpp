@@ -116,8 +116,9 @@ glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options
     return glm::vec4(r, g, b, 255) / 255.0f;
 }
 
-ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options) {
-    return {batch.gated, batch.program == frame::Program::Blended ? options.wantLayers : isFlat(options)};
+ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options, bool multisampled) {
+    return {batch.gated, batch.program == frame::Program::Blended ? options.wantLayers : isFlat(options),
+            multisampled};
 }
 
 bool isOneDraw(frame::Program program) {
@@ -178,7 +179,8 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     if (!textures) {
         return tl::unexpected(textures.error());
     }
-    Result<Programs> programs = Programs::create(*device_, bindingsOf(upload, *textures), options_.shaderDefines);
+    Result<Programs> programs =
+        Programs::create(*device_, bindingsOf(upload, *textures), options_.shaderDefines);
     if (!programs) {
         return tl::unexpected(programs.error());
     }
@@ -214,11 +216,12 @@ Renderer::RingLayout Renderer::layOutRing(const frame::FramePlan& plan) const {
     return ring;
 }
 
-Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options) {
+Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
+                                       bool multisampled) {
     Result<void> prepared;
     for (const frame::Batch& batch : plan.batches) {
         if (prepared && !isSkipped(batch.program, options)) {
-            prepared = scene_->programs.prepare(batch.program, variantOf(batch, options));
+            prepared = scene_->programs.prepare(batch.program, variantOf(batch, options, multisampled));
         }
     }
     return prepared;
@@ -247,10 +250,10 @@ void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& op
     device_->clear(TargetImage::Depth, 0.0f);
 }
 
-void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset,
-                         const RenderOptions& options) {
+void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
+                         bool multisampled) {
     DrawState state;
-    state.program = scene_->programs.get(batch.program, variantOf(batch, options));
+    state.program = scene_->programs.get(batch.program, variantOf(batch, options, multisampled));
     state.cullBackFaces =
         batch.program != frame::Program::Ownership; // a portal polygon counts from either side
     state.writeDepth = batch.program != frame::Program::Blended;
@@ -268,8 +271,8 @@ void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset,
     }
 }
 
-void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
-                          const RenderOptions& options) {
+void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring, const RenderOptions& options,
+                          bool multisampled) {
     std::optional<Pass> current;
     for (const frame::Stage& stage : plan.stages) {
         const Stopwatch watch;
@@ -284,7 +287,7 @@ void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
                 device_->beginPass(pass);
                 current = pass;
             }
-            drawBatch(batch, ring.commands, options);
+            drawBatch(batch, ring.commands, options, multisampled);
             ++report.batches;
             report.draws += isOneDraw(batch.program) ? std::min(batch.commandCount, 1u) : batch.commandCount;
         }
@@ -298,8 +301,11 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     LIMEN_ASSERT(scene_ != nullptr, "a scene is uploaded before a frame is drawn");
     LIMEN_ASSERT(options.wantIds || options.shading != Shading::IdsOnly, "a frame shows something");
     LIMEN_ASSERT(!options.wantLayers || target.options().layers, "the target is made to count layers");
+    const bool multisampled = target.options().samples > 0;
+    LIMEN_ASSERT(!multisampled || (!options.wantIds && !options.wantLayers),
+                 "ids and layers have one sample a pixel");
     assertSound(plan);
-    if (Result<void> prepared = preparePrograms(plan, options); !prepared) {
+    if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared) {
         return prepared;
     }
     const Stopwatch watch;
@@ -319,7 +325,10 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     copyTo(memory, ring.commands, bytesOf(plan.commands));
     bindAll(ring);
     clearTarget(plan, options);
-    drawStages(plan, ring, options);
+    drawStages(plan, ring, options, multisampled);
+    if (multisampled) {
+        device_->resolve();
+    }
     device_->endFrame();
     report_.cpuMs = watch.milliseconds();
     return {};

@@ -47,11 +47,14 @@ private:
     struct RingLayout;
 
     [[nodiscard]] RingLayout layOutRing(const frame::FramePlan& plan) const;
-    [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options);
+    [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
+                                               bool multisampled);
     void bindAll(const RingLayout& layout);
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
-    void drawStages(const frame::FramePlan& plan, const RingLayout& layout, const RenderOptions& options);
-    void drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options);
+    void drawStages(const frame::FramePlan& plan, const RingLayout& layout, const RenderOptions& options,
+                    bool multisampled);
+    void drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
+                   bool multisampled);
 
     Device* device_;
     RendererOptions options_;

@@ -106,23 +106,32 @@ void PictureWorld::setMoment(const motion::MomentInput& input) {
     tracer_ = std::make_unique<NaiveTracer>(world_, moment_);
 }
 
-Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOptions& options) {
+Picture PictureWorld::shootSampled(const frame::FrameView& frame, gpu::Shading shading) {
+    return shoot(frame, {.wantIds = false, .shading = shading}, {.samples = frame::gpu::kSamples});
+}
+
+Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
+                            const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>();
         require(drawing_->renderer.upload(frame::buildScene(world_)));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||
-        target->options().layers != options.wantLayers) {
-        target.emplace(valueOf(gpu::RenderTarget::create(*driver().device, frame.width, frame.height,
-                                                         {.layers = options.wantLayers})));
+        target->options() != targetOptions) {
+        target.emplace(
+            valueOf(gpu::RenderTarget::create(*driver().device, frame.width, frame.height, targetOptions)));
     }
     Picture picture;
     picture.frame = frame;
     plan(frame, picture.visible, drawing_->plan);
     require(drawing_->renderer.render(drawing_->plan, *target, options));
-    picture.ids = target->readIds();
-    picture.depth = target->readDepth();
+    if (targetOptions.samples > 0) {
+        picture.samples = target->samplePositions();
+    } else {
+        picture.ids = target->readIds();
+        picture.depth = target->readDepth();
+    }
     picture.colour = target->readColour();
     if (options.wantLayers) {
         picture.layers = target->readLayers();

@@ -22,6 +22,7 @@ struct Picture {
     std::vector<float> depth;          ///< as in the depth buffer: near / w, 0 at infinity
     std::vector<std::uint8_t> colour;  ///< R,G,B,A
     std::vector<gpu::LayerSum> layers; ///< where asked for
+    std::vector<glm::vec2> samples;    ///< of a multisampled one: from the pixel's centre, y downwards
     visibility::VisibleSet visible;
     frame::PlanCounts counts;
     std::uint32_t glCalls = 0;
@@ -56,7 +57,12 @@ public:
     /// A view from a position local to the home block.
     [[nodiscard]] frame::FrameView look(const Vec3& local, double yaw, double pitch,
                                         world::SpaceIndex root) const;
-    [[nodiscard]] Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
+    [[nodiscard]] Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options = {}) {
+        return shoot(frame, options, {.layers = options.wantLayers, .samples = 0});
+    }
+    /// Flat colours, with several samples a pixel: no ids and no depth.
+    [[nodiscard]] Picture shootSampled(const frame::FrameView& frame,
+                                       gpu::Shading shading = gpu::Shading::FlatIds);
     /// Lets what moves be where it is then; before, nothing moves and nothing is shut.
     void setMoment(const motion::MomentInput& input);
     /// Only up to the plan: no driver.
@@ -70,6 +76,8 @@ public:
     double fov = 75.0;
 
 private:
+    Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
+                  const gpu::TargetOptions& targetOptions);
     void load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options);
     world::World world_;
     Vec3 origin_{0.0};
