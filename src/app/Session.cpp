@@ -212,7 +212,7 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     loaded_->planner.plan(view, moment_, visible_, plan_);
     planMs_ = planning.ms();
     return renderer_.render(
-        plan_, *target_, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
+        plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
 }
 
 FrameFigures Session::figures() const {
