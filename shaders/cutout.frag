@@ -23,7 +23,7 @@ float exactAlpha(Material material, vec2 uv) {
 uint solidSamples(Material material) {
     uint solid = 0u;
     for (int i = 0; i < int(kSamples); ++i) {
-        solid |= exactAlpha(material, interpolateAtSample(vUv, i)) >= kAlphaThreshold ? 1u << i : 0u;
+        solid |= exactAlpha(material, atSample(vUv, sampleOffset(i))) >= kAlphaThreshold ? 1u << i : 0u;
     }
     return solid;
 }

@@ -3,6 +3,9 @@
 // are no longer exactly the edges of the walls beside them. Discarding leaves the polygon's own edges untouched.
 // MULTISAMPLED: each sample of the pixel is tested for itself.
 #include "SharedLayout.h"
+#ifdef MULTISAMPLED
+#include "samples.glsl"
+#endif
 
 layout(location = 0) flat in uint vVisit;
 layout(location = 1) in vec4 vClipLow;
@@ -17,7 +20,7 @@ void main() {
 #ifdef MULTISAMPLED
     uint kept = 0u;
     for (int i = 0; i < int(kSamples); ++i) {
-        bool clipped = isClipped(interpolateAtSample(vClipLow, i), interpolateAtSample(vClipHigh, i));
+        bool clipped = isClipped(atSample(vClipLow, sampleOffset(i)), atSample(vClipHigh, sampleOffset(i)));
         kept |= clipped ? 0u : 1u << i;
     }
     gl_SampleMask[0] = int(kept);

@@ -86,8 +86,8 @@ LIMEN_STRUCT(FrameConstants) {
     float nearPlane LIMEN_ZERO;
     uint staticInstances LIMEN_ZERO; // numbers from here on are movers
     uint staticMembers LIMEN_ZERO;   // likewise
-    uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
+    uint samplesX LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
+    uint samplesY LIMEN_ZERO; // pixel's lower left corner in 1/256 of a pixel
 };
 
 LIMEN_STRUCT(Visit) {

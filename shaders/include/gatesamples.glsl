@@ -1,7 +1,7 @@
 // The walk of gate.glsl for pixels of several samples.
 //
-// A sample's position is interpolated at the sample, not extended from the pixel's centre by derivatives: where a
-// portal's plane cuts a surface, the cut is an edge like any other and must pass between the samples where it passes
+// Each sample is tested at its own position (samples.glsl), not at the pixel's centre within a pixel's tolerance: where
+// a portal's plane cuts a surface, the cut is an edge like any other and must pass between the samples where it passes
 // between their rays. Seen from afar or edge-on, positions are far from linear across a pixel, and the centre itself may
 // lie beyond the triangle, even behind the eye; a covered sample never does.
 

@@ -1,6 +1,9 @@
 // What every mesh fragment receives from mesh.vert, and its material's colour.
 #include "textures.glsl"
 #include "lighting.glsl"
+#ifdef MULTISAMPLED
+#include "samples.glsl"
+#endif
 
 layout(location = 0) in vec3 vEyeRelative;
 layout(location = 1) in vec3 vNormal;
@@ -11,14 +14,21 @@ layout(location = 5) flat in uint vId;
 
 Place placeHere() {
     // Derivatives first: what follows differs from fragment to fragment.
-    vec3 dx = dFdx(vEyeRelative);
-    vec3 dy = dFdy(vEyeRelative);
 #ifdef MULTISAMPLED
-    vec3 at[kSamples] = vec3[kSamples](interpolateAtSample(vEyeRelative, 0), interpolateAtSample(vEyeRelative, 1),
-                                       interpolateAtSample(vEyeRelative, 2), interpolateAtSample(vEyeRelative, 3));
-    return Place(at[max(findLSB(gl_SampleMaskIn[0]), 0)], at, dx, dy);
+    vec3 samples[kSamples];
+    for (int i = 0; i < int(kSamples); ++i) {
+        samples[i] = atSample(vEyeRelative, sampleOffset(i));
+    }
+    // Of a quotient: (a' - (a / q) q') / q.
+    int first = max(findLSB(gl_SampleMaskIn[0]), 0);
+    vec3 scaled = vEyeRelative * gl_FragCoord.w;
+    vec3 at = samples[first];
+    float q = inverseDepthAt(sampleOffset(first));
+    vec3 dx = (dFdx(scaled) - at * dFdx(gl_FragCoord.w)) / q;
+    vec3 dy = (dFdy(scaled) - at * dFdy(gl_FragCoord.w)) / q;
+    return Place(at, samples, dx, dy);
 #else
-    return Place(vEyeRelative, dx, dy);
+    return Place(vEyeRelative, dFdx(vEyeRelative), dFdy(vEyeRelative));
 #endif
 }
 

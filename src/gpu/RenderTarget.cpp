@@ -17,12 +17,17 @@ Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, s
     if (!handle) {
         return tl::unexpected(handle.error());
     }
-    return RenderTarget(device, *handle, width, height, options);
+    RenderTarget target(device, *handle, width, height, options);
+    if (options.samples > 0) {
+        target.samples_ = device.samplePositions(*handle);
+    }
+    return target;
 }
 
 RenderTarget::RenderTarget(RenderTarget&& other) noexcept
     : device_(other.device_), handle_(std::exchange(other.handle_, TargetHandle::Invalid)),
-      width_(other.width_), height_(other.height_), options_(other.options_) {}
+      width_(other.width_), height_(other.height_), options_(other.options_),
+      samples_(std::move(other.samples_)) {}
 
 RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
     std::swap(device_, other.device_);
@@ -30,6 +35,7 @@ RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
     std::swap(options_, other.options_);
+    std::swap(samples_, other.samples_);
     return *this;
 }
 
@@ -53,11 +59,18 @@ std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const
 }
 
 std::vector<glm::vec2> RenderTarget::samplePositions() const {
-    std::vector<glm::vec2> positions = device_->samplePositions(handle_);
+    std::vector<glm::vec2> positions = samples_;
     for (glm::vec2& position : positions) {
         position = {position.x - 0.5f, 0.5f - position.y};
     }
     return positions;
+}
+
+void RenderTarget::placeSamples(frame::gpu::FrameConstants& constants) const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        constants.samplesX |= static_cast<std::uint32_t>(samples_[i].x * 256.0f) << (8 * i);
+        constants.samplesY |= static_cast<std::uint32_t>(samples_[i].y * 256.0f) << (8 * i);
+    }
 }
 
 std::vector<std::uint8_t> RenderTarget::readColour() const {

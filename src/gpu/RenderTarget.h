@@ -29,8 +29,11 @@ public:
     [[nodiscard]] TargetHandle handle() const { return handle_; }
 
     /// Where the samples of a multisampled target's pixels lie: pixels from the pixel's centre, x to the right, y
-    /// downwards. Not during a frame.
+    /// downwards. Empty if it is not multisampled.
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
+
+    /// Fills in FrameConstants::samplesX and samplesY, which must be 0.
+    void placeSamples(frame::gpu::FrameConstants& constants) const;
 
     /// R,G,B,A bytes; of a multisampled target the samples' mean.
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;
@@ -57,6 +60,7 @@ private:
     TargetHandle handle_ = TargetHandle::Invalid;
     std::uint32_t width_ = 0, height_ = 0;
     TargetOptions options_;
+    std::vector<glm::vec2> samples_; // from the lower left corner
 };
 
 } // namespace limen::gpu

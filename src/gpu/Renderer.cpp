@@ -29,8 +29,9 @@ std::span<const std::byte> bytesOf(const std::vector<T>& array) {
 }
 
 // The plan's arrays, in the order of kFrameBindings.
-std::array<std::span<const std::byte>, kFrameBindings.size()> frameArrays(const frame::FramePlan& plan) {
-    return {std::as_bytes(std::span(&plan.constants, 1)),
+std::array<std::span<const std::byte>, kFrameBindings.size()>
+frameArrays(const frame::FramePlan& plan, const layout::FrameConstants& constants) {
+    return {std::as_bytes(std::span(&constants, 1)),
             bytesOf(plan.blocks),
             bytesOf(plan.visits),
             bytesOf(plan.ownershipVertices),
@@ -201,7 +202,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
 
 Renderer::RingLayout Renderer::layOutRing(const frame::FramePlan& plan) const {
     const std::size_t alignment = device_->capabilities().storageAlignment;
-    const auto arrays = frameArrays(plan);
+    const auto arrays = frameArrays(plan, plan.constants);
     RingLayout ring;
     const auto place = [&](std::size_t size) {
         const std::size_t offset = (ring.total + alignment - 1) / alignment * alignment;
@@ -318,7 +319,9 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
         return reserved;
     }
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
-    const auto arrays = frameArrays(plan);
+    layout::FrameConstants constants = plan.constants;
+    target.placeSamples(constants);
+    const auto arrays = frameArrays(plan, constants);
     for (std::size_t i = 0; i < arrays.size(); ++i) {
         copyTo(memory, ring.offsets[i], arrays[i]);
     }
