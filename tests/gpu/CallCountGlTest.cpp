@@ -77,6 +77,24 @@ TEST_F(CallCountGlTest, framesThatMeasureStayWithinTheBudgetToo) {
     }
 }
 
+TEST_F(CallCountGlTest, multisampledFramesStayWithinTheBudget_andNullDeviceCountsThemAlike) {
+    SceneBuilder scene = everything(3);
+    scene.finish(true);
+    NullDevice null;
+    Renderer real(*device_), recorded(null);
+    ASSERT_TRUE(real.upload(scene.upload));
+    ASSERT_TRUE(recorded.upload(scene.upload));
+    Result<RenderTarget> realTarget = RenderTarget::create(*device_, 8, 8, {.samples = layout::kSamples}),
+                         nullTarget = RenderTarget::create(null, 8, 8, {.samples = layout::kSamples});
+    ASSERT_TRUE(realTarget && nullTarget);
+    for (const Shading shading : {Shading::Lit, Shading::FlatIds, Shading::Lit}) {
+        ASSERT_TRUE(real.render(scene.plan, *realTarget, {.wantIds = false, .shading = shading}));
+        ASSERT_TRUE(recorded.render(scene.plan, *nullTarget, {.wantIds = false, .shading = shading}));
+        EXPECT_LE(real.report().glCalls, kBudget);
+        EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
+    }
+}
+
 TEST_F(CallCountGlTest, nullDeviceCountsWhatTheDriverGets) {
     for (const bool all : {true, false}) {
         SceneBuilder scene = everything(2);

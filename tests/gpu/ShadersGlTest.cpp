@@ -17,9 +17,14 @@ TEST_F(ShadersGlTest, everyVariantBuilds) {
         for (std::size_t program = 0; program <= static_cast<std::size_t>(frame::Program::Blended);
              ++program) {
             for (const bool gated : {false, true}) {
-                const Result<void> made =
-                    programs->prepare(static_cast<frame::Program>(program), {.gated = gated, .flat = true});
-                EXPECT_TRUE(made) << made.error().message();
+                for (const ProgramVariant& variant :
+                     {ProgramVariant{.gated = gated, .flat = true},
+                      ProgramVariant{.gated = gated, .multisampled = true},
+                      ProgramVariant{.gated = gated, .flat = true, .multisampled = true}}) {
+                    const Result<void> made =
+                        programs->prepare(static_cast<frame::Program>(program), variant);
+                    EXPECT_TRUE(made) << made.error().message();
+                }
             }
         }
     }

@@ -55,7 +55,9 @@ TEST_P(Multisample, everyPixelIsTheMeanOfWhatItsSamplesMeet) {
     }
     EXPECT_GT(sum.mixed, sum.pixels / 100) << "edges are in the pictures";
     RecordProperty("mixed", static_cast<int>(sum.mixed));
+    EXPECT_LT(sum.snapped + sum.tied, sum.mixed / 50);
     RecordProperty("snapped", static_cast<int>(sum.snapped));
+    RecordProperty("tied", static_cast<int>(sum.tied));
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -53,6 +53,19 @@ public:
             }
         }
     }
+    void lookForTies() {
+        const world::World& world = pictures_.world();
+        for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+            const world::Instance& in = world.instances[i];
+            for (std::uint32_t p = 0; p < world.meshes[in.mesh].polygonCount; ++p) {
+                for (std::size_t s = 0; s < samples_.size(); ++s) {
+                    if (isTied(i, in.idBase + p, picture_.samples[s])) {
+                        addOnce(samples_[s], in.idBase + p);
+                    }
+                }
+            }
+        }
+    }
     [[nodiscard]] std::string describe() const {
         std::string text =
             fmt::format("pixel ({}, {}): drawn {} {} {}", x_, y_, drawn_.x, drawn_.y, drawn_.z);
@@ -67,11 +80,25 @@ public:
     }
 
 private:
+    [[nodiscard]] NaiveTracer::Ray rayAt(const glm::vec2& sample, double dx, double dy) const {
+        return rayThrough(picture_.frame, x_ + double{sample.x} + dx, y_ + double{sample.y} + dy);
+    }
     [[nodiscard]] std::uint32_t traced(const glm::vec2& sample, double dx, double dy) const {
-        return pictures_.tracer()
-            .trace(picture_.frame.view.root,
-                   rayThrough(picture_.frame, x_ + double{sample.x} + dx, y_ + double{sample.y} + dy))
-            .id;
+        return pictures_.tracer().trace(picture_.frame.view.root, rayAt(sample, dx, dy)).id;
+    }
+    [[nodiscard]] bool isTied(std::uint32_t instance, std::uint32_t id, const glm::vec2& sample) const {
+        const double shown = pictures_.tracer().trace(picture_.frame.view.root, rayAt(sample, 0.0, 0.0)).t;
+        bool covered = false;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int dy = -kSteps; dy <= kSteps; ++dy) {
+            for (int dx = -kSteps; dx <= kSteps; ++dx) {
+                const auto alone = pictures_.tracer().traceAlone(
+                    instance, id, rayAt(sample, dx * kReach / kSteps, dy * kReach / kSteps));
+                covered = covered || alone.met;
+                nearest = std::min(nearest, alone.planeT);
+            }
+        }
+        return covered && nearest <= shown;
     }
     /// Whether a choice of one id for each sample from `from` on gives the drawn colour.
     [[nodiscard]] bool anyMean(std::size_t from, const glm::ivec3& sum) const {
@@ -102,6 +129,7 @@ SampledComparison& SampledComparison::operator+=(const SampledComparison& other)
     pixels += other.pixels;
     mixed += other.mixed;
     snapped += other.snapped;
+    tied += other.tied;
     wrong += other.wrong;
     first = first.empty() ? other.first : first;
     return *this;
@@ -120,6 +148,11 @@ SampledComparison compareSampled(const PictureWorld& pictures, const Picture& pi
             pixel.lookAround();
             if (pixel.isExplained()) {
                 ++result.snapped;
+                continue;
+            }
+            pixel.lookForTies();
+            if (pixel.isExplained()) {
+                ++result.tied;
             } else if (result.wrong++ == 0) {
                 result.first = pixel.describe();
             }
