@@ -9,7 +9,7 @@ void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
     Instance instance = instanceAt(vInstance);
-    Keep keep = keepOf(instance, onPolygon(instance), vEyeRelative);
+    Keep keep = keepOf(instance);
     if (!keep.kept) {
         discard;
     }

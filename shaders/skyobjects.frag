@@ -10,7 +10,7 @@ layout(location = kOutputBlended) out vec4 outColour;
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    if (visits[leafVisit()].zone != kOutside) {
+    if (!keepOutside()) {
         discard;
     }
     SkyInstance object = skyInstances[vInstance];

@@ -1,7 +1,8 @@
 // Landscape: a base texture, up to three terrain overlays and up to two roads per landcell, blended in that order
 // (formats: landscape.md section 7). In: vUv is the position within the landcell, (0,0) at its south-west corner.
-// Out: colour; the landcell triangle's id.
+// Out: colour; the landcell triangle's id. FLAT: the colour is the id's.
 #include "surface.glsl"
+#include "idcolour.glsl"
 
 layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
@@ -80,12 +81,16 @@ void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
     Instance instance = instanceAt(vInstance);
-    Keep keep = keepOf(instance, onPolygon(instance), vEyeRelative);
+    Keep keep = keepOf(instance);
     if (!keep.kept) {
         discard;
     }
+#ifdef FLAT
+    outColour = colourOfId(vId);
+#else
     CellUv uv = CellUv(vec2(vUv.x, 1.0 - vUv.y), vec2(dx.x, -dx.y), vec2(dy.x, -dy.y));
     vec3 albedo = blendedTerrain(vSurface, uv);
     outColour = opaqueColour(albedo, 0.0, 1.0, instance, keep);
+#endif
     outId = vId;
 }

@@ -53,6 +53,8 @@ LIMEN_CONST kOutputBlended = 2;
 LIMEN_CONST kOutside = 0u; // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
 
+LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
+
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;
 LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
 LIMEN_CONST kSkyId = 1u;
@@ -85,8 +87,12 @@ LIMEN_STRUCT(FrameConstants) {
     float nearPlane LIMEN_ZERO;
     uint staticInstances LIMEN_ZERO; // numbers from here on are movers
     uint staticMembers LIMEN_ZERO;   // likewise
-    float pixel LIMEN_ZERO;          // metres that a pixel covers at a view depth of one metre
+    uint samplesX LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
+    uint samplesY LIMEN_ZERO; // pixel's lower left corner in 1/256 of a pixel
+    float pixel LIMEN_ZERO;   // metres that a pixel covers at a view depth of one metre
     uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
+    uint reserved2 LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {

@@ -1,9 +1,16 @@
 // The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
 // a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
 // visit's entry plane and not beyond the entry plane of the next visit of the chain.
+//
+// MULTISAMPLED: the ownership target has kSamples a pixel, each the leaf visit of a ray of its own, and the test is done
+// for each. What of the pixel is kept goes into gl_SampleMask.
 #include "buffers.glsl"
 
+#ifdef MULTISAMPLED
+layout(binding = kUnitOwnership) uniform usampler2DMS ownership;
+#else
 layout(binding = kUnitOwnership) uniform usampler2D ownership;
+#endif
 
 // Metres. What lies in a portal's plane (jambs, sills, panes, the terrain at a threshold) belongs to both sides.
 const float kPlaneTolerance = 0.001;
@@ -21,8 +28,28 @@ struct Keep {
     uint lightSet;
 };
 
+#ifdef MULTISAMPLED
+uint leafVisit(int at) {
+    return texelFetch(ownership, ivec2(gl_FragCoord.xy), at).r;
+}
+#else
 uint leafVisit() {
     return texelFetch(ownership, ivec2(gl_FragCoord.xy), 0).r;
+}
+#endif
+
+// Whether anything of the pixel got outside; of a multisampled one only that is kept.
+bool keepOutside() {
+#ifdef MULTISAMPLED
+    uint kept = 0u;
+    for (int i = 0; i < int(kSamples); ++i) {
+        kept |= visits[leafVisit(i)].zone == kOutside ? 1u << i : 0u;
+    }
+    gl_SampleMask[0] = int(kept);
+    return kept != 0u;
+#else
+    return visits[leafVisit()].zone == kOutside;
+#endif
 }
 
 bool findMember(Instance instance, uint zone, out uint lightSet) {
@@ -39,7 +66,10 @@ bool findMember(Instance instance, uint zone, out uint lightSet) {
 
 // A fragment's position and how it changes from pixel to pixel.
 struct Place {
-    vec3 at;
+    vec3 at; // the pixel's centre; of a multisampled one the first sample that the triangle covers
+#ifdef MULTISAMPLED
+    vec3 sampleAt[kSamples];
+#endif
     vec3 dx;
     vec3 dy;
 };
@@ -50,23 +80,37 @@ float toleranceFor(vec3 normal, Place place) {
     return kPlaneTolerance + kPlaneToleranceSlope * length(place.at) + kSnap * slope;
 }
 
+// The two halves of the test, for one point.
+bool isBeyondEntry(vec4 entryPlane, vec3 at, float tolerance) {
+#ifdef LIMEN_WITHOUT_ENTRY_TEST // tests show that it is needed (docs/proof.md)
+    return true;
+#else
+    return dot(entryPlane, vec4(at, 1.0)) >= -tolerance;
+#endif
+}
+
+bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
+#ifdef LIMEN_WITHOUT_EXIT_TEST
+    return true;
+#else
+    return dot(next, vec4(at, 1.0)) <= tolerance;
+#endif
+}
+
+const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit
+
+#ifdef MULTISAMPLED
+#include "gatesamples.glsl"
+#else
 // Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends.
 Keep walkChain(Instance instance, Place place) {
-    vec4 next = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit: nothing is beyond it
+    vec4 next = kNothingBeyond;
     uint visitIndex = leafVisit();
     while (visitIndex < frame.visitCount) {
         Visit visit = visits[visitIndex];
         uint lightSet;
-#ifdef LIMEN_WITHOUT_ENTRY_TEST // tests show that it is needed (docs/proof.md)
-        bool beyondEntry = true;
-#else
-        bool beyondEntry = dot(visit.entryPlane, vec4(place.at, 1.0)) >= -toleranceFor(visit.entryPlane.xyz, place);
-#endif
-#ifdef LIMEN_WITHOUT_EXIT_TEST
-        bool beforeNext = true;
-#else
-        bool beforeNext = dot(next, vec4(place.at, 1.0)) <= toleranceFor(next.xyz, place);
-#endif
+        bool beyondEntry = isBeyondEntry(visit.entryPlane, place.at, toleranceFor(visit.entryPlane.xyz, place));
+        bool beforeNext = isBeforeNext(next, place.at, toleranceFor(next.xyz, place));
         if (beyondEntry && beforeNext && findMember(instance, visit.zone, lightSet)) {
             return Keep(true, visit.zone, lightSet);
         }
@@ -75,6 +119,7 @@ Keep walkChain(Instance instance, Place place) {
     }
     return Keep(false, 0u, 0u);
 }
+#endif
 
 // What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
 Keep keepUngated(Instance instance, Place place) {
@@ -91,16 +136,4 @@ Keep keepUngated(Instance instance, Place place) {
         }
     }
     return Keep(true, first.zone, first.lightSet);
-}
-
-// GATED: the caller discards when `kept` is false.
-// `at` is where the fragment lies, `interpolated` what changes evenly from pixel to pixel. Derivatives are taken here:
-// the caller is still in uniform control flow.
-Keep keepOf(Instance instance, vec3 at, vec3 interpolated) {
-    Place place = Place(at, dFdx(interpolated), dFdy(interpolated));
-#ifdef GATED
-    return walkChain(instance, place);
-#else
-    return keepUngated(instance, place);
-#endif
 }

@@ -4,7 +4,8 @@
 // Here such a fragment is moved back, along its ray, to the stretch in which the ray passes over the polygon.
 #include "transform.glsl"
 
-#ifdef EXACT_DEPTH
+// Not for MULTISAMPLED: one depth for all samples of a pixel would flatten every edge.
+#if defined(EXACT_DEPTH) && !defined(MULTISAMPLED)
 
 // Metres of depth that snapping may have cost before it is worth looking.
 const float kDepthDoubt = 0.0005;

@@ -1,6 +1,9 @@
 // What every mesh fragment receives from mesh.vert, and its material's colour.
 #include "textures.glsl"
 #include "lighting.glsl"
+#ifdef MULTISAMPLED
+#include "samples.glsl"
+#endif
 
 layout(location = 0) in vec3 vEyeRelative;
 layout(location = 1) in vec3 vNormal;
@@ -11,6 +14,45 @@ layout(location = 5) flat in uint vId;
 layout(location = 6) flat in uvec2 vLoop;
 
 #include "onpolygon.glsl"
+
+Place placeHere(Instance instance) {
+    // Derivatives first: what follows differs from fragment to fragment.
+#ifdef MULTISAMPLED
+    vec3 samples[kSamples];
+    for (int i = 0; i < int(kSamples); ++i) {
+        samples[i] = atSample(vEyeRelative, sampleOffset(i));
+    }
+    // Of a quotient: (a' - (a / q) q') / q.
+    int first = max(findLSB(gl_SampleMaskIn[0]), 0);
+    vec3 scaled = vEyeRelative * gl_FragCoord.w;
+    vec3 at = samples[first];
+    float q = inverseDepthAt(sampleOffset(first));
+    vec3 dx = (dFdx(scaled) - at * dFdx(gl_FragCoord.w)) / q;
+    vec3 dy = (dFdy(scaled) - at * dFdy(gl_FragCoord.w)) / q;
+    return Place(at, samples, dx, dy);
+#else
+    vec3 dx = dFdx(vEyeRelative);
+    vec3 dy = dFdy(vEyeRelative);
+    return Place(onPolygon(instance), dx, dy);
+#endif
+}
+
+// GATED: the caller discards when `kept` is false; of a multisampled pixel the samples that are not kept are masked.
+Keep keepOf(Instance instance) {
+    Place place = placeHere(instance);
+#ifdef GATED
+#ifdef MULTISAMPLED
+    uint kept;
+    Keep keep = walkChain(instance, place, kept);
+    gl_SampleMask[0] = int(kept);
+    return keep;
+#else
+    return walkChain(instance, place);
+#endif
+#else
+    return keepUngated(instance, place);
+#endif
+}
 
 // Colour and alpha of the material here. Derivatives are parameters: see textures.glsl.
 vec4 materialColour(Material material, vec2 dx, vec2 dy) {

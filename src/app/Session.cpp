@@ -54,7 +54,7 @@ frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
     view.timeOfDay = eye.time;
     view.seconds = eye.seconds;
     view.weather = eye.weather;
-    view.exactCutOuts = options.ids;
+    view.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit;
     return view;
 }
 
@@ -92,6 +92,11 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
             "how textures are bound (auto: bindless where the driver has it)")
         ->type_name("auto|bindless|pages")
         ->check(CLI::IsMember({"auto", "bindless", "pages"}))
+        ->group("World");
+    command
+        .add_option("--msaa", options.samples, "samples a pixel; ids and depth always have one (default: 1)")
+        ->type_name("1|4")
+        ->check(CLI::IsMember({0, 1, 4}))
         ->group("World");
 }
 
@@ -179,21 +184,30 @@ bool Session::follow(const Vec3& eye, world::SpaceIndex& root) {
     return true;
 }
 
-Result<void> Session::fitTarget(PixelSize size) {
-    if (target_ && target_->width() == size.width && target_->height() == size.height)
-        return {};
-    target_.reset(); // room for the new one
-    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(device_, size.width, size.height);
+Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions& options) {
+    const bool multisampled = options_.samples > 1 && !options.ids && !options.layers;
+    std::optional<gpu::RenderTarget>& target = multisampled ? sampledTarget_ : target_;
+    // A target that can count layers serves frames without, so that taking turns makes no new ones.
+    const bool fits = target && target->width() == size.width && target->height() == size.height;
+    const bool layers = !multisampled && (options.layers || (fits && target->options().layers));
+    if (fits && target->options().layers == layers)
+        return &*target;
+    shown_ = nullptr;
+    target.reset(); // room for the new one
+    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(
+        device_, size.width, size.height, {.layers = layers, .samples = multisampled ? options_.samples : 0});
     if (!made)
         return tl::unexpected(made.error());
-    target_.emplace(std::move(*made));
-    return {};
+    target.emplace(std::move(*made));
+    return &*target;
 }
 
 Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     LIMEN_ASSERT(loaded_ != nullptr, "load before drawing");
-    if (Result<void> fitted = fitTarget(eye.size); !fitted)
-        return fitted;
+    const Result<gpu::RenderTarget*> target = fitTarget(eye.size, options);
+    if (!target)
+        return tl::unexpected(target.error());
+    shown_ = *target;
     const frame::FrameView view = frameView(eye, options);
     loaded_->moments.at(momentInput(loaded_->world, eye), moment_);
     const Stopwatch flooding;
@@ -202,7 +216,8 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     const Stopwatch planning;
     loaded_->planner.plan(view, moment_, visible_, plan_);
     planMs_ = planning.ms();
-    return renderer_.render(plan_, *target_, {.wantIds = options.ids});
+    return renderer_.render(
+        plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
 }
 
 FrameFigures Session::figures() const {

@@ -23,6 +23,7 @@ struct SessionOptions {
     std::string dat; ///< directory; empty: the built-in world
     world::LoadOptions load;
     gpu::TextureMode textures = gpu::TextureMode::Auto;
+    std::uint32_t samples = 0; ///< a pixel, of frames without ids and layers; 0 and 1: no multisampling
 };
 void addSessionOptions(CLI::App& command, SessionOptions& options);
 
@@ -60,7 +61,9 @@ private:
 
 /// What the renderer is asked to draw of a frame.
 struct DrawOptions {
-    bool ids = false; ///< write the id image, cut-outs tested exactly
+    bool ids = false;                         ///< write the id image, cut-outs tested exactly
+    gpu::Shading shading = gpu::Shading::Lit; ///< of FlatIds, with --msaa: the mean of the samples' colours
+    bool layers = false; ///< count the layers of translucent surfaces instead of painting them
 };
 
 /// One world on one graphics device: archive, loaded part, flood, plan, renderer. Every verb that draws goes
@@ -88,19 +91,21 @@ public:
     [[nodiscard]] const visibility::VisibleSet& visible() const { return visible_; }
     [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
     [[nodiscard]] const world::Moment& moment() const { return moment_; }
-    [[nodiscard]] const gpu::RenderTarget& target() const { return *target_; }
+    [[nodiscard]] const gpu::RenderTarget& target() const { return *shown_; }
     [[nodiscard]] FrameFigures figures() const;
     /// The driver in one line.
     [[nodiscard]] std::string driver() const;
 
 private:
-    [[nodiscard]] Result<void> fitTarget(PixelSize size);
+    /// Makes the target that such a frame is drawn into fit, and yields it.
+    [[nodiscard]] Result<gpu::RenderTarget*> fitTarget(PixelSize size, const DrawOptions& options);
 
     WorldSource source_;
     SessionOptions options_;
     gpu::GlDevice& device_;
     gpu::Renderer renderer_;
-    std::optional<gpu::RenderTarget> target_;
+    std::optional<gpu::RenderTarget> target_, sampledTarget_; ///< one sample a pixel, and several
+    gpu::RenderTarget* shown_ = nullptr;                      ///< that of the last frame
     std::unique_ptr<LoadedWorld> loaded_;
     visibility::FloodScratch scratch_;
     world::Moment moment_;

@@ -34,7 +34,7 @@ struct DrawCommand {
 };
 
 static_assert(sizeof(Vertex) == 32 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 10 * 16 + 32);
+static_assert(sizeof(FrameConstants) == 64 + 10 * 16 + 48);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 32 &&

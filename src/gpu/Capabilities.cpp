@@ -84,6 +84,20 @@ std::vector<std::string> missingFrom(const DriverLimits& limits) {
     return missing;
 }
 
+Result<void> checkSamples(std::uint32_t samples, const Capabilities& capabilities) {
+    if (samples > 1 && samples != frame::gpu::kSamples) {
+        return fail(ErrorCode::BadArgument, fmt::format("{} samples", samples),
+                    fmt::format("a pixel has 1 or {}", frame::gpu::kSamples));
+    }
+    if (samples > capabilities.maxSamples) {
+        return fail(
+            ErrorCode::Driver, fmt::format("{} / {}", capabilities.vendor, capabilities.renderer),
+            fmt::format("cannot draw {} samples a pixel: {} is the most for colour, depth and integers alike",
+                        samples, capabilities.maxSamples));
+    }
+    return {};
+}
+
 Result<Capabilities> queryCapabilities() {
     const std::vector<std::string> missing = missingFrom(askLimits());
     if (!missing.empty()) {
@@ -101,6 +115,9 @@ Result<Capabilities> queryCapabilities() {
     caps.textureUnits = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_IMAGE_UNITS));
     caps.maxTextureSize = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_SIZE));
     caps.maxArrayLayers = static_cast<std::uint32_t>(limitOf(GL_MAX_ARRAY_TEXTURE_LAYERS));
+    caps.maxSamples = static_cast<std::uint32_t>(
+        std::max(1, std::min({limitOf(GL_MAX_COLOR_TEXTURE_SAMPLES), limitOf(GL_MAX_DEPTH_TEXTURE_SAMPLES),
+                              limitOf(GL_MAX_INTEGER_SAMPLES)})));
     caps.storageAlignment =
         static_cast<std::size_t>(std::max(limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT), 16));
     return caps;

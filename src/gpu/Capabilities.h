@@ -18,12 +18,17 @@ struct Capabilities {
     float maxAnisotropy = 1.0f;      ///< 1: none
     std::uint32_t textureUnits = 16; ///< of the fragment stage
     std::uint32_t maxTextureSize = 16384, maxArrayLayers = 2048;
+    std::uint32_t maxSamples = 4; ///< a pixel, of colour, depth and integer images alike; 1: no multisampling
     std::size_t storageAlignment = 256; ///< of offsets of bound storage ranges, bytes
 };
 
 /// Asks the current context. Errors: Driver, with one message that names everything needed and missing, and
 /// the driver.
 [[nodiscard]] Result<Capabilities> queryCapabilities();
+
+/// Whether a driver can draw with so many samples a pixel (0 and 1: always). Errors: BadArgument for a number that the
+/// shaders are not made for; Driver, naming it and what it has.
+[[nodiscard]] Result<void> checkSamples(std::uint32_t samples, const Capabilities& capabilities);
 
 /// What `queryCapabilities` finds missing, for its message; empty on a good driver.
 struct DriverLimits {

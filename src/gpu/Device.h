@@ -12,6 +12,7 @@
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 // What the renderer asks of a graphics device, at the level of "bind, clear, draw". Two implementations:
 // GlDevice and NullDevice, which records. Handles are the device's own numbers; using one that was destroyed
@@ -23,21 +24,36 @@ enum class TextureHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 enum class ProgramHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 enum class TargetHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 
-/// The images of a render target: RGBA8, R32UI, D32F (reversed: 0 is infinitely far), R32UI.
-enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership };
+/// The images of a render target: RGBA8, R32UI, D32F (reversed: 0 is infinitely far), R32UI, and where it has them
+/// RG32F.
+enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership, Layers };
+[[nodiscard]] constexpr std::size_t bytesPerPixel(TargetImage image) {
+    return image == TargetImage::Layers ? 8 : 4;
+}
+
+/// What a render target has beside colour, ids, depth and ownership.
+struct TargetOptions {
+    bool layers = false; ///< the image that translucent layers are counted in
+    /// frame::gpu::kSamples a pixel, or 0 for one. Then there are no ids and no layers, colour is read resolved, and
+    /// depth and ownership cannot be read.
+    std::uint32_t samples = 0;
+    friend bool operator==(const TargetOptions&, const TargetOptions&) = default;
+};
 
 /// Which images a draw writes. Each is a framebuffer of the target.
 enum class Pass : std::uint8_t {
     Ownership,  ///< ownership only; no depth
     Solid,      ///< colour, id, depth
     SolidNoIds, ///< colour, depth
-    Blended     ///< colour, blended (one, one minus source alpha), and depth
+    SolidIds,   ///< id, depth
+    Blended,    ///< colour, blended (one, one minus source alpha), and depth
+    Layers      ///< layers, blended likewise, and depth
 };
-inline constexpr std::size_t kPassCount = 4;
+inline constexpr std::size_t kPassCount = 6;
 
 /// The whole pipeline as far as it varies. Fixed for good: depth test >= (reversed depth, so equal means
-/// "later wins"), lower-left origin, depth 0..1, counter-clockwise fronts, blending for the Blended pass's
-/// output.
+/// "later wins"), lower-left origin, depth 0..1, counter-clockwise fronts, blending for the output of the
+/// Blended and Layers passes.
 struct DrawState {
     ProgramHandle program = ProgramHandle::Invalid;
     bool cullBackFaces = true;
@@ -57,7 +73,7 @@ struct TextureShape {
     float anisotropy = 1.0f;
 };
 
-/// What an image is cleared to: colour, visit number or id, depth.
+/// What an image is cleared to: colour or layers, visit number or id, depth.
 using ClearValue = std::variant<glm::vec4, std::uint32_t, float>;
 
 /// Milliseconds of GPU time per stage, of the latest frame whose results have arrived.
@@ -91,9 +107,13 @@ public:
     virtual void destroyTexture(TextureHandle texture) = 0;
     [[nodiscard]] virtual Result<ProgramHandle> createProgram(const ProgramSource& source) = 0;
     virtual void destroyProgram(ProgramHandle program) = 0;
-    [[nodiscard]] virtual Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) = 0;
+    [[nodiscard]] virtual Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
+                                                            const TargetOptions& options) = 0;
+    /// Where the samples of a multisampled target's pixels lie, in pixels from the pixel's lower left corner.
+    [[nodiscard]] virtual std::vector<glm::vec2> samplePositions(TargetHandle target) = 0;
     virtual void destroyTarget(TargetHandle target) = 0;
-    /// Reads an image, bottom row first, 4 bytes a pixel (R,G,B,A; uint32; float). Waits for the GPU.
+    /// Reads an image that the target has, bottom row first, bytesPerPixel each (R,G,B,A; uint32; float; two floats).
+    /// Waits for the GPU.
     virtual void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) = 0;
     /// The vertex and index arena that indexed draws use from now on.
     virtual void setGeometry(BufferHandle vertices, BufferHandle indices) = 0;
@@ -118,6 +138,8 @@ public:
     virtual void drawVertices(std::uint32_t first, std::uint32_t count) = 0;
     /// `count` frame::gpu::DrawCommands at `offset` of the ring memory.
     virtual void drawIndirect(std::size_t offset, std::uint32_t count) = 0;
+    /// Averages the samples of the target's colour into what is read and shown. Only for multisampled targets.
+    virtual void resolve() = 0;
     virtual void endFrame() = 0;
 
     // What happened.

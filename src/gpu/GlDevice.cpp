@@ -137,8 +137,12 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
     };
     switch (image) {
     case TargetImage::Colour:
-        call(glClearNamedFramebufferfv, framebufferOf(Pass::Solid), GLenum{GL_COLOR},
+        call(glClearNamedFramebufferfv, framebufferOf(Pass::SolidNoIds), GLenum{GL_COLOR},
              static_cast<GLint>(frame::gpu::kOutputColour), &std::get<glm::vec4>(value).x);
+        return;
+    case TargetImage::Layers:
+        call(glClearNamedFramebufferfv, framebufferOf(Pass::Layers), GLenum{GL_COLOR},
+             static_cast<GLint>(frame::gpu::kOutputBlended), &std::get<glm::vec4>(value).x);
         return;
     case TargetImage::Id:
         call(glClearNamedFramebufferuiv, framebufferOf(Pass::Solid), GLenum{GL_COLOR},
@@ -148,7 +152,7 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
         if (state_.enableDepthWrite()) {
             call(glDepthMask, GLboolean{GL_TRUE});
         }
-        call(glClearNamedFramebufferfv, framebufferOf(Pass::Solid), GLenum{GL_DEPTH}, 0,
+        call(glClearNamedFramebufferfv, framebufferOf(Pass::SolidNoIds), GLenum{GL_DEPTH}, 0,
              &std::get<float>(value));
         return;
     case TargetImage::Ownership:
@@ -183,6 +187,14 @@ void GlDevice::drawVertices(std::uint32_t first, std::uint32_t count) {
 void GlDevice::drawIndirect(std::size_t offset, std::uint32_t count) {
     call(glMultiDrawElementsIndirect, GLenum{GL_TRIANGLES}, GLenum{GL_UNSIGNED_INT},
          byteOffset(ringSlot_ * ringSlotSize_ + offset), static_cast<GLsizei>(count), GLsizei{0});
+}
+
+void GlDevice::resolve() {
+    const auto width = static_cast<GLint>(frameTarget_->width),
+               height = static_cast<GLint>(frameTarget_->height);
+    call(glBlitNamedFramebuffer, frameTarget_->passes[static_cast<std::size_t>(Pass::SolidNoIds)].id(),
+         frameTarget_->resolvedPass.id(), 0, 0, width, height, 0, 0, width, height,
+         GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
 }
 
 void GlDevice::endFrame() {

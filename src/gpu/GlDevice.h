@@ -29,7 +29,9 @@ public:
     void destroyTexture(TextureHandle texture) override;
     [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override;
     void destroyProgram(ProgramHandle program) override;
-    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) override;
+    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
+                                                    const TargetOptions& options) override;
+    [[nodiscard]] std::vector<glm::vec2> samplePositions(TargetHandle target) override;
     void destroyTarget(TargetHandle target) override;
     void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;
@@ -45,6 +47,7 @@ public:
     void setState(const DrawState& state) override;
     void drawVertices(std::uint32_t first, std::uint32_t count) override;
     void drawIndirect(std::size_t offset, std::uint32_t count) override;
+    void resolve() override;
     void endFrame() override;
 
     [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }
@@ -63,8 +66,15 @@ private:
 
     struct Target {
         std::uint32_t width = 0, height = 0;
-        Texture colour, id, depth, ownership;
+        Texture colour, id, depth, ownership, layers; // what is drawn into
         std::array<Framebuffer, kPassCount> passes;
+        Texture resolved; // colour with one sample a pixel, of a multisampled target
+        Framebuffer resolvedPass;
+        [[nodiscard]] bool isMultisampled() const { return !resolved.empty(); }
+        // What holds the finished picture.
+        [[nodiscard]] const Framebuffer& shown() const {
+            return isMultisampled() ? resolvedPass : passes[static_cast<std::size_t>(Pass::SolidNoIds)];
+        }
     };
 
     explicit GlDevice(Capabilities capabilities);
@@ -76,6 +86,7 @@ private:
         return function(arguments...);
     }
     void waitForFence(std::size_t slot, bool counted);
+    void makeImages(Target& target, const TargetOptions& options);
     [[nodiscard]] Result<void> makePasses(Target& target);
 
     Capabilities capabilities_;

@@ -49,6 +49,22 @@ void describeVertices(GLuint vertexArray) {
     integer(4, offsetof(Vertex, loop));
 }
 
+// Which attachments a pass's fragment outputs go to.
+constexpr std::array<GLenum, 1> kOne{GL_COLOR_ATTACHMENT0};
+constexpr std::array<GLenum, 2> kColourAndId{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+constexpr std::array<GLenum, 2> kOnlyId{GL_NONE, GL_COLOR_ATTACHMENT1};
+constexpr std::array<GLenum, 3> kBlended{GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT0}; // kOutputBlended
+
+Result<void> makeFramebuffer(Framebuffer& out, const char* label, std::span<const Attachment> attachments,
+                             std::span<const GLenum> drawBuffers) {
+    Result<Framebuffer> framebuffer = Framebuffer::create(label, attachments, drawBuffers);
+    if (!framebuffer) {
+        return tl::unexpected(framebuffer.error());
+    }
+    out = std::move(*framebuffer);
+    return {};
+}
+
 } // namespace
 
 GlDevice::GlDevice(Capabilities capabilities)
@@ -133,41 +149,69 @@ void GlDevice::destroyProgram(ProgramHandle program) {
 
 Result<void> GlDevice::makePasses(Target& target) {
     const auto make = [&](Pass pass, const char* label, std::span<const Attachment> attachments,
-                          std::span<const GLenum> drawBuffers) -> Result<void> {
-        Result<Framebuffer> framebuffer = Framebuffer::create(label, attachments, drawBuffers);
-        if (!framebuffer) {
-            return tl::unexpected(framebuffer.error());
-        }
-        target.passes[static_cast<std::size_t>(pass)] = std::move(*framebuffer);
-        return {};
+                          std::span<const GLenum> drawBuffers) {
+        return makeFramebuffer(target.passes[static_cast<std::size_t>(pass)], label, attachments,
+                               drawBuffers);
     };
     const Attachment owner{GL_COLOR_ATTACHMENT0, target.ownership.id()};
     const std::array<Attachment, 3> all{Attachment{GL_COLOR_ATTACHMENT0, target.colour.id()},
                                         Attachment{GL_COLOR_ATTACHMENT1, target.id.id()},
                                         Attachment{GL_DEPTH_ATTACHMENT, target.depth.id()}};
     const std::array<Attachment, 2> noIds{all[0], all[2]};
-    const std::array<GLenum, 1> one{GL_COLOR_ATTACHMENT0};
-    const std::array<GLenum, 2> colourAndId{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    const std::array<GLenum, 3> blended{GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT0}; // kOutputBlended
-    return make(Pass::Ownership, "ownership", {&owner, 1}, one)
-        .and_then([&] { return make(Pass::Solid, "solid", all, colourAndId); })
-        .and_then([&] { return make(Pass::SolidNoIds, "solid without ids", noIds, one); })
-        .and_then([&] { return make(Pass::Blended, "blended", noIds, blended); });
+    const std::array<Attachment, 2> onlyIds{all[1], all[2]};
+    const std::array<Attachment, 2> layers{Attachment{GL_COLOR_ATTACHMENT0, target.layers.id()}, all[2]};
+    const auto unless = [](bool isLeftOut, auto makeIt) { return isLeftOut ? Result<void>{} : makeIt(); };
+    const bool noId = target.id.empty();
+    return make(Pass::Ownership, "ownership", {&owner, 1}, kOne)
+        .and_then([&] { return make(Pass::SolidNoIds, "solid without ids", noIds, kOne); })
+        .and_then([&] { return make(Pass::Blended, "blended", noIds, kBlended); })
+        .and_then([&] { return unless(noId, [&] { return make(Pass::Solid, "solid", all, kColourAndId); }); })
+        .and_then([&] { return unless(noId, [&] { return make(Pass::SolidIds, "ids", onlyIds, kOnlyId); }); })
+        .and_then([&] {
+            return unless(target.layers.empty(),
+                          [&] { return make(Pass::Layers, "layers", layers, kBlended); });
+        })
+        .and_then([&] {
+            const Attachment resolved{GL_COLOR_ATTACHMENT0, target.resolved.id()};
+            return unless(!target.isMultisampled(), [&] {
+                return makeFramebuffer(target.resolvedPass, "resolved", {&resolved, 1}, kOne);
+            });
+        });
 }
 
-Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height) {
+void GlDevice::makeImages(Target& target, const TargetOptions& options) {
+    const auto make = [&](const char* label, GLenum format) {
+        return options.samples == 0
+                   ? Texture::createImage(label, format, target.width, target.height)
+                   : Texture::createSampledImage(label, format, target.width, target.height, options.samples);
+    };
+    target.colour = make("colour", GL_RGBA8);
+    target.depth = make("depth", GL_DEPTH_COMPONENT32F);
+    target.ownership = make("ownership", GL_R32UI);
+    if (options.samples > 0) {
+        target.resolved = Texture::createImage("resolved", GL_RGBA8, target.width, target.height);
+        return;
+    }
+    target.id = make("id", GL_R32UI);
+    if (options.layers) {
+        target.layers = make("layers", GL_RG32F);
+    }
+}
+
+Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height,
+                                            const TargetOptions& options) {
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
         return fail(
             ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
             fmt::format("a picture has 1 to {} pixels a side on this driver", capabilities_.maxTextureSize));
     }
+    if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked) {
+        return tl::unexpected(checked.error());
+    }
     auto target = std::make_unique<Target>();
     target->width = width;
     target->height = height;
-    target->colour = Texture::createImage("colour", GL_RGBA8, width, height);
-    target->id = Texture::createImage("id", GL_R32UI, width, height);
-    target->depth = Texture::createImage("depth", GL_DEPTH_COMPONENT32F, width, height);
-    target->ownership = Texture::createImage("ownership", GL_R32UI, width, height);
+    makeImages(*target, options);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         return fail(ErrorCode::Driver, driverString(),
                     fmt::format("has no memory for a picture of {}x{}", width, height));
@@ -179,25 +223,44 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     return static_cast<TargetHandle>(place(targets_, std::move(target), isFree));
 }
 
+std::vector<glm::vec2> GlDevice::samplePositions(TargetHandle target) {
+    const Target& of = *targets_[static_cast<std::size_t>(target)];
+    LIMEN_ASSERT(of.isMultisampled(), "the target is multisampled");
+    GLint before = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before); // there is no asking by name
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, of.passes[static_cast<std::size_t>(Pass::SolidNoIds)].id());
+    std::vector<glm::vec2> positions(frame::gpu::kSamples);
+    for (GLuint i = 0; i < frame::gpu::kSamples; ++i) {
+        glGetMultisamplefv(GL_SAMPLE_POSITION, i, &positions[i].x);
+    }
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before));
+    return positions;
+}
+
 void GlDevice::destroyTarget(TargetHandle target) {
     targets_[static_cast<std::size_t>(target)].reset();
 }
 
 void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) {
     const Target& from = *targets_[static_cast<std::size_t>(target)];
-    LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * 4, "four bytes a pixel");
+    LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * bytesPerPixel(image),
+                 "the image's size");
+    LIMEN_ASSERT(!from.isMultisampled() || image == TargetImage::Colour, "only colour has a single sample");
     const auto read = [&](const Texture& texture, GLenum format, GLenum type) {
         glGetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
     };
     switch (image) {
     case TargetImage::Colour:
-        return read(from.colour, GL_RGBA, GL_UNSIGNED_BYTE);
+        return read(from.isMultisampled() ? from.resolved : from.colour, GL_RGBA, GL_UNSIGNED_BYTE);
     case TargetImage::Id:
         return read(from.id, GL_RED_INTEGER, GL_UNSIGNED_INT);
     case TargetImage::Depth:
         return read(from.depth, GL_DEPTH_COMPONENT, GL_FLOAT);
     case TargetImage::Ownership:
         return read(from.ownership, GL_RED_INTEGER, GL_UNSIGNED_INT);
+    case TargetImage::Layers:
+        LIMEN_ASSERT(!from.layers.empty(), "the target was made to count layers");
+        return read(from.layers, GL_RG, GL_FLOAT);
     }
 }
 
@@ -211,12 +274,10 @@ void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
 void GlDevice::presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height) {
     const Target& from = *targets_[static_cast<std::size_t>(target)];
     const auto size = [](std::uint32_t pixels) { return static_cast<GLint>(pixels); };
-    glNamedFramebufferReadBuffer(from.passes[static_cast<std::size_t>(Pass::Solid)].id(),
-                                 GL_COLOR_ATTACHMENT0);
+    glNamedFramebufferReadBuffer(from.shown().id(), GL_COLOR_ATTACHMENT0);
     const bool isScaled = width != from.width || height != from.height;
-    glBlitNamedFramebuffer(from.passes[static_cast<std::size_t>(Pass::Solid)].id(), 0, 0, 0, size(from.width),
-                           size(from.height), 0, 0, size(width), size(height), GL_COLOR_BUFFER_BIT,
-                           isScaled ? GL_LINEAR : GL_NEAREST);
+    glBlitNamedFramebuffer(from.shown().id(), 0, 0, 0, size(from.width), size(from.height), 0, 0, size(width),
+                           size(height), GL_COLOR_BUFFER_BIT, isScaled ? GL_LINEAR : GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -125,6 +125,16 @@ Texture Texture::createImage(std::string_view name, GLenum format, std::uint32_t
     return Texture(id);
 }
 
+Texture Texture::createSampledImage(std::string_view name, GLenum format, std::uint32_t width,
+                                    std::uint32_t height, std::uint32_t samples) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
+    label(GL_TEXTURE, id, name);
+    glTextureStorage2DMultisample(id, static_cast<GLsizei>(samples), format, static_cast<GLsizei>(width),
+                                  static_cast<GLsizei>(height), GL_TRUE);
+    return Texture(id);
+}
+
 Texture Texture::createArray(std::string_view name, std::uint32_t width, std::uint32_t height,
                              std::uint32_t layers, std::uint32_t levels, bool clamp, float anisotropy) {
     GLuint id = 0;

@@ -88,6 +88,10 @@ public:
     /// One mip level, one layer, nearest filter: a render target's image.
     [[nodiscard]] static Texture createImage(std::string_view label, GLenum format, std::uint32_t width,
                                              std::uint32_t height);
+    /// The same with several samples a pixel, at the same places in every pixel.
+    [[nodiscard]] static Texture createSampledImage(std::string_view label, GLenum format,
+                                                    std::uint32_t width, std::uint32_t height,
+                                                    std::uint32_t samples);
     /// RGBA8 array with `levels` mips, trilinear.
     [[nodiscard]] static Texture createArray(std::string_view label, std::uint32_t width,
                                              std::uint32_t height, std::uint32_t layers, std::uint32_t levels,

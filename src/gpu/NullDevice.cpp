@@ -71,13 +71,21 @@ void NullDevice::destroyProgram(ProgramHandle) {
     state_.forgetProgram();
 }
 
-Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t height) {
+Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t height,
+                                              const TargetOptions& options) {
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
         return fail(ErrorCode::BadArgument, "target",
                     "a picture has at least one pixel and at most the device's limit");
     }
+    if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked) {
+        return tl::unexpected(checked.error());
+    }
     ++liveObjects_;
     return static_cast<TargetHandle>(targets_++);
+}
+
+std::vector<glm::vec2> NullDevice::samplePositions(TargetHandle) {
+    return std::vector<glm::vec2>(frame::gpu::kSamples, glm::vec2(0.5f));
 }
 
 void NullDevice::destroyTarget(TargetHandle) {
@@ -144,6 +152,10 @@ void NullDevice::drawVertices(std::uint32_t first, std::uint32_t count) {
 
 void NullDevice::drawIndirect(std::size_t offset, std::uint32_t count) {
     record(Command::Kind::DrawIndirect, offset, count, 1);
+}
+
+void NullDevice::resolve() {
+    record(Command::Kind::Resolve, 0, 0, 1);
 }
 
 void NullDevice::endFrame() {

@@ -21,7 +21,8 @@ public:
             BeginPass,    ///< a: Pass
             SetState,     ///< a: program handle
             DrawVertices, ///< a: first, b: count
-            DrawIndirect  ///< a: byte offset in the ring, b: count
+            DrawIndirect, ///< a: byte offset in the ring, b: count
+            Resolve
         };
         Kind kind = Kind::BindStorage;
         std::size_t a = 0, b = 0;
@@ -58,7 +59,9 @@ public:
     void destroyTexture(TextureHandle texture) override;
     [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override;
     void destroyProgram(ProgramHandle program) override;
-    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height) override;
+    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
+                                                    const TargetOptions& options) override;
+    [[nodiscard]] std::vector<glm::vec2> samplePositions(TargetHandle target) override;
     void destroyTarget(TargetHandle target) override;
     void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;
@@ -74,6 +77,7 @@ public:
     void setState(const DrawState& state) override;
     void drawVertices(std::uint32_t first, std::uint32_t count) override;
     void drawIndirect(std::size_t offset, std::uint32_t count) override;
+    void resolve() override;
     void endFrame() override;
 
     [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }

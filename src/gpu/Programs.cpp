@@ -1,5 +1,7 @@
 #include "gpu/Programs.h"
 
+#include "core/Assert.h"
+
 #include <utility>
 
 namespace limen::gpu {
@@ -46,14 +48,30 @@ Shaders shadersOf(frame::Program program) {
     return {"", "", ""};
 }
 
+bool hasFlatVariant(frame::Program program) {
+    return program != frame::Program::Ownership && program != frame::Program::SkyObjects;
+}
+
 } // namespace
 
-ProgramSource programSource(frame::Program program, bool gated, const TextureBinding& textures) {
+ProgramSource programSource(frame::Program program, ProgramVariant variant, const TextureBinding& textures) {
     const Shaders shaders = shadersOf(program);
     ProgramSource source{shaders.name, shaders.vertex, shaders.fragment, {}, textures};
-    if (gated && hasGatedVariant(program)) {
-        source.label += " gated";
-        source.defines.emplace_back("GATED");
+    const auto vary = [&source](const char* name, const char* define) {
+        source.label += std::string(" ") + name;
+        source.defines.emplace_back(define);
+    };
+    if (program == frame::Program::Blended && variant.flat) {
+        source.label = "layers";
+        source.fragmentShader = "layers.frag";
+    } else if (hasFlatVariant(program) && variant.flat) {
+        vary("flat", "FLAT");
+    }
+    if (hasGatedVariant(program) && variant.gated) {
+        vary("gated", "GATED");
+    }
+    if (variant.multisampled) {
+        vary("multisampled", "MULTISAMPLED");
     }
     if (program == frame::Program::Terrain) {
         source.defines.emplace_back("TERRAIN");
@@ -61,23 +79,28 @@ ProgramSource programSource(frame::Program program, bool gated, const TextureBin
     return source;
 }
 
-Pass passOf(frame::Program program, bool wantIds) {
+Pass passOf(frame::Program program, const RenderOptions& options) {
     switch (program) {
     case frame::Program::Ownership:
         return Pass::Ownership;
-    case frame::Program::SkyObjects:
     case frame::Program::Blended:
+        return options.wantLayers ? Pass::Layers : Pass::Blended;
+    case frame::Program::SkyObjects:
         return Pass::Blended;
     case frame::Program::Opaque:
     case frame::Program::CutOut:
     case frame::Program::Terrain:
     case frame::Program::SkyPlain:
-        return wantIds ? Pass::Solid : Pass::SolidNoIds;
+        break;
     }
-    return Pass::Solid;
+    if (options.shading == Shading::IdsOnly) {
+        return Pass::SolidIds;
+    }
+    return options.wantIds ? Pass::Solid : Pass::SolidNoIds;
 }
 
-Programs::Programs(Device& device) : device_(&device) {
+Programs::Programs(Device& device, SceneBindings textures, std::span<const std::string> defines)
+    : device_(&device), textures_(std::move(textures)), defines_(defines.begin(), defines.end()) {
     for (auto& variants : handles_) {
         variants.fill(ProgramHandle::Invalid);
     }
@@ -85,32 +108,48 @@ Programs::Programs(Device& device) : device_(&device) {
 
 Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
                                   std::span<const std::string> defines) {
-    Programs programs(device);
+    Programs programs(device, textures, defines);
     for (std::size_t i = 0; i < kPrograms; ++i) {
-        const auto program = static_cast<frame::Program>(i);
-        const TextureBinding& sampled =
-            program == frame::Program::Terrain ? textures.terrain : textures.meshes;
         for (const bool gated : {false, true}) {
-            if (gated && !hasGatedVariant(program)) {
-                continue;
+            if (Result<void> made = programs.prepare(static_cast<frame::Program>(i), {.gated = gated});
+                !made) {
+                return tl::unexpected(made.error());
             }
-            ProgramSource source = programSource(program, gated, sampled);
-            source.defines.insert(source.defines.end(), defines.begin(), defines.end());
-            Result<ProgramHandle> handle = device.createProgram(source);
-            if (!handle) {
-                return tl::unexpected(handle.error());
-            }
-            programs.handles_[i][gated ? 1 : 0] = *handle;
         }
     }
     return programs;
 }
 
+std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
+    const std::size_t gated = variant.gated && hasGatedVariant(program) ? 1 : 0;
+    const std::size_t flat = variant.flat && hasFlatVariant(program) ? 2 : 0;
+    return gated + flat + (variant.multisampled ? 4 : 0);
+}
+
+Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
+    ProgramHandle& handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
+    if (handle != ProgramHandle::Invalid) {
+        return {};
+    }
+    const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
+    ProgramSource source = programSource(program, variant, sampled);
+    source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
+    Result<ProgramHandle> made = device_->createProgram(source);
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    handle = *made;
+    return {};
+}
+
 Programs::Programs(Programs&& other) noexcept
-    : device_(std::exchange(other.device_, nullptr)), handles_(other.handles_) {}
+    : device_(std::exchange(other.device_, nullptr)), textures_(std::move(other.textures_)),
+      defines_(std::move(other.defines_)), handles_(other.handles_) {}
 
 Programs& Programs::operator=(Programs&& other) noexcept {
     std::swap(device_, other.device_);
+    std::swap(textures_, other.textures_);
+    std::swap(defines_, other.defines_);
     std::swap(handles_, other.handles_);
     return *this;
 }
@@ -128,8 +167,10 @@ Programs::~Programs() {
     }
 }
 
-ProgramHandle Programs::get(frame::Program program, bool gated) const {
-    return handles_[static_cast<std::size_t>(program)][gated && hasGatedVariant(program) ? 1 : 0];
+ProgramHandle Programs::get(frame::Program program, ProgramVariant variant) const {
+    const ProgramHandle handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
+    LIMEN_ASSERT(handle != ProgramHandle::Invalid, "a program is prepared before it is used");
+    return handle;
 }
 
 } // namespace limen::gpu

@@ -1,17 +1,25 @@
 #pragma once
 
 #include "gpu/Device.h"
+#include "gpu/RenderOptions.h"
 
 #include <array>
 
 namespace limen::gpu {
 
-/// What the program of a batch is built from. Ownership and sky have one variant: `gated` changes nothing
-/// there.
-[[nodiscard]] ProgramSource programSource(frame::Program program, bool gated, const TextureBinding& textures);
+/// The ways in which the program of a batch is built.
+struct ProgramVariant {
+    bool gated = false; ///< with the ownership test; ownership and sky have it, or do without, either way
+    bool flat = false;  ///< coloured by id (RenderOptions::shading); of Blended: the one that counts layers
+    bool multisampled = false; ///< for targets with several samples a pixel
+};
+
+/// What the program of a batch is built from.
+[[nodiscard]] ProgramSource programSource(frame::Program program, ProgramVariant variant,
+                                          const TextureBinding& textures);
 
 /// Which images a program writes.
-[[nodiscard]] Pass passOf(frame::Program program, bool wantIds);
+[[nodiscard]] Pass passOf(frame::Program program, const RenderOptions& options);
 
 /// What textures the programs of a scene sample.
 struct SceneBindings {
@@ -21,21 +29,29 @@ struct SceneBindings {
 /// All programs of a frame, for one way of binding textures. Destroyed with this.
 class Programs {
 public:
-    /// `defines` go to every shader. Errors: Driver, with the log of the first that does not build.
+    /// Builds those of lit frames. `defines` go to every shader, later ones too. Errors: Driver, with the log of the
+    /// first that does not build.
     [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures,
                                                  std::span<const std::string> defines = {});
     Programs(Programs&& other) noexcept;
     Programs& operator=(Programs&& other) noexcept;
     ~Programs();
 
-    [[nodiscard]] ProgramHandle get(frame::Program program, bool gated) const;
+    /// Builds one unless it is there. Not during a frame. Errors: Driver, with its log.
+    [[nodiscard]] Result<void> prepare(frame::Program program, ProgramVariant variant);
+    /// Requires that it was prepared.
+    [[nodiscard]] ProgramHandle get(frame::Program program, ProgramVariant variant) const;
 
 private:
     static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-    explicit Programs(Device& device);
+    static constexpr std::size_t kVariants = 8;
+    Programs(Device& device, SceneBindings textures, std::span<const std::string> defines);
+    [[nodiscard]] static std::size_t indexOf(frame::Program program, ProgramVariant variant);
 
     Device* device_ = nullptr;
-    std::array<std::array<ProgramHandle, 2>, kPrograms> handles_{}; // [program][gated]
+    SceneBindings textures_;
+    std::vector<std::string> defines_;
+    std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};
 };
 
 } // namespace limen::gpu

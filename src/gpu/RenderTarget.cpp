@@ -9,23 +9,33 @@
 
 namespace limen::gpu {
 
-Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, std::uint32_t height) {
-    const Result<TargetHandle> handle = device.createTarget(width, height);
+Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, std::uint32_t height,
+                                          const TargetOptions& asked) {
+    TargetOptions options = asked;
+    options.samples = options.samples > 1 ? options.samples : 0;
+    const Result<TargetHandle> handle = device.createTarget(width, height, options);
     if (!handle) {
         return tl::unexpected(handle.error());
     }
-    return RenderTarget(device, *handle, width, height);
+    RenderTarget target(device, *handle, width, height, options);
+    if (options.samples > 0) {
+        target.samples_ = device.samplePositions(*handle);
+    }
+    return target;
 }
 
 RenderTarget::RenderTarget(RenderTarget&& other) noexcept
     : device_(other.device_), handle_(std::exchange(other.handle_, TargetHandle::Invalid)),
-      width_(other.width_), height_(other.height_) {}
+      width_(other.width_), height_(other.height_), options_(other.options_),
+      samples_(std::move(other.samples_)) {}
 
 RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(handle_, other.handle_);
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
+    std::swap(options_, other.options_);
+    std::swap(samples_, other.samples_);
     return *this;
 }
 
@@ -48,6 +58,21 @@ std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const
     return pixels;
 }
 
+std::vector<glm::vec2> RenderTarget::samplePositions() const {
+    std::vector<glm::vec2> positions = samples_;
+    for (glm::vec2& position : positions) {
+        position = {position.x - 0.5f, 0.5f - position.y};
+    }
+    return positions;
+}
+
+void RenderTarget::placeSamples(frame::gpu::FrameConstants& constants) const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        constants.samplesX |= static_cast<std::uint32_t>(samples_[i].x * 256.0f) << (8 * i);
+        constants.samplesY |= static_cast<std::uint32_t>(samples_[i].y * 256.0f) << (8 * i);
+    }
+}
+
 std::vector<std::uint8_t> RenderTarget::readColour() const {
     return read<std::uint8_t>(TargetImage::Colour, 4);
 }
@@ -62,6 +87,15 @@ std::vector<float> RenderTarget::readDepth() const {
 
 std::vector<std::uint32_t> RenderTarget::readOwnership() const {
     return read<std::uint32_t>(TargetImage::Ownership, 1);
+}
+
+std::vector<LayerSum> RenderTarget::readLayers() const {
+    const std::vector<float> sums = read<float>(TargetImage::Layers, 2);
+    std::vector<LayerSum> layers(sums.size() / 2);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        layers[i] = {static_cast<std::uint32_t>(sums[2 * i]), static_cast<std::uint32_t>(sums[2 * i + 1])};
+    }
+    return layers;
 }
 
 std::vector<float> RenderTarget::readDistances(const frame::gpu::FrameConstants& constants) const {

@@ -6,21 +6,36 @@
 
 namespace limen::gpu {
 
+/// The translucent surfaces met in one pixel (Renderer.h, RenderOptions::wantLayers).
+struct LayerSum {
+    std::uint32_t count = 0;
+    std::uint32_t hash = 0; ///< sum of layerHash(id) over the polygons (shaders/include/layers.glsl)
+    friend bool operator==(const LayerSum&, const LayerSum&) = default;
+};
+
 /// The images that a frame is drawn into. Readbacks have the top row first and wait for the GPU.
 class RenderTarget {
 public:
     /// Errors: BadArgument for a size of 0 or beyond the driver's limit; Driver.
     [[nodiscard]] static Result<RenderTarget> create(Device& device, std::uint32_t width,
-                                                     std::uint32_t height);
+                                                     std::uint32_t height, const TargetOptions& options = {});
     RenderTarget(RenderTarget&& other) noexcept;
     RenderTarget& operator=(RenderTarget&& other) noexcept;
     ~RenderTarget();
 
     [[nodiscard]] std::uint32_t width() const { return width_; }
     [[nodiscard]] std::uint32_t height() const { return height_; }
+    [[nodiscard]] const TargetOptions& options() const { return options_; }
     [[nodiscard]] TargetHandle handle() const { return handle_; }
 
-    /// R,G,B,A bytes.
+    /// Where the samples of a multisampled target's pixels lie: pixels from the pixel's centre, x to the right, y
+    /// downwards. Empty if it is not multisampled.
+    [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
+
+    /// Fills in FrameConstants::samplesX and samplesY, which must be 0.
+    void placeSamples(frame::gpu::FrameConstants& constants) const;
+
+    /// R,G,B,A bytes; of a multisampled target the samples' mean.
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;
     /// Ids: kVoidId, kSkyId, or what the planner gave. Undefined after a frame without ids.
     [[nodiscard]] std::vector<std::uint32_t> readIds() const;
@@ -28,19 +43,24 @@ public:
     [[nodiscard]] std::vector<float> readDepth() const;
     /// Number of the leaf visit.
     [[nodiscard]] std::vector<std::uint32_t> readOwnership() const;
+    /// Layers of translucent surfaces, of a frame that counted them. Requires a target made for it.
+    [[nodiscard]] std::vector<LayerSum> readLayers() const;
     /// Metres from the eye along the ray through the pixel's centre, of the frame drawn with these constants;
     /// +inf where nothing was met.
     [[nodiscard]] std::vector<float> readDistances(const frame::gpu::FrameConstants& constants) const;
 
 private:
-    RenderTarget(Device& device, TargetHandle handle, std::uint32_t width, std::uint32_t height)
-        : device_(&device), handle_(handle), width_(width), height_(height) {}
+    RenderTarget(Device& device, TargetHandle handle, std::uint32_t width, std::uint32_t height,
+                 const TargetOptions& options)
+        : device_(&device), handle_(handle), width_(width), height_(height), options_(options) {}
     template <class T>
     [[nodiscard]] std::vector<T> read(TargetImage image, std::size_t perPixel) const;
 
     Device* device_ = nullptr;
     TargetHandle handle_ = TargetHandle::Invalid;
     std::uint32_t width_ = 0, height_ = 0;
+    TargetOptions options_;
+    std::vector<glm::vec2> samples_; // from the lower left corner
 };
 
 } // namespace limen::gpu

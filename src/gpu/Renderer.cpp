@@ -1,6 +1,7 @@
 #include "gpu/Renderer.h"
 
 #include "core/Assert.h"
+#include "frame/IdColour.h"
 #include "gpu/SceneCheck.h"
 
 #include <algorithm>
@@ -28,8 +29,9 @@ std::span<const std::byte> bytesOf(const std::vector<T>& array) {
 }
 
 // The plan's arrays, in the order of kFrameBindings.
-std::array<std::span<const std::byte>, kFrameBindings.size()> frameArrays(const frame::FramePlan& plan) {
-    return {std::as_bytes(std::span(&plan.constants, 1)),
+std::array<std::span<const std::byte>, kFrameBindings.size()>
+frameArrays(const frame::FramePlan& plan, const layout::FrameConstants& constants) {
+    return {std::as_bytes(std::span(&constants, 1)),
             bytesOf(plan.blocks),
             bytesOf(plan.visits),
             bytesOf(plan.ownershipVertices),
@@ -102,6 +104,30 @@ std::vector<std::string> definesOf(const RendererOptions& options) {
         defines.emplace_back("EXACT_DEPTH");
     }
     return defines;
+}
+
+bool isFlat(const RenderOptions& options) {
+    return options.shading != Shading::Lit;
+}
+
+// Flat frames show ids, and neither what is blended nor what floats in the sky has one. Frames that count layers paint
+// nothing blended.
+bool isSkipped(frame::Program program, const RenderOptions& options) {
+    return (program == frame::Program::SkyObjects && (isFlat(options) || options.wantLayers)) ||
+           (program == frame::Program::Blended && isFlat(options) && !options.wantLayers);
+}
+
+glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options) {
+    if (!isFlat(options)) {
+        return plan.constants.voidColour;
+    }
+    const auto [r, g, b] = frame::colourOfId(layout::kVoidId);
+    return glm::vec4(r, g, b, 255) / 255.0f;
+}
+
+ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options, bool multisampled) {
+    return {batch.gated, batch.program == frame::Program::Blended ? options.wantLayers : isFlat(options),
+            multisampled};
 }
 
 bool isOneDraw(frame::Program program) {
@@ -186,7 +212,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
 
 Renderer::RingLayout Renderer::layOutRing(const frame::FramePlan& plan) const {
     const std::size_t alignment = device_->capabilities().storageAlignment;
-    const auto arrays = frameArrays(plan);
+    const auto arrays = frameArrays(plan, plan.constants);
     RingLayout ring;
     const auto place = [&](std::size_t size) {
         const std::size_t offset = (ring.total + alignment - 1) / alignment * alignment;
@@ -201,6 +227,17 @@ Renderer::RingLayout Renderer::layOutRing(const frame::FramePlan& plan) const {
     return ring;
 }
 
+Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
+                                       bool multisampled) {
+    Result<void> prepared;
+    for (const frame::Batch& batch : plan.batches) {
+        if (prepared && !isSkipped(batch.program, options)) {
+            prepared = scene_->programs.prepare(batch.program, variantOf(batch, options, multisampled));
+        }
+    }
+    return prepared;
+}
+
 void Renderer::bindAll(const RingLayout& ring) {
     std::array<StorageRange, kStorageBindings> storage = scene_->storage;
     for (std::size_t i = 0; i < kFrameBindings.size(); ++i) {
@@ -212,16 +249,22 @@ void Renderer::bindAll(const RingLayout& ring) {
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
     device_->clear(TargetImage::Ownership, std::uint32_t{0}); // the root visit's number
-    device_->clear(TargetImage::Colour, plan.constants.voidColour);
+    if (options.shading != Shading::IdsOnly) {
+        device_->clear(TargetImage::Colour, clearColour(plan, options));
+    }
+    if (options.wantLayers) {
+        device_->clear(TargetImage::Layers, glm::vec4(0.0f));
+    }
     if (options.wantIds) {
         device_->clear(TargetImage::Id, std::uint32_t{layout::kVoidId});
     }
     device_->clear(TargetImage::Depth, 0.0f);
 }
 
-void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset) {
+void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
+                         bool multisampled) {
     DrawState state;
-    state.program = scene_->programs.get(batch.program, batch.gated);
+    state.program = scene_->programs.get(batch.program, variantOf(batch, options, multisampled));
     state.cullBackFaces =
         batch.program != frame::Program::Ownership; // a portal polygon counts from either side
     state.writeDepth = batch.program != frame::Program::Blended;
@@ -239,8 +282,8 @@ void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset) 
     }
 }
 
-void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
-                          const RenderOptions& options) {
+void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring, const RenderOptions& options,
+                          bool multisampled) {
     std::optional<Pass> current;
     for (const frame::Stage& stage : plan.stages) {
         const Stopwatch watch;
@@ -248,11 +291,14 @@ void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (const Pass pass = passOf(batch.program, options.wantIds); pass != current) {
+            if (isSkipped(batch.program, options)) {
+                continue;
+            }
+            if (const Pass pass = passOf(batch.program, options); pass != current) {
                 device_->beginPass(pass);
                 current = pass;
             }
-            drawBatch(batch, ring.commands);
+            drawBatch(batch, ring.commands, options, multisampled);
             ++report.batches;
             report.draws += isOneDraw(batch.program) ? std::min(batch.commandCount, 1u) : batch.commandCount;
         }
@@ -264,7 +310,15 @@ void Renderer::drawStages(const frame::FramePlan& plan, const RingLayout& ring,
 Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target,
                               const RenderOptions& options) {
     LIMEN_ASSERT(scene_ != nullptr, "a scene is uploaded before a frame is drawn");
+    LIMEN_ASSERT(options.wantIds || options.shading != Shading::IdsOnly, "a frame shows something");
+    LIMEN_ASSERT(!options.wantLayers || target.options().layers, "the target is made to count layers");
+    const bool multisampled = target.options().samples > 0;
+    LIMEN_ASSERT(!multisampled || (!options.wantIds && !options.wantLayers),
+                 "ids and layers have one sample a pixel");
     assertSound(plan);
+    if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared) {
+        return prepared;
+    }
     const Stopwatch watch;
     report_ = {};
     for (std::size_t i = 0; i < report_.stages.size(); ++i) {
@@ -275,14 +329,19 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
         return reserved;
     }
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
-    const auto arrays = frameArrays(plan);
+    layout::FrameConstants constants = plan.constants;
+    target.placeSamples(constants);
+    const auto arrays = frameArrays(plan, constants);
     for (std::size_t i = 0; i < arrays.size(); ++i) {
         copyTo(memory, ring.offsets[i], arrays[i]);
     }
     copyTo(memory, ring.commands, bytesOf(plan.commands));
     bindAll(ring);
     clearTarget(plan, options);
-    drawStages(plan, ring, options);
+    drawStages(plan, ring, options, multisampled);
+    if (multisampled) {
+        device_->resolve();
+    }
     device_->endFrame();
     report_.cpuMs = watch.milliseconds();
     return {};

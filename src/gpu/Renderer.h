@@ -5,6 +5,7 @@
 #include "gpu/Device.h"
 #include "gpu/FrameReport.h"
 #include "gpu/Programs.h"
+#include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
 #include "gpu/TextureStore.h"
 
@@ -21,10 +22,6 @@ struct RendererOptions {
     std::vector<std::string> shaderDefines{};
 };
 
-struct RenderOptions {
-    bool wantIds = true; ///< write the id image
-};
-
 /// Draws frame plans on a device: one GL draw call per batch, whatever it holds. The device must outlive it.
 class Renderer {
 public:
@@ -37,7 +34,8 @@ public:
     /// programs report. On an error the scene that was there stays.
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
     /// Draws one frame. Requires an uploaded scene and a plan made for it: at least one visit, parents before
-    /// children, batches within the commands. Errors: Driver, if memory for the frame's arrays cannot be had.
+    /// children, batches within the commands. The first frame of its kind builds its programs. Errors: Driver, if they
+    /// do not build or memory for the frame's arrays cannot be had.
     [[nodiscard]] Result<void> render(const frame::FramePlan& plan, RenderTarget& target,
                                       const RenderOptions& options = {});
 
@@ -52,10 +50,14 @@ private:
     struct RingLayout;
 
     [[nodiscard]] RingLayout layOutRing(const frame::FramePlan& plan) const;
+    [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
+                                               bool multisampled);
     void bindAll(const RingLayout& layout);
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
-    void drawStages(const frame::FramePlan& plan, const RingLayout& layout, const RenderOptions& options);
-    void drawBatch(const frame::Batch& batch, std::size_t commandsOffset);
+    void drawStages(const frame::FramePlan& plan, const RingLayout& layout, const RenderOptions& options,
+                    bool multisampled);
+    void drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
+                   bool multisampled);
 
     Device* device_;
     RendererOptions options_;

@@ -63,6 +63,38 @@ TEST_F(CallCountGlTest, everyStageTogetherStaysWithinTheBudget_whateverIsDrawn) 
         << "first frames, later frames, few draws and many make the same calls";
 }
 
+TEST_F(CallCountGlTest, framesThatMeasureStayWithinTheBudgetToo) {
+    SceneBuilder scene = everything(3);
+    Renderer renderer(*device_);
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    Result<RenderTarget> target = RenderTarget::create(*device_, 16, 16, {.layers = true});
+    ASSERT_TRUE(target);
+    for (const Shading shading : {Shading::Lit, Shading::FlatIds, Shading::IdsOnly}) {
+        for (const bool layers : {true, false}) {
+            ASSERT_TRUE(renderer.render(scene.finish(true), *target, {true, shading, layers}));
+            EXPECT_LE(renderer.report().glCalls, kBudget);
+        }
+    }
+}
+
+TEST_F(CallCountGlTest, multisampledFramesStayWithinTheBudget_andNullDeviceCountsThemAlike) {
+    SceneBuilder scene = everything(3);
+    scene.finish(true);
+    NullDevice null;
+    Renderer real(*device_), recorded(null);
+    ASSERT_TRUE(real.upload(scene.upload));
+    ASSERT_TRUE(recorded.upload(scene.upload));
+    Result<RenderTarget> realTarget = RenderTarget::create(*device_, 8, 8, {.samples = layout::kSamples}),
+                         nullTarget = RenderTarget::create(null, 8, 8, {.samples = layout::kSamples});
+    ASSERT_TRUE(realTarget && nullTarget);
+    for (const Shading shading : {Shading::Lit, Shading::FlatIds, Shading::Lit}) {
+        ASSERT_TRUE(real.render(scene.plan, *realTarget, {.wantIds = false, .shading = shading}));
+        ASSERT_TRUE(recorded.render(scene.plan, *nullTarget, {.wantIds = false, .shading = shading}));
+        EXPECT_LE(real.report().glCalls, kBudget);
+        EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
+    }
+}
+
 TEST_F(CallCountGlTest, nullDeviceCountsWhatTheDriverGets) {
     for (const bool all : {true, false}) {
         SceneBuilder scene = everything(2);
@@ -71,11 +103,14 @@ TEST_F(CallCountGlTest, nullDeviceCountsWhatTheDriverGets) {
         Renderer real(*device_), recorded(null);
         ASSERT_TRUE(real.upload(scene.upload));
         ASSERT_TRUE(recorded.upload(scene.upload));
-        Result<RenderTarget> realTarget = RenderTarget::create(*device_, 8, 8),
-                             nullTarget = RenderTarget::create(null, 8, 8);
-        for (const bool wantIds : {true, false, true}) {
-            ASSERT_TRUE(real.render(scene.plan, *realTarget, {wantIds}));
-            ASSERT_TRUE(recorded.render(scene.plan, *nullTarget, {wantIds}));
+        Result<RenderTarget> realTarget = RenderTarget::create(*device_, 8, 8, {.layers = true}),
+                             nullTarget = RenderTarget::create(null, 8, 8, {.layers = true});
+        for (const RenderOptions& options :
+             {RenderOptions{}, RenderOptions{.wantIds = false}, RenderOptions{.wantLayers = true},
+              RenderOptions{.shading = Shading::FlatIds}, RenderOptions{.shading = Shading::IdsOnly},
+              RenderOptions{.shading = Shading::IdsOnly, .wantLayers = true}, RenderOptions{}}) {
+            ASSERT_TRUE(real.render(scene.plan, *realTarget, options));
+            ASSERT_TRUE(recorded.render(scene.plan, *nullTarget, options));
             EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
         }
     }

@@ -32,11 +32,17 @@ Frame GlTest::render(SceneBuilder& scene, std::uint32_t size, const RendererOpti
 
 Frame GlTest::renderWith(Renderer& renderer, const frame::FramePlan& plan, std::uint32_t width,
                          std::uint32_t height, const RenderOptions& options) {
-    Result<RenderTarget> target = RenderTarget::create(*device_, width, height);
+    Result<RenderTarget> target =
+        RenderTarget::create(*device_, width, height, {.layers = options.wantLayers});
     EXPECT_TRUE(target) << target.error().message();
     const Result<void> rendered = renderer.render(plan, *target, options);
     EXPECT_TRUE(rendered) << rendered.error().message();
-    return {target->readIds(), target->readOwnership(), target->readColour(), target->readDepth(), width};
+    Frame frame{
+        target->readIds(), target->readOwnership(), target->readColour(), target->readDepth(), {}, width};
+    if (options.wantLayers) {
+        frame.layers = target->readLayers();
+    }
+    return frame;
 }
 
 } // namespace limen::gpu::test

@@ -15,6 +15,7 @@ struct Frame {
     std::vector<std::uint32_t> ids, ownership;
     std::vector<std::uint8_t> colour;
     std::vector<float> depth;
+    std::vector<LayerSum> layers{}; ///< where asked for
     std::uint32_t width = 0;
 
     [[nodiscard]] std::vector<std::string> picture() const { return test::picture(ids, width); }

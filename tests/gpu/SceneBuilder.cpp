@@ -56,6 +56,7 @@ std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3
     instance.block = options.block;
     instance.idBase = id;
     instance.highlight = options.highlight;
+    instance.opacity = 1.0f;
     instance.firstMember = static_cast<std::uint32_t>(upload.members.size());
     instance.memberCount = static_cast<std::uint32_t>(options.members.size());
     upload.members.insert(upload.members.end(), options.members.begin(), options.members.end());

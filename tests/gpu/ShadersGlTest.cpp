@@ -12,13 +12,26 @@ TEST_F(ShadersGlTest, everyVariantBuilds) {
         bindings.push_back({true, 0, {}});
     }
     for (const TextureBinding& binding : bindings) {
-        const Result<Programs> programs = Programs::create(*device_, {binding, binding});
-        EXPECT_TRUE(programs) << programs.error().message();
+        Result<Programs> programs = Programs::create(*device_, {binding, binding});
+        ASSERT_TRUE(programs) << programs.error().message();
+        for (std::size_t program = 0; program <= static_cast<std::size_t>(frame::Program::Blended);
+             ++program) {
+            for (const bool gated : {false, true}) {
+                for (const ProgramVariant& variant :
+                     {ProgramVariant{.gated = gated, .flat = true},
+                      ProgramVariant{.gated = gated, .multisampled = true},
+                      ProgramVariant{.gated = gated, .flat = true, .multisampled = true}}) {
+                    const Result<void> made =
+                        programs->prepare(static_cast<frame::Program>(program), variant);
+                    EXPECT_TRUE(made) << made.error().message();
+                }
+            }
+        }
     }
 }
 
 TEST_F(ShadersGlTest, failureNamesFileLineAndDriver) {
-    ProgramSource source = programSource(frame::Program::Opaque, true, {false, 1, {0}});
+    ProgramSource source = programSource(frame::Program::Opaque, {.gated = true}, {false, 1, {0}});
     source.defines.emplace_back("walkChain"); // breaks include/gate.glsl where the function is defined
     const Result<ProgramHandle> program = device_->createProgram(source);
     ASSERT_FALSE(program);

@@ -2,6 +2,7 @@
 
 #include "geometry/ConvexPolygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,20 +21,30 @@ constexpr double kEdge = 1e-9;
 
 } // namespace
 
-NaiveTracer::NaiveTracer(const world::World& world) : world_(world) {
+NaiveTracer::NaiveTracer(const world::World& world, world::Moment moment)
+    : world_(world), moment_(std::move(moment)) {
     for (const world::Instance& instance : world.instances) {
         addTriangles(instance);
     }
-    for (const world::Space& space : world.spaces) {
+    for (const world::Instance& instance : moment_.instances) {
+        addTriangles(instance);
+    }
+    for (world::SpaceIndex space = 0; space < world.spaces.size(); ++space) {
         addClusters(space);
     }
 }
 
-void NaiveTracer::addClusters(const world::Space& space) {
+void NaiveTracer::addClusters(world::SpaceIndex index) {
     constexpr double kSize = 24.0;
     std::map<std::tuple<long, long>, Cluster> grid;
-    for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
-        const std::uint32_t instance = world_.spaceInstances[i];
+    const world::Space& space = world_.spaces[index];
+    std::vector<world::InstanceIndex> members(world_.spaceInstances.begin() + space.firstInstance,
+                                              world_.spaceInstances.begin() + space.firstInstance +
+                                                  space.instanceCount);
+    for (const world::InstanceIndex moving : moment_.instancesIn(index)) {
+        members.push_back(static_cast<world::InstanceIndex>(world_.instances.size()) + moving);
+    }
+    for (const world::InstanceIndex instance : members) {
         const Vec3& centre = bodies_[instance].bounds.centre;
         grid[{std::lround(centre.x / kSize), std::lround(centre.y / kSize)}].bodies.push_back(instance);
     }
@@ -64,7 +75,8 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
     const auto place = [&](const world::MeshVertex& v) {
         return origin + Mat3(instance.linear) * Vec3(v.position);
     };
-    for (const auto surfaces : {world::SurfaceClass::Opaque, world::SurfaceClass::CutOut}) {
+    for (const auto surfaces :
+         {world::SurfaceClass::Opaque, world::SurfaceClass::CutOut, world::SurfaceClass::Blended}) {
         const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
         for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3) {
             const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {
@@ -77,6 +89,7 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
             t.uvA = vertex(0).uv;
             t.uvB = vertex(1).uv;
             t.uvC = vertex(2).uv;
+            t.blended = surfaces == world::SurfaceClass::Blended;
             t.id = instance.idBase + vertex(0).polygon;
             if (surfaces == world::SurfaceClass::CutOut) {
                 t.material = world_.materialRefs[instance.firstMaterial + vertex(0).surface];
@@ -109,29 +122,52 @@ bool NaiveTracer::isHole(const Triangle& triangle, double v, double w) const {
     return image.rgba[at] < 128;
 }
 
+double NaiveTracer::meets(const Triangle& triangle, const Ray& ray, double& v, double& w) {
+    // Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), front faces only.
+    const Vec3 p = glm::cross(ray.direction, triangle.ac);
+    const double determinant = glm::dot(triangle.ab, p);
+    if (determinant > 0.0) {
+        const Vec3 s = ray.eye - triangle.a;
+        v = glm::dot(s, p) / determinant;
+        const Vec3 q = glm::cross(s, triangle.ab);
+        w = glm::dot(ray.direction, q) / determinant;
+        const double t = glm::dot(triangle.ac, q) / determinant;
+        if (v >= -kEdge && w >= -kEdge && v + w <= 1.0 + kEdge && t >= ray.nearPlane) {
+            return t;
+        }
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
 void NaiveTracer::nearestIn(const Body& body, const Ray& ray, double after, Answer& best) const {
     for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
-        // Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), front faces only.
         const Triangle& triangle = triangles_[i];
-        const Vec3 p = glm::cross(ray.direction, triangle.ac);
-        const double determinant = glm::dot(triangle.ab, p);
-        if (determinant <= 0.0) {
-            continue;
-        }
-        const Vec3 s = ray.eye - triangle.a;
-        const double v = glm::dot(s, p) / determinant;
-        const Vec3 q = glm::cross(s, triangle.ab);
-        const double w = glm::dot(ray.direction, q) / determinant;
-        const double t = glm::dot(triangle.ac, q) / determinant;
-        if (v < -kEdge || w < -kEdge || v + w > 1.0 + kEdge || t <= after || t < ray.nearPlane ||
-            t >= best.t) {
-            continue;
-        }
-        if (!isHole(triangle, v, w)) {
+        double v = 0.0, w = 0.0;
+        const double t = meets(triangle, ray, v, w);
+        if (!triangle.blended && t > after && t < best.t && !isHole(triangle, v, w)) {
             best.t = t;
             best.id = triangle.id;
         }
     }
+}
+
+void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double after, double until,
+                            std::vector<std::uint32_t>& layers) const {
+    for (const Cluster& cluster : clusters_[space]) {
+        for (const world::InstanceIndex index : cluster.bodies) {
+            const Body& body = bodies_[index];
+            for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
+                double v = 0.0, w = 0.0;
+                const Triangle& triangle = triangles_[i];
+                const double t = triangle.blended ? meets(triangle, ray, v, w) : 0.0;
+                const bool known = std::find(layers.begin(), layers.end(), triangle.id) != layers.end();
+                if (triangle.blended && t > after && t <= until && std::isfinite(t) && !known) {
+                    layers.push_back(triangle.id);
+                }
+            }
+        }
+    }
+    std::sort(layers.begin(), layers.end());
 }
 
 NaiveTracer::Alone NaiveTracer::traceAlone(std::uint32_t instance, std::uint32_t id, const Ray& ray) const {
@@ -164,7 +200,8 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
     for (std::uint32_t i = from.firstPortal; i < from.firstPortal + from.portalCount; ++i) {
         const world::Portal& portal = world_.portals[i];
         const double speed = glm::dot(portal.plane.n, ray.direction);
-        if (speed >= 0.0 || (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i)) {
+        if (moment_.isClosed(i) || speed >= 0.0 ||
+            (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i)) {
             continue;
         }
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
@@ -217,6 +254,7 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
         }
         double t = kInfinite;
         const world::PortalIndex portal = nearestPortal(space, ray, t0, cameBy, t);
+        addLayers(space, ray, t0 - slack, std::min(answer.t, t + slack), answer.layers);
         if (portal == world::kNone || answer.t <= t + slack) {
             break;
         }

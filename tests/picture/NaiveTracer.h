@@ -1,5 +1,6 @@
 #pragma once
 
+#include "world/Moment.h"
 #include "world/World.h"
 
 #include <vector>
@@ -12,7 +13,8 @@ namespace limen::test {
 class NaiveTracer {
 public:
     /// Keeps a copy of every triangle in global coordinates; `world` must outlive it.
-    explicit NaiveTracer(const world::World& world);
+    /// `moment`: what moves, and what is shut; a copy is kept.
+    explicit NaiveTracer(const world::World& world, world::Moment moment = {});
 
     struct Ray {
         Vec3 eye{0.0};
@@ -24,6 +26,7 @@ public:
         double t = 0.0;       ///< in units of `direction`; infinite for sky, NaN for void
         bool reachedOutside = false;
         std::uint32_t spacesVisited = 0;
+        std::vector<std::uint32_t> layers; ///< ids of the translucent polygons met, ascending, each once
     };
     [[nodiscard]] Answer trace(world::SpaceIndex root, const Ray& ray) const;
 
@@ -40,6 +43,7 @@ private:
         Vec3 a{0.0}, ab{0.0}, ac{0.0};
         Vec2f uvA{0.0f}, uvB{0.0f}, uvC{0.0f};
         std::uint32_t id = 0;
+        bool blended = false;
         std::uint32_t material = world::kNone; ///< of a cut-out, to test its texel; else kNone
     };
     struct Body {
@@ -52,8 +56,13 @@ private:
         std::vector<world::InstanceIndex> bodies;
     };
     void addTriangles(const world::Instance& instance);
-    void addClusters(const world::Space& space);
+    void addClusters(world::SpaceIndex index);
     [[nodiscard]] static bool mayMeet(const Sphere& bounds, const Ray& ray);
+    /// Where the ray meets a triangle's front; infinite if it does not.
+    [[nodiscard]] static double meets(const Triangle& triangle, const Ray& ray, double& v, double& w);
+    /// Adds the translucent polygons of a space that the ray meets from `after` to `until`.
+    void addLayers(world::SpaceIndex space, const Ray& ray, double after, double until,
+                   std::vector<std::uint32_t>& layers) const;
     void nearestIn(const Body& body, const Ray& ray, double after, Answer& best) const;
     [[nodiscard]] bool isHole(const Triangle& triangle, double v, double w) const;
     [[nodiscard]] world::PortalIndex nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
@@ -63,8 +72,9 @@ private:
     [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;
 
     const world::World& world_;
+    world::Moment moment_;
     std::vector<Triangle> triangles_;
-    std::vector<Body> bodies_;                   ///< by instance
+    std::vector<Body> bodies_;                   ///< by instance, the moment's numbered on
     std::vector<std::vector<Cluster>> clusters_; ///< by space
 };
 

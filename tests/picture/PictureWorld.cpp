@@ -75,7 +75,7 @@ PictureWorld::~PictureWorld() = default;
 void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord centre,
                         const Options& options) {
     const auto archive = valueOf(dat::Archive::open(directory));
-    world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}));
+    world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
     tracer_ = std::make_unique<NaiveTracer>(world_);
     graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(world_)));
@@ -97,26 +97,45 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
 
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    visibility::flood(*graph_, {}, frame.view, {}, scratch_, visible);
-    planner_->plan(frame, visible, plan);
+    visibility::flood(*graph_, moment_.closed, frame.view, {}, scratch_, visible);
+    planner_->plan(frame, moment_, visible, plan);
 }
 
-Picture PictureWorld::shoot(const frame::FrameView& frame) {
+void PictureWorld::setMoment(const motion::MomentInput& input) {
+    motion::Moments(world_).at(input, moment_);
+    tracer_ = std::make_unique<NaiveTracer>(world_, moment_);
+}
+
+Picture PictureWorld::shootSampled(const frame::FrameView& frame, gpu::Shading shading) {
+    return shoot(frame, {.wantIds = false, .shading = shading}, {.samples = frame::gpu::kSamples});
+}
+
+Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
+                            const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>();
         require(drawing_->renderer.upload(frame::buildScene(world_)));
     }
     auto& target = drawing_->target;
-    if (!target || target->width() != frame.width || target->height() != frame.height) {
-        target.emplace(valueOf(gpu::RenderTarget::create(*driver().device, frame.width, frame.height)));
+    if (!target || target->width() != frame.width || target->height() != frame.height ||
+        target->options() != targetOptions) {
+        target.emplace(
+            valueOf(gpu::RenderTarget::create(*driver().device, frame.width, frame.height, targetOptions)));
     }
     Picture picture;
     picture.frame = frame;
     plan(frame, picture.visible, drawing_->plan);
-    require(drawing_->renderer.render(drawing_->plan, *target));
-    picture.ids = target->readIds();
-    picture.depth = target->readDepth();
+    require(drawing_->renderer.render(drawing_->plan, *target, options));
+    if (targetOptions.samples > 0) {
+        picture.samples = target->samplePositions();
+    } else {
+        picture.ids = target->readIds();
+        picture.depth = target->readDepth();
+    }
     picture.colour = target->readColour();
+    if (options.wantLayers) {
+        picture.layers = target->readLayers();
+    }
     picture.counts = drawing_->plan.counts;
     picture.glCalls = drawing_->renderer.report().glCalls;
     for (const frame::Stage& stage : drawing_->plan.stages) {

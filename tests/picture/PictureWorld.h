@@ -4,7 +4,11 @@
 #include "support/TestWorld.h"
 
 #include "frame/Planner.h"
+#include "gpu/RenderOptions.h"
+#include "gpu/RenderTarget.h"
+#include "motion/Moments.h"
 #include "visibility/Flood.h"
+#include "world/MovingEntries.h"
 
 #include <filesystem>
 #include <memory>
@@ -15,8 +19,10 @@ namespace limen::test {
 struct Picture {
     frame::FrameView frame;
     std::vector<std::uint32_t> ids;
-    std::vector<float> depth;         ///< as in the depth buffer: near / w, 0 at infinity
-    std::vector<std::uint8_t> colour; ///< R,G,B,A
+    std::vector<float> depth;          ///< as in the depth buffer: near / w, 0 at infinity
+    std::vector<std::uint8_t> colour;  ///< R,G,B,A
+    std::vector<gpu::LayerSum> layers; ///< where asked for
+    std::vector<glm::vec2> samples;    ///< of a multisampled one: from the pixel's centre, y downwards
     visibility::VisibleSet visible;
     frame::PlanCounts counts;
     std::uint32_t glCalls = 0;
@@ -30,6 +36,7 @@ struct Picture {
 struct PictureOptions {
     bool mergeZones = true;
     int radius = 1;
+    world::MovingEntries moving{};
 };
 
 /// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
@@ -50,7 +57,14 @@ public:
     /// A view from a position local to the home block.
     [[nodiscard]] frame::FrameView look(const Vec3& local, double yaw, double pitch,
                                         world::SpaceIndex root) const;
-    [[nodiscard]] Picture shoot(const frame::FrameView& frame);
+    [[nodiscard]] Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options = {}) {
+        return shoot(frame, options, {.layers = options.wantLayers, .samples = 0});
+    }
+    /// Flat colours, with several samples a pixel: no ids and no depth.
+    [[nodiscard]] Picture shootSampled(const frame::FrameView& frame,
+                                       gpu::Shading shading = gpu::Shading::FlatIds);
+    /// Lets what moves be where it is then; before, nothing moves and nothing is shut.
+    void setMoment(const motion::MomentInput& input);
     /// Only up to the plan: no driver.
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
@@ -62,9 +76,12 @@ public:
     double fov = 75.0;
 
 private:
+    Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
+                  const gpu::TargetOptions& targetOptions);
     void load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options);
     world::World world_;
     Vec3 origin_{0.0};
+    world::Moment moment_;
     std::unique_ptr<NaiveTracer> tracer_;
     std::unique_ptr<visibility::Graph> graph_;
     std::unique_ptr<frame::Planner> planner_;

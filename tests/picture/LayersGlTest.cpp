@@ -1,0 +1,92 @@
+// Layers of translucent surfaces, counted as they would be drawn, held against the ray rule: panes, and the sprites of
+// emitters that move from moment to moment.
+#include "picture/PictureWorld.h"
+#include "reference/Scene.h"
+#include "support/MovingHut.h"
+
+#include "motion/Locate.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::test {
+namespace {
+
+gpu::LayerSum sumOf(const std::vector<std::uint32_t>& ids) {
+    gpu::LayerSum sum;
+    for (const std::uint32_t id : ids) {
+        ++sum.count;
+        sum.hash += reference::layerHash(id);
+    }
+    return sum;
+}
+
+struct Tally {
+    std::size_t pixels = 0, withLayers = 0, wrong = 0;
+    std::string first;
+};
+
+/// Where an outline passes within the rasteriser's 1/256 pixel (and a little more, for floats) of a pixel's centre either
+/// side is right: a pixel is wrong if none of the rays of a 5 by 5 grid, 1/128 pixel apart, meets what was counted.
+void tally(const PictureWorld& pictures, const Picture& picture, Tally& tally) {
+    const auto meets = [&](double x, double y) {
+        return sumOf(
+            pictures.tracer().trace(picture.frame.view.root, rayThrough(picture.frame, x, y)).layers);
+    };
+    for (std::uint32_t y = 0; y < picture.frame.height; ++y) {
+        for (std::uint32_t x = 0; x < picture.frame.width; ++x) {
+            const gpu::LayerSum& drawn = picture.layers[y * picture.frame.width + x];
+            ++tally.pixels;
+            tally.withLayers += drawn.count > 0 ? 1 : 0;
+            bool right = meets(x, y) == drawn;
+            for (int i = 0; i < 25 && !right; ++i) {
+                right = meets(x + (i % 5 - 2) / 128.0, y + (i / 5 - 2) / 128.0) == drawn;
+            }
+            if (!right && tally.wrong++ == 0) {
+                tally.first = "pixel " + std::to_string(x) + ", " + std::to_string(y) + ": drawn " +
+                              std::to_string(drawn.count) + ", traced " + std::to_string(meets(x, y).count);
+            }
+        }
+    }
+}
+
+struct Layers : ::testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Zones, Layers, ::testing::Bool(),
+                         [](const auto& zones) { return zones.param ? "merged" : "apart"; });
+
+TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
+    MovingHut hut;
+    for (world::EmitterEntry& emitter : hut.moving.emitters) { // thick smoke
+        emitter.rate = 25;
+        emitter.size = {0.3, 0.9};
+    }
+    PictureWorld pictures(hut.source, {GetParam(), 1, hut.moving});
+    Tally sum;
+    const Vec3 eyes[] = {{6.5, 11.5, 3.6}, {11, 13, 3.5}, {16, 11.2, 3.4}, {21, 12, 3.5}, {10.02, 11.4, 3.3}};
+    for (int step = 0; step < 12; ++step) {
+        for (const double doors : {0.0, 0.6}) {
+            const Vec3& eye = eyes[step % 5];
+            const world::SpaceIndex root = motion::locate(pictures.world(), hut.at(eye)).space;
+            // Towards the lantern's way, so that sprites are in the picture.
+            const frame::FrameView frame = pictures.look(eye, eye.x > 12 ? 270 : 95, -5, root);
+            motion::MomentInput input;
+            input.seconds = 3.0 + step * 0.83;
+            input.allDoors = doors;
+            input.eye = frame.view.eye;
+            input.right = frame.view.right;
+            input.up = frame.view.up;
+            input.forward = frame.view.forward;
+            pictures.setMoment(input);
+            SCOPED_TRACE(::testing::Message() << "step " << step << " doors " << doors);
+            const Picture picture =
+                pictures.shoot(frame, {.shading = gpu::Shading::IdsOnly, .wantLayers = true});
+            EXPECT_LE(picture.glCalls, 40u);
+            tally(pictures, picture, sum);
+            EXPECT_EQ(sum.wrong, 0u) << sum.first;
+        }
+    }
+    EXPECT_GT(sum.withLayers, sum.pixels / 50) << "layers are to be seen";
+    RecordProperty("pixelsWithLayers", static_cast<int>(sum.withLayers));
+}
+
+} // namespace
+} // namespace limen::test
