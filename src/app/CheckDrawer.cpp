@@ -40,7 +40,10 @@ reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceInd
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
-    if (Result<void> drawn = session_.draw(eyeOf(view, root), {.ids = true}); !drawn)
+    const DrawOptions options{.ids = true,
+                              .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
+                              .layers = !colour}; // counting takes the place of painting
+    if (Result<void> drawn = session_.draw(eyeOf(view, root), options); !drawn)
         return tl::unexpected(drawn.error());
     check::DrawnImages images;
     images.width = view.width;
@@ -48,6 +51,10 @@ Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::Spa
     images.ids = session_.target().readIds();
     images.depth = session_.target().readDepth();
     images.nearPlane = frame::FrameView{}.nearPlane;
+    if (!colour) {
+        for (const gpu::LayerSum& layers : session_.target().readLayers())
+            images.layers.push_back({layers.count, layers.hash});
+    }
     if (colour)
         images.colour = session_.target().readColour();
     if (outlines_)
