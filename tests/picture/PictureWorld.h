@@ -1,8 +1,10 @@
 #pragma once
 
-#include "picture/Comparison.h"
+#include "picture/Naming.h"
 #include "support/TestWorld.h"
 
+#include "check/Comparison.h"
+#include "check/Traced.h"
 #include "frame/Planner.h"
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
@@ -37,6 +39,7 @@ struct PictureOptions {
     bool mergeZones = true;
     int radius = 1;
     world::MovingEntries moving{};
+    std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
 };
 
 /// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
@@ -68,12 +71,14 @@ public:
     /// Only up to the plan: no driver.
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
-    /// Draws, traces and compares; a disagreement, a void or an outdoor pixel without a ray outside fails the
-    /// test.
+    /// Holds a picture against the reference: the same judgement as `limen check`.
+    [[nodiscard]] check::Comparison judge(const Picture& picture);
+    /// Draws and judges; a finding or a void pixel fails the test.
     Picture expectClean(const frame::FrameView& frame);
 
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes
     double fov = 75.0;
+    visibility::Rules floodRules; ///< for tests that leave one out
 
 private:
     Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
@@ -82,7 +87,10 @@ private:
     world::World world_;
     Vec3 origin_{0.0};
     world::Moment moment_;
+    std::vector<std::string> shaderDefines_;
     std::unique_ptr<NaiveTracer> tracer_;
+    std::unique_ptr<check::TracedWorld> traced_;
+    reference::Picture tracedPicture_;
     std::unique_ptr<visibility::Graph> graph_;
     std::unique_ptr<frame::Planner> planner_;
     visibility::FloodScratch scratch_;
