@@ -1,6 +1,7 @@
 #include "demo/Places.h"
 
 #include "demo/Cottages.h"
+#include "demo/DungeonPlaces.h"
 #include "demo/TerrainShape.h"
 
 #include <fmt/format.h>
@@ -14,13 +15,6 @@ constexpr double kPi = 3.14159265358979323846;
 
 Vec3 villageToArea(const Vec3& p) {
     return p + Vec3(192.0, 192.0, 0.0);
-}
-
-/// Yaw and pitch from one point towards another.
-void lookAt(Eye& eye, const Vec3& target) {
-    const Vec3 d = target - eye.position;
-    eye.yaw = std::fmod(std::atan2(d.x, d.y) * 180.0 / kPi + 360.0, 360.0);
-    eye.pitch = std::atan2(d.z, std::hypot(d.x, d.y)) * 180.0 / kPi;
 }
 
 /// An eye on the ground at a point of the area.
@@ -79,13 +73,13 @@ public:
             looking(outdoorEye(x, y), target));
     }
     /// Straight through the air: indoors, over steps.
-    void straight(const Vec3& to, double speed, const Vec3& target) {
+    void straight(const Vec3& to, double speed, const Vec3& target, double stride = 0.25) {
         Eye end;
         end.position = to;
         lookAt(end, target);
         leg(
-            speed, 0.25, [&](double t, const Eye& from) { return from.position + (to - from.position) * t; },
-            end);
+            speed, stride,
+            [&](double t, const Eye& from) { return from.position + (to - from.position) * t; }, end);
     }
     /// Stands and turns.
     void look(const Vec3& target, double seconds) {
@@ -165,7 +159,27 @@ nlohmann::ordered_json buildPlaces(const VillageMap& map) {
     return places;
 }
 
-nlohmann::ordered_json buildTour(const VillageMap& map) {
+/// Walks what another part of the world adds to the tour.
+void follow(Walk& walk, const std::vector<TourLeg>& legs) {
+    for (const TourLeg& leg : legs) {
+        switch (leg.kind) {
+        case TourLeg::Kind::Ground:
+            walk.alongGround(leg.to.x, leg.to.y, leg.speed, leg.target);
+            break;
+        case TourLeg::Kind::Straight:
+            walk.straight(toGlobal(leg.to), leg.speed, leg.target);
+            break;
+        case TourLeg::Kind::Flight:
+            walk.straight(toGlobal(leg.to), leg.speed, leg.target, 1.25);
+            break;
+        case TourLeg::Kind::Look:
+            walk.look(leg.target, leg.speed);
+            break;
+        }
+    }
+}
+
+nlohmann::ordered_json buildTour(const VillageMap& map, const DungeonMap& dungeons) {
     const auto at = [&](double x, double y, double z) { return globalOf(map.cottage, {x, y, z}); };
     const auto ahead = [](int vx, int vy) {
         const double x = vx * kLandcell;
@@ -216,20 +230,34 @@ nlohmann::ordered_json buildTour(const VillageMap& map) {
     walk.straight(at(kStairsX, 5.4, 1.7), 1.2, at(0.0, 4.9, 1.5));
     walk.straight(at(0.0, 5.3, 1.7), 1.4, at(0.0, 0.0, 1.5));
     walk.look(at(0.0, 0.0, 1.5), 1.0);
+    // Out by the front door and along the lane, to where the track leaves it.
+    walk.straight(at(0.0, -0.3, 1.7), 2.5, at(0.0, -6.0, 1.5));
+    walk.alongGround(areaDoor.x, areaDoor.y - 6.0, 3.0, ahead(10, 12));
+    follow(walk, dungeonTour(dungeons));
     return walk.toJsonList();
 }
 
 } // namespace
 
-nlohmann::ordered_json buildWorldFile(const VillageMap& map) {
+void lookAt(Eye& eye, const Vec3& target) {
+    const Vec3 d = target - eye.position;
+    eye.yaw = std::fmod(std::atan2(d.x, d.y) * 180.0 / kPi + 360.0, 360.0);
+    eye.pitch = std::atan2(d.z, std::hypot(d.x, d.y)) * 180.0 / kPi;
+}
+
+nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& dungeons) {
     nlohmann::ordered_json json;
     json["format"] = "limen world";
     json["version"] = 1;
     json["places"] = buildPlaces(map);
-    json["tour"] = buildTour(map);
+    for (const auto& [name, eye] : dungeonPlaces(dungeons)) {
+        json["places"][name] = toJson(eye);
+    }
+    json["tour"] = buildTour(map, dungeons);
     json["doors"] = nlohmann::ordered_json::array();
     json["villagers"] = nlohmann::ordered_json::array();
     json["routes"] = nlohmann::ordered_json::array();
+    json["emitters"] = dungeonEmitters(dungeons);
     return json;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dat/Ids.h"
-#include "demo/Models.h"
+#include "demo/Furniture.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,9 +20,14 @@ struct Eye {
 struct VillageMap {
     Placement cottage, neighbour;
     std::vector<dat::RecordId> cottageCells, neighbourCells;
+    Furniture furniture; ///< models, for whoever furnishes more
 };
 
-/// `world.json`: place names, the tour, and empty lists for what moves (filled by later versions).
-[[nodiscard]] nlohmann::ordered_json buildWorldFile(const VillageMap& map);
+/// Turns the eye towards a global point.
+void lookAt(Eye& eye, const Vec3& target);
+
+struct DungeonMap;
+/// `world.json`: place names, the tour, emitters, and empty lists for what moves (filled by later versions).
+[[nodiscard]] nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& dungeons);
 
 } // namespace limen::demo
