@@ -126,6 +126,7 @@ void addPit(CellComplex& complex, ModelSink& sink, const DungeonProps& props, co
             const Vec3 across{std::abs(out.y), std::abs(out.x), 0.0};
             hangTorch(complex, galleries[k][2 * s], props, pitAt(0, 0, z + 1.9) + out * kOuter + across * 3.0,
                       out);
+            hangTorch(complex, parts.pit + 6 - 2 * k, props, pitAt(0, 0, z + 2.1) + out * kShaft, out);
         }
     }
     parts.gallery = galleries[0][0];

@@ -50,8 +50,8 @@ void addCrypt(CellComplex& complex, ModelSink& sink, const DungeonProps& props, 
         }
     }
     MeshBuilder tomb;
-    tomb.box({-1.3, -0.7, 0.0}, {1.3, 0.7, 0.25}, Material::Flagstones);
-    tomb.box({-1.1, -0.5, 0.25}, {1.1, 0.5, 0.85}, Material::StoneWall);
+    tomb.box({-1.3, -0.7, 0.0}, {1.3, 0.7, 0.31}, Material::Flagstones);
+    tomb.box({-1.1, -0.5, 0.31}, {1.1, 0.5, 0.85}, Material::StoneWall);
     tomb.box({-1.2, -0.6, 0.85}, {1.2, 0.6, 1.0}, Material::Flagstones);
     const dat::RecordId tombs = sink.addSetup({{sink.addMesh(tomb), {}}});
     for (const double x : {-3.0, 0.0, 3.0}) {
@@ -133,8 +133,9 @@ void addLongCorridor(CellComplex& complex, ModelSink& sink, const DungeonProps& 
 }
 
 Outline tunnelOutline(double x, double y, double z) {
-    const std::vector<Vec2> around{{-1.5, 0.0},  {1.5, 0.0},    {1.875, 1.0},  {1.75, 2.0},  {1.25, 2.75},
-                                   {0.5, 3.125}, {-0.5, 3.125}, {-1.25, 2.75}, {-1.75, 2.0}, {-1.875, 1.0}};
+    // Corners above one another meet the sloping sides on the grid, so that walls around it can be cut exactly.
+    const std::vector<Vec2> around{{-1.25, 0.0}, {1.25, 0.0},   {1.75, 1.0},   {1.625, 2.0},  {1.25, 2.75},
+                                   {0.5, 3.125}, {-0.5, 3.125}, {-1.25, 2.75}, {-1.625, 2.0}, {-1.75, 1.0}};
     Outline out;
     for (const Vec2& p : around) {
         out.emplace_back(x + p.x, y, z + p.y);
