@@ -59,7 +59,8 @@ public:
             tower(onStair(z), 2.2, onStair(std::min(z + 1.4, kTowerRoof + 1.0)) * Vec3(2.2, 2.2, 1.0));
         }
         tower({2.9, 0.3, kTowerRoof + kEyeHeight}, 1.6, {40.0, -60.0, 6.0});
-        tower({2.6, -3.2, kTowerRoof + kEyeHeight}, 1.8, {-10.0, -90.0, -8.0});
+        tower({2.6, -3.2, kTowerRoof + kEyeHeight}, 1.8, {0.0, -90.0, -8.0});
+        tower({0.0, -4.1, kTowerRoof + kEyeHeight}, 1.8, {-10.0, -170.0, -20.0});
         look({-90.0, -30.0, 0.0}, 2.5);
         look({90.0, -40.0, 0.0}, 2.5);
     }
@@ -131,8 +132,8 @@ std::vector<std::pair<std::string, Eye>> dungeonPlaces(const DungeonMap& map) {
     const auto cell = [&](std::size_t k) { return map.caveCells.at(k); };
     const Vec3 sealed = toArea(kSealedBlock, map.sealed.origin);
     return {{"tower.foot", groundEye(inTower(map, {-7.0, -22.0, 0.0}), inTower(map, {0.0, 0.0, 7.5}))},
-            {"tower.top",
-             eyeAt(inTower(map, {2.6, 2.9, kTowerRoof + kEyeHeight}), inTower(map, {-9.0, -40.0, 4.0}), 0)},
+            {"tower.top", eyeAt(inTower(map, {0.1, -3.9, kTowerRoof + kEyeHeight}),
+                                inTower(map, {-14.0, -190.0, -16.0}), 0)},
             {"cave", groundEye(inCave(map, {-5.0, -15.0, 0.0}), inCave(map, {0.0, 0.0, 2.4}))},
             {"dungeon.hub", eyeAt(inCave(map, {-0.4, kHubY - 7.4, floor}),
                                   inCave(map, {0.9, kHubY + 8.0, floor + 0.8}), cell(map.parts.hub))},

@@ -60,6 +60,10 @@ void addCrypt(CellComplex& complex, ModelSink& sink, const DungeonProps& props, 
     for (const double x : {-3.0, 3.0}) {
         hangTorch(complex, parts.crypt, props, {x, y + 12.0, z + 2.1}, {0.0, 1.0, 0.0});
     }
+    for (const double side : {-1.0, 1.0}) {
+        hangTorch(complex, parts.crypt, props, {side * 8.0, y + 6.5, z + 2.1}, {side, 0.0, 0.0});
+        hangTorch(complex, parts.crypt, props, {side * 2.5, y, z + 2.1}, {0.0, -1.0, 0.0});
+    }
     hangTorch(complex, parts.wrap + 2, props, {4.5, y + 11.0, step + 1.7}, {0.0, 1.0, 0.0});
     hangTorch(complex, parts.wrap + 1, props, {12.0, y + 8.0, step + 1.7}, {1.0, 0.0, 0.0});
     hangTorch(complex, parts.wrap + 4, props, {-12.0, y + 8.0, step + 1.7}, {-1.0, 0.0, 0.0});
@@ -90,9 +94,10 @@ void addRecess(CellComplex& complex, const DungeonProps& props, const Ring& ring
         faces.push_back(planarFace(levelOutline(part, z), Material::Flagstones));
         faces.push_back(flipped(planarFace(levelOutline(part, z + high), Material::StoneWall)));
     }
+    // The yard comes first: the U's tree holds it too, and who asks where a point lies takes the first that does.
+    parts.yard = addBoxCell(complex, "yard", {left, south, z}, {right, notch, z + 9.0}, kBareRock);
     parts.recess = complex.add("recess", std::move(faces));
     complex.join(way, parts.recess, shifted(door, {0.0, -4.0, 0.0}));
-    parts.yard = addBoxCell(complex, "yard", {left, south, z}, {right, notch, z + 9.0}, kBareRock);
     for (const double x : {left, right}) {
         complex.join(parts.recess, parts.yard,
                      archOutline({{x, south + 3.5, z + 0.75}, {0, 1, 0}, 1.5}, 1.25, 2.25));
@@ -115,8 +120,8 @@ void addLongCorridor(CellComplex& complex, ModelSink& sink, const DungeonProps& 
     parts.longCorridor = complex.addRun("long", door, step, kCells, kMasonry);
     parts.longCorridorCount = kCells;
     complex.join(ring.at(RingRoom::East), parts.longCorridor, door);
-    for (std::size_t k = 1; k < kCells; k += 3) {
-        const double side = k % 2 == 0 ? 1.0 : -1.0;
+    for (std::size_t k = 1; k < kCells; k += 2) {
+        const double side = k % 4 == 1 ? 1.0 : -1.0;
         hangTorch(complex, parts.longCorridor + k, props,
                   foot + step * (static_cast<double>(k) + 0.5) + Vec3(0.0, 1.5 * side, 1.05),
                   {0.0, side, 0.0});

@@ -135,8 +135,10 @@ Cover coverAt(int vx, int vy) {
 
 std::uint16_t terrainWord(int vx, int vy) {
     const Cover cover = coverAt(vx, vy);
-    const VertexPath lane = wholeLane();
-    const bool road = std::find(lane.begin(), lane.end(), std::pair{vx, vy}) != lane.end();
+    bool road = false;
+    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()}) {
+        road = road || std::find(path.begin(), path.end(), std::pair{vx, vy}) != path.end();
+    }
     return static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(cover.kind) << 2 |
                                       cover.scene << 11);
 }
