@@ -41,8 +41,7 @@ inline constexpr double kRingRoomReach = 4.0;
 [[nodiscard]] Ring addHub(CellComplex& complex, ModelSink& sink, const DungeonProps& props);
 
 /// West of the ring: a shaft of stacked cells with galleries on three floors and ramps between them.
-void addPit(CellComplex& complex, ModelSink& sink, const DungeonProps& props, const Ring& ring,
-            DungeonParts& parts);
+void addPit(CellComplex& complex, const DungeonProps& props, const Ring& ring, DungeonParts& parts);
 
 /// North: a crypt, and a corridor from its eastern door round to its western one that overlaps it.
 void addCrypt(CellComplex& complex, ModelSink& sink, const DungeonProps& props, const Ring& ring,

@@ -110,8 +110,7 @@ std::size_t addShaft(CellComplex& complex) {
 
 } // namespace
 
-void addPit(CellComplex& complex, ModelSink& sink, const DungeonProps& props, const Ring& ring,
-            DungeonParts& parts) {
+void addPit(CellComplex& complex, const DungeonProps& props, const Ring& ring, DungeonParts& parts) {
     parts.pit = addShaft(complex);
     parts.pitCount = kShaftCells;
     std::array<Gallery, kFloors> galleries{};
@@ -141,13 +140,6 @@ void addPit(CellComplex& complex, ModelSink& sink, const DungeonProps& props, co
     complex.join(ring.at(RingRoom::West), way, door);
     complex.join(way + 3, parts.gallery, corridorOutline(foot + step * 4.0, {0, 1, 0}));
     hangTorch(complex, way + 1, props, foot + step * 1.5 + Vec3(0.0, 1.25, 1.05), {0.0, 1.0, 0.0});
-    // Corner posts of the shaft, from the water to the roof.
-    const dat::RecordId column = addColumn(sink, kCellHeight * static_cast<double>(kShaftCells), 0.35);
-    for (const double x : {-4.3, 4.3}) {
-        for (const double y : {-4.3, 4.3}) {
-            complex.furnish(parts.pit, {column, {pitAt(x, y, kDungeonFloor - 30.0), 0.0}});
-        }
-    }
 }
 
 } // namespace limen::demo

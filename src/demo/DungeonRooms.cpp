@@ -155,7 +155,7 @@ DungeonParts addDungeonCells(CellComplex& complex, ModelSink& sink, const Dungeo
     parts.hub = ring.hub;
     parts.anteroom = ring.anteroom;
     complex.join(entrance, ring.at(RingRoom::South), tunnelOutline(0.0, kEntranceY, kDungeonFloor));
-    addPit(complex, sink, props, ring, parts);
+    addPit(complex, props, ring, parts);
     addCrypt(complex, sink, props, ring, parts);
     addRecess(complex, props, ring, parts);
     addLongCorridor(complex, sink, props, ring, parts);

@@ -15,6 +15,9 @@ using Outline = std::vector<Vec3>;
 /// grid if the face is level, upright along an axis or upright at 45 degrees.
 [[nodiscard]] std::vector<Face> faceWithout(const Face& face, const std::vector<Outline>& openings);
 
+/// True if the outline lies in the face's plane.
+[[nodiscard]] bool liesIn(const Outline& outline, const Face& face);
+
 /// Pictures by where a face looks.
 struct ShellMaterials {
     Material floor = Material::Flagstones, walls = Material::StoneWall, ceiling = Material::StoneWall;
