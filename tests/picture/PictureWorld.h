@@ -53,7 +53,8 @@ public:
     ~PictureWorld();
 
     [[nodiscard]] const world::World& world() const { return world_; }
-    [[nodiscard]] const NaiveTracer& tracer() const { return *tracer_; }
+    /// The ray rule done the obvious way; made on first use.
+    [[nodiscard]] const NaiveTracer& tracer() const;
     [[nodiscard]] world::SpaceIndex space(dat::RecordId cellId) const;
     [[nodiscard]] Vec3 homeOrigin() const { return origin_; }
 
@@ -73,8 +74,11 @@ public:
 
     /// Holds a picture against the reference: the same judgement as `limen check`.
     [[nodiscard]] check::Comparison judge(const Picture& picture);
-    /// Draws and judges; a finding or a void pixel fails the test.
+    /// Draws and judges; a finding or a void pixel fails the test. With `edgeOnIsCounted` pixels of the verdict edge_on
+    /// only add to `edgeOn` (docs/cases.md, "Known to be wrong").
     Picture expectClean(const frame::FrameView& frame);
+    bool edgeOnIsCounted = false;
+    std::uint64_t edgeOn = 0, judged = 0; ///< pixels, by expectClean
 
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes
     double fov = 75.0;
@@ -88,7 +92,7 @@ private:
     Vec3 origin_{0.0};
     world::Moment moment_;
     std::vector<std::string> shaderDefines_;
-    std::unique_ptr<NaiveTracer> tracer_;
+    mutable std::unique_ptr<NaiveTracer> tracer_;
     std::unique_ptr<check::TracedWorld> traced_;
     reference::Picture tracedPicture_;
     std::unique_ptr<visibility::Graph> graph_;
