@@ -31,7 +31,7 @@ struct Rules {
 struct Limits {
     std::uint32_t maxVisits =
         4096; ///< when more would be needed, those with the smallest regions are left out
-    Rules rules;
+    Rules rules{};
 };
 
 } // namespace limen::visibility
