@@ -73,8 +73,9 @@ public:
 
     /// Holds a picture against the reference: the same judgement as `limen check`.
     [[nodiscard]] check::Comparison judge(const Picture& picture);
-    /// Draws and judges; a finding or a void pixel fails the test.
-    Picture expectClean(const frame::FrameView& frame);
+    /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test. Not that
+    /// behind a wall which the near plane cuts.
+    Picture expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
 
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes
     double fov = 75.0;
