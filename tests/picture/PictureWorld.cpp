@@ -181,8 +181,14 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::Rend
     Picture picture = shoot(frame, options);
     const check::Comparison c = judge(picture);
     const Vec3 eye = frame.view.eye - origin_;
-    if (c.findings() > 0) {
-        const auto wrong = std::find_if(c.verdicts.begin(), c.verdicts.end(), check::isFinding);
+    const auto isWrong = [&](check::Verdict v) {
+        return check::isFinding(v) && !(edgeOn && v == check::Verdict::EdgeOn);
+    };
+    if (edgeOn) {
+        *edgeOn += c.count(check::Verdict::EdgeOn);
+    }
+    const auto wrong = std::find_if(c.verdicts.begin(), c.verdicts.end(), isWrong);
+    if (wrong != c.verdicts.end()) {
         const auto at = static_cast<std::uint32_t>(wrong - c.verdicts.begin());
         const std::uint32_t x = at % frame.width, y = at / frame.width;
         ADD_FAILURE() << c.findings() << " wrong pixels, the first (" << x << ", " << y

@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace limen::test {
 
@@ -80,6 +81,9 @@ public:
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes
     double fov = 75.0;
     visibility::Rules floodRules; ///< for tests that leave one out
+    /// Where set, `expectClean` counts pixels of polygons seen edge-on here instead of failing: what docs/cases.md knows to
+    /// be wrong. Tests that set it state how many there may be.
+    std::optional<std::size_t> edgeOn;
 
 private:
     Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
