@@ -138,6 +138,28 @@ TEST_P(CasesEdges, case31_openingsThatShareAnEdge) {
     EXPECT_LE(*pictures.edgeOn, GetParam() ? 8u : 0u) << "of 325,000 pixels";
 }
 
+/// Fails with every cell its own zone: one pixel is void. The eye is 5 mm before the openings, so that they are drawn as
+/// the flood's regions, and in the plane of the wall between two of the rooms behind. The regions' common edge and the far
+/// walls' then fall on one line of the screen but are snapped from different corners, and a pixel's centre may come to lie
+/// between the two.
+TEST_P(CasesEdges, DISABLED_case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
+    TestWorld world;
+    const auto hall = world.addBox({0, 0, 0}, {4, 6, 6}, "brown");
+    const auto a = world.addBox({4, 0, 0}, {8, 3, 3}, "blue");
+    const auto b = world.addBox({4, 3, 0}, {8, 6, 3}, "red");
+    const auto c = world.addBox({4, 0, 3}, {8, 6, 6}, "green");
+    world.link(hall, rectangle({4, 1.7, 0.3}, {4, 3, 3}), a);
+    world.link(hall, rectangle({4, 3, 0.3}, {4, 4.1, 3}), b);
+    world.link(hall, rectangle({4, 1.7, 3}, {4, 4.1, 4.2}), c);
+    world.link(a, rectangle({4.6, 3, 0}, {6, 3, 2}), b);
+    PictureWorld pictures(world, options());
+    for (const double turn : {-40.0, -3.0, 0.0, 17.0, 60.0}) {
+        SCOPED_TRACE(turn);
+        pictures.expectClean(
+            pictures.look({3.995, 3.0, 3.0}, 90 + turn, turn / 3, pictures.space(world.id(hall))));
+    }
+}
+
 TEST_P(CasesEdges, case31_openingsNestedEdgeOnEdge) {
     // A porch as deep as its doorway is thick: its openings touch along whole edges, and the last one, to the outside,
     // fills its wall. From the axis the openings' edges fall on one another on the screen as well.
