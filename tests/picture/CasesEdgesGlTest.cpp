@@ -138,10 +138,9 @@ TEST_P(CasesEdges, case31_openingsThatShareAnEdge) {
     EXPECT_LE(*pictures.edgeOn, GetParam() ? 8u : 0u) << "of 325,000 pixels";
 }
 
-/// Fails with every cell its own zone: one pixel is void. The eye is 5 mm before the openings, so that they are drawn as
-/// the flood's regions, and in the plane of the wall between two of the rooms behind. The regions' common edge and the far
-/// walls' then fall on one line of the screen but are snapped from different corners, and a pixel's centre may come to lie
-/// between the two.
+/// Fails with every cell its own zone: one pixel, whose ray runs along the wall between two of the rooms behind, is void.
+/// The eye is 5 mm before three openings that share edges, and in that wall's plane; 1 cm beside it all is well. The cause
+/// is not known; drawing near openings like any other does not help.
 TEST_P(CasesEdges, DISABLED_case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
     TestWorld world;
     const auto hall = world.addBox({0, 0, 0}, {4, 6, 6}, "brown");
