@@ -32,6 +32,24 @@ struct Threshold {
     }
 };
 
+TEST_P(CasesEdges, case03_inADoorsPlaneBesideItAndOnItsEdge) {
+    Threshold world;
+    PictureWorld pictures(world.world, options());
+    const world::SpaceIndex room = pictures.space(world.world.id(world.room));
+    for (double yaw = 0; yaw < 360; yaw += 24) {
+        SCOPED_TRACE(yaw);
+        // Beside the house, in the plane of its door and window: nothing of its rooms, nothing lost of the outside.
+        for (const Vec3& eye : {Vec3(104, 86, 1.6), Vec3(85, 86, 1.2), Vec3(94.5, 86, 7)}) {
+            const Picture beside = pictures.expectClean(pictures.look(eye, yaw, -5, world::kOutside));
+            EXPECT_EQ(pixelsOfRecord(pictures, beside, world.world.id(world.room)), 0u);
+        }
+        // On the door's edge, its corner and its sill; said to be inside, looking inwards or along.
+        for (const Vec3& eye : {Vec3(94, 86, 1.1), Vec3(95.4, 86, 2.1), Vec3(94.6, 86, 0.1)}) {
+            pictures.expectClean(pictures.look(eye, yaw, 5, room));
+        }
+    }
+}
+
 constexpr std::pair<std::uint32_t, std::uint32_t> kSizes[] = {{40, 28}, {61, 43}};
 
 TEST_P(CasesEdges, case12_openingEdgesAtEverySubPixelAlignment) {
