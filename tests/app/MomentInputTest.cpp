@@ -1,5 +1,5 @@
 // Hard cases 18 and 23 of docs/cases.md: weather follows the player; all else follows the eye.
-#include "app/Session.h"
+#include "app/MomentInput.h"
 #include "motion/Locate.h"
 #include "support/MovingHut.h"
 
