@@ -134,21 +134,6 @@ Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, Pi
     return eye;
 }
 
-motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) {
-    const visibility::View view = viewOf(eye.camera, eye.size, eye.root);
-    motion::MomentInput input;
-    input.seconds = eye.seconds;
-    input.allDoors = eye.doors;
-    input.eye = view.eye;
-    input.right = view.right;
-    input.up = view.up;
-    input.forward = view.forward;
-    const world::SpaceIndex player =
-        eye.player == eye.camera.eye ? eye.root : motion::locate(world, eye.player).space;
-    input.rain = eye.weather == Weather::Rain && player == world::kOutside;
-    return input;
-}
-
 Session::Session(WorldSource source, const SessionOptions& options, gpu::GlDevice& device)
     : source_(std::move(source)), options_(options), device_(device),
       renderer_(device, {.textures = {.mode = options.textures}}) {}

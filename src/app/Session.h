@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/FrameReport.h"
+#include "app/MomentInput.h"
 #include "app/WorldSource.h"
 #include "frame/Planner.h"
 #include "gpu/GlDevice.h"
@@ -55,9 +56,6 @@ private:
 /// Eye, root and height of the ground of a standpoint, found in a loaded world. Errors: a root cell that is
 /// not there; no ground where the eye is to stand on it.
 [[nodiscard]] Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size);
-
-/// What the world is like in a frame: a moment's input. Weather falls while the player is outside.
-[[nodiscard]] motion::MomentInput momentInput(const world::World& world, const FrameEye& eye);
 
 /// What the renderer is asked to draw of a frame.
 struct DrawOptions {

@@ -115,7 +115,7 @@ public:
     /// Reads an image that the target has, bottom row first, bytesPerPixel each (R,G,B,A; uint32; float; two floats).
     /// Waits for the GPU.
     virtual void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) = 0;
-    /// The vertex and index arena that indexed draws use from now on.
+    /// The vertex and index arena that indexed draws use from now on. Free if it is the one set last.
     virtual void setGeometry(BufferHandle vertices, BufferHandle indices) = 0;
     /// Makes room for `bytes` of ring memory a frame; waits for frames in flight when it has to grow.
     [[nodiscard]] virtual Result<void> reserveRing(std::size_t bytes) = 0;

@@ -95,6 +95,7 @@ private:
     std::vector<Program> programs_;
     std::vector<std::unique_ptr<Target>> targets_;
     VertexArray vertexArray_;
+    std::array<BufferHandle, 2> geometry_{BufferHandle::Invalid, BufferHandle::Invalid}; ///< set last
     StateTracker state_;
     StageTimers timers_;
 

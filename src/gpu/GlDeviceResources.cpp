@@ -95,6 +95,7 @@ BufferHandle GlDevice::createBuffer(std::string_view label, std::span<const std:
 
 void GlDevice::destroyBuffer(BufferHandle buffer) {
     buffers_[static_cast<std::size_t>(buffer)] = Buffer{};
+    geometry_.fill(BufferHandle::Invalid); // its number may be given again
 }
 
 Result<TextureHandle> GlDevice::createTexture(std::string_view label, const TextureShape& shape) {
@@ -265,6 +266,10 @@ void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std:
 }
 
 void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
+    if (geometry_ == std::array{vertices, indices}) {
+        return;
+    }
+    geometry_ = {vertices, indices};
     glVertexArrayVertexBuffer(vertexArray_.id(), 0, buffers_[static_cast<std::size_t>(vertices)].id(), 0,
                               sizeof(frame::gpu::Vertex));
     glVertexArrayElementBuffer(vertexArray_.id(), buffers_[static_cast<std::size_t>(indices)].id());

@@ -168,6 +168,7 @@ struct Renderer::Scene {
     Programs programs;
     std::vector<BufferHandle> owned;
     std::array<StorageRange, kStorageBindings> storage;
+    BufferHandle vertices = BufferHandle::Invalid, indices = BufferHandle::Invalid; ///< what draws read
 };
 
 struct Renderer::RingLayout {
@@ -202,11 +203,10 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     scene_->addStorage(layout::kBindLightSets, "light sets", bytesOf(upload.lightSets));
     scene_->addStorage(layout::kBindLights, "lights", bytesOf(upload.lights));
     scene_->addStorage(layout::kBindTextures, "texture references", std::as_bytes(scene_->textures.refs()));
-    const BufferHandle vertices = scene_->add("vertices", bytesOf(upload.vertices));
-    scene_->storage[layout::kBindVertices] = {vertices, 0,
+    scene_->vertices = scene_->add("vertices", bytesOf(upload.vertices));
+    scene_->storage[layout::kBindVertices] = {scene_->vertices, 0,
                                               std::max(bytesOf(upload.vertices).size(), kSmallestRange)};
-    const BufferHandle indices = scene_->add("indices", bytesOf(upload.indices));
-    device_->setGeometry(vertices, indices);
+    scene_->indices = scene_->add("indices", bytesOf(upload.indices));
     return {};
 }
 
@@ -328,6 +328,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     if (Result<void> reserved = device_->reserveRing(ring.total); !reserved) {
         return reserved;
     }
+    device_->setGeometry(scene_->vertices, scene_->indices); // another renderer may have drawn since
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
     layout::FrameConstants constants = plan.constants;
     target.placeSamples(constants);

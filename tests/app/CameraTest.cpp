@@ -101,5 +101,19 @@ TEST(FlyCamera, staysWithinItsLimits) {
     EXPECT_EQ(fly(Camera{}, FlyInput{}).eye, Vec3(0.0));
 }
 
+TEST(FlyCamera, case27_doesNotMoveABitWhileNobodyTouchesIt) {
+    Camera camera;
+    camera.eye = {8123.4567890123, 9345.6789012345, 4.7000000001};
+    camera.heading = {359.99999999999, -88.7};
+    Camera later = fly(camera, {.forward = 0.3, .right = -0.2, .turnRight = 1.7, .seconds = 0.016});
+    const Camera still = later;
+    for (int frame = 0; frame < 1000; ++frame) {
+        later = fly(later, {.seconds = 0.016 + frame * 1e-5});
+    }
+    EXPECT_EQ(later.eye, still.eye);
+    EXPECT_EQ(later.heading.yaw, still.heading.yaw);
+    EXPECT_EQ(later.heading.pitch, still.heading.pitch);
+}
+
 } // namespace
 } // namespace limen::app

@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace limen::test {
 
@@ -74,9 +75,10 @@ public:
 
     /// Holds a picture against the reference: the same judgement as `limen check`.
     [[nodiscard]] check::Comparison judge(const Picture& picture);
-    /// Draws and judges; a finding or a void pixel fails the test. With `edgeOnIsCounted` pixels of the verdict edge_on
-    /// only add to `edgeOn` (docs/cases.md, "Known to be wrong").
-    Picture expectClean(const frame::FrameView& frame);
+    /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test. Not that
+    /// behind a wall which the near plane cuts. With `edgeOnIsCounted` pixels of the verdict edge_on only add to
+    /// `edgeOn` (docs/cases.md, "Known to be wrong").
+    Picture expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
     bool edgeOnIsCounted = false;
     std::uint64_t edgeOn = 0, judged = 0; ///< pixels, by expectClean
 

@@ -25,7 +25,7 @@ struct MovingHut {
         innerDoor = source.link(front, rectangle({14, 11, 2}, {14, 12, 4}), rear).first;
         frontDoor = source.openOutside(front, rectangle({10, 11, 2}, {10, 12, 4}));
         window = source.openOutside(rear, rectangle({18, 11, 3}, {18, 13, 4}));
-        source.addBuilding(boxExterior({9.9, 9.9, 2}, {18.1, 14.1, 5.2}), {frontDoor, window});
+        source.addBuilding(boxExterior({10, 10, 2}, {18, 14, 5.2}), {frontDoor, window});
         source.setFlatTerrain(source.home(), 1);
         // A leaf hangs from its origin along +y (closed in the plane x = const), a metre wide, two high, 6 cm thick.
         source.solid("glass", 0xFF80A0C0u, 0x10, 0.6f);

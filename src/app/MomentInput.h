@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/FrameReport.h"
+#include "motion/Moments.h"
+
+namespace limen::app {
+
+/// What the world is like in a frame: a moment's input. Weather falls while the player is outside.
+[[nodiscard]] motion::MomentInput momentInput(const world::World& world, const FrameEye& eye);
+
+} // namespace limen::app

@@ -1,0 +1,57 @@
+// Hard cases 18 and 23 of docs/cases.md: weather follows the player; all else follows the eye.
+#include "app/MomentInput.h"
+#include "motion/Locate.h"
+#include "support/MovingHut.h"
+
+namespace limen::app {
+namespace {
+
+struct HutWorld {
+    test::MovingHut hut;
+    world::World world = hut.load();
+    Vec3 inside = hut.at({12, 12, 3.6}), outside = hut.at({6, 12, 3.6});
+
+    [[nodiscard]] FrameEye eye(const Vec3& at, const Vec3& player, Weather weather = Weather::Rain) const {
+        FrameEye eye;
+        eye.camera.eye = at;
+        eye.camera.heading = {37.0, 4.0};
+        eye.root = motion::locate(world, at).space;
+        eye.player = player;
+        eye.weather = weather;
+        eye.seconds = 3.5;
+        return eye;
+    }
+};
+
+TEST(MomentInput, case18_itRainsExactlyWhileThePlayerIsOutside) {
+    const HutWorld f;
+    ASSERT_NE(f.eye(f.inside, f.inside).root, world::kOutside);
+    for (const Vec3& eye : {f.inside, f.outside}) {
+        EXPECT_TRUE(momentInput(f.world, f.eye(eye, f.outside)).rain);
+        EXPECT_FALSE(momentInput(f.world, f.eye(eye, f.inside)).rain);
+        EXPECT_FALSE(momentInput(f.world, f.eye(eye, f.outside, Weather::Clear)).rain);
+    }
+}
+
+TEST(MomentInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
+    const HutWorld f;
+    FrameEye eye = f.eye(f.inside, f.inside);
+    eye.root = world::kOutside; // as an explicit root says, whatever the position says
+    EXPECT_TRUE(momentInput(f.world, eye).rain);
+}
+
+TEST(MomentInput, case23_nothingButTheWeatherDependsOnThePlayer) {
+    const HutWorld f;
+    const motion::MomentInput in = momentInput(f.world, f.eye(f.outside, f.inside, Weather::Clear)),
+                              out = momentInput(f.world, f.eye(f.outside, f.outside, Weather::Clear));
+    EXPECT_EQ(in.seconds, out.seconds);
+    EXPECT_EQ(in.eye, out.eye);
+    EXPECT_EQ(in.right, out.right);
+    EXPECT_EQ(in.up, out.up);
+    EXPECT_EQ(in.forward, out.forward);
+    EXPECT_EQ(in.rain, out.rain);
+    EXPECT_EQ(in.allDoors, out.allDoors);
+}
+
+} // namespace
+} // namespace limen::app
