@@ -85,24 +85,23 @@ NamedView roundOpeningsInARow() {
     return view;
 }
 
-NamedView openingsInARow() {
-    NamedView view;
-    TestWorld& world = view.world;
-    const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
-    const auto b = world.addBox({0, 4, 0}, {4, 8, 3}, "blue");
-    const auto c = world.addBox({0, 8, 0}, {4, 12, 3}, "red");
-    world.link(a, rectangle({1.1, 4, 0.6}, {2.9, 4, 2.4}), b);
-    world.link(b, rectangle({0.2, 8, 0.2}, {3.8, 8, 2.8}), c);
-    view.root = a;
-    view.eye = {2, 1, 1.5};
-    return view;
-}
-
 NamedView noseInTheDoorway() {
     NamedView view = twoRooms();
     view.eye = {3.99, 1.7, 11.5};
     view.yaw = 20;
     view.pitch = -10;
+    return view;
+}
+
+NamedView lintelOfAGate() {
+    NamedView view;
+    const auto west = view.world.addBox({0, 0, 0}, {40, 140, 50}, "brown");
+    const auto east = view.world.addBox({40, 0, 0}, {80, 140, 50}, "blue");
+    view.world.link(west, rectangle({40, 10, 1}, {40, 130, 41}), east);
+    view.root = west;
+    view.eye = {39.999686671427568, 48.658, 40.999981984688752};
+    view.yaw = 23.238;
+    view.pitch = -37.291;
     return view;
 }
 

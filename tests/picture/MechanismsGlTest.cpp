@@ -96,6 +96,12 @@ TEST(Mechanisms, halfPlaneRule) {
     expectNeeded(eyeInTheDoorsPlane, off, 5760);
 }
 
+TEST(Mechanisms, fiveCentimetreRule) {
+    Off off;
+    off.frame.nearOpening = false;
+    expectNeeded(lintelOfAGate, off, 64);
+}
+
 TEST(Mechanisms, siblingOrder) {
     Off off;
     off.flood.siblingOrder = false;
