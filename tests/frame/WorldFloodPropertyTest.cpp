@@ -87,6 +87,17 @@ VisibleSet floodOf(const Complex& complex, const visibility::View& view) {
     return set;
 }
 
+/// Whether the ray meets the portal's polygon; of an inexact pair both, each in its own plane: it is open where both are.
+bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec3& eye,
+               const Vec3& direction) {
+    const auto meets = [&](const world::Portal& p) {
+        const double t = -p.plane.signedDistance(eye) / glm::dot(p.plane.n, direction);
+        return containsProjection(cornersOf(world, p), p.plane.n, eye + direction * t, 0.0);
+    };
+    return meets(portal) &&
+           (portal.exact || portal.reciprocal == world::kNone || meets(world.portals[portal.reciprocal]));
+}
+
 /// The spaces a ray passes through, found the slow way: by the nearest opening ahead, without regard to walls.
 std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visibility::View& view,
                                           const Vec3& direction) {
@@ -103,7 +114,7 @@ std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visib
             const double t = -portal.plane.signedDistance(view.eye) / speed;
             if (speed < 0.0 && t > t0 && t < nearest && portal.destination != world::kNone &&
                 (cameBy == world::kNone || world.portals[cameBy].reciprocal != p) &&
-                containsProjection(cornersOf(world, portal), portal.plane.n, view.eye + direction * t, 0.0)) {
+                isOpenFor(world, portal, view.eye, direction)) {
                 nearest = t;
                 next = p;
             }
