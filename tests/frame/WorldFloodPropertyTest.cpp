@@ -146,11 +146,12 @@ std::vector<world::SpaceIndex> chainOfOwner(const VisibleSet& set, const Vec3& s
     return chain;
 }
 
-/// Whether a ray within a ten-millionth of this one has the chain: on an edge it may go either way.
+/// Whether a ray within 1/1250 of a pixel has the chain: corners are stored as floats, so they lie some hundredths of a
+/// millimetre off their opening's plane, and a ray that near to an edge may go either way.
 bool isChainNearby(const world::World& world, const visibility::View& view, const Vec3& screen,
                    const std::vector<world::SpaceIndex>& chain) {
     for (int i = 0; i < 8; ++i) {
-        const Vec3 s = screen + Vec3(std::cos(i * 0.785), std::sin(i * 0.785), 0.0) * 1e-7;
+        const Vec3 s = screen + Vec3(std::cos(i * 0.785), std::sin(i * 0.785), 0.0) * 1e-4;
         if (chainOfRay(world, view, directionOf(view, s)) == chain) {
             return true;
         }
