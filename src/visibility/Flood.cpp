@@ -177,6 +177,9 @@ private:
         if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
             return;
         }
+        if (isInChain(index, portalIndex)) {
+            return;
+        }
         if (coneSize(s_.region) < smallest_) {
             ++out_.counts.visitsCut;
             return;
@@ -194,6 +197,17 @@ private:
 
     [[nodiscard]] bool isWayBack(const Visit& visit, std::uint32_t portal) const {
         return visit.portal != kNone && graph_.portals()[visit.portal].reciprocal == portal;
+    }
+
+    /// A straight ray crosses a plane once; but a polygon that is not flat reaches beyond its own plane, and rays could
+    /// go round in a ring of such openings for ever.
+    [[nodiscard]] bool isInChain(std::uint32_t visit, std::uint32_t portal) const {
+        for (; visit != kNone; visit = out_.visits[visit].parent) {
+            if (out_.visits[visit].portal == portal) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// The half of the visit's region on the far side of the portal's plane, into s_.region.

@@ -52,8 +52,9 @@ Driver& driver() {
 } // namespace
 
 struct PictureWorld::Drawing {
-    explicit Drawing(const std::vector<std::string>& defines)
-        : renderer(*driver().device, {.shaderDefines = defines}) {}
+    explicit Drawing(const PictureOptions& options)
+        : renderer(*driver().device,
+                   {.exactDepth = options.exactDepth, .shaderDefines = options.shaderDefines}) {}
     gpu::Renderer renderer;
     std::optional<gpu::RenderTarget> target;
     frame::FramePlan plan;
@@ -80,9 +81,20 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
     const auto archive = valueOf(dat::Archive::open(directory));
     world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
-    shaderDefines_ = options.shaderDefines;
-    graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(world_)));
-    planner_ = std::make_unique<frame::Planner>(world_);
+    options_ = options;
+    if (options.omissions.membership) {
+        lessWorld_ = std::make_unique<world::World>(withoutMembership(world_));
+    }
+    graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(drawnWorld())));
+    planner_ = std::make_unique<frame::Planner>(drawnWorld());
+}
+
+const world::World& PictureWorld::drawnWorld() const {
+    return lessWorld_ ? *lessWorld_ : world_;
+}
+
+std::string PictureWorld::driverVersion() const {
+    return driver().device->capabilities().version;
 }
 
 world::SpaceIndex PictureWorld::space(dat::RecordId cellId) const {
@@ -100,8 +112,8 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
 
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    visibility::flood(*graph_, moment_.closed, frame.view, {.rules = floodRules}, scratch_, visible);
-    planner_->plan(frame, moment_, visible, plan);
+    visibility::flood(*graph_, drawnMoment_.closed, frame.view, {.rules = floodRules}, scratch_, visible);
+    planner_->plan(frame, drawnMoment_, visible, plan);
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
@@ -113,6 +125,7 @@ const NaiveTracer& PictureWorld::tracer() const {
 
 void PictureWorld::setMoment(const motion::MomentInput& input) {
     motion::Moments(world_).at(input, moment_);
+    drawnMoment_ = without(options_.omissions, world_, moment_);
     tracer_.reset();
     if (traced_) {
         traced_->setMoment(moment_);
@@ -126,8 +139,8 @@ Picture PictureWorld::shootSampled(const frame::FrameView& frame, gpu::Shading s
 Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
                             const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
-        drawing_ = std::make_unique<Drawing>(shaderDefines_);
-        require(drawing_->renderer.upload(frame::buildScene(world_)));
+        drawing_ = std::make_unique<Drawing>(options_);
+        require(drawing_->renderer.upload(frame::buildScene(drawnWorld())));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "picture/Naming.h"
+#include "picture/Omissions.h"
 #include "support/TestWorld.h"
 
 #include "check/Comparison.h"
@@ -41,6 +42,8 @@ struct PictureOptions {
     int radius = 1;
     world::MovingEntries moving{};
     std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
+    bool exactDepth = true;                   ///< gpu::RendererOptions
+    Omissions omissions{};                    ///< in what is drawn; what it is held against stays whole
 };
 
 /// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
@@ -75,6 +78,8 @@ public:
 
     /// Holds a picture against the reference: the same judgement as `limen check`.
     [[nodiscard]] check::Comparison judge(const Picture& picture);
+    /// What the driver calls its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
+    [[nodiscard]] std::string driverVersion() const;
     /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test. Not that
     /// behind a wall which the near plane cuts. With `edgeOnIsCounted` pixels of the verdict edge_on only add to
     /// `edgeOn` (docs/cases.md, "Known to be wrong").
@@ -90,10 +95,12 @@ private:
     Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
                   const gpu::TargetOptions& targetOptions);
     void load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options);
+    [[nodiscard]] const world::World& drawnWorld() const;
     world::World world_;
+    std::unique_ptr<world::World> lessWorld_; ///< with omissions: what is drawn
     Vec3 origin_{0.0};
-    world::Moment moment_;
-    std::vector<std::string> shaderDefines_;
+    world::Moment moment_, drawnMoment_;
+    Options options_;
     mutable std::unique_ptr<NaiveTracer> tracer_;
     std::unique_ptr<check::TracedWorld> traced_;
     reference::Picture tracedPicture_;

@@ -181,7 +181,7 @@ TEST(Flood, keepsTheLargestRegionsWhenTheBudgetIsReached) {
         const double size = i == 4 ? 1.0 : 0.2;
         world.link(outside, world.addSpace(), uprightRectangle({-4.0 + i, 10, 0}, {0, -1, 0}, size, size));
     }
-    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, outside), Limits{2});
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, outside), Limits{2, {}});
     ASSERT_EQ(set.visits.size(), 2u);
     EXPECT_EQ(set.visits[1].space, 5u);
     EXPECT_EQ(set.counts.visitsCut, 8u);

@@ -1,0 +1,203 @@
+#include "picture/MechanismScenes.h"
+
+namespace limen::test {
+namespace {
+
+/// Two houses on a meadow, one behind the other: each one room with a door, and a window in line with it.
+NamedView twoHouses() {
+    NamedView view;
+    view.world.setFlatTerrain(view.world.home(), 0);
+    const auto house = [&](double south, double north, double door, double back, const std::string& colour) {
+        const auto cell = view.world.addBox({90, south, 0}, {96, north, 3}, colour);
+        const auto exit = view.world.openOutside(cell, rectangle({92, door, 0.1}, {93.2, door, 2.1}));
+        const auto window = view.world.openOutside(cell, rectangle({92, back, 1}, {93.2, back, 2}));
+        view.world.addBuilding(boxExterior({90, south, 0}, {96, north, 3}), {exit, window});
+    };
+    house(80, 86, 86, 80, "brown");
+    house(100, 106, 100, 106, "blue");
+    return view;
+}
+
+/// Two rooms, 4 × 4 × 3 m, joined by a door 1 m wide and 2 m high in the plane x = 4.
+NamedView twoRooms() {
+    NamedView view;
+    const auto west = view.world.addBox({0, 0, 10}, {4, 4, 13}, "brown");
+    const auto east = view.world.addBox({4, 0, 10}, {8, 4, 13}, "blue");
+    view.world.link(west, rectangle({4, 1.5, 10}, {4, 2.5, 12}), east);
+    view.root = west;
+    return view;
+}
+
+} // namespace
+
+NamedView houseFromTheYard() {
+    NamedView view = twoHouses();
+    view.eye = {92.6, 94, 1.2};
+    return view;
+}
+
+NamedView hillBeforeTheTunnel() {
+    NamedView view;
+    view.world.setFlatTerrain(view.world.home(), 0);
+    for (int x = 3; x <= 5; ++x) { // a hill 8 m high across the middle of the block
+        for (int y = 0; y <= 8; ++y) {
+            view.world.terrain(view.world.home()).heights[static_cast<std::size_t>(x * 9 + y)] = 4;
+        }
+    }
+    const auto tunnel = view.world.addBox({50, 90, 0}, {142, 94, 3}, "brown");
+    const auto west = view.world.openOutside(tunnel, rectangle({50, 90.5, 0.2}, {50, 93.5, 2.8}));
+    const auto east = view.world.openOutside(tunnel, rectangle({142, 90.5, 0.2}, {142, 93.5, 2.8}));
+    view.world.addBuilding(boxExterior({50, 90, 0}, {142, 94, 3}), {west, east});
+    view.eye = {40, 92, 1.5};
+    view.yaw = 90;
+    view.fov = 20;
+    return view;
+}
+
+NamedView hallBesideAWindow() {
+    NamedView view;
+    TestWorld& world = view.world;
+    const auto room = world.addBox({0, 0, 0}, {8, 4, 3}, "brown");
+    const auto hall = world.addBox({0, 4, 0}, {20, 8, 3}, "blue");
+    const auto closet = world.addBox({4, 4, 0}, {8, 6, 3}, "red"); // stands where the hall is
+    const auto beyond = world.addBox({0, 8, 0}, {20, 12, 3}, "green");
+    world.link(room, rectangle({5, 4, 0.5}, {7, 4, 2.5}), closet);
+    world.link(room, rectangle({1, 4, 0.5}, {3, 4, 2.5}), hall);
+    world.link(hall, rectangle({1, 8, 0.2}, {19, 8, 2.8}), beyond);
+    view.root = room;
+    view.eye = {2, 0.5, 1.5};
+    view.yaw = 30;
+    return view;
+}
+
+NamedView roundOpeningsInARow() {
+    NamedView view;
+    TestWorld& world = view.world;
+    const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
+    const auto b = world.addBox({0, 4, 0}, {4, 8, 3}, "blue");
+    const auto c = world.addBox({0, 8, 0}, {4, 12, 3}, "red");
+    world.link(a, regularPolygon({2, 4, 1.5}, {0, -1, 0}, 0.9, 12), b);
+    world.link(b, rectangle({0.2, 8, 0.2}, {3.8, 8, 2.8}), c);
+    view.root = a;
+    view.eye = {2.621, 2.366, 1.247};
+    view.yaw = 1.091;
+    view.pitch = 1.21;
+    return view;
+}
+
+NamedView noseInTheDoorway() {
+    NamedView view = twoRooms();
+    view.eye = {3.99, 1.7, 11.5};
+    view.yaw = 20;
+    view.pitch = -10;
+    return view;
+}
+
+NamedView lintelOfAGate() {
+    NamedView view;
+    const auto west = view.world.addBox({0, 0, 0}, {40, 140, 50}, "brown");
+    const auto east = view.world.addBox({40, 0, 0}, {80, 140, 50}, "blue");
+    view.world.link(west, rectangle({40, 10, 1}, {40, 130, 41}), east);
+    view.root = west;
+    view.eye = {39.999686671427568, 48.658, 40.999981984688752};
+    view.yaw = 23.238;
+    view.pitch = -37.291;
+    return view;
+}
+
+NamedView eyeInTheDoorsPlane() {
+    NamedView view = twoRooms();
+    view.eye = {4, 2, 11};
+    view.yaw = 45;
+    return view;
+}
+
+NamedView doorBehindAWindow() {
+    NamedView view;
+    TestWorld& world = view.world;
+    world.setFlatTerrain(world.home(), 0);
+    const auto near = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");
+    const auto window = world.openOutside(near, rectangle({92, 80, 1}, {93.2, 80, 2}));
+    world.addBuilding(boxExterior({90, 80, 0}, {96, 86, 3}), {window});
+    const auto far = world.addBox({90, 100, 0}, {96, 106, 3}, "blue");
+    const auto door = world.openOutside(far, rectangle({92, 100, 0.1}, {93.2, 100, 2.1}));
+    world.addBuilding(boxExterior({90, 100, 0}, {96, 106, 3}), {door});
+    view.eye = {92.6, 74, 1.6};
+    view.fov = 30;
+    return view;
+}
+
+NamedView someoneInADoorway() {
+    NamedView view = twoHouses();
+    view.root = 1;
+    view.eye = {93.4, 103, 1.6};
+    view.yaw = 190;
+    view.world.addObject(view.world.addModel(boxExterior({-0.3, -0.3, 0}, {0.3, 0.3, 1.8}, "pink")),
+                         frameAt({92.6, 100.0, 0.1}, 30));
+    return view;
+}
+
+NamedView shutDoor() {
+    NamedView view = twoRooms();
+    const std::uint32_t leaf = view.world.addModel(boxExterior({-0.03, 0, 0}, {0.03, 1, 2}, "wood"));
+    const Vec3 origin(view.world.home().x * 192.0, view.world.home().y * 192.0, 0.0);
+    view.moving.doors.push_back(
+        {"door", view.world.id(*view.root), 0, true, 0.0, {{leaf, origin + Vec3(4, 1.5, 10), 0.0, 90.0}}});
+    view.doors = 0.0;
+    view.eye = {1, 2, 11.5};
+    view.yaw = 90;
+    return view;
+}
+
+NamedView twoWindowsOnAMeadow() {
+    NamedView view;
+    TestWorld& world = view.world;
+    world.setFlatTerrain(world.home(), 0);
+    const auto room = world.addBox({90, 80, 0}, {98, 86, 3}, "brown");
+    const auto left = world.openOutside(room, rectangle({91, 86, 0.5}, {93, 86, 2.5}));
+    const auto right = world.openOutside(room, rectangle({95, 86, 0.5}, {97, 86, 2.5}));
+    world.addBuilding(boxExterior({90, 80, 0}, {98, 86, 3}), {left, right});
+    const std::uint32_t tree = world.addModel(boxExterior({-0.8, -0.8, 0}, {0.8, 0.8, 4}, "green"));
+    world.addObject(tree, frameAt({88, 95, 0}));
+    world.addObject(tree, frameAt({100, 95, 0}));
+    view.root = room;
+    view.eye = {94, 82, 1.5};
+    return view;
+}
+
+NamedView boardsBehindAPanel() {
+    NamedView view;
+    TestWorld& world = view.world;
+    const auto room = world.addBox({0, 0, 0}, {8, 12, 4}, "grey");
+    world.addStatic(room, world.addModel(boxExterior({0, 0, 0}, {6, 0.02, 3}, "oak")),
+                    frameAt({1, 5.9, 0.2}));
+    for (int i = 0; i < 5; ++i) {
+        const double z = 1 + i * 0.25;
+        world.addStatic(room, world.addModel(boxExterior({0, 0, 0}, {5, 2, 0.02}, "pine")),
+                        frameAt({1.5, 5.95, z - 0.02}));
+    }
+    view.root = room;
+    view.eye = {4.512, 2.759, 1.50030269134281};
+    view.yaw = 6.813;
+    view.pitch = -12.839137610360035;
+    return view;
+}
+
+NamedView barsInAnOpening() {
+    NamedView view;
+    TestWorld& world = view.world;
+    const auto west = world.addBox({0, 0, 10}, {4, 4, 13}, "brown");
+    const auto east = world.addBox({4, 0, 10}, {8, 4, 13}, "blue");
+    world.link(west, rectangle({4, 1.5, 10}, {4, 2.5, 12}), east);
+    for (int i = 0; i < 4; ++i) {
+        const double y = 1.6 + 0.22 * i;
+        world.walls(west).push_back({rectangle({4, y, 10}, {4, y + 0.1, 12}), "iron", true});
+    }
+    view.root = east;
+    view.eye = {4.532, 1.494, 10.875};
+    view.yaw = 276.946;
+    view.pitch = -4.761;
+    return view;
+}
+
+} // namespace limen::test

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "support/TestWorld.h"
+
+#include "world/MovingEntries.h"
+
+#include <optional>
+#include <string>
+
+namespace limen::test {
+
+/// A named view of docs/proof.md: a small world, an eye in it, and the circumstances. Every cell is a zone of its own,
+/// so that nothing is left to depth alone.
+struct NamedView {
+    TestWorld world;
+    world::MovingEntries moving{};
+    std::optional<double> doors{};         ///< how far they are open; none: nothing moves
+    std::optional<TestWorld::Cell> root{}; ///< none: outside
+    Vec3 eye{0.0};                         ///< local to the home block
+    double yaw = 0.0, pitch = 0.0, fov = 75.0;
+    std::uint32_t width = 96, height = 64;
+};
+
+[[nodiscard]] NamedView houseFromTheYard();    ///< a room seen from outside through its door
+[[nodiscard]] NamedView hillBeforeTheTunnel(); ///< ground that runs through a tunnel's mouth
+[[nodiscard]] NamedView hallBesideAWindow(); ///< a hall's rear opening passes behind a window of another room
+[[nodiscard]] NamedView roundOpeningsInARow(); ///< far openings that begin exactly where nearer ones do
+[[nodiscard]] NamedView noseInTheDoorway();    ///< 1 cm before a doorway, gaze along it
+[[nodiscard]] NamedView lintelOfAGate();      ///< 0.3 mm before a gate of 120 m, 0.02 mm under its upper edge
+[[nodiscard]] NamedView eyeInTheDoorsPlane(); ///< exactly in it
+[[nodiscard]] NamedView doorBehindAWindow();  ///< a far house's door passes behind the window of a near house
+[[nodiscard]] NamedView someoneInADoorway();  ///< half in the room, half outside
+[[nodiscard]] NamedView shutDoor();           ///< an opaque door between two rooms
+[[nodiscard]] NamedView twoWindowsOnAMeadow(); ///< a tree for each, seen through one of them only
+[[nodiscard]] NamedView boardsBehindAPanel();  ///< shelf boards at eye level, hidden by the panel before them
+[[nodiscard]] NamedView barsInAnOpening();     ///< a room's grating in the very plane of its opening
+
+} // namespace limen::test

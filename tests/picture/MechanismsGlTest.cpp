@@ -1,0 +1,140 @@
+// Every part of the method is needed: with all of them a named view is right to the pixel, and with one left out so many
+// pixels are wrong (docs/proof.md). The counts are those of the stock driver; others must find some.
+#include "picture/MechanismScenes.h"
+#include "picture/PictureWorld.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::test {
+namespace {
+
+/// What is left out.
+struct Off {
+    PictureOptions options;
+    frame::Rules frame;
+    visibility::Rules flood;
+};
+
+Off withoutShaderPart(const std::string& macro) {
+    Off off;
+    off.options.shaderDefines = {macro};
+    return off;
+}
+
+struct Judged {
+    std::uint64_t wrong = 0;
+    bool stockDriver = false;
+};
+
+Judged judge(NamedView view, const Off& off) {
+    PictureOptions options = off.options;
+    options.mergeZones = false;
+    options.moving = view.moving;
+    PictureWorld pictures(view.world, options);
+    pictures.width = view.width;
+    pictures.height = view.height;
+    pictures.fov = view.fov;
+    pictures.floodRules = off.flood;
+    if (view.doors) {
+        motion::MomentInput input;
+        input.allDoors = view.doors;
+        pictures.setMoment(input);
+    }
+    const world::SpaceIndex root = view.root ? pictures.space(view.world.id(*view.root)) : world::kOutside;
+    frame::FrameView frame = pictures.look(view.eye, view.yaw, view.pitch, root);
+    frame.rules = off.frame;
+    const bool stock = pictures.driverVersion().find("Mesa 22.3") != std::string::npos;
+    return {pictures.judge(pictures.shoot(frame)).findings(), stock};
+}
+
+void expectNeeded(NamedView (*view)(), const Off& off, std::uint64_t wrongWithout) {
+    EXPECT_EQ(judge(view(), {}).wrong, 0u) << "with everything in place";
+    const Judged without = judge(view(), off);
+    ::testing::Test::RecordProperty("wrong_pixels", std::to_string(without.wrong));
+    if (without.stockDriver) {
+        EXPECT_EQ(without.wrong, wrongWithout);
+    } else {
+        EXPECT_GT(without.wrong, 0u);
+    }
+}
+
+TEST(Mechanisms, ownershipTarget) {
+    Off off;
+    off.frame.ownership = false;
+    expectNeeded(houseFromTheYard, off, 64);
+}
+
+TEST(Mechanisms, entryPlaneTest) {
+    expectNeeded(hillBeforeTheTunnel, withoutShaderPart("LIMEN_WITHOUT_ENTRY_TEST"), 24);
+}
+
+TEST(Mechanisms, exitPlaneTest) {
+    expectNeeded(hillBeforeTheTunnel, withoutShaderPart("LIMEN_WITHOUT_EXIT_TEST"), 1554);
+}
+
+TEST(Mechanisms, ancestorClip) {
+    Off off;
+    off.frame.ancestorClip = false;
+    expectNeeded(hallBesideAWindow, off, 112);
+}
+
+TEST(Mechanisms, growth) {
+    Off off;
+    off.frame.growth = false;
+    expectNeeded(roundOpeningsInARow, off, 1);
+}
+
+TEST(Mechanisms, eyePlaneClip) {
+    Off off;
+    off.flood.eyePlaneClip = false;
+    expectNeeded(noseInTheDoorway, off, 2608);
+}
+
+TEST(Mechanisms, halfPlaneRule) {
+    Off off;
+    off.flood.halfPlane = false;
+    expectNeeded(eyeInTheDoorsPlane, off, 5760);
+}
+
+TEST(Mechanisms, fiveCentimetreRule) {
+    Off off;
+    off.frame.nearOpening = false;
+    expectNeeded(lintelOfAGate, off, 64);
+}
+
+TEST(Mechanisms, siblingOrder) {
+    Off off;
+    off.flood.siblingOrder = false;
+    expectNeeded(doorBehindAWindow, off, 54);
+}
+
+TEST(Mechanisms, membership) {
+    Off off;
+    off.options.omissions.membership = true;
+    expectNeeded(someoneInADoorway, off, 213);
+}
+
+TEST(Mechanisms, filling) {
+    Off off;
+    off.options.omissions.fillings = true;
+    expectNeeded(shutDoor, off, 392);
+}
+
+TEST(Mechanisms, viewcone) {
+    Off off;
+    off.frame.viewcone = false;
+    expectNeeded(twoWindowsOnAMeadow, off, 54);
+}
+
+TEST(Mechanisms, exactDepth) {
+    Off off;
+    off.options.exactDepth = false;
+    expectNeeded(boardsBehindAPanel, off, 63);
+}
+
+TEST(Mechanisms, gateTolerance) {
+    expectNeeded(barsInAnOpening, withoutShaderPart("LIMEN_WITHOUT_GATE_TOLERANCE"), 279);
+}
+
+} // namespace
+} // namespace limen::test

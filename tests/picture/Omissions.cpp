@@ -1,0 +1,71 @@
+#include "picture/Omissions.h"
+
+#include <algorithm>
+
+namespace limen::test {
+namespace {
+
+/// Lists the instances by the spaces they are members of. Yields where each space's run begins, and the end of all.
+template <class IsListed>
+std::vector<std::uint32_t> listBySpace(std::size_t spaceCount, const std::vector<world::Instance>& instances,
+                                       const std::vector<world::SpaceIndex>& members, IsListed isListed,
+                                       std::vector<world::InstanceIndex>& list) {
+    list.clear();
+    std::vector<std::uint32_t> first;
+    for (world::SpaceIndex space = 0; space < spaceCount; ++space) {
+        first.push_back(static_cast<std::uint32_t>(list.size()));
+        for (world::InstanceIndex i = 0; i < instances.size(); ++i) {
+            const auto own = std::span(members).subspan(instances[i].firstMember, instances[i].memberCount);
+            if (isListed(i) && std::find(own.begin(), own.end(), space) != own.end()) {
+                list.push_back(i);
+            }
+        }
+    }
+    first.push_back(static_cast<std::uint32_t>(list.size()));
+    return first;
+}
+
+} // namespace
+
+world::World withoutMembership(const world::World& world) {
+    world::World less = world;
+    std::vector<bool> listed(world.instances.size(),
+                             false); // those that depend on a door are in no static list
+    for (const world::InstanceIndex i : world.spaceInstances) {
+        listed[i] = true;
+    }
+    for (world::Instance& instance : less.instances) {
+        instance.memberCount = std::min(instance.memberCount, 1u);
+    }
+    const auto first = listBySpace(
+        less.spaces.size(), less.instances, less.members, [&](auto i) { return listed[i]; },
+        less.spaceInstances);
+    for (std::size_t s = 0; s < less.spaces.size(); ++s) {
+        less.spaces[s].firstInstance = first[s];
+        less.spaces[s].instanceCount = first[s + 1] - first[s];
+    }
+    return less;
+}
+
+world::Moment without(const Omissions& omissions, const world::World& world, const world::Moment& moment) {
+    world::Moment less = moment;
+    if (omissions.membership) {
+        for (world::Instance& instance : less.instances) {
+            instance.memberCount = std::min(instance.memberCount, 1u);
+        }
+    }
+    if (omissions.fillings) {
+        less.closed.clear();
+        less.fillings.clear();
+    }
+    const auto isListed = [&](world::InstanceIndex i) {
+        return !omissions.fillings || less.instances[i].kind != world::Kind::Filling;
+    };
+    if (omissions.membership || omissions.fillings) {
+        less.firstInSpace =
+            listBySpace(world.spaces.size(), less.instances, less.members, isListed, less.spaceInstances);
+    }
+    return less;
+}
+
+} // namespace limen::test
