@@ -7,13 +7,13 @@
 // Not for MULTISAMPLED: one depth for all samples of a pixel would flatten every edge.
 #if defined(EXACT_DEPTH) && !defined(MULTISAMPLED)
 
-// Metres of depth that snapping may have cost before it is worth looking.
-const float kDepthDoubt = 0.0005;
-// A fragment that was moved lies on its polygon's outline, at equal depth with the polygon beyond the edge, if there is one.
-// That one is the one to be seen: nothing of this polygon's area lies in front of it.
-const float kBehindNeighbour = 1.0e-5;
 // Pixels, either side: corners are snapped by up to half of 1/256 of a pixel each way. The same as kSnap of the gate.
 const float kBesideRay = 1.0 / 128.0;
+// Share of the depth that snapping may have cost before it is worth looking: a hundred times what floats lose.
+const float kDepthDoubt = 1.0e-5;
+// A fragment whose ray only passes beside its polygon lies on the outline, at equal depth with the polygon beyond the edge,
+// if there is one. That one is the one to be seen.
+const float kBehindNeighbour = 1.0e-5;
 
 vec3 loopCorner(Instance instance, uint index) {
     return eyeFromBlock(blockFromModel(cornerAt(index), instance.row0, instance.row1, instance.row2), instance.block);
@@ -32,16 +32,17 @@ vec3 loopNormal(Instance instance) {
     return normalize(sum);
 }
 
-// The depths between which the ray with this direction (depth 1) passes over the polygon or within kBesideRay of it;
-// empty (x > y) if it does not. In the polygon's plane the ray is a line; each outline edge that comes within a band
-// around the line bounds the stretch.
-vec2 stretchOver(Instance instance, vec3 direction) {
+// The depths between which the ray with this direction (depth 1) passes over the polygon (zw), or within kBesideRay of it
+// (xy); empty (x > y, z > w) if it does not. In the polygon's plane the ray is a line; each outline edge that crosses it,
+// or comes within a band around it, bounds the stretch.
+vec4 stretchOver(Instance instance, vec3 direction) {
     vec3 normal = loopNormal(instance);
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
     vec3 across = normalize(cross(normal, direction));
     float beside = kBesideRay * frame.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
+    vec2 crossed = stretch;
     vec3 from = loopCorner(instance, vLoop.x + vLoop.y - 1u);
     for (uint i = 0u; i < vLoop.y; ++i) {
         vec3 to = loopCorner(instance, vLoop.x + i);
@@ -60,23 +61,28 @@ vec2 stretchOver(Instance instance, vec3 direction) {
             vec2 ends = vec2(mix(depths.x, depths.y, first), mix(depths.x, depths.y, last));
             stretch = vec2(min(stretch.x, min(ends.x, ends.y)), max(stretch.y, max(ends.x, ends.y)));
         }
+        if ((sides.x < 0.0) != (sides.y < 0.0)) {
+            float at = mix(depths.x, depths.y, sides.x / (sides.x - sides.y));
+            crossed = vec2(min(crossed.x, at), max(crossed.y, at));
+        }
         from = to;
     }
-    return stretch;
+    return vec4(stretch, crossed);
 }
 
 // The fragment's eye-relative position; sets its depth.
 vec3 onPolygon(Instance instance) {
     float depth = 1.0 / gl_FragCoord.w;
-    bool doubtful = fwidth(depth) * kBesideRay > kDepthDoubt;
+    bool doubtful = fwidth(depth) * kBesideRay > kDepthDoubt * depth;
     gl_FragDepth = gl_FragCoord.z;
     if (!doubtful || vLoop.y < 3u) {
         return vEyeRelative;
     }
     vec3 direction = vEyeRelative / depth;
-    vec2 stretch = stretchOver(instance, direction);
+    vec4 stretch = stretchOver(instance, direction);
     float moved = stretch.x <= stretch.y ? clamp(depth, stretch.x, stretch.y) : depth;
-    if (!(moved > 0.0) || moved == depth) {
+    bool isBeside = stretch.z > stretch.w || moved < stretch.z || moved > stretch.w;
+    if (!(moved > 0.0) || !isBeside) {
         return vEyeRelative;
     }
     gl_FragDepth = min(frame.nearPlane / (moved * (1.0 + kBehindNeighbour)), 1.0);

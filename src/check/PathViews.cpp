@@ -1,5 +1,6 @@
 #include "check/Standing.h"
 
+#include "motion/Locate.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -154,6 +155,12 @@ private:
     world::SpaceIndex space_ = world::kOutside;
 };
 
+/// The space of a way point that names none: tours stay in buildings and outdoors. kNone where several cells claim it.
+world::SpaceIndex locateOnTour(const world::World& world, const Vec3& eye) {
+    const motion::Located located = motion::locate(world, eye);
+    return located.ambiguous ? world::kNone : located.space;
+}
+
 } // namespace
 
 std::size_t tourPointsIn(std::span<const world::Place> tour, std::size_t count, dat::BlockCoord block) {
@@ -172,7 +179,7 @@ void addTourViews(const Surroundings& around, std::size_t count, std::vector<Vie
             continue;
         const world::Place &from = around.tour[point.leg], &to = around.tour[point.leg + 1];
         const world::SpaceIndex start =
-            from.cell == 0 ? world::kOutside : world::findCell(around.world, from.cell);
+            from.cell == 0 ? locateOnTour(around.world, from.eye) : world::findCell(around.world, from.cell);
         if (start == world::kNone)
             continue;
         const auto root = walk(around, start, from.eye, point.eye);

@@ -237,7 +237,12 @@ dat::BspTree buildCellBsp(std::span<const Face> faces) {
         const bool known = std::any_of(planes.begin(), planes.end(), [&](const Plane& p) {
             return glm::dot(p.n, plane.n) > 1.0 - 1e-9 && std::abs(p.d - plane.d) < kInPlane;
         });
-        if (!known) {
+        // A face of a recess has parts of the cell behind it.
+        const bool outermost = std::all_of(faces.begin(), faces.end(), [&](const Face& other) {
+            return std::all_of(other.points.begin(), other.points.end(),
+                               [&](const Vec3& p) { return plane.signedDistance(p) > -kInPlane; });
+        });
+        if (!known && outermost) {
             planes.push_back(plane);
         }
     }

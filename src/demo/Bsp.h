@@ -16,8 +16,8 @@ namespace limen::demo {
 /// A physics tree: polygons in the leaves in front of them, solid leaves behind. `ids` names the faces.
 [[nodiscard]] dat::BspTree buildPhysicsBsp(std::span<const Face> faces, std::span<const std::uint16_t> ids);
 
-/// The chain "in front of every plane" for a convex cell whose faces look inwards. Requires every face to be
-/// a face of one convex solid.
+/// The chain "in front of every plane" for a closed cell whose faces look inwards: the cell itself if it is convex,
+/// else what the planes with the whole cell in front of them enclose.
 [[nodiscard]] dat::BspTree buildCellBsp(std::span<const Face> faces);
 
 [[nodiscard]] std::uint32_t leafCount(const dat::BspTree& tree);

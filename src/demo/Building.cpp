@@ -4,6 +4,7 @@
 #include "demo/Bsp.h"
 #include "demo/Sight.h"
 
+#include <map>
 #include <set>
 
 namespace limen::demo {
@@ -33,18 +34,20 @@ std::vector<const Face*> portalsOf(const std::vector<Face>& faces) {
 
 /// Pairs portal faces with the same points. What no other cell has leads outside.
 std::vector<std::vector<PortalLink>> linkCells(const std::vector<CellPlan>& cells) {
+    std::map<PointSet, std::vector<PortalLink>> byPoints;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        std::uint16_t k = 0;
+        for (const Face* portal : portalsOf(cells[c].faces)) {
+            byPoints[pointSet(*portal)].push_back({static_cast<std::uint16_t>(c), k++});
+        }
+    }
     std::vector<std::vector<PortalLink>> links;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         std::vector<PortalLink> own;
         for (const Face* portal : portalsOf(cells[c].faces)) {
             PortalLink link{dat::kOutdoors, dat::kNoPortal};
-            for (std::size_t other = 0; other < cells.size(); ++other) {
-                const std::vector<const Face*> theirs = portalsOf(cells[other].faces);
-                for (std::size_t k = 0; other != c && k < theirs.size(); ++k) {
-                    if (pointSet(*theirs[k]) == pointSet(*portal)) {
-                        link = {static_cast<std::uint16_t>(other), static_cast<std::uint16_t>(k)};
-                    }
-                }
+            for (const PortalLink& there : byPoints.at(pointSet(*portal))) {
+                link = there.cell == c ? link : there;
             }
             own.push_back(link);
         }
@@ -129,10 +132,13 @@ std::size_t countExits(const std::vector<std::vector<PortalLink>>& links) {
     return exits;
 }
 
-/// Exterior and cells get the same vertices along the openings they share.
-void joinAtPortals(BuildingPlan& plan) {
-    std::vector<std::vector<Face>*> meshes{&plan.exterior.faces()};
-    for (CellPlan& cell : plan.cells) {
+/// Exterior (if any) and cells get the same vertices along the openings they share.
+void joinAtPortals(std::vector<CellPlan>& cells, MeshBuilder* exterior) {
+    std::vector<std::vector<Face>*> meshes;
+    if (exterior != nullptr) {
+        meshes.push_back(&exterior->faces());
+    }
+    for (CellPlan& cell : cells) {
         meshes.push_back(&cell.faces);
     }
     closePortalSeams(meshes);
@@ -207,29 +213,29 @@ dat::EnvCell BlockBuilder::cellRecord(const CellPlan& cell, const std::vector<Po
     return record;
 }
 
-std::vector<dat::RecordId> BlockBuilder::addCells(const BuildingPlan& plan,
+std::vector<dat::RecordId> BlockBuilder::addCells(const std::vector<CellPlan>& cells,
                                                   const std::vector<std::vector<PortalLink>>& links,
                                                   const Placement& at) {
     WorldRecords& records = sink_.records();
-    const SightMap sight = sightMapOf(plan.cells, links);
+    const std::vector<bool> sight = cellsThatSeeOutside(sightMapOf(cells, links));
     const auto firstCell = static_cast<std::uint16_t>(dat::kFirstCell + info_.numCells);
     dat::Environment environment;
     environment.id = 0x0D000100u + static_cast<dat::RecordId>(records.environments.size());
     std::vector<dat::RecordId> ids;
-    for (std::size_t c = 0; c < plan.cells.size(); ++c) {
-        EncodedMesh mesh = encodeMesh(plan.cells[c].faces);
-        dat::EnvCell record = cellRecord(plan.cells[c], links[c], firstCell, at);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        EncodedMesh mesh = encodeMesh(cells[c].faces);
+        dat::EnvCell record = cellRecord(cells[c], links[c], firstCell, at);
         record.id = (info_.id & 0xFFFF0000u) | static_cast<dat::RecordId>(firstCell + c);
         record.environment = static_cast<std::uint16_t>(environment.id & 0xFFFF);
         record.cellStructure = static_cast<std::uint16_t>(c);
-        record.flags |= seesOutside(sight, c) ? dat::EnvCell::kSeenOutside : 0u;
+        record.flags |= sight[c] ? dat::EnvCell::kSeenOutside : 0u;
         for (const dat::RecordId surface : mesh.surfaces) {
             record.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
         }
         for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c))) {
             record.visibleCells.push_back(static_cast<std::uint16_t>(firstCell + other));
         }
-        dat::CellStruct shape = shapeOf(plan.cells[c], mesh);
+        dat::CellStruct shape = shapeOf(cells[c], mesh);
         for (std::size_t k = 0; k < record.portals.size(); ++k) {
             record.portals[k].polygonId = shape.portalPolygons[k];
         }
@@ -238,15 +244,15 @@ std::vector<dat::RecordId> BlockBuilder::addCells(const BuildingPlan& plan,
         records.envCells.push_back(std::move(record));
     }
     records.environments.push_back(std::move(environment));
-    info_.numCells += static_cast<std::uint32_t>(plan.cells.size());
+    info_.numCells += static_cast<std::uint32_t>(cells.size());
     return ids;
 }
 
 std::vector<dat::RecordId> BlockBuilder::addBuilding(BuildingPlan plan, const Placement& at) {
-    joinAtPortals(plan);
+    joinAtPortals(plan.cells, &plan.exterior);
     const std::vector<std::vector<PortalLink>> links = linkCells(plan.cells);
     const auto firstCell = static_cast<std::uint16_t>(dat::kFirstCell + info_.numCells);
-    std::vector<dat::RecordId> ids = addCells(plan, links, at);
+    std::vector<dat::RecordId> ids = addCells(plan.cells, links, at);
     dat::Building building;
     building.model = sink_.addMesh(plan.exterior);
     building.frame = toFrame(at);
@@ -267,6 +273,13 @@ std::vector<dat::RecordId> BlockBuilder::addBuilding(BuildingPlan plan, const Pl
                  "a cell's opening leads to no other cell and not outside");
     info_.buildings.push_back(std::move(building));
     return ids;
+}
+
+std::vector<dat::RecordId> BlockBuilder::addDungeon(std::vector<CellPlan> cells, const Placement& at) {
+    joinAtPortals(cells, nullptr);
+    const std::vector<std::vector<PortalLink>> links = linkCells(cells);
+    LIMEN_ASSERT(countExits(links) == 0, "a cell's opening leads to no other cell");
+    return addCells(cells, links, at);
 }
 
 } // namespace limen::demo

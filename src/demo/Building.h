@@ -14,7 +14,7 @@ struct Furnishing {
     Placement at;
 };
 
-/// A cell in its building's coordinates: a closed convex shell that looks inwards. Its portals are its portal
+/// A cell in its building's coordinates: a closed shell, convex as a rule, that looks inwards. Its portals are its portal
 /// faces, in order; each either matches, point for point, a portal face of another cell of the plan, or leads
 /// outside.
 struct CellPlan {
@@ -64,6 +64,9 @@ public:
     /// the bit in the world. Returns the cells' ids in the plan's order. Requires: every portal face finds
     /// its partner.
     std::vector<dat::RecordId> addBuilding(BuildingPlan plan, const Placement& at);
+    /// Adds cells that no building leads to. Returns their ids in the plan's order. Requires: every portal face finds
+    /// its partner.
+    std::vector<dat::RecordId> addDungeon(std::vector<CellPlan> cells, const Placement& at);
     /// True if the block needs no LandBlockInfo.
     [[nodiscard]] bool empty() const {
         return info_.objects.empty() && info_.buildings.empty() && info_.numCells == 0;
@@ -74,7 +77,7 @@ public:
 private:
     dat::EnvCell cellRecord(const CellPlan& cell, const std::vector<PortalLink>& links,
                             std::uint16_t firstCell, const Placement& at) const;
-    std::vector<dat::RecordId> addCells(const BuildingPlan& plan,
+    std::vector<dat::RecordId> addCells(const std::vector<CellPlan>& cells,
                                         const std::vector<std::vector<PortalLink>>& links,
                                         const Placement& at);
 

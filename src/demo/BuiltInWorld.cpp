@@ -1,5 +1,6 @@
 #include "demo/BuiltInWorld.h"
 
+#include "demo/DungeonBlocks.h"
 #include "demo/Materials.h"
 #include "demo/RegionBuilder.h"
 #include "demo/TerrainShape.h"
@@ -14,8 +15,9 @@ WorldRecords buildBuiltInWorld(Pictures pictures) {
     const Plants plants = addPlants(sink);
     addRegion(sink, plants);
     const VillageMap map = addVillage(sink, plants);
-    addLandBlocks(records, {kVillage});
-    records.worldFile = buildWorldFile(map);
+    const DungeonMap dungeons = addDungeonBlocks(sink, map.furniture, plants);
+    addLandBlocks(records, {kVillage, kTowerBlock, kCaveBlock});
+    records.worldFile = buildWorldFile(map, dungeons);
     return records;
 }
 

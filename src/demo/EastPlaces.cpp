@@ -3,12 +3,11 @@
 #include "demo/Cottages.h"
 #include "demo/Inn.h"
 #include "demo/MeetingHall.h"
+#include "demo/TerrainShape.h"
 
 namespace limen::demo {
 
 namespace {
-
-constexpr double kEyeHeight = 1.7;
 
 /// Collects legs of the tour, each towards a point of one building.
 class Path {
@@ -17,22 +16,24 @@ public:
 
     void at(const Placement& building) { building_ = building; }
     void ground(double x, double y, double speed, const Vec3& target) {
-        steps_.push_back({TourStep::Kind::AlongGround, point({x, y, 0.0}), point(target), speed});
+        path_.ground(point({x, y, 0.0}), speed, point(target));
     }
     /// To a point at eye height above `floor`, looking straight ahead or at `target`.
     void walk(double x, double y, double floor, double speed, const Vec3& target) {
-        steps_.push_back({TourStep::Kind::Straight, point({x, y, floor + kEyeHeight}), point(target), speed});
+        path_.straight(point({x, y, floor + kEyeHeight}), speed, point(target));
     }
-    void look(const Vec3& target, double seconds) {
-        steps_.push_back({TourStep::Kind::Look, Vec3(0.0), point(target), seconds});
+    void look(const Vec3& target, double seconds) { path_.look(point(target), seconds); }
+    /// Along the ground to a vertex of the lane.
+    void lane(std::pair<int, int> vertex, double speed, const Vec3& targetGlobal) {
+        path_.ground(overVertex(vertex, 0.0), speed, targetGlobal);
     }
-    [[nodiscard]] const std::vector<TourStep>& steps() const { return steps_; }
+    [[nodiscard]] const std::vector<TourLeg>& legs() const { return path_.legs; }
 
 private:
     [[nodiscard]] Vec3 point(const Vec3& local) const { return globalOf(building_, local); }
 
     Placement building_;
-    std::vector<TourStep> steps_;
+    TourPath path_;
 };
 
 void toTheInn(Path& path, const VillageMap& map) {
@@ -119,6 +120,18 @@ void outToTheMeetingHall(Path& path, const VillageMap& map) {
     path.look({-6.5, middle, 1.7}, 3.0); // back through arch and doorway: the inn
 }
 
+/// Out of the meeting hall and westwards between the cottages, nearly to where the track to the tower leaves the lane.
+void backToTheLane(Path& path) {
+    const double middle = hall::kMiddle;
+    const std::pair<int, int> fork = towerTrack().front();
+    path.walk(4.8, middle, 0.0, 2.4, {-8.0, middle, 1.7});
+    path.walk(-3.6, middle, 0.0, 3.0, {-12.0, middle, 1.7});
+    path.walk(-6.4, middle, 0.0, 2.0, {-14.0, middle, 1.7});
+    path.ground(-8.9, middle, 2.5, {-14.0, middle - 10.0, 1.7});
+    path.lane({12, 12}, 4.5, overVertex(fork, 2.5));
+    path.lane({10, 12}, 9.0, overVertex(towerTrack().at(4), 2.5));
+}
+
 } // namespace
 
 std::vector<std::pair<std::string, Eye>> eastPlaces(const VillageMap& map) {
@@ -137,13 +150,14 @@ std::vector<std::pair<std::string, Eye>> eastPlaces(const VillageMap& map) {
                                    map.hallCells.at(static_cast<std::size_t>(HallCell::Nave)))}};
 }
 
-std::vector<TourStep> eastTour(const VillageMap& map) {
+std::vector<TourLeg> eastTour(const VillageMap& map) {
     Path path(map.cottage);
     toTheInn(path, map);
     upToTheBalcony(path);
     downToTheVault(path);
     outToTheMeetingHall(path, map);
-    return path.steps();
+    backToTheLane(path);
+    return path.legs();
 }
 
 } // namespace limen::demo

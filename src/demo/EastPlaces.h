@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demo/Places.h"
+#include "demo/Tour.h"
 
 namespace limen::demo {
 
@@ -8,7 +9,7 @@ namespace limen::demo {
 [[nodiscard]] std::vector<std::pair<std::string, Eye>> eastPlaces(const VillageMap& map);
 
 /// The tour's second part: from the cottage's rear room to the inn, up to its balcony, down to its basement, then
-/// into the meeting hall.
-[[nodiscard]] std::vector<TourStep> eastTour(const VillageMap& map);
+/// through the meeting hall and out onto the lane.
+[[nodiscard]] std::vector<TourLeg> eastTour(const VillageMap& map);
 
 } // namespace limen::demo

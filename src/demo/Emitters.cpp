@@ -1,5 +1,6 @@
 #include "demo/Emitters.h"
 
+#include "demo/DungeonPlaces.h"
 #include "demo/Folk.h"
 #include "demo/FolkModels.h"
 #include "demo/Inn.h"
@@ -71,6 +72,8 @@ constexpr Manner kHearth{Material::Fire, 14.0,           0.7,          {0.0, 0.0
                          0.22,           {{0.34, 0.14}}, {{0.75, 0.0}}};
 constexpr Manner kTorch{Material::Fire, 14.0,           0.6,          {0.0, 0.0, 0.7}, 0.08, {0.1, 0.0, 0.4},
                         0.03,           {{0.26, 0.08}}, {{0.85, 0.0}}};
+constexpr Manner kBrazier{Material::Fire,  9.0, 1.25,           {0.0, 0.0, 0.9}, 0.2,
+                          {0.0, 0.0, 0.3}, 0.2, {{0.26, 0.06}}, {{0.8, 0.0}}};
 constexpr Manner kFireflies{
     Material::Firefly, 9.0, 6.0, {0.0, 0.0, 0.05}, 0.35, {0.0, 0.0, 0.02}, 4.5, {{0.30, 0.20}}, {{1.0, 0.0}}};
 constexpr Manner kSwirl{Material::Swirl, 5.0,  2.4,          {0.0, 0.0, 0.12}, 0.05,
@@ -84,7 +87,7 @@ Vec3 overGround(double x, double y, double height) {
 
 } // namespace
 
-Json buildEmitters(const VillageMap& map) {
+Json buildEmitters(const VillageMap& map, const DungeonMap& dungeons) {
     EmitterList list;
     list.at("inn.chimney", kSmoke, globalOf(map.inn, inn::chimneyMouth()), 0);
     list.at("cottage.chimney", kSmoke, globalOf(map.cottage, {5.15, 2.5, 9.35}), 0);
@@ -100,6 +103,9 @@ Json buildEmitters(const VillageMap& map) {
     list.at("orchard.fireflies", kFireflies, overGround(97.0, 80.0, 2.4), 0);
     list.at("swirl", kSwirl, overGround(134.0, 100.0, 1.4), 0);
     list.on("watchman.lantern", kLanternGlow, "watchman", kLantern);
+    for (const Fire& fire : brazierFires(dungeons)) {
+        list.at(fire.name, kBrazier, fire.position, fire.cell);
+    }
     return list.take();
 }
 

@@ -1,6 +1,5 @@
 #include "demo/Folk.h"
 
-#include "demo/Emitters.h"
 #include "demo/FolkModels.h"
 #include "demo/Inn.h"
 #include "demo/MeetingHall.h"
@@ -203,7 +202,6 @@ void addFolk(ModelSink& sink, VillageMap& map) {
                      villager("watchman", models.watchman, "watch", 1.3, 20.0),
                      villager("farmer", models.farmer, "farm", 1.2, 30.0),
                      villager("carter", models.carter, "cart", 1.1, 40.0)};
-    map.emitters = buildEmitters(map);
 }
 
 } // namespace limen::demo

@@ -5,7 +5,7 @@
 
 namespace limen::demo {
 
-/// Adds the villagers' models and fills the map's routes, villagers and emitters. Requires: the map's buildings are
+/// Adds the villagers' models and fills the map's routes and villagers. Requires: the map's buildings are
 /// placed.
 void addFolk(ModelSink& sink, VillageMap& map);
 

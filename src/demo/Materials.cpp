@@ -242,6 +242,8 @@ Canvas paintGround(Ground ground) {
                            .seed = 2207});
     case Ground::Road:
         return paintRoad();
+    case Ground::Stream:
+        return paintStream();
     case Ground::Count:
         break;
     }

@@ -68,6 +68,7 @@ enum class Ground : std::uint8_t {
     Rock,
     Moss,
     Road,
+    Stream,
     Count
 };
 

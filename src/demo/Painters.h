@@ -57,7 +57,8 @@ struct GrassStyle {
 [[nodiscard]] Canvas paintGrass(const GrassStyle& style);
 [[nodiscard]] Canvas paintDirt();
 [[nodiscard]] Canvas paintForestFloor();
-[[nodiscard]] Canvas paintRoad(); ///< two wheel ruts along u, a tenth above and below the v = 0 border
+[[nodiscard]] Canvas paintStream(); ///< ripples over a dark bed
+[[nodiscard]] Canvas paintRoad();   ///< two wheel ruts along u, a tenth above and below the v = 0 border
 
 /// Blend maps (alpha 1 keeps what is underneath): a corner for code 8 (north-west), a side for code 9 (the
 /// west edge), and the same for lanes, whose edge lies `reach` (share of a landcell) from the corner or side.

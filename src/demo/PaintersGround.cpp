@@ -92,6 +92,19 @@ Canvas paintForestFloor() {
     return canvas;
 }
 
+Canvas paintStream() {
+    return Canvas::paint(kSize, kSize, [](double u, double v) {
+        const double depth = 0.5 + 0.7 * fbm(u, v, 3, 3, 4, 1601);
+        Vec3f water = mixColour(Vec3f(0.13f, 0.20f, 0.20f), Vec3f(0.22f, 0.31f, 0.29f), depth);
+        // Crests wander with a slower noise; what they mirror of the sky is brightest where they meet.
+        const double wander = 0.035 * fbm(u, v, 5, 5, 3, 1603);
+        const double crest = ridged(u + wander, v - wander, 9, 9, 3, 1605);
+        const double sky = smoothStep(0.62, 0.95, crest);
+        water = mixColour(water, Vec3f(0.50f, 0.58f, 0.60f), 0.55 * sky);
+        return Vec4f(water * static_cast<float>(0.94 + 0.12 * crest), 1.0f);
+    });
+}
+
 Canvas paintRoad() {
     Canvas canvas = Canvas::paint(kSize, kSize, [](double u, double v) {
         const double tone = 0.5 + 0.5 * fbm(u, v, 6, 6, 6, 1501);

@@ -16,6 +16,7 @@ enum class Growth : std::uint32_t {
     LaneSide,
     Rocks,
     Yard,
+    Bank,
     Count
 };
 
@@ -105,6 +106,12 @@ std::vector<std::vector<Sprinkle>> scenesOf(Growth growth, const Plants& p) {
                  {p.youngPine, 1, 0.2, 0.6, 1.0}}};
     case Growth::Yard:
         return {{{p.grass, 9, 0.6, 0.6, 1.1}, {p.flowers, 5, 0.6}}};
+    case Growth::Bank:
+        return {{{p.tallGrass, 9, 0.6, 0.9, 1.5},
+                 {p.grass, 6, 0.6, 0.8, 1.4},
+                 {p.rock, 3, 0.35, 0.4, 1.0},
+                 {p.fern, 2, 0.5},
+                 {p.flowers, 2, 0.4}}};
     case Growth::Nothing:
     case Growth::Count:
         break;
@@ -138,7 +145,7 @@ std::vector<TerrainLook> terrainLooks() {
     return {
         {TerrainKind::Grassland, "Grassland", 0xFF5C7030, Ground::Grassland, 4, {Nothing, Meadow, WoodEdge}},
         {TerrainKind::BarrenRock, "BarrenRock", 0xFF77726A, Ground::Rock, 4, {Nothing, Rocks}},
-        {TerrainKind::LushGrass, "LushGrass", 0xFF4A6B24, Ground::LushGrass, 4, {Nothing, Meadow}},
+        {TerrainKind::LushGrass, "LushGrass", 0xFF4A6B24, Ground::LushGrass, 4, {Nothing, Meadow, Bank}},
         {TerrainKind::PackedDirt, "PackedDirt", 0xFF6A5438, Ground::PackedDirt, 4, {Nothing, Yard}},
         {TerrainKind::PatchyGrass,
          "PatchyGrassland",
@@ -146,6 +153,7 @@ std::vector<TerrainLook> terrainLooks() {
          Ground::PatchyGrass,
          4,
          {Nothing, LaneSide}},
+        {TerrainKind::RunningWater, "WaterRunning", 0xFF2C4244, Ground::Stream, 3, {Nothing}},
         {TerrainKind::ForestFloor,
          "ForestFloor",
          0xFF37401E,

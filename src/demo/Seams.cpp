@@ -12,6 +12,7 @@ namespace {
 constexpr double kGrid = 1.0 / 8192.0;
 /// A point this near (metres) to an edge lies on it: rounding moves points by up to 0.87 grid steps.
 constexpr double kOnEdge = 2.0 * kGrid;
+constexpr double kFar = 1e9; ///< metres; farther than any point
 
 struct Less {
     bool operator()(const Vec3& a, const Vec3& b) const {
@@ -53,10 +54,12 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
         };
         push(0.0, face.points[i]);
         std::vector<std::pair<double, Vec3>> between;
-        for (const Vec3& p : points) {
-            const double t = positionOnEdge(face.points[i], face.points[j], p);
+        const auto [west, east] = std::minmax(face.points[i].x, face.points[j].x);
+        const auto end = points.upper_bound({east + kOnEdge, kFar, kFar});
+        for (auto p = points.lower_bound({west - kOnEdge, -kFar, -kFar}); p != end; ++p) {
+            const double t = positionOnEdge(face.points[i], face.points[j], *p);
             if (t > 0.0) {
-                between.emplace_back(t, p);
+                between.emplace_back(t, *p);
             }
         }
         std::sort(between.begin(), between.end(),

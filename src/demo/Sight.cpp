@@ -2,6 +2,8 @@
 
 #include "geometry/ConvexPolygon.h"
 
+#include <algorithm>
+
 namespace limen::demo {
 
 namespace {
@@ -89,6 +91,32 @@ bool seesOutside(const SightMap& map, std::size_t cell) {
         }
     }
     return false;
+}
+
+std::vector<bool> cellsThatSeeOutside(const SightMap& map) {
+    std::vector<bool> sees(map.cells.size(), false);
+    std::vector<bool> asked(map.cells.size(), false);
+    std::vector<std::size_t> next;
+    for (std::size_t c = 0; c < map.cells.size(); ++c) {
+        const std::vector<SightMap::Portal>& portals = map.cells[c].portals;
+        if (std::any_of(portals.begin(), portals.end(),
+                        [](const SightMap::Portal& p) { return p.to == SightMap::kOutside; })) {
+            asked[c] = true;
+            next.push_back(c);
+        }
+    }
+    while (!next.empty()) {
+        const std::size_t c = next.back();
+        next.pop_back();
+        sees[c] = seesOutside(map, c);
+        for (const SightMap::Portal& portal : map.cells[c].portals) {
+            if (sees[c] && portal.to != SightMap::kOutside && !asked[portal.to]) {
+                asked[portal.to] = true;
+                next.push_back(portal.to);
+            }
+        }
+    }
+    return sees;
 }
 
 } // namespace limen::demo

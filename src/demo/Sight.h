@@ -24,4 +24,7 @@ struct SightMap {
 /// own openings to a grid of points on every opening that leads outside.
 [[nodiscard]] bool seesOutside(const SightMap& map, std::size_t cell);
 
+/// The same for every cell; only cells beside one that sees outside are sampled, for a ray comes by them.
+[[nodiscard]] std::vector<bool> cellsThatSeeOutside(const SightMap& map);
+
 } // namespace limen::demo

@@ -1,6 +1,7 @@
 #include "demo/TerrainShape.h"
 
 #include "demo/Noise.h"
+#include "demo/Stream.h"
 
 #include <algorithm>
 #include <array>
@@ -9,28 +10,62 @@ namespace limen::demo {
 
 namespace {
 
-constexpr int kSiteIndex = 85;
-// The vertices between which the ground is level: the landcells of the cottages, the inn and the meeting hall.
-constexpr double kSiteWest = 11.0, kSiteEast = 13.0, kSiteSouth = 11.0, kSiteNorth = 13.0;
+/// Pictures of noise repeat after this many vertices.
+constexpr double kNoisePeriod = 24.0;
 
-double distanceToSite(double vx, double vy) {
-    const double dx = std::max({kSiteWest - vx, vx - kSiteEast, 0.0});
-    const double dy = std::max({kSiteSouth - vy, vy - kSiteNorth, 0.0});
+/// Vertices between which the ground is level, and how many further on it is wild again.
+struct Site {
+    double west, east, south, north;
+    int index; ///< of the level
+    double reach;
+};
+/// The landcells of the cottages, the inn and the meeting hall.
+constexpr Site kVillageSite{11.0, 13.0, 11.0, 13.0, 85, 3.2};
+constexpr Site kTower{12.0, 13.0, 20.0, 21.0, 140, 2.0};
+constexpr Site kCave{19.0, 20.0, 16.0, 17.0, 100, 1.0};
+
+double distanceTo(const Site& site, double vx, double vy) {
+    const double dx = std::max({site.west - vx, vx - site.east, 0.0});
+    const double dy = std::max({site.south - vy, vy - site.north, 0.0});
     return std::hypot(dx, dy);
+}
+double distanceToSite(double vx, double vy) {
+    return distanceTo(kVillageSite, vx, vy);
 }
 
 double distanceToLane(double vx, double vy) {
     double nearest = 1e9;
-    for (const auto& [lx, ly] : lanePath()) {
-        nearest = std::min(nearest, std::hypot(lx - vx, ly - vy));
+    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()}) {
+        for (const auto& [lx, ly] : path) {
+            nearest = std::min(nearest, std::hypot(lx - vx, ly - vy));
+        }
     }
     return nearest;
 }
 
+/// The hill that the tower stands on, and the steep one that the cave leads into; metres.
+double landmarks(double vx, double vy) {
+    const double knoll =
+        16.0 * std::exp(-((vx - 12.5) * (vx - 12.5) + (vy - 20.5) * (vy - 20.5)) / (2.0 * 1.9 * 1.9));
+    const double across = (vx - 19.5) / 2.4;
+    const double crag = 21.0 * smoothStep(17.0, 18.3, vy) * (1.0 - 0.7 * smoothStep(20.0, 24.0, vy)) *
+                        std::exp(-0.5 * across * across);
+    return knoll + crag;
+}
+
+/// What lies beyond the first hills: higher ones, and valleys between them; metres.
+double farHills(double vx, double vy) {
+    const double u = vx / (2.0 * kNoisePeriod) + 0.37;
+    const double v = vy / (2.0 * kNoisePeriod) + 0.61;
+    const double far = std::max(std::abs(vx - 12.0), std::abs(vy - 12.0));
+    return smoothStep(11.0, 15.0, far) * 24.0 * fbm(u, v, 5, 5, 3, 4021) +
+           smoothStep(15.0, 20.0, far) * 22.0 * (0.6 + 0.8 * fbm(u, v, 4, 4, 2, 4023));
+}
+
 /// The land before it is put on the table; vertices.
 double wildHeight(double vx, double vy) {
-    const double u = vx / (kVertices - 1);
-    const double v = vy / (kVertices - 1);
+    const double u = vx / kNoisePeriod;
+    const double v = vy / kNoisePeriod;
     const double rolling = 5.5 * fbm(u, v, 5, 5, 3, 4001);
     const double far = std::max(std::abs(vx - 12.0), std::abs(vy - 12.0));
     const double rim = 27.0 * smoothStep(6.5, 12.0, far) * (0.8 + 0.9 * fbm(u, v, 4, 4, 2, 4003));
@@ -38,9 +73,14 @@ double wildHeight(double vx, double vy) {
         24.0 * std::exp(-((vx - 3.4) * (vx - 3.4) + (vy - 17.2) * (vy - 17.2)) / (2.0 * 2.3 * 2.3));
     const double northSlope = 11.0 * smoothStep(13.0, 18.0, vy);
     const double southDip = -3.5 * std::exp(-(vy - 9.0) * (vy - 9.0) / 3.0);
-    const double wild = heightOfIndex(kSiteIndex) + rolling + rim + hill + northSlope + southDip;
-    const double blend = smoothStep(0.0, 3.2, distanceToSite(vx, vy));
-    return heightOfIndex(kSiteIndex) + (wild - heightOfIndex(kSiteIndex)) * blend;
+    double height = heightOfIndex(kVillageSite.index) + rolling + rim + hill + northSlope + southDip +
+                    landmarks(vx, vy) + farHills(vx, vy);
+    height = cutByStream(height, vx, vy);
+    for (const Site& site : {kVillageSite, kTower, kCave}) {
+        const double level = heightOfIndex(site.index);
+        height = level + (height - level) * smoothStep(0.0, site.reach, distanceTo(site, vx, vy));
+    }
+    return height;
 }
 
 int heightIndex(int vx, int vy) {
@@ -64,10 +104,14 @@ struct Cover {
 };
 
 Cover coverAt(int vx, int vy) {
-    const double u = static_cast<double>(vx) / (kVertices - 1);
-    const double v = static_cast<double>(vy) / (kVertices - 1);
+    const double u = vx / kNoisePeriod;
+    const double v = vy / kNoisePeriod;
     const double site = distanceToSite(vx, vy);
     const double lane = distanceToLane(vx, vy);
+    const double stream = distanceToStream(vx, vy);
+    if (stream < 0.5) {
+        return {TerrainKind::RunningWater, 0};
+    }
     if (site < 0.5) {
         return vy == 12 ? Cover{TerrainKind::PackedDirt, 1} : Cover{TerrainKind::LushGrass, 1};
     }
@@ -75,8 +119,14 @@ Cover coverAt(int vx, int vy) {
                                     wildHeight(vx, vy + 0.5) - wildHeight(vx, vy - 0.5));
     const double wood = fbm(u, v, 5, 5, 3, 4011) + 0.16 * smoothStep(14.5, 18.0, vy) -
                         0.5 * std::exp(-std::pow(std::hypot(vx - 3.4, vy - 17.2) / 1.6, 2.0));
+    if (distanceTo(kTower, vx, vy) < 0.5 || distanceTo(kCave, vx, vy) < 0.5) {
+        return {TerrainKind::PatchyGrass, 0};
+    }
     if (slope > 11.5) {
         return {TerrainKind::BarrenRock, 1};
+    }
+    if (stream < 1.5) {
+        return {TerrainKind::LushGrass, 2}; // no trees: what grows here may stand in the water
     }
     if (wood > 0.02 && lane > 1.4 && site > 1.9) {
         return hash(static_cast<std::uint32_t>(vx), static_cast<std::uint32_t>(vy), 4013) % 4 == 0
@@ -95,8 +145,10 @@ Cover coverAt(int vx, int vy) {
 
 std::uint16_t terrainWord(int vx, int vy) {
     const Cover cover = coverAt(vx, vy);
-    const std::vector<std::pair<int, int>> lane = lanePath();
-    const bool road = std::find(lane.begin(), lane.end(), std::pair{vx, vy}) != lane.end();
+    bool road = false;
+    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()}) {
+        road = road || std::find(path.begin(), path.end(), std::pair{vx, vy}) != path.end();
+    }
     return static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(cover.kind) << 2 |
                                       cover.scene << 11);
 }
@@ -115,12 +167,18 @@ double heightOfIndex(int index) {
 }
 
 double siteLevel() {
-    return heightOfIndex(kSiteIndex);
+    return heightOfIndex(kVillageSite.index);
+}
+double towerLevel() {
+    return heightOfIndex(kTower.index);
+}
+double caveLevel() {
+    return heightOfIndex(kCave.index);
 }
 
 double groundHeight(double x, double y) {
-    const int cx = std::clamp(static_cast<int>(std::floor(x / kLandcell)), 0, kVertices - 2);
-    const int cy = std::clamp(static_cast<int>(std::floor(y / kLandcell)), 0, kVertices - 2);
+    const int cx = std::clamp(static_cast<int>(std::floor(x / kLandcell)), kFirstVertex, kLastVertex - 1);
+    const int cy = std::clamp(static_cast<int>(std::floor(y / kLandcell)), kFirstVertex, kLastVertex - 1);
     const double fx = x / kLandcell - cx;
     const double fy = y / kLandcell - cy;
     const double sw = vertexHeight(cx, cy);
@@ -134,9 +192,8 @@ double groundHeight(double x, double y) {
                           : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
 }
 
-std::vector<std::pair<int, int>> lanePath() {
-    std::vector<std::pair<int, int>> path{{0, 18}, {1, 18}, {2, 17}, {3, 16},
-                                          {4, 15}, {5, 14}, {6, 13}, {7, 13}};
+VertexPath lanePath() {
+    VertexPath path{{0, 18}, {1, 18}, {2, 17}, {3, 16}, {4, 15}, {5, 14}, {6, 13}, {7, 13}};
     for (int x = 8; x <= 15; ++x) {
         path.emplace_back(x, 12);
     }
@@ -145,14 +202,39 @@ std::vector<std::pair<int, int>> lanePath() {
     return path;
 }
 
+VertexPath wholeLane() {
+    VertexPath path{{-8, 21}, {-7, 21}, {-6, 20}, {-5, 20}, {-4, 20}, {-3, 19}, {-2, 18}, {-1, 18}};
+    const VertexPath middle = lanePath();
+    path.insert(path.end(), middle.begin(), middle.end());
+    path.insert(path.end(), {{25, 7}, {26, 7}, {27, 6}, {28, 5}, {29, 5}, {30, 5}, {31, 4}, {32, 4}});
+    return path;
+}
+
+VertexPath towerTrack() {
+    return {{9, 12}, {9, 13}, {9, 14}, {9, 15}, {9, 16}, {10, 17}, {11, 18}, {12, 19}};
+}
+VertexPath caveTrack() {
+    return {{15, 12}, {16, 13}, {17, 14}, {18, 15}, {19, 16}};
+}
+
+Vec3 overVertex(std::pair<int, int> vertex, double height) {
+    const double x = vertex.first * kLandcell;
+    const double y = vertex.second * kLandcell;
+    return toGlobal({x, y, groundHeight(x, y) + height});
+}
+
 Vec3 toGlobal(const Vec3& area) {
-    return area + Vec3(kSouthWest.x * 192.0, kSouthWest.y * 192.0, 0.0);
+    return area + Vec3(kSouthWest.x * kBlockMetres, kSouthWest.y * kBlockMetres, 0.0);
+}
+Vec3 toArea(dat::BlockCoord block, const Vec3& local) {
+    return local +
+           Vec3((block.x - kSouthWest.x) * kBlockMetres, (block.y - kSouthWest.y) * kBlockMetres, 0.0);
 }
 
 void addLandBlocks(WorldRecords& records, const std::vector<dat::BlockCoord>& withObjects) {
     for (int bx = 0; bx < kBlocksAcross; ++bx) {
         for (int by = 0; by < kBlocksAcross; ++by) {
-            const dat::BlockCoord coord{kSouthWest.x + bx, kSouthWest.y + by};
+            const dat::BlockCoord coord{kSouthWest.x - kBlocksBeyond + bx, kSouthWest.y - kBlocksBeyond + by};
             dat::LandBlock block;
             block.id = dat::landBlockId(coord);
             block.hasObjects =
@@ -160,8 +242,8 @@ void addLandBlocks(WorldRecords& records, const std::vector<dat::BlockCoord>& wi
             for (int x = 0; x <= kCellsPerBlock; ++x) {
                 for (int y = 0; y <= kCellsPerBlock; ++y) {
                     const auto index = static_cast<std::size_t>(x * (kCellsPerBlock + 1) + y);
-                    const int vx = bx * kCellsPerBlock + x;
-                    const int vy = by * kCellsPerBlock + y;
+                    const int vx = kFirstVertex + bx * kCellsPerBlock + x;
+                    const int vy = kFirstVertex + by * kCellsPerBlock + y;
                     block.heights[index] = static_cast<std::uint8_t>(heightIndex(vx, vy));
                     block.terrain[index] = terrainWord(vx, vy);
                 }

@@ -6,14 +6,20 @@
 
 namespace limen::demo {
 
-/// The ground of the built-in world: kBlocksAcross² landblocks from kSouthWest on. Vertices are counted from
-/// the south-west corner of the area, 24 m apart; metres likewise.
+/// The ground of the built-in world: kBlocksAcross² landblocks around the village. Vertices, 24 m apart, and metres
+/// of the area are counted from the south-west corner of kSouthWest, the village's neighbour; kBlocksBeyond more
+/// landblocks lie to the west and south of it, at negative coordinates.
 inline constexpr dat::BlockCoord kSouthWest{0xA8, 0xB3};
-inline constexpr int kBlocksAcross = 3;
+inline constexpr int kBlocksBeyond = 1;
+inline constexpr int kBlocksAcross = 5;
 inline constexpr int kCellsPerBlock = 8;
-inline constexpr int kVertices = kBlocksAcross * kCellsPerBlock + 1;
+inline constexpr int kFirstVertex = -kBlocksBeyond * kCellsPerBlock;
+inline constexpr int kLastVertex = (kBlocksAcross - kBlocksBeyond) * kCellsPerBlock;
 inline constexpr double kLandcell = 24.0;
+inline constexpr double kBlockMetres = kLandcell * kCellsPerBlock; ///< metres
 inline constexpr dat::BlockCoord kVillage{kSouthWest.x + 1, kSouthWest.y + 1};
+inline constexpr dat::BlockCoord kTowerBlock{kVillage.x, kVillage.y + 1};
+inline constexpr dat::BlockCoord kCaveBlock{kVillage.x + 1, kVillage.y + 1};
 
 /// Terrain types used (landscape.md), and the scenes that grow on them: index into a type's list of scene
 /// types.
@@ -23,6 +29,7 @@ enum class TerrainKind : std::uint8_t {
     LushGrass = 0x03,
     PackedDirt = 0x07,
     PatchyGrass = 0x09,
+    RunningWater = 0x10,
     ForestFloor = 0x15,
     Moss = 0x1C
 };
@@ -31,16 +38,29 @@ enum class TerrainKind : std::uint8_t {
 [[nodiscard]] double heightOfIndex(int index);
 /// The level, on the table, of the ground around both cottages.
 [[nodiscard]] double siteLevel();
+/// The levels of the ground around the tower and before the cave.
+[[nodiscard]] double towerLevel();
+[[nodiscard]] double caveLevel();
 
 /// Height (metres) of the ground at a point of the area, by the triangle there.
 [[nodiscard]] double groundHeight(double x, double y);
 
-/// The vertices the lane runs through, from the hill in the north-west to the south-east; consecutive ones
-/// are neighbours along an edge or a diagonal.
-[[nodiscard]] std::vector<std::pair<int, int>> lanePath();
+/// Vertices that a way runs through; consecutive ones are neighbours along an edge or a diagonal.
+using VertexPath = std::vector<std::pair<int, int>>;
+/// The part of the lane near the village, from the hill in the north-west to the south-east.
+[[nodiscard]] VertexPath lanePath();
+/// The whole lane, from border to border, and the tracks that leave it for the tower and the cave.
+[[nodiscard]] VertexPath wholeLane();
+[[nodiscard]] VertexPath towerTrack();
+[[nodiscard]] VertexPath caveTrack();
 
-/// Metres from the area's south-west corner to metres on the map.
+/// A point above a vertex of the ground; global metres.
+[[nodiscard]] Vec3 overVertex(std::pair<int, int> vertex, double height);
+
+/// Metres of the area to metres on the map.
 [[nodiscard]] Vec3 toGlobal(const Vec3& area);
+/// Metres of a landblock to metres of the area.
+[[nodiscard]] Vec3 toArea(dat::BlockCoord block, const Vec3& local);
 
 /// Adds the LandBlocks; those of `withObjects` have a LandBlockInfo.
 void addLandBlocks(WorldRecords& records, const std::vector<dat::BlockCoord>& withObjects);

@@ -65,6 +65,7 @@ VillageMap addVillage(ModelSink& sink, const Plants& plants) {
     const OutdoorProps props = addOutdoorProps(sink);
     BlockBuilder block(sink, kVillage);
     VillageMap map;
+    map.furniture = furniture;
     const double floor = siteLevel() + kFloorAboveGround;
     map.cottage = {{84.0, 106.0, floor}, 0.0};
     map.neighbour = {{84.0, 86.0, floor}, 180.0};

@@ -2,7 +2,9 @@
 #include "demo/Building.h"
 #include "demo/Noise.h"
 #include "demo/Panel.h"
+#include "demo/Shells.h"
 #include "demo/Sight.h"
+#include "geometry/ConvexPolygon.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -39,6 +41,42 @@ TEST(Panel, aHoleOverTheBorderIsCutThere) {
         sum += area(r);
     }
     EXPECT_NEAR(sum, 14.0, 1e-12);
+}
+
+double areaOf(const std::vector<Vec3>& polygon) {
+    return 0.5 * glm::length(newellNormal(polygon));
+}
+
+TEST(Shells, stripsAroundAnArchAreTheWallWithoutIt) {
+    const Face wall = planarFace({{0, 0, 0}, {6, 0, 0}, {6, 0, 4}, {0, 0, 4}}, Material::StoneWall);
+    const std::vector<Outline> arches{archOutline({{1.5, 0, 0}, {1, 0, 0}, 1.0}, 1.5, 2.5),
+                                      archOutline({{4.5, 0, 1}, {1, 0, 0}, 0.5}, 1.0, 1.5)};
+    double left = areaOf(arches[0]) + areaOf(arches[1]);
+    for (const Face& strip : faceWithout(wall, arches)) {
+        EXPECT_NEAR(glm::dot(faceNormal(strip), faceNormal(wall)), 1.0, 1e-12);
+        left += areaOf(strip.points);
+    }
+    EXPECT_NEAR(left, 24.0, 1e-9);
+}
+
+TEST(Shells, anOpeningAsLargeAsTheFaceLeavesNothingWhicheverWayItRuns) {
+    const Outline section = archOutline({{0, 0, 0}, {1, -1, 0}, 0.75}, 1.5, 2.75);
+    Outline back = section;
+    std::reverse(back.begin(), back.end());
+    const Face face = planarFace(section, Material::Brick);
+    EXPECT_TRUE(faceWithout(face, {section}).empty());
+    EXPECT_TRUE(faceWithout(face, {back}).empty());
+}
+
+TEST(Shells, cornersCutInAWallAt45DegreesLieExactlyInIt) {
+    const Face wall = planarFace({{8, 3, 0}, {3, 8, 0}, {3, 8, 8}, {8, 3, 8}}, Material::StoneWall);
+    for (Face& strip : faceWithout(wall, {archOutline({{5.5, 5.5, 0}, {1, -1, 0}, 0.75}, 1.5, 2.75)})) {
+        std::vector<Face> one{strip};
+        closeSeams(one);
+        for (const Vec3& p : one[0].points) {
+            EXPECT_EQ(p.x + p.y, 11.0);
+        }
+    }
 }
 
 TEST(Seams, aVertexOnANeighboursEdgeIsGivenToIt) {
@@ -129,6 +167,15 @@ TEST(Sight, aWindowInLineWithTheDoorIsSeen) {
 TEST(Sight, aWindowBesideTheDoorIsSeenFromItsOwnRoomOnly) {
     EXPECT_FALSE(seesOutside(twoRooms(Side::South, 6.5, 8.0), 0));
     EXPECT_TRUE(seesOutside(twoRooms(Side::South, 6.5, 8.0), 1));
+}
+
+TEST(Sight, ofAllCellsIsTheSightOfEach) {
+    for (const SightMap& map : {twoRooms(Side::North, 4.2, 4.8), twoRooms(Side::South, 6.5, 8.0)}) {
+        const std::vector<bool> all = cellsThatSeeOutside(map);
+        for (std::size_t c = 0; c < map.cells.size(); ++c) {
+            EXPECT_EQ(all[c], seesOutside(map, c));
+        }
+    }
 }
 
 TEST(Noise, tiles) {

@@ -77,8 +77,10 @@ TEST_F(References, ofModelsAndCellsResolve) {
             EXPECT_NE(findCell((cell.id & 0xFFFF0000u) | other), nullptr);
         }
     }
-    for (const dat::Stab& object : world().landBlockInfos.at(0).objects) {
-        EXPECT_EQ(models.count(object.model), 1u);
+    for (const dat::LandBlockInfo& info : world().landBlockInfos) {
+        for (const dat::Stab& object : info.objects) {
+            EXPECT_EQ(models.count(object.model), 1u);
+        }
     }
 }
 
@@ -137,7 +139,7 @@ TEST(Landscape, neighbouringBlocksAgreeOnTheirSharedEdge) {
     for (const dat::LandBlock& block : world().landBlocks) {
         blocks[block.id] = &block;
     }
-    ASSERT_EQ(blocks.size(), 9u);
+    ASSERT_EQ(blocks.size(), kBlocksAcross * kBlocksAcross + 1u) << "the land, and the sealed dungeon";
     for (const auto& [id, block] : blocks) {
         const auto east = blocks.find(id + 0x01000000u);
         const auto north = blocks.find(id + 0x00010000u);

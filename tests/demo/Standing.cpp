@@ -19,6 +19,9 @@ public:
                     p = apply(frame, p);
                 }
             }
+            for (Vec3& p : s.points) {
+                p += origin_;
+            }
             s.plane = planeOf(s.points);
             for (const Vec3& p : s.points) {
                 s.box.include(p);
@@ -47,7 +50,13 @@ public:
         }
     }
 
+    /// Frames are in this landblock.
+    void enter(std::uint32_t id) { origin_ = Vec3((id >> 24) * 192.0, (id >> 16 & 0xFF) * 192.0, 0.0); }
+
     std::vector<Standing> out;
+
+private:
+    Vec3 origin_{0.0};
 };
 
 } // namespace
@@ -57,6 +66,7 @@ std::vector<Standing> standingPolygons() {
     for (const dat::EnvCell& cell : world().envCells) {
         const std::string where = fmt::format("cell 0x{:08X}", cell.id);
         const dat::CellStruct& shape = shapeOf(cell);
+        collect.enter(cell.id);
         collect.mesh(Standing::Kind::Shell, where, shape.vertexArray, shape.polygons, {cell.position});
         for (std::size_t k = 0; k < cell.statics.size(); ++k) {
             collect.object(fmt::format("{} static {}", where, k), cell.statics[k].model,
@@ -64,6 +74,7 @@ std::vector<Standing> standingPolygons() {
         }
     }
     for (const dat::LandBlockInfo& info : world().landBlockInfos) {
+        collect.enter(info.id);
         for (std::size_t k = 0; k < info.buildings.size(); ++k) {
             collect.gfxObj(Standing::Kind::Exterior, fmt::format("building {}", k), info.buildings[k].model,
                            {info.buildings[k].frame});

@@ -6,18 +6,18 @@
 
 namespace limen::demo::test {
 
-/// A polygon where it stands in its landblock.
+/// A polygon where it stands on the map.
 struct Standing {
     enum class Kind { Shell, Exterior, Object, Portal };
     Kind kind = Kind::Object;
     std::string name;         ///< who it belongs to, for messages
-    std::vector<Vec3> points; ///< landblock coordinates
+    std::vector<Vec3> points; ///< global
     Plane plane;
     Aabb box;
     bool twoSided = false;
 };
 
-/// All polygons of the village's houses, their furniture and what stands around them; no terrain, no scenery.
+/// All polygons of buildings and cells, their furniture and what stands around them; no terrain, no scenery.
 [[nodiscard]] std::vector<Standing> standingPolygons();
 
 /// What both polygons cover, seen along the first one's normal: area in m² (0 if none) and how far the second

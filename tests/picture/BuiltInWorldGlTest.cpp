@@ -35,19 +35,33 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
         ASSERT_TRUE(file) << file.error().message();
         places() = *file;
         ASSERT_FALSE(places().places.empty());
-        for (const bool merge : {true, false}) {
-            worlds()[merge] = std::make_unique<PictureWorld>(
-                directory(), world::blockAt(places().places[0].eye), PictureOptions{merge, 2});
-            worlds()[merge]->width = kWidth;
-            worlds()[merge]->height = kHeight;
-        }
     }
     static void TearDownTestSuite() {
         worlds()[0].reset();
         worlds()[1].reset();
         std::filesystem::remove_all(directory());
     }
-    [[nodiscard]] PictureWorld& pictures() const { return *worlds()[GetParam()]; }
+    /// Loaded on first use: each test runs in a process of its own.
+    [[nodiscard]] static PictureWorld& pictures() {
+        std::unique_ptr<PictureWorld>& world = worlds()[GetParam()];
+        if (!world) {
+            world = std::make_unique<PictureWorld>(directory(), world::blockAt(places().places[0].eye),
+                                                   PictureOptions{GetParam(), 2, places().moving, {}});
+            world->width = kWidth;
+            world->height = kHeight;
+            world->edgeOnIsCounted = true;
+            motion::MomentInput moment;
+            moment.seconds = 30.0;
+            moment.eye = places().places[0].eye;
+            world->setMoment(moment);
+        }
+        return *world;
+    }
+    /// The bound that docs/cases.md, "Known to be wrong", gives; two pixels more for a short test's luck.
+    void TearDown() override {
+        EXPECT_LE(static_cast<double>(pictures().edgeOn),
+                  2.0 + 2e-6 * static_cast<double>(pictures().judged));
+    }
     [[nodiscard]] frame::FrameView look(const Vec3& eye, double yaw, double pitch,
                                         world::SpaceIndex root) const {
         return pictures().look(eye - pictures().homeOrigin(), yaw, pitch, root);
@@ -72,6 +86,9 @@ INSTANTIATE_TEST_SUITE_P(Zones, BuiltInWorld, ::testing::Bool(),
 TEST_P(BuiltInWorld, everyPlaceIsClean) {
     for (const world::Place& place : places().places) {
         SCOPED_TRACE(place.name);
+        if (place.cell != 0 && world::findCell(pictures().world(), place.cell) == world::kNone) {
+            continue; // of a landblock far away: SealedDungeon
+        }
         const auto located = motion::locate(pictures().world(), place.eye);
         EXPECT_FALSE(located.ambiguous);
         EXPECT_EQ(pictures().world().spaces[located.space].cellId, place.cell);
@@ -90,7 +107,7 @@ TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
     for (std::size_t i = 0; i < tour.size(); ++i) {
         space = motion::sweep(pictures().world(), space, tour[i == 0 ? 0 : i - 1].eye, tour[i].eye);
         indoors += space == world::kOutside ? 0 : 1;
-        if (i % (GetParam() ? 1 : 7) == 0) { // merged, as it is walked: every way point; apart: some
+        if (i % (GetParam() ? 5 : 23) == 0) { // `limen check` takes the rest
             SCOPED_TRACE(::testing::Message() << "way point " << i);
             pictures().expectClean(look(tour[i].eye, tour[i].yaw, tour[i].pitch, space));
         }
@@ -105,6 +122,9 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
         if (portal.reciprocal != world::kNone && portal.reciprocal < p) {
             continue; // each opening once
         }
+        if (p % 4 != (GetParam() ? 0u : 1u)) {
+            continue; // some of them: `limen check` sweeps them all
+        }
         Vec3 middle(0.0);
         for (std::uint32_t v = 0; v < portal.vertexCount; ++v) {
             middle += world.portalVertices[portal.firstVertex + v] / static_cast<double>(portal.vertexCount);
@@ -118,6 +138,9 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
             const Vec3 eye = start - portal.plane.n * (step * 0.001);
             space = motion::sweep(world, space, last, eye);
             last = eye;
+            if (step % 3 == 1 && step != 10) {
+                continue;
+            }
             SCOPED_TRACE(::testing::Message() << "portal " << p << " step " << step);
             const Picture picture =
                 pictures().expectClean(look(eye, yaw + 35.0 + step * 11.0, step % 3 * 20.0 - 20.0, space));
@@ -190,6 +213,34 @@ TEST_P(BuiltInWorld, everyViewTakesFewCallsAndTheSameForTheSameStages) {
             EXPECT_EQ(known.first->second, picture.glCalls) << place.name;
         }
     }
+}
+
+/// Far from all others; a world, and a renderer, of its own.
+TEST(SealedDungeon, case22_isCleanAndNothingElseIsVisited) {
+    const auto directory =
+        std::filesystem::temp_directory_path() / ("limen-sealed-" + std::to_string(::getpid()));
+    ASSERT_TRUE(demo::writeBuiltInWorld(directory));
+    const auto file = world::loadWorldFile(directory);
+    ASSERT_TRUE(file);
+    const auto place = std::find_if(file->places.begin(), file->places.end(),
+                                    [](const world::Place& p) { return p.name == "dungeon.sealed"; });
+    ASSERT_NE(place, file->places.end());
+    for (const bool merge : {true, false}) {
+        PictureWorld pictures(directory, world::blockAt(place->eye), PictureOptions{merge, 2});
+        pictures.width = kWidth;
+        pictures.height = kHeight;
+        const world::SpaceIndex root = pictures.space(place->cell);
+        ASSERT_NE(root, world::kNone);
+        for (double turn = 0.0; turn < 360.0; turn += 30.0) {
+            SCOPED_TRACE(turn);
+            const Picture picture = pictures.expectClean(
+                pictures.look(place->eye - pictures.homeOrigin(), place->yaw + turn, place->pitch, root));
+            for (const visibility::Visit& visit : picture.visible.visits) {
+                EXPECT_NE(visit.space, world::kOutside);
+            }
+        }
+    }
+    std::filesystem::remove_all(directory);
 }
 
 } // namespace

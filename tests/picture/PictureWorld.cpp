@@ -81,7 +81,6 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
     world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
     shaderDefines_ = options.shaderDefines;
-    tracer_ = std::make_unique<NaiveTracer>(world_);
     graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(world_)));
     planner_ = std::make_unique<frame::Planner>(world_);
 }
@@ -105,9 +104,16 @@ void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& v
     planner_->plan(frame, moment_, visible, plan);
 }
 
+const NaiveTracer& PictureWorld::tracer() const {
+    if (!tracer_) {
+        tracer_ = std::make_unique<NaiveTracer>(world_, moment_);
+    }
+    return *tracer_;
+}
+
 void PictureWorld::setMoment(const motion::MomentInput& input) {
     motion::Moments(world_).at(input, moment_);
-    tracer_ = std::make_unique<NaiveTracer>(world_, moment_);
+    tracer_.reset();
     if (traced_) {
         traced_->setMoment(moment_);
     }
@@ -180,15 +186,14 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
 Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options) {
     Picture picture = shoot(frame, options);
     const check::Comparison c = judge(picture);
-    const Vec3 eye = frame.view.eye - origin_;
-    const auto isWrong = [&](check::Verdict v) {
-        return check::isFinding(v) && !(edgeOn && v == check::Verdict::EdgeOn);
+    judged += c.verdicts.size();
+    edgeOn += c.count(check::Verdict::EdgeOn);
+    const auto fails = [&](check::Verdict v) {
+        return check::isFinding(v) && !(edgeOnIsCounted && v == check::Verdict::EdgeOn);
     };
-    if (edgeOn) {
-        *edgeOn += c.count(check::Verdict::EdgeOn);
-    }
-    const auto wrong = std::find_if(c.verdicts.begin(), c.verdicts.end(), isWrong);
-    if (wrong != c.verdicts.end()) {
+    const Vec3 eye = frame.view.eye - origin_;
+    if (const auto wrong = std::find_if(c.verdicts.begin(), c.verdicts.end(), fails);
+        wrong != c.verdicts.end()) {
         const auto at = static_cast<std::uint32_t>(wrong - c.verdicts.begin());
         const std::uint32_t x = at % frame.width, y = at / frame.width;
         ADD_FAILURE() << c.findings() << " wrong pixels, the first (" << x << ", " << y

@@ -173,8 +173,10 @@ private:
                                     {cell.eye + Vec3(0.35, 0.2, -0.6), random_.between(0.0, 360.0)}});
         }
         for (const Face& face : cell.faces) {
-            if (face.portal && random_.chance(0.08)) {
-                const Vec3 n = planeOf(face.points).n;
+            const Vec3 n = planeOf(face.points).n;
+            // From one side only: two in the same place could not be told apart.
+            const bool isOurs = n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
+            if (face.portal && isOurs && random_.chance(0.16)) {
                 const bool upright = std::abs(n.z) > 0.7;
                 cell.statics.push_back(
                     {upright ? props_.pole : props_.rod,

@@ -80,6 +80,8 @@ Look lookOf(Ground ground) {
         return {{0.56f, 0.50f, 0.41f}, {0.40f, 0.35f, 0.28f}, Pattern::Slabs};
     case Ground::Rock:
         return {{0.52f, 0.50f, 0.46f}, {0.34f, 0.33f, 0.30f}, Pattern::Grain};
+    case Ground::Stream:
+        return {{0.20f, 0.30f, 0.31f}, {0.12f, 0.20f, 0.21f}, Pattern::Grain};
     case Ground::ForestFloor:
         return {{0.34f, 0.30f, 0.17f}, {0.20f, 0.18f, 0.09f}, Pattern::Grain};
     default: {
