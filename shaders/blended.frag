@@ -1,6 +1,7 @@
 // Translucent surfaces of the late stage, back to front. Output is premultiplied, so that one blend function
 // (one, one minus source alpha) serves all: alpha (c a, a), additive (c a, 0), inverse alpha (c (1-a), 1-a).
 // No id and no depth.
+#define TRANSLUCENT
 #include "surface.glsl"
 
 layout(location = kOutputBlended) out vec4 outColour;

@@ -1,6 +1,7 @@
 // Counts the translucent surfaces of the late stage instead of painting them: each polygon once wherever it would be
 // blended, whatever its alpha, in any order. Through the same vertices, gate and depth test as blended.frag. With a
 // source alpha of 0 the one blend function (one, one minus source alpha) adds. Out: layers met, sum of their hashes.
+#define TRANSLUCENT
 #include "surface.glsl"
 #include "layers.glsl"
 

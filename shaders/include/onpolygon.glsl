@@ -13,7 +13,12 @@ const float kBesideRay = 1.0 / 128.0;
 const float kDepthDoubt = 1.0e-5;
 // A fragment whose ray only passes beside its polygon lies on the outline, at equal depth with the polygon beyond the edge,
 // if there is one. That one is the one to be seen.
+// Translucent surfaces count beside each other, at equal depth too.
+#ifdef TRANSLUCENT
+const float kBehindNeighbour = 0.0;
+#else
 const float kBehindNeighbour = 1.0e-5;
+#endif
 
 vec3 loopCorner(Instance instance, uint index) {
     return eyeFromBlock(blockFromModel(cornerAt(index), instance.row0, instance.row1, instance.row2), instance.block);

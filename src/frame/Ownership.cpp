@@ -78,7 +78,8 @@ private:
     [[nodiscard]] gpu::vec4 grownEdge(const Vec3& a, const Vec3& b) const {
         Vec3 edge = glm::cross(a, b);
         if (frame_.rules.growth) {
-            edge.z += kGrowth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
+            edge.z +=
+                kGrowth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
         }
         const Vec3 n = glm::transpose(screen_) * edge;
         const double length = std::sqrt(glm::dot(n, n));

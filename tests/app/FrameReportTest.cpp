@@ -125,9 +125,16 @@ TEST(FrameReport, reproductionNamesTheRoot) {
     eye.camera.eye = {-1.25, 2, 0.1};
     eye.camera.heading = {30, -5};
     eye.root = 1;
+    eye.player = eye.camera.eye;
     EXPECT_EQ(reproduction(smallWorld(), eye, " --dat d"),
               "limen shot --dat d --eye=-1.25,2,0.1 --yaw=30 --pitch=-5 --fov=60 --size=1280x720 "
               "--root=0xA9B40105 --time=0.5");
+    eye.player = {1, 2, 3};
+    eye.seconds = 2.5;
+    eye.doors = 0.5;
+    eye.weather = Weather::Rain;
+    EXPECT_TRUE(reproduction(smallWorld(), eye, "")
+                    .ends_with(" --time=0.5 --seconds=2.5 --doors=0.5 --weather=rain --player=1,2,3"));
 }
 
 TEST(RegionOverlay, outlinesEveryVisitInItsColour) {

@@ -117,6 +117,8 @@ TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
 
 TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
     const world::World& world = pictures().world();
+    pictures().seamsAreCounted =
+        !GetParam(); // docs/cases.md, "Known to be wrong": an opening nearer than 5 cm
     for (world::PortalIndex p = 0; p < world.portals.size(); ++p) {
         const world::Portal& portal = world.portals[p];
         if (portal.reciprocal != world::kNone && portal.reciprocal < p) {
@@ -147,8 +149,10 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
             most = std::max(most, picture.visible.visits.size());
         }
         EXPECT_EQ(space, portal.destination) << "portal " << p;
-        EXPECT_LT(most, 40u) << "visits stay bounded";
+        EXPECT_LT(most, 80u) << "visits stay bounded"; // apart, a dungeon's hub is dozens of zones
     }
+    EXPECT_LE(pictures().seams, 2u) << "of " << pictures().judged << " pixels";
+    pictures().seamsAreCounted = false;
 }
 
 /// In the cell, and so far from its walls that the near plane cuts none: what shows through a wall that it cuts is not
