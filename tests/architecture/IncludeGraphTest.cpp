@@ -39,7 +39,8 @@ std::map<std::string, Names> allowedRooms() {
 
 /// Headers of gpu's neighbour that lead it no further: frame's plan as plain data.
 bool isPlainFrameHeader(const std::string& include) {
-    static const Names kPlain{"frame/FramePlan.h", "frame/GpuLayout.h", "frame/SceneUpload.h"};
+    static const Names kPlain{"frame/FramePlan.h", "frame/GpuLayout.h", "frame/SceneUpload.h",
+                              "frame/IdColour.h"};
     return kPlain.contains(include);
 }
 

@@ -25,9 +25,10 @@ struct Tally {
     std::string first;
 };
 
-/// Where an outline passes within the rasteriser's 1/256 pixel (and a little more, for floats) of a pixel's centre either
-/// side is right: a pixel is wrong if none of the rays of a 5 by 5 grid, 1/128 pixel apart, meets what was counted.
-void tally(const PictureWorld& pictures, const Picture& picture, Tally& tally) {
+/// Held against the naive tracer, and judged as `limen check` does: a pixel is wrong if no naive ray through the 3 by 3
+/// pixels meets what was counted, and it is neither a sliver nor beyond judging.
+void tally(PictureWorld& pictures, const Picture& picture, Tally& tally) {
+    const check::Comparison judged = pictures.judge(picture);
     const auto meets = [&](double x, double y) {
         return sumOf(
             pictures.tracer().trace(picture.frame.view.root, rayThrough(picture.frame, x, y)).layers);
@@ -41,9 +42,8 @@ void tally(const PictureWorld& pictures, const Picture& picture, Tally& tally) {
             for (int i = 0; i < 9 && !right; ++i) { // as ids are judged: the 3 by 3 pixels
                 right = meets(x + i % 3 - 1.0, y + i / 3 - 1.0) == drawn;
             }
-            for (int i = 0; i < 25 && !right; ++i) {
-                right = meets(x + (i % 5 - 2) / 128.0, y + (i / 5 - 2) / 128.0) == drawn;
-            }
+            const check::Verdict verdict = judged.verdicts[y * picture.frame.width + x];
+            right = right || verdict == check::Verdict::Sliver || verdict == check::Verdict::Unjudged;
             if (!right && tally.wrong++ == 0) {
                 tally.first = "pixel " + std::to_string(x) + ", " + std::to_string(y) + ": drawn " +
                               std::to_string(drawn.count) + ", traced " + std::to_string(meets(x, y).count);
