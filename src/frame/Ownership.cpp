@@ -6,9 +6,10 @@ namespace limen::frame {
 
 namespace {
 
-/// Polygons nearer to the eye than this, in metres, are drawn as the flood's region: in float, a polygon that
-/// close has edges far off the screen whose clipped ends are no longer exact.
-constexpr double kNearOpening = 0.05;
+/// Polygons nearer to the eye than this, in metres, are drawn as the flood's region: in float, the edges of a polygon that
+/// close lie so far off the screen that their clipped ends are no longer exact. No further, for the region is not drawn
+/// from the walls' own corners and may leave a pixel between itself and the wall to nobody.
+constexpr double kNearOpening = 0.001;
 
 /// What is kept before a parent's entry plane, in metres: openings that touch the plane must not be nibbled
 /// at by float rounding. Equal to the fragment test's own tolerance (shaders/include/gate.glsl).

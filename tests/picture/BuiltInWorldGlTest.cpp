@@ -118,7 +118,7 @@ TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
 TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
     const world::World& world = pictures().world();
     pictures().seamsAreCounted =
-        !GetParam(); // docs/cases.md, "Known to be wrong": an opening nearer than 5 cm
+        !GetParam(); // docs/cases.md, "Known to be wrong": an opening nearer than 1 mm
     for (world::PortalIndex p = 0; p < world.portals.size(); ++p) {
         const world::Portal& portal = world.portals[p];
         if (portal.reciprocal != world::kNone && portal.reciprocal < p) {

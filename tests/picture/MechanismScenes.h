@@ -25,7 +25,7 @@ struct NamedView {
 [[nodiscard]] NamedView hillBeforeTheTunnel(); ///< ground that runs through a tunnel's mouth
 [[nodiscard]] NamedView hallBesideAWindow(); ///< a hall's rear opening passes behind a window of another room
 [[nodiscard]] NamedView roundOpeningsInARow(); ///< far openings that begin exactly where nearer ones do
-[[nodiscard]] NamedView noseInTheDoorway();    ///< 1 cm before a doorway, gaze along it
+[[nodiscard]] NamedView noseInTheDoorway();    ///< half a millimetre before a doorway, gaze along it
 [[nodiscard]] NamedView lintelOfAGate();      ///< 0.3 mm before a gate of 120 m, 0.02 mm under its upper edge
 [[nodiscard]] NamedView eyeInTheDoorsPlane(); ///< exactly in it
 [[nodiscard]] NamedView doorBehindAWindow();  ///< a far house's door passes behind the window of a near house

@@ -87,7 +87,7 @@ TEST(Mechanisms, growth) {
 TEST(Mechanisms, eyePlaneClip) {
     Off off;
     off.flood.eyePlaneClip = false;
-    expectNeeded(noseInTheDoorway, off, 2608);
+    expectNeeded(noseInTheDoorway, off, 3958);
 }
 
 TEST(Mechanisms, halfPlaneRule) {
@@ -96,7 +96,7 @@ TEST(Mechanisms, halfPlaneRule) {
     expectNeeded(eyeInTheDoorsPlane, off, 5760);
 }
 
-TEST(Mechanisms, fiveCentimetreRule) {
+TEST(Mechanisms, nearOpening) {
     Off off;
     off.frame.nearOpening = false;
     expectNeeded(lintelOfAGate, off, 64);

@@ -85,7 +85,7 @@ public:
     /// `edgeOn` (docs/cases.md, "Known to be wrong").
     Picture expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
     bool edgeOnIsCounted = false;
-    /// Void pixels only add to `seams`: for eyes within 5 cm of an opening (same place).
+    /// Void pixels only add to `seams`: for eyes close to an opening (same place).
     bool seamsAreCounted = false;
     std::uint64_t seams = 0;
     std::uint64_t edgeOn = 0, judged = 0; ///< pixels, by expectClean
