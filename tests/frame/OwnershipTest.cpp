@@ -58,10 +58,13 @@ TEST_F(OwnershipTest, clipsByTheParentsEdgesAndNeverByTheRoots) {
     EXPECT_FALSE(kept({0, 2, -0.5f})) << "before the parent's entry plane";
 }
 
-TEST_F(OwnershipTest, drawsTheFloodsRegionWithinFiveCentimetresOfAnOpening) {
-    const auto& plan = planned.planFrom({92, 93.97, 1.5}, 0, first);
-    for (const auto& vertex : plan.ownershipVertices) {
-        EXPECT_EQ(vertex.block == frame::gpu::kNoVisit, vertex.visit == 1);
+TEST_F(OwnershipTest, drawsTheFloodsRegionWithinAMillimetreOfAnOpeningAndNoFurther) {
+    for (const double before : {0.0005, 0.002, 0.03}) {
+        const auto& plan = planned.planFrom({92, 94.0 - before, 1.5}, 0, first);
+        ASSERT_FALSE(plan.ownershipVertices.empty());
+        for (const auto& vertex : plan.ownershipVertices) {
+            EXPECT_EQ(vertex.block == frame::gpu::kNoVisit, vertex.visit == 1 && before < 0.001) << before;
+        }
     }
 }
 
