@@ -177,11 +177,11 @@ private:
         if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
             return;
         }
-        if (isInChain(index, portalIndex)) {
-            return;
-        }
         if (coneSize(s_.region) < smallest_) {
             ++out_.counts.visitsCut;
+            return;
+        }
+        if (isInChain(index, portalIndex)) { // asked last: few get this far
             return;
         }
         ++out_.counts.portalsAdmitted;
