@@ -1,6 +1,7 @@
 #include "app/CheckDrawer.h"
 
 #include "app/RegionOverlay.h"
+#include "app/TracedFrame.h"
 
 namespace limen::app {
 
@@ -23,20 +24,7 @@ Result<const world::World*> CheckDrawer::load(dat::BlockCoord block) {
 }
 
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
-    const FrameEye eye = eyeOf(view, root);
-    const visibility::View axes = viewOf(eye.camera, eye.size, root);
-    reference::Camera camera;
-    camera.eye = axes.eye;
-    camera.right = axes.right;
-    camera.up = axes.up;
-    camera.forward = axes.forward;
-    camera.tanHalfX = axes.tanHalfX;
-    camera.tanHalfY = axes.tanHalfY;
-    camera.width = view.width;
-    camera.height = view.height;
-    camera.nearPlane = frame::FrameView{}.nearPlane;
-    camera.root = root;
-    return camera;
+    return tracedCamera(eyeOf(view, root));
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
