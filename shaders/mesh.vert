@@ -1,7 +1,8 @@
 // Vertices of every mesh of the solid and late stages, terrain included.
 // In: one vertex of the arena, model space; gl_BaseInstance: the instance. Out: clip position; eye-relative position
-// and world-axes normal for the tests and the light; what is constant over a polygon.
+// and world-axes normal for the tests and the light; what is constant over a triangle.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh.
+// EXACT: triangles are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
 #extension GL_ARB_shader_draw_parameters : require
 #include "transform.glsl"
 
@@ -9,7 +10,7 @@ layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec4 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in uint inPolygonSurface;
-layout(location = 4) in uint inLoop;
+layout(location = 4) in vec3 inFacet;
 
 invariant gl_Position;
 layout(location = 0) out vec3 vEyeRelative;
@@ -18,13 +19,110 @@ layout(location = 2) out vec2 vUv;
 layout(location = 3) flat out uint vInstance;
 layout(location = 4) flat out uint vSurface;
 layout(location = 5) flat out uint vId;
-layout(location = 6) flat out uvec2 vLoop;
+layout(location = 6) flat out uint vTriangle; // its first vertex in the arena
+layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
+layout(location = 8) out vec4 vCorner;        // xyz: 1 for one of the corners each; w: above 0 if drawn much larger
+
+// The plane of a triangle with this normal through a point, eye-relative. Planes turn with the cofactors of a matrix; a
+// mirroring one turns the winding over, and the normal with it.
+vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
+    vec3 normal = vec3(dot(cross(instance.row1.xyz, instance.row2.xyz), facet),
+                       dot(cross(instance.row2.xyz, instance.row0.xyz), facet),
+                       dot(cross(instance.row0.xyz, instance.row1.xyz), facet));
+    float size = length(normal);
+    normal = size > 0.0 ? normal / size : vec3(0.0);
+    return vec4(normal, dot(normal, through));
+}
+
+vec3 eyeFromModel(vec3 position, Instance instance) {
+    return eyeFromBlock(blockFromModel(position, instance.row0, instance.row1, instance.row2), instance.block);
+}
+
+#ifdef EXACT
+Instance outlineInstance;
+
+vec3 outlineCorner(uint i) {
+    return eyeFromModel(cornerAt(vTriangle + i), outlineInstance);
+}
+#include "grow.glsl"
+
+// All three corners must come to the same decisions, so each of them takes them for the triangle as a whole, in the same
+// order.
+struct Seen {
+    vec3 at[3];
+    vec4 clip[3];
+    bool front;
+};
+
+Seen seenTriangle() {
+    Seen seen;
+    for (uint i = 0u; i < 3u; ++i) {
+        seen.at[i] = outlineCorner(i);
+        seen.clip[i] = clipFromEye(seen.at[i]);
+    }
+    seen.front = vFacet.w < 0.0;
+    return seen;
+}
+
+Growth growthOf(Seen seen, uint corner) {
+    return growthAt(seen.clip[(corner + 2u) % 3u], seen.clip[corner], seen.clip[(corner + 1u) % 3u], seen.front);
+}
+
+bool anyFails(Seen seen) {
+    return growthOf(seen, 0u).fails || growthOf(seen, 1u).fails || growthOf(seen, 2u).fails;
+}
+
+vec2 aroundTriangle(Seen seen, uint corner) {
+    vec2 most = frame.viewport.xy * 0.5;
+    vec2 low = -most;
+    vec2 high = most;
+    if (min(min(seen.clip[0].w, seen.clip[1].w), seen.clip[2].w) >= frame.nearPlane) {
+        vec2 a = seen.clip[0].xy / seen.clip[0].w * most;
+        vec2 b = seen.clip[1].xy / seen.clip[1].w * most;
+        vec2 c = seen.clip[2].xy / seen.clip[2].w * most;
+        low = clamp(min(min(a, b), c), -most, most);
+        high = clamp(max(max(a, b), c), -most, most);
+    }
+    return aroundBox(low, high, corner, seen.front);
+}
+
+// A triangle around the whole one; which fragments lie on it is decided one by one.
+void drawAround(vec2 pixelsFromMiddle) {
+    gl_Position = vec4(pixelsFromMiddle / (frame.viewport.xy * 0.5), 0.5, 1.0);
+    vCorner.w = 1.0;
+}
+
+// Moves the corner outwards, with what is interpolated from it.
+void drawLarger(Instance instance, uint own) {
+    outlineInstance = instance;
+    Seen seen = seenTriangle();
+    bool mayThin = mayBeThin(seen.clip[0], seen.clip[1], seen.clip[2]);
+    if (mayThin) {
+        Thin thin = thinAt(3u, own, frame.nearPlane);
+        if (thin.is) {
+            drawAround(thin.at);
+            return;
+        }
+    }
+    if ((mayThin || mayFail(seen.clip[0], seen.clip[1], seen.clip[2])) && anyFails(seen)) {
+        drawAround(aroundTriangle(seen, own));
+        return;
+    }
+    Growth growth = growthOf(seen, own);
+    uint before = (own + 2u) % 3u;
+    uint after = (own + 1u) % 3u;
+    vEyeRelative += growth.before * (vEyeRelative - seen.at[before]) + growth.after * (vEyeRelative - seen.at[after]);
+    vUv += growth.before * (vUv - uvAt(vTriangle + before)) + growth.after * (vUv - uvAt(vTriangle + after));
+    gl_Position = clipFromEye(vEyeRelative);
+    gl_Position.xy += growth.shift * gl_Position.w / (frame.viewport.xy * 0.5);
+}
+#endif
 
 void main() {
     uint index = uint(gl_BaseInstanceARB);
     Instance instance = instanceAt(index);
-    vec3 local = blockFromModel(inPosition, instance.row0, instance.row1, instance.row2);
-    vec3 eyeRelative = eyeFromBlock(local, instance.block);
+    uint corner = uint(gl_VertexID) % 3u;
+    vec3 eyeRelative = eyeFromModel(inPosition, instance);
     gl_Position = clipFromEye(eyeRelative);
     vEyeRelative = eyeRelative;
     vNormal = vec3(dot(instance.row0.xyz, inNormal.xyz), dot(instance.row1.xyz, inNormal.xyz),
@@ -37,5 +135,10 @@ void main() {
     vSurface = materialRefs[instance.firstMaterial + (inPolygonSurface >> 16)];
 #endif
     vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
-    vLoop = uvec2(uint(gl_BaseVertexARB) + (inLoop & 0xFFFFFFu), inLoop >> 24);
+    vTriangle = uint(gl_VertexID) - corner;
+    vFacet = facetFromModel(inFacet, instance, eyeRelative);
+    vCorner = vec4(corner == 0u, corner == 1u, corner == 2u, 0.0);
+#ifdef EXACT
+    drawLarger(instance, corner);
+#endif
 }

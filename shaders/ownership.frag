@@ -1,35 +1,63 @@
 // Stage 1: writes the number of the visit that owns the pixel. A later polygon is a nearer one.
 // The clip set is tested here and not by gl_ClipDistance: clipping makes new vertices, and edges through new vertices
-// are no longer exactly the edges of the walls beside them. Discarding leaves the polygon's own edges untouched.
-// MULTISAMPLED: each sample of the pixel is tested for itself.
-#include "SharedLayout.h"
+// are no longer exactly the edges of the walls beside them.
+// EXACT: the opening's own edges are tested, too, as those of the walls are (outline.glsl).
+// MULTISAMPLED: each sample of the pixel is tested for itself, and the rasteriser decides the edges as it does the walls'.
+#define OWNERSHIP
+#include "transform.glsl"
+#include "ray.glsl"
 #ifdef MULTISAMPLED
 #include "samples.glsl"
 #endif
 
 layout(location = 0) flat in uint vVisit;
-layout(location = 1) in vec4 vClipLow;
-layout(location = 2) in vec4 vClipHigh;
+layout(location = 1) flat in uvec3 vOpening;
+layout(location = 2) flat in vec4 vPlane;
+layout(location = 3) in vec2 vMiddle;
 layout(location = 0) out uint outVisit;
 
-bool isClipped(vec4 low, vec4 high) {
-    return any(lessThan(low, vec4(0.0))) || any(lessThan(high, vec4(0.0)));
+uvec3 opening;
+#include "openingcorner.glsl"
+#include "outline.glsl"
+
+// All but the last of the planes pass through the eye.
+bool isClipped(ClipSet set, vec3 direction, float depth) {
+    for (int i = 0; i < 7; ++i) {
+        if (dot(set.planes[i].xyz, direction) + set.planes[i].w < 0.0) {
+            return true;
+        }
+    }
+    return dot(set.planes[7].xyz, direction) * depth + set.planes[7].w < 0.0;
+}
+
+// Whether the ray through a point of the window passes the opening, as far as the rasteriser has not told.
+bool passes(vec2 window, bool nearEdge) {
+    vec3 direction = rayThrough(window);
+    float depth = opening.y > 0u ? vPlane.w / dot(vPlane.xyz, direction) : 1.0;
+    return depth > 0.0 && !isClipped(clipSets[opening.z], direction, depth) &&
+           (!nearEdge || isOverOutline(opening.y, window));
 }
 
 void main() {
+    bool nearEdge = vMiddle.y > 0.0;
+#ifdef EXACT
+    nearEdge = nearEdge || vMiddle.x / max(fwidth(vMiddle.x), 1.0e-20) < kNearOutline;
+#endif
+    opening = vOpening;
+    nearEdge = nearEdge && opening.y > 0u;
 #ifdef MULTISAMPLED
     uint kept = 0u;
     for (int i = 0; i < int(kSamples); ++i) {
-        bool clipped = isClipped(atSample(vClipLow, sampleOffset(i)), atSample(vClipHigh, sampleOffset(i)));
-        kept |= clipped ? 0u : 1u << i;
+        kept |= passes(floor(gl_FragCoord.xy) + 0.5 + sampleOffset(i), nearEdge) ? 1u << i : 0u;
     }
     gl_SampleMask[0] = int(kept);
-    bool isGone = kept == 0u;
-#else
-    bool isGone = isClipped(vClipLow, vClipHigh);
-#endif
-    if (isGone) {
+    if (kept == 0u) {
         discard;
     }
+#else
+    if (!passes(gl_FragCoord.xy, nearEdge)) {
+        discard;
+    }
+#endif
     outVisit = vVisit;
 }

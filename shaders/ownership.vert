@@ -1,6 +1,7 @@
-// Stage 1: the portal polygons, in tree order. No vertex input: corners are pulled by gl_VertexID.
-// In: block-local metres (the same transform as the walls around the opening), or clip x, y, w of a screen polygon.
-// Out: clip position; the visit's number; distances to the clip set's planes.
+// Stage 1: the openings, in tree order. No vertex input: corners are pulled by gl_VertexID.
+// In: the corners of an opening in block-local metres (the same transform as the walls around it), or a clip set alone.
+// Out: clip position; the visit's number; what tells whether a ray passes the opening and those before it.
+// EXACT: openings are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
 //
 // Depth is 0 (infinitely far) for every corner: portals are met at any distance, so that neither the near nor the far
 // plane may cut them, and the stage has no depth buffer. What is left is the cut at w = 0, the eye's plane.
@@ -8,28 +9,96 @@
 
 invariant gl_Position;
 layout(location = 0) flat out uint vVisit;
-layout(location = 1) out vec4 vClipLow;
-layout(location = 2) out vec4 vClipHigh;
+layout(location = 1) flat out uvec3 vOpening; // first vertex of the fan, number of corners (0: none), clip set
+layout(location = 2) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, p) = vPlane.w
+layout(location = 3) out vec2 vMiddle;        // 1 in the fan's middle, 0 on its outline; above 0: drawn as something larger
 
-vec4 distances(ClipSet set, int first, vec3 p) {
-    vec4 at = vec4(p, 1.0);
-    return vec4(dot(set.planes[first], at), dot(set.planes[first + 1], at), dot(set.planes[first + 2], at),
-                dot(set.planes[first + 3], at));
+uvec3 opening;
+#include "openingcorner.glsl"
+#include "grow.glsl"
+
+const float kNearest = 1.0e-4; // metres: openings are met at any distance
+
+vec4 planeOfOutline() {
+    vec3 origin = outlineCorner(0u);
+    vec3 sum = vec3(0.0);
+    for (uint i = 2u; i < opening.y; ++i) {
+        sum += cross(outlineCorner(i - 1u) - origin, outlineCorner(i) - origin);
+    }
+    float size = length(sum);
+    vec3 normal = size > 0.0 ? sum / size : vec3(0.0);
+    return vec4(normal, dot(normal, origin));
 }
+
+// One triangle around the whole window.
+vec4 everywhere(uint part) {
+    return vec4(part == 1u ? 3.0 : -1.0, part == 2u ? 3.0 : -1.0, 0.0, 1.0);
+}
+
+#ifdef EXACT
+Growth growthOf(uint own, out vec3 before, out vec3 at, out vec3 after) {
+    at = outlineCorner(own);
+    before = outlineCorner(own == 0u ? opening.y - 1u : own - 1u);
+    after = outlineCorner(own + 1u == opening.y ? 0u : own + 1u);
+    return growthAt(clipFromEye(before), clipFromEye(at), clipFromEye(after), vPlane.w < 0.0);
+}
+
+bool anyFails() {
+    vec3 before;
+    vec3 at;
+    vec3 after;
+    for (uint i = 0u; i < opening.y; ++i) {
+        if (growthOf(i, before, at, after).fails) {
+            return true;
+        }
+    }
+    return false;
+}
+
+vec4 grownCorner(uint own) {
+    vec3 before;
+    vec3 at;
+    vec3 after;
+    Growth growth = growthOf(own, before, at, after);
+    at += growth.before * (at - before) + growth.after * (at - after);
+    vec4 clip = clipFromEye(at);
+    clip.xy += growth.shift * clip.w / (frame.viewport.xy * 0.5);
+    return clip;
+}
+
+// `part`: the vertex's number in the fan.
+void drawLarger(uint part) {
+    uint role = part % 3u; // the middle, the corner that has the triangle's number, the next
+    Thin thin = thinAt(opening.y, part < 3u ? role : 2u, kNearest); // of the whole fan one triangle stays
+    if (thin.is) {
+        vMiddle.y = 1.0;
+        gl_Position = vec4(thin.at / (frame.viewport.xy * 0.5), 0.0, 1.0);
+    } else if (anyFails()) {
+        vMiddle.y = 1.0;
+        gl_Position = everywhere(min(part, 3u));
+    } else if (role != 0u) {
+        vec4 clip = grownCorner((part / 3u + role - 1u) % opening.y);
+        gl_Position = vec4(clip.xy, 0.0, clip.w);
+    }
+}
+#endif
 
 void main() {
     OwnershipVertex corner = ownershipVertices[gl_VertexID];
+    uint part = uint(gl_VertexID) - corner.outlineFirst;
     vVisit = corner.visit;
-    if (corner.block == kNoVisit) {
-        gl_Position = vec4(corner.position.xy, 0.0, corner.position.z);
-        vClipLow = vec4(1.0);
-        vClipHigh = vec4(1.0);
-    } else {
-        vec3 eyeRelative = eyeFromBlock(corner.position, corner.block);
-        vec4 clip = clipFromEye(eyeRelative);
-        gl_Position = vec4(clip.xy, 0.0, clip.w);
-        ClipSet set = clipSets[corner.clipSet];
-        vClipLow = distances(set, 0, eyeRelative);
-        vClipHigh = distances(set, 4, eyeRelative);
+    opening = uvec3(corner.outlineFirst, corner.outlineCount & ~kCoverWindow, corner.clipSet);
+    vOpening = opening;
+    vPlane = opening.y > 0u ? planeOfOutline() : vec4(0.0);
+    vMiddle = vec2(part % 3u == 0u, 0.0);
+    if ((corner.outlineCount & kCoverWindow) != 0u) {
+        vMiddle.y = 1.0;
+        gl_Position = everywhere(min(part, 3u));
+        return;
     }
+    vec4 clip = clipFromEye(eyeFromBlock(corner.position, corner.block));
+    gl_Position = vec4(clip.xy, 0.0, clip.w);
+#ifdef EXACT
+    drawLarger(part);
+#endif
 }

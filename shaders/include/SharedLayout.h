@@ -81,6 +81,9 @@ LIMEN_STRUCT(FrameConstants) {
     vec4 voidColour LIMEN_ZERO;
     vec4 skyZenith LIMEN_ZERO;     // rgb: plain sky overhead; the horizon is fogColour
     vec4 viewport LIMEN_ZERO;      // width, height, 1/width, 1/height
+    vec4 rayCorner LIMEN_ZERO;     // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
+    vec4 rayRight LIMEN_ZERO;      // and the steps of one pixel
+    vec4 rayUp LIMEN_ZERO;
     uint rootZone LIMEN_ZERO;
     uint visitCount LIMEN_ZERO;
     uint flags LIMEN_ZERO;
@@ -168,18 +171,21 @@ LIMEN_STRUCT(Light) {
     vec4 colour LIMEN_ZERO;   // rgb; w: bits of the block slot (uint)
 };
 
-// One corner of the ownership stage's triangles, in tree order. Either a block-local point that goes through the same
-// transform as the walls, or (block == kNoVisit) a point of the screen given as clip x, y, w.
+// One corner of the ownership stage's triangles, in tree order. An opening is a fan around its middle; each of its triangles
+// has the middle and two corners of the outline. With kCoverWindow the fan is drawn as one triangle around the window, and
+// its outline and clip set decide; without an outline the clip set alone.
+LIMEN_CONST kCoverWindow = 0x80000000u;
 LIMEN_STRUCT(OwnershipVertex) {
-    vec3 position LIMEN_ZERO;
+    vec3 position LIMEN_ZERO; // block-local
     uint block LIMEN_ZERO;
     uint visit LIMEN_ZERO;
     uint clipSet LIMEN_ZERO;
-    uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
+    uint outlineFirst LIMEN_ZERO; // the fan's first vertex
+    uint outlineCount LIMEN_ZERO; // corners of the outline, as many as triangles in the fan; and kCoverWindow
 };
 
-// Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. Unused ones are (0,0,0,1).
+// Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
+// Unused ones are (0,0,0,1).
 LIMEN_STRUCT(ClipSet) {
     vec4 planes[8] LIMEN_ZERO;
 };

@@ -1,6 +1,12 @@
 // Every storage buffer of a frame, by the names the shaders use. Layout: SharedLayout.h.
 #include "SharedLayout.h"
 
+// EXACT: what a pixel shows is decided by the ray through its centre (outline.glsl). Not for MULTISAMPLED: one depth for
+// all samples of a pixel would flatten every edge.
+#if defined(EXACT_OUTLINES) && !defined(MULTISAMPLED)
+#define EXACT
+#endif
+
 // Read by both stages.
 layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frame; };
 layout(std430, binding = kBindBlocks) readonly buffer BlockBuffer { vec4 blocks[]; };
@@ -10,7 +16,7 @@ layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyIn
 layout(std430, binding = kBindMovers) readonly buffer MoverBuffer { Instance movers[]; };
 
 // Drivers count what is declared, and some allow a stage no more than 16.
-#ifdef VERTEX_STAGE
+#if defined(VERTEX_STAGE) || defined(OWNERSHIP)
 layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
 layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
 #else
@@ -22,15 +28,10 @@ layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightS
 layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights[]; };
 layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
 layout(std430, binding = kBindMoverMembers) readonly buffer MoverMemberBuffer { Member moverMembers[]; };
-// The vertex fetch's own arena (frame::gpu::Vertex).
-struct ArenaVertex {
-    vec4 positionNormal;
-    vec2 uv;
-    uint polygonSurface;
-    uint loop;
-};
-layout(std430, binding = kBindVertices) readonly buffer VertexBuffer { ArenaVertex arena[]; };
 #endif
+// The vertex fetch's own arena (frame::gpu::Vertex), word by word.
+const uint kVertexWords = 10u;
+layout(std430, binding = kBindVertices) readonly buffer VertexBuffer { float arena[]; };
 
 // What stands still and what moves are numbered on, from one array into the other.
 Instance instanceAt(uint index) {
@@ -40,15 +41,21 @@ Instance instanceAt(uint index) {
     return movers[index - frame.staticInstances];
 }
 
-#ifdef FRAGMENT_STAGE
+#if defined(FRAGMENT_STAGE) && !defined(OWNERSHIP)
 Member memberAt(uint index) {
     if (index < frame.staticMembers) {
         return members[index];
     }
     return moverMembers[index - frame.staticMembers];
 }
-
-vec3 cornerAt(uint index) {
-    return arena[index].positionNormal.xyz;
-}
 #endif
+
+vec3 cornerAt(uint vertex) {
+    uint at = vertex * kVertexWords;
+    return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
+}
+
+vec2 uvAt(uint vertex) {
+    uint at = vertex * kVertexWords + 4u;
+    return vec2(arena[at], arena[at + 1u]);
+}

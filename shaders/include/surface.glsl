@@ -11,11 +11,14 @@ layout(location = 2) in vec2 vUv;
 layout(location = 3) flat in uint vInstance;
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
-layout(location = 6) flat in uvec2 vLoop;
+layout(location = 6) flat in uint vTriangle;
+layout(location = 7) flat in vec4 vFacet;
+layout(location = 8) in vec4 vCorner;
 
 #include "onpolygon.glsl"
 
-Place placeHere(Instance instance) {
+// False: the pixel does not show the polygon.
+bool findPlace(Instance instance, out Place place) {
     // Derivatives first: what follows differs from fragment to fragment.
 #ifdef MULTISAMPLED
     vec3 samples[kSamples];
@@ -29,17 +32,24 @@ Place placeHere(Instance instance) {
     float q = inverseDepthAt(sampleOffset(first));
     vec3 dx = (dFdx(scaled) - at * dFdx(gl_FragCoord.w)) / q;
     vec3 dy = (dFdy(scaled) - at * dFdy(gl_FragCoord.w)) / q;
-    return Place(at, samples, dx, dy);
+    place = Place(at, samples, dx, dy);
+    return true;
 #else
     vec3 dx = dFdx(vEyeRelative);
     vec3 dy = dFdy(vEyeRelative);
-    return Place(onPolygon(instance), dx, dy);
+    vec3 at;
+    bool found = findOnPolygon(instance, at);
+    place = Place(at, dx, dy);
+    return found;
 #endif
 }
 
 // GATED: the caller discards when `kept` is false; of a multisampled pixel the samples that are not kept are masked.
 Keep keepOf(Instance instance) {
-    Place place = placeHere(instance);
+    Place place;
+    if (!findPlace(instance, place)) {
+        return Keep(false, 0u, 0u);
+    }
 #ifdef GATED
 #ifdef MULTISAMPLED
     uint kept;

@@ -12,17 +12,14 @@
 
 namespace limen::frame::gpu {
 
-/// One vertex of the arena as the vertex fetch reads it; 32 bytes.
+/// One vertex of the arena as the vertex fetch reads it; 40 bytes. They come in threes (world::Mesh).
 struct Vertex {
     glm::vec3 position{0.0f};
     std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
     glm::vec2 uv{0.0f};
     std::uint32_t polygonSurface = 0; ///< polygon, and in the high half the surface slot
-    std::uint32_t loop = 0; ///< first corner of its outline, and in the high byte how many; 0: unknown
+    glm::vec3 facet{0.0f};            ///< model-space unit normal of its triangle; zero if that has no area
 };
-[[nodiscard]] constexpr std::uint32_t packLoop(std::uint32_t first, std::uint32_t size) {
-    return first < 0x1000000u && size < 0x100u ? first | size << 24 : 0u;
-}
 
 /// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.
 struct DrawCommand {
@@ -33,8 +30,8 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;
 };
 
-static_assert(sizeof(Vertex) == 32 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 10 * 16 + 48);
+static_assert(sizeof(Vertex) == 40 && sizeof(DrawCommand) == 20);
+static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 48);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 32 &&

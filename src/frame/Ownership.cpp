@@ -6,10 +6,9 @@ namespace limen::frame {
 
 namespace {
 
-/// Polygons nearer to the eye than this, in metres, are drawn as the flood's region: in float, the edges of a polygon that
-/// close lie so far off the screen that their clipped ends are no longer exact. No further, for the region is not drawn
-/// from the walls' own corners and may leave a pixel between itself and the wall to nobody.
-constexpr double kNearOpening = 0.001;
+/// Openings nearer to the eye than this, in metres, are looked for in the whole window: in float, the corners of a polygon
+/// that close lie so far off the screen that the rasteriser's own cuts are no longer exact.
+constexpr double kNearOpening = 0.05;
 
 /// What is kept before a parent's entry plane, in metres: openings that touch the plane must not be nibbled
 /// at by float rounding. Equal to the fragment test's own tolerance (shaders/include/gate.glsl).
@@ -37,16 +36,28 @@ public:
             if (visit.depth == 0 || !frame_.rules.ownership) {
                 continue;
             }
-            const world::Portal& portal = world_.portals[visit.portal];
-            if (visit.split || visit.inPlane || !portal.exact || isNear(portal)) {
-                drawRegion(i);
+            // The flood's region of these is not what their outline and their parent's region leave of it.
+            const bool byRegion = visit.split || visit.inPlane || !world_.portals[visit.portal].exact;
+            if (byRegion) {
+                drawWithin(i, set_.region(visit), Cut{0.0, {0, 0, 0, 1}});
+            } else if (set_.visits[visit.parent].depth > 0 && frame_.rules.ancestorClip) {
+                const visibility::Visit& parent = set_.visits[visit.parent];
+                drawWithin(i, set_.region(parent),
+                           Cut{frame_.rules.growth ? kGrowth : 0.0,
+                               {Vec3f(parent.entryPlane.n), parent.entryPlane.d + kEntryTolerance}});
             } else {
-                drawPortal(i);
+                draw(i, 0);
             }
         }
     }
 
 private:
+    /// How an opening is cut to a region: its edges moved outwards by so many pixels, and behind a plane.
+    struct Cut {
+        double growth = 0.0;
+        gpu::vec4 plane{0, 0, 0, 1};
+    };
+
     void addVisit(const visibility::Visit& visit) {
         gpu::Visit out;
         const bool root = visit.depth == 0;
@@ -75,54 +86,51 @@ private:
         return open;
     }
 
-    /// The plane through the eye and one edge of a region, moved outwards by kGrowth, eye-relative.
-    [[nodiscard]] gpu::vec4 grownEdge(const Vec3& a, const Vec3& b) const {
+    /// The plane through the eye and one edge of a region, moved outwards by some pixels, eye-relative.
+    [[nodiscard]] gpu::vec4 edgePlane(const Vec3& a, const Vec3& b, double growth) const {
         Vec3 edge = glm::cross(a, b);
-        if (frame_.rules.growth) {
-            edge.z +=
-                kGrowth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
-        }
+        edge.z += growth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
         const Vec3 n = glm::transpose(screen_) * edge;
         const double length = std::sqrt(glm::dot(n, n));
         return length > 0.0 ? gpu::vec4(Vec3f(n / length), 0.0f) : gpu::vec4(0, 0, 0, 1);
     }
 
-    void drawRegion(std::uint32_t visit) {
-        const auto region = set_.region(set_.visits[visit]);
-        for (std::size_t i = 1; i + 1 < region.size(); ++i) {
-            for (const std::size_t corner : {std::size_t{0}, i, i + 1}) {
-                plan_.ownershipVertices.push_back({Vec3f(region[corner]), gpu::kNoVisit, visit, 0, 0, 0});
-            }
-        }
-    }
-
-    void drawPortal(std::uint32_t visit) {
-        const visibility::Visit& parent = set_.visits[set_.visits[visit].parent];
-        if (parent.depth == 0 || !frame_.rules.ancestorClip) {
-            drawPolygon(visit, 0);
-            return;
-        }
-        // A region with more edges than fit is cut into fans around its first vertex, each drawn for itself;
-        // the fans' inner edges grow too, so that they overlap rather than gape.
-        const auto region = set_.region(parent);
+    /// A region with more edges than fit is cut into fans around its first vertex, each drawn for itself; the fans' inner
+    /// edges are always moved, so that they overlap rather than gape.
+    void drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Cut& cut) {
         for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
             const std::size_t last = std::min(first + kEdgesPerSet - 2, region.size() - 1);
             gpu::ClipSet clip = openClipSet();
             std::size_t slot = 0;
-            clip.planes[slot++] = grownEdge(region[0], region[first]);
+            clip.planes[slot++] = edgePlane(region[0], region[first], first == 1 ? cut.growth : kGrowth);
             for (std::size_t i = first; i < last; ++i) {
-                clip.planes[slot++] = grownEdge(region[i], region[i + 1]);
+                clip.planes[slot++] = edgePlane(region[i], region[i + 1], cut.growth);
             }
-            clip.planes[slot++] = grownEdge(region[last], region[0]);
-            clip.planes[kEdgesPerSet] = {Vec3f(parent.entryPlane.n), parent.entryPlane.d + kEntryTolerance};
+            clip.planes[slot++] =
+                edgePlane(region[last], region[0], last + 1 == region.size() ? cut.growth : kGrowth);
+            clip.planes[kEdgesPerSet] = cut.plane;
             plan_.clipSets.push_back(clip);
-            drawPolygon(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
+            draw(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
         }
+    }
+
+    void draw(std::uint32_t visit, std::uint32_t clipSet) {
+        if (set_.visits[visit].inPlane) {
+            drawEverywhere(visit, clipSet);
+        } else {
+            drawPortal(visit, clipSet);
+        }
+    }
+
+    void drawEverywhere(std::uint32_t visit, std::uint32_t clipSet) {
+        const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
+        plan_.ownershipVertices.insert(plan_.ownershipVertices.end(), 3,
+                                       {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow});
     }
 
     /// The portal polygon as a fan around its middle: every edge of its outline stays as it is, divided
     /// exactly where the walls' are.
-    void drawPolygon(std::uint32_t visit, std::uint32_t clipSet) {
+    void drawPortal(std::uint32_t visit, std::uint32_t clipSet) {
         const world::Portal& portal = world_.portals[set_.visits[visit].portal];
         const Vec3 origin = world_.blocks[portal.block].origin();
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
@@ -130,8 +138,10 @@ private:
         for (const Vec3& v : polygon) {
             middle += (v - origin) / static_cast<double>(polygon.size());
         }
+        const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
+        const std::uint32_t count = portal.vertexCount | (isNear(portal) ? gpu::kCoverWindow : 0u);
         const auto corner = [&](const Vec3& local) {
-            plan_.ownershipVertices.push_back({Vec3f(local), portal.block, visit, clipSet, 0, 0});
+            plan_.ownershipVertices.push_back({Vec3f(local), portal.block, visit, clipSet, first, count});
         };
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             corner(middle);

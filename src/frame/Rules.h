@@ -8,7 +8,7 @@ struct Rules {
     bool ownership = true;    ///< off: every pixel belongs to the root
     bool ancestorClip = true; ///< off: openings are drawn uncut by the visits before them
     bool growth = true;       ///< off: the visits before cut at their exact edges
-    bool nearOpening = true;  ///< off: openings within 1 mm of the eye are drawn like any other
+    bool nearOpening = true;  ///< off: openings within 5 cm of the eye are drawn like any other
     bool viewcone = true;     ///< off: an instance is asked for only in the first visit that lists it
 };
 

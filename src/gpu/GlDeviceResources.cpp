@@ -46,7 +46,7 @@ void describeVertices(GLuint vertexArray) {
     floats(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(Vertex, normal));
     floats(2, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
     integer(3, offsetof(Vertex, polygonSurface));
-    integer(4, offsetof(Vertex, loop));
+    floats(4, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, facet));
 }
 
 // Which attachments a pass's fragment outputs go to.

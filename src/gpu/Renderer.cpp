@@ -100,8 +100,8 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const TextureStore& t
 
 std::vector<std::string> definesOf(const RendererOptions& options) {
     std::vector<std::string> defines = options.shaderDefines;
-    if (options.exactDepth) {
-        defines.emplace_back("EXACT_DEPTH");
+    if (options.exactOutlines) {
+        defines.emplace_back("EXACT_OUTLINES");
     }
     return defines;
 }

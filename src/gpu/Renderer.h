@@ -17,7 +17,7 @@ struct RendererOptions {
     TextureStoreOptions textures{};
     /// Fragments of polygons seen edge-on are put back onto their polygon (shaders/include/onpolygon.glsl). Costs early
     /// depth tests on drivers that know no conservative depth.
-    bool exactDepth = true;
+    bool exactOutlines = true;
     /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
     std::vector<std::string> shaderDefines{};
 };

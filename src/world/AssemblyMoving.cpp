@@ -26,17 +26,18 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
     std::vector<TriangleCorners> triangles;
     triangulate(points, triangles);
     MeshData mesh;
+    std::vector<std::uint32_t>& indices = mesh.indices[static_cast<std::size_t>(SurfaceClass::Opaque)];
     for (std::uint16_t side = 0; side < 2; ++side) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const Vec3f& p : points)
-            mesh.vertices.push_back({p, Vec3f(portal.plane.n) * (side == 0 ? 1.0f : -1.0f),
-                                     Vec2f(glm::dot(across, p), -glm::dot(Vec3f(up), p)), side, 0, first,
-                                     static_cast<std::uint32_t>(points.size())});
+        const Vec3f normal = Vec3f(portal.plane.n) * (side == 0 ? 1.0f : -1.0f);
         for (TriangleCorners t : triangles) {
             if (side == 1)
                 std::swap(t[1], t[2]);
-            for (const std::uint32_t corner : t)
-                mesh.indices[static_cast<std::size_t>(SurfaceClass::Opaque)].push_back(first + corner);
+            for (const std::uint32_t corner : t) {
+                const Vec3f& p = points[corner];
+                indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+                mesh.vertices.push_back(
+                    {p, normal, Vec2f(glm::dot(across, p), -glm::dot(Vec3f(up), p)), side, 0, Vec3f(0.0f)});
+            }
         }
         mesh.polygonIds.push_back(portal.polygonId);
     }
@@ -46,10 +47,14 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
 /// A unit square about the origin that faces -y, u to the right and v downwards as seen from there.
 MeshData spriteMesh(SurfaceClass surfaces) {
     MeshData mesh;
-    for (const Vec2f& corner : {Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)})
-        mesh.vertices.push_back(
-            {Vec3f(corner.x - 0.5f, 0.0f, 0.5f - corner.y), Vec3f(0.0f, -1.0f, 0.0f), corner, 0, 0, 0, 4});
-    mesh.indices[static_cast<std::size_t>(surfaces)] = {0, 1, 2, 0, 2, 3};
+    const std::array<Vec2f, 4> corners{Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)};
+    for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
+        const Vec2f& corner = corners[i];
+        mesh.indices[static_cast<std::size_t>(surfaces)].push_back(
+            static_cast<std::uint32_t>(mesh.vertices.size()));
+        mesh.vertices.push_back({Vec3f(corner.x - 0.5f, 0.0f, 0.5f - corner.y), Vec3f(0.0f, -1.0f, 0.0f),
+                                 corner, 0, 0, Vec3f(0.0f)});
+    }
     mesh.polygonIds.push_back(0);
     return mesh;
 }

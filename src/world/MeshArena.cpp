@@ -1,6 +1,26 @@
 #include "world/MeshArena.h"
 
+#include "core/Assert.h"
+
 namespace limen::world {
+
+namespace {
+
+/// In double: triangles may be long and thin.
+void setFacets(std::span<MeshVertex> vertices) {
+    LIMEN_ASSERT(vertices.size() % 3 == 0, "vertices come in threes");
+    for (std::size_t i = 0; i < vertices.size(); i += 3) {
+        const Vec3 origin(vertices[i].position);
+        const Vec3 normal =
+            glm::cross(Vec3(vertices[i + 1].position) - origin, Vec3(vertices[i + 2].position) - origin);
+        const double length = glm::length(normal);
+        const Vec3f facet = length > 0.0 ? Vec3f(normal / length) : Vec3f(0.0f);
+        for (std::size_t k = 0; k < 3; ++k)
+            vertices[i + k].facet = facet;
+    }
+}
+
+} // namespace
 
 std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     Mesh mesh;
@@ -20,6 +40,7 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
         points.emplace_back(vertex.position);
     mesh.bounds = boundingSphere(points);
     world_.vertices.insert(world_.vertices.end(), data.vertices.begin(), data.vertices.end());
+    setFacets(std::span(world_.vertices).subspan(mesh.firstVertex));
     world_.polygonIds.insert(world_.polygonIds.end(), data.polygonIds.begin(), data.polygonIds.end());
     world_.meshes.push_back(mesh);
     return static_cast<std::uint32_t>(world_.meshes.size() - 1);

@@ -37,26 +37,21 @@ void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Ve
 void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back) {
     const std::vector<Vec3> exact(points_.begin(), points_.end());
     const Vec3f flat(planeOf(exact).n);
-    const auto base = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        MeshVertex vertex;
-        vertex.position = points_[i];
-        vertex.normal = unitOr(loop[i].normal, flat) * (back ? -1.0f : 1.0f);
-        vertex.uv = back ? loop[i].back : loop[i].front;
-        vertex.polygon = static_cast<std::uint16_t>(mesh_.polygonIds.size() - 1);
-        vertex.surface = static_cast<std::uint16_t>(slot);
-        vertex.firstInLoop = base;
-        vertex.loopSize = static_cast<std::uint32_t>(loop.size());
-        mesh_.vertices.push_back(vertex);
-    }
     const auto slotIndex = static_cast<std::size_t>(slot);
     const SurfaceClass surfaceClass =
         slotIndex < classes_.size() ? classes_[slotIndex] : SurfaceClass::Opaque;
     std::vector<std::uint32_t>& indices = mesh_.indices[static_cast<std::size_t>(surfaceClass)];
     for (const TriangleCorners& t : triangles_) {
-        indices.push_back(base + t[0]);
-        indices.push_back(base + (back ? t[2] : t[1]));
-        indices.push_back(base + (back ? t[1] : t[2]));
+        for (const std::uint32_t i : {t[0], back ? t[2] : t[1], back ? t[1] : t[2]}) {
+            MeshVertex vertex;
+            vertex.position = points_[i];
+            vertex.normal = unitOr(loop[i].normal, flat) * (back ? -1.0f : 1.0f);
+            vertex.uv = back ? loop[i].back : loop[i].front;
+            vertex.polygon = static_cast<std::uint16_t>(mesh_.polygonIds.size() - 1);
+            vertex.surface = static_cast<std::uint16_t>(slot);
+            indices.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
+            mesh_.vertices.push_back(vertex);
+        }
     }
 }
 

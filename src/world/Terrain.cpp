@@ -129,7 +129,6 @@ MeshData terrainMesh(const Ground& ground, const HeightLookup& neighbours) {
     for (int cell = 0; cell < 64; ++cell) {
         const int cellX = cell / 8, cellY = cell % 8;
         for (const auto& triangle : trianglesOf(splitsSouthWestNorthEast(ground.coord, cellX, cellY))) {
-            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
             for (const Corner& c : triangle) {
                 const int x = cellX + c.x, y = cellY + c.y;
                 const auto index = static_cast<std::size_t>(x * 9 + y);
@@ -140,8 +139,6 @@ MeshData terrainMesh(const Ground& ground, const HeightLookup& neighbours) {
                 vertex.uv = {static_cast<float>(c.x), static_cast<float>(c.y)};
                 vertex.polygon = static_cast<std::uint16_t>(mesh.polygonIds.size());
                 vertex.surface = static_cast<std::uint16_t>(cell);
-                vertex.firstInLoop = first;
-                vertex.loopSize = 3;
                 mesh.indices[0].push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
                 mesh.vertices.push_back(vertex);
             }

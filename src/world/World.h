@@ -97,12 +97,12 @@ struct MeshVertex {
     std::uint16_t polygon =
         0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number each side)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
-    /// The outline it is a corner of: a run of the mesh's vertices, corner after corner.
-    std::uint32_t firstInLoop = 0, loopSize = 0;
+    Vec3f facet{0.0f};         ///< unit normal of its triangle; zero if that has no area
 };
 
 /// Geometry that instances share. Triangles are counter-clockwise from the front; back faces are never drawn
-/// (two-sided polygons are in twice).
+/// (two-sided polygons are in twice). Vertices come in threes: no two triangles share one, and three that follow one another,
+/// from a multiple of three on, are a triangle's corners in order.
 struct Mesh {
     struct Range {
         std::uint32_t firstIndex = 0, indexCount = 0;

@@ -126,9 +126,9 @@ TEST(Mechanisms, viewcone) {
     expectNeeded(twoWindowsOnAMeadow, off, 54);
 }
 
-TEST(Mechanisms, exactDepth) {
+TEST(Mechanisms, exactOutlines) {
     Off off;
-    off.options.exactDepth = false;
+    off.options.exactOutlines = false;
     expectNeeded(boardsBehindAPanel, off, 63);
 }
 

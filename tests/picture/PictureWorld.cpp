@@ -54,7 +54,7 @@ Driver& driver() {
 struct PictureWorld::Drawing {
     explicit Drawing(const PictureOptions& options)
         : renderer(*driver().device,
-                   {.exactDepth = options.exactDepth, .shaderDefines = options.shaderDefines}) {}
+                   {.exactOutlines = options.exactOutlines, .shaderDefines = options.shaderDefines}) {}
     gpu::Renderer renderer;
     std::optional<gpu::RenderTarget> target;
     frame::FramePlan plan;

@@ -42,7 +42,7 @@ struct PictureOptions {
     int radius = 1;
     world::MovingEntries moving{};
     std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
-    bool exactDepth = true;                   ///< gpu::RendererOptions
+    bool exactOutlines = true;                   ///< gpu::RendererOptions
     Omissions omissions{};                    ///< in what is drawn; what it is held against stays whole
 };
 
