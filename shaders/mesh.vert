@@ -19,10 +19,16 @@ layout(location = 2) out vec2 vUv;
 layout(location = 3) flat out uint vInstance;
 layout(location = 4) flat out uint vSurface;
 layout(location = 5) flat out uint vId;
+#ifdef EXACT
 layout(location = 6) flat out uint vTriangle; // its first vertex in the arena
 layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
-layout(location = 8) out vec4 vCorner;        // xyz: 1 for one of the corners each; w: above 0 if drawn much larger
+#endif
 
+vec3 eyeFromModel(vec3 position, Instance instance) {
+    return eyeFromBlock(blockFromModel(position, instance.row0, instance.row1, instance.row2), instance.block);
+}
+
+#ifdef EXACT
 // The plane of a triangle with this normal through a point, eye-relative. Planes turn with the cofactors of a matrix; a
 // mirroring one turns the winding over, and the normal with it.
 vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
@@ -34,11 +40,6 @@ vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
     return vec4(normal, dot(normal, through));
 }
 
-vec3 eyeFromModel(vec3 position, Instance instance) {
-    return eyeFromBlock(blockFromModel(position, instance.row0, instance.row1, instance.row2), instance.block);
-}
-
-#ifdef EXACT
 Instance outlineInstance;
 
 vec3 outlineCorner(uint i) {
@@ -51,7 +52,6 @@ vec3 outlineCorner(uint i) {
 struct Seen {
     vec3 at[3];
     vec4 clip[3];
-    bool front;
 };
 
 Seen seenTriangle() {
@@ -60,12 +60,11 @@ Seen seenTriangle() {
         seen.at[i] = outlineCorner(i);
         seen.clip[i] = clipFromEye(seen.at[i]);
     }
-    seen.front = vFacet.w < 0.0;
     return seen;
 }
 
 Growth growthOf(Seen seen, uint corner) {
-    return growthAt(seen.clip[(corner + 2u) % 3u], seen.clip[corner], seen.clip[(corner + 1u) % 3u], seen.front);
+    return growthAt(seen.clip[(corner + 2u) % 3u], seen.clip[corner], seen.clip[(corner + 1u) % 3u], true);
 }
 
 bool anyFails(Seen seen) {
@@ -83,18 +82,16 @@ vec2 aroundTriangle(Seen seen, uint corner) {
         low = clamp(min(min(a, b), c), -most, most);
         high = clamp(max(max(a, b), c), -most, most);
     }
-    return aroundBox(low, high, corner, seen.front);
+    return aroundBox(low, high, corner, true);
 }
 
 // A triangle around the whole one; which fragments lie on it is decided one by one.
 void drawAround(vec2 pixelsFromMiddle) {
     gl_Position = vec4(pixelsFromMiddle / (frame.viewport.xy * 0.5), 0.5, 1.0);
-    vCorner.w = 1.0;
 }
 
-// Moves the corner outwards, with what is interpolated from it.
-void drawLarger(Instance instance, uint own) {
-    outlineInstance = instance;
+// Moves the corner of a triangle that faces the eye outwards, with what is interpolated from it.
+void drawLarger(uint own) {
     Seen seen = seenTriangle();
     bool mayThin = mayBeThin(seen.clip[0], seen.clip[1], seen.clip[2]);
     if (mayThin) {
@@ -121,7 +118,6 @@ void drawLarger(Instance instance, uint own) {
 void main() {
     uint index = uint(gl_BaseInstanceARB);
     Instance instance = instanceAt(index);
-    uint corner = uint(gl_VertexID) % 3u;
     vec3 eyeRelative = eyeFromModel(inPosition, instance);
     gl_Position = clipFromEye(eyeRelative);
     vEyeRelative = eyeRelative;
@@ -135,10 +131,15 @@ void main() {
     vSurface = materialRefs[instance.firstMaterial + (inPolygonSurface >> 16)];
 #endif
     vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
-    vTriangle = uint(gl_VertexID) - corner;
-    vFacet = facetFromModel(inFacet, instance, eyeRelative);
-    vCorner = vec4(corner == 0u, corner == 1u, corner == 2u, 0.0);
 #ifdef EXACT
-    drawLarger(instance, corner);
+    uint corner = uint(gl_VertexID) % 3u;
+    vTriangle = uint(gl_VertexID) - corner;
+    outlineInstance = instance;
+    vFacet = facetFromModel(inFacet, instance, outlineCorner(0u)); // of the same corner for all three
+    if (vFacet.w < 0.0) {
+        drawLarger(corner);
+    } else {
+        gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // faces away, or has no area
+    }
 #endif
 }

@@ -13,12 +13,21 @@
 layout(location = 0) flat in uint vVisit;
 layout(location = 1) flat in uvec3 vOpening;
 layout(location = 2) flat in vec4 vPlane;
-layout(location = 3) in vec2 vMiddle;
+layout(location = 3) flat in uint vCovers;
 layout(location = 0) out uint outVisit;
 
 uvec3 opening;
 #include "openingcorner.glsl"
 #include "outline.glsl"
+
+// Without EXACT the rasteriser has decided, unless something larger was drawn.
+bool testsOutline() {
+#ifdef EXACT
+    return opening.y > 0u;
+#else
+    return opening.y > 0u && vCovers != 0u;
+#endif
+}
 
 // All but the last of the planes pass through the eye.
 bool isClipped(ClipSet set, vec3 direction, float depth) {
@@ -30,32 +39,27 @@ bool isClipped(ClipSet set, vec3 direction, float depth) {
     return dot(set.planes[7].xyz, direction) * depth + set.planes[7].w < 0.0;
 }
 
-// Whether the ray through a point of the window passes the opening, as far as the rasteriser has not told.
-bool passes(vec2 window, bool nearEdge) {
+// Whether the ray through a point of the window passes the opening.
+bool passes(vec2 window) {
     vec3 direction = rayThrough(window);
     float depth = opening.y > 0u ? vPlane.w / dot(vPlane.xyz, direction) : 1.0;
     return depth > 0.0 && !isClipped(clipSets[opening.z], direction, depth) &&
-           (!nearEdge || isOverOutline(opening.y, window));
+           (!testsOutline() || isOverOutline(opening.y, window));
 }
 
 void main() {
-    bool nearEdge = vMiddle.y > 0.0;
-#ifdef EXACT
-    nearEdge = nearEdge || vMiddle.x / max(fwidth(vMiddle.x), 1.0e-20) < kNearOutline;
-#endif
     opening = vOpening;
-    nearEdge = nearEdge && opening.y > 0u;
 #ifdef MULTISAMPLED
     uint kept = 0u;
     for (int i = 0; i < int(kSamples); ++i) {
-        kept |= passes(floor(gl_FragCoord.xy) + 0.5 + sampleOffset(i), nearEdge) ? 1u << i : 0u;
+        kept |= passes(floor(gl_FragCoord.xy) + 0.5 + sampleOffset(i)) ? 1u << i : 0u;
     }
     gl_SampleMask[0] = int(kept);
     if (kept == 0u) {
         discard;
     }
 #else
-    if (!passes(gl_FragCoord.xy, nearEdge)) {
+    if (!passes(gl_FragCoord.xy)) {
         discard;
     }
 #endif

@@ -11,7 +11,7 @@ invariant gl_Position;
 layout(location = 0) flat out uint vVisit;
 layout(location = 1) flat out uvec3 vOpening; // first vertex of the fan, number of corners (0: none), clip set
 layout(location = 2) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, p) = vPlane.w
-layout(location = 3) out vec2 vMiddle;        // 1 in the fan's middle, 0 on its outline; above 0: drawn as something larger
+layout(location = 3) flat out uint vCovers;   // 1: drawn around the whole window
 
 uvec3 opening;
 #include "openingcorner.glsl"
@@ -71,10 +71,8 @@ void drawLarger(uint part) {
     uint role = part % 3u; // the middle, the corner that has the triangle's number, the next
     Thin thin = thinAt(opening.y, part < 3u ? role : 2u, kNearest); // of the whole fan one triangle stays
     if (thin.is) {
-        vMiddle.y = 1.0;
         gl_Position = vec4(thin.at / (frame.viewport.xy * 0.5), 0.0, 1.0);
     } else if (anyFails()) {
-        vMiddle.y = 1.0;
         gl_Position = everywhere(min(part, 3u));
     } else if (role != 0u) {
         vec4 clip = grownCorner((part / 3u + role - 1u) % opening.y);
@@ -90,9 +88,8 @@ void main() {
     opening = uvec3(corner.outlineFirst, corner.outlineCount & ~kCoverWindow, corner.clipSet);
     vOpening = opening;
     vPlane = opening.y > 0u ? planeOfOutline() : vec4(0.0);
-    vMiddle = vec2(part % 3u == 0u, 0.0);
-    if ((corner.outlineCount & kCoverWindow) != 0u) {
-        vMiddle.y = 1.0;
+    vCovers = (corner.outlineCount & kCoverWindow) != 0u ? 1u : 0u;
+    if (vCovers != 0u) {
         gl_Position = everywhere(min(part, 3u));
         return;
     }

@@ -8,8 +8,8 @@
 
 // Pixels, either side: corners are snapped by up to half of 1/256 of a pixel each way. The same as kSnap of the gate.
 const float kBesideRay = 1.0 / 128.0;
-// Share of the depth: a plane seen so much edge-on that it changes by more within kBesideRay is not to be trusted.
-const float kDepthDoubt = 1.0e-5;
+// Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
+const float kGrazing = 1.0e-4;
 
 Instance outlineInstance;
 
@@ -56,27 +56,21 @@ vec2 stretchOver(vec3 normal, vec3 direction) {
 float depthOnPolygon(vec3 direction) {
     float facing = -dot(vFacet.xyz, direction);
     float onPlane = -vFacet.w / facing;
-    if (frame.pixel * kBesideRay <= kDepthDoubt * facing) {
+    if (facing > kGrazing * length(direction)) {
         return onPlane;
     }
     vec2 stretch = stretchOver(vFacet.xyz, direction);
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
-bool isNearEdge() {
-    vec3 pixels = vCorner.xyz / max(fwidth(vCorner.xyz), 1.0e-20);
-    return vCorner.w > 0.0 || min(pixels.x, min(pixels.y, pixels.z)) < kNearOutline;
-}
-
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
 bool findOnPolygon(Instance instance, out vec3 at) {
-    bool nearEdge = isNearEdge(); // not within a branch: it has derivatives
     outlineInstance = instance;
     vec3 direction = rayThrough(gl_FragCoord.xy);
     float depth = depthOnPolygon(direction);
     gl_FragDepth = frame.nearPlane / depth;
     at = direction * depth;
-    return vFacet.w < 0.0 && depth >= frame.nearPlane && (!nearEdge || isOverOutline(3u, gl_FragCoord.xy));
+    return depth >= frame.nearPlane && isOverOutline(3u, gl_FragCoord.xy);
 }
 
 #else

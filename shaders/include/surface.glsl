@@ -11,9 +11,10 @@ layout(location = 2) in vec2 vUv;
 layout(location = 3) flat in uint vInstance;
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
+#ifdef EXACT
 layout(location = 6) flat in uint vTriangle;
 layout(location = 7) flat in vec4 vFacet;
-layout(location = 8) in vec4 vCorner;
+#endif
 
 #include "onpolygon.glsl"
 
