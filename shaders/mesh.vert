@@ -47,6 +47,9 @@ vec3 outlineCorner(uint i) {
 }
 #include "grow.glsl"
 
+// The near plane cuts fragment by fragment, too; the clipper must leave what may round to either side of it.
+const float kBeforeNear = 0.999;
+
 // All three corners must come to the same decisions, so each of them takes them for the triangle as a whole, in the same
 // order.
 struct Seen {
@@ -138,6 +141,7 @@ void main() {
     vFacet = facetFromModel(inFacet, instance, outlineCorner(0u)); // of the same corner for all three
     if (vFacet.w < 0.0) {
         drawLarger(corner);
+        gl_Position.z *= kBeforeNear;
     } else {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // faces away, or has no area
     }

@@ -8,6 +8,8 @@
 
 // Pixels, either side: corners are snapped by up to half of 1/256 of a pixel each way. The same as kSnap of the gate.
 const float kBesideRay = 1.0 / 128.0;
+// Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
+const float kNearRounding = 1.0e-5;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
 const float kGrazing = 1.0e-4;
 
@@ -68,9 +70,9 @@ bool findOnPolygon(Instance instance, out vec3 at) {
     outlineInstance = instance;
     vec3 direction = rayThrough(gl_FragCoord.xy);
     float depth = depthOnPolygon(direction);
-    gl_FragDepth = frame.nearPlane / depth;
+    gl_FragDepth = min(frame.nearPlane / depth, 1.0);
     at = direction * depth;
-    return depth >= frame.nearPlane && isOverOutline(3u, gl_FragCoord.xy);
+    return depth >= frame.nearPlane * (1.0 - kNearRounding) && isOverOutline(3u, gl_FragCoord.xy);
 }
 
 #else
