@@ -62,7 +62,7 @@ void main() {
     bool isSolid = solid != 0u;
 #else
     if (isExact(material)) {
-        alpha = exactAlpha(material, vUv);
+        alpha = exactAlpha(material, uvOnPolygon());
     }
     bool isSolid = alpha >= kAlphaThreshold;
 #endif

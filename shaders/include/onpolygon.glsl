@@ -65,6 +65,20 @@ float depthOnPolygon(vec3 direction) {
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
+// The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
+// a pixel away: it may be another texel's.
+vec2 uvOnPolygon() {
+    vec2 a = acrossRay(outlineCorner(0u), gl_FragCoord.xy);
+    vec2 b = acrossRay(outlineCorner(1u), gl_FragCoord.xy);
+    vec2 c = acrossRay(outlineCorner(2u), gl_FragCoord.xy);
+    vec3 shares = vec3(b.x * c.y - c.x * b.y, c.x * a.y - a.x * c.y, a.x * b.y - b.x * a.y);
+    float sum = shares.x + shares.y + shares.z;
+    if (sum == 0.0) {
+        return vUv;
+    }
+    return (uvAt(vTriangle) * shares.x + uvAt(vTriangle + 1u) * shares.y + uvAt(vTriangle + 2u) * shares.z) / sum;
+}
+
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
 bool findOnPolygon(Instance instance, out vec3 at) {
     outlineInstance = instance;
@@ -76,6 +90,10 @@ bool findOnPolygon(Instance instance, out vec3 at) {
 }
 
 #else
+
+vec2 uvOnPolygon() {
+    return vUv;
+}
 
 bool findOnPolygon(Instance instance, out vec3 at) {
     at = vEyeRelative;
