@@ -66,6 +66,7 @@ BoxRay::BoxRay(const Vec3& eye, const Vec3& direction, double margin) {
 struct Hierarchy::Build {
     std::span<const Box> boxes;
     std::vector<std::uint32_t>& order;
+    const std::uint32_t leafSize;
 
     [[nodiscard]] float centre(std::uint32_t thing, std::size_t axis) const {
         return boxes[thing].min[axis] * 0.5f + boxes[thing].max[axis] * 0.5f;
@@ -188,7 +189,7 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     while (used < kWidth) { // the heaviest that can be divided is divided
         Range* heaviest = nullptr;
         for (std::uint32_t i = 0; i < used; ++i) {
-            if (children[i].count > kLeafSize &&
+            if (children[i].count > build.leafSize &&
                 (!heaviest || weightOf(children[i].box) > weightOf(heaviest->box)))
                 heaviest = &children[i];
         }
@@ -210,7 +211,7 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
         }
         if (i >= used)
             continue;
-        const bool leaf = children[i].count <= kLeafSize;
+        const bool leaf = children[i].count <= build.leafSize;
         const std::uint32_t child = leaf ? children[i].first : buildNode(build, children[i], depth + 1);
         nodes_[index].child[i] = child;
         nodes_[index].count[i] = leaf ? children[i].count : 0;
@@ -218,13 +219,14 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     return index;
 }
 
-void Hierarchy::build(std::span<const Box> boxes, std::vector<std::uint32_t>& order) {
+void Hierarchy::build(std::span<const Box> boxes, std::uint32_t leafSize, std::vector<std::uint32_t>& order) {
+    LIMEN_ASSERT(leafSize > 0, "a leaf holds something");
     nodes_.clear();
     order.resize(boxes.size());
     std::iota(order.begin(), order.end(), 0u);
     if (boxes.empty())
         return;
-    Build state{boxes, order};
+    Build state{boxes, order, leafSize};
     const auto count = static_cast<std::uint32_t>(boxes.size());
     buildNode(state, {0, count, state.boxOf(0, count)}, 0);
 }

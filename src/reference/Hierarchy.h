@@ -36,9 +36,9 @@ struct BoxRay {
 /// binned surface area heuristic of Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007).
 class Hierarchy {
 public:
-    /// Rebuilds over `boxes`; `order` becomes the order in which leaves hold them. Costs n log n; keeps its capacity.
-    /// The same boxes always give the same hierarchy.
-    void build(std::span<const Box> boxes, std::vector<std::uint32_t>& order);
+    /// Rebuilds over `boxes`; at most `leafSize` of them are not divided further, `order` becomes the order in which
+    /// leaves hold them. Costs n log n; keeps its capacity. The same boxes always give the same hierarchy.
+    void build(std::span<const Box> boxes, std::uint32_t leafSize, std::vector<std::uint32_t>& order);
     void clear() { nodes_.clear(); }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
@@ -49,7 +49,6 @@ public:
 
 private:
     static constexpr std::uint32_t kWidth = 4;
-    static constexpr std::uint32_t kLeafSize = 4; ///< at most this many things are not divided further
     /// From this depth on ranges are halved, so that no data makes a hierarchy deeper than kMaxDepth.
     static constexpr std::uint32_t kHalvingDepth = 32, kMaxDepth = kHalvingDepth + 32;
 
