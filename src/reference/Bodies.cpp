@@ -5,7 +5,7 @@
 namespace limen::reference {
 namespace {
 
-/// Metres. A vertex and a corner of its mesh's box come about by the same sums in another order, in double.
+/// Metres. The box's corners and the triangles' come about by the same sums in another order, in double.
 constexpr double kBoxMargin = 1e-6;
 
 bool has(const world::Mesh& mesh, world::SurfaceClass surfaces) {
@@ -14,13 +14,8 @@ bool has(const world::Mesh& mesh, world::SurfaceClass surfaces) {
 
 } // namespace
 
-Bodies::Bodies(const world::World& world, const Vec3& origin) : world_(world), origin_(origin) {
-    for (const world::Mesh& mesh : world.meshes) {
-        Aabb& box = meshBoxes_.emplace_back();
-        for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v)
-            box.include(Vec3(world.vertices[v].position));
-    }
-}
+Bodies::Bodies(const world::World& world, const Vec3& origin)
+    : world_(world), origin_(origin), groupings_(world.meshes.size()) {}
 
 void Bodies::assign(std::span<const world::Instance> instances) {
     instances_ = instances;
@@ -49,19 +44,13 @@ bool Bodies::hasBlended(std::uint32_t body) const {
 }
 
 Box Bodies::boxOf(std::uint32_t body) const {
-    Box box;
     const world::Instance& instance = instances_[body];
-    const Aabb& model = meshBoxes_[instance.mesh];
-    if (model.empty())
-        return box;
+    const world::Mesh& mesh = world_.meshes[instance.mesh];
     const Mat3 linear(instance.linear);
-    const Vec3 half = (model.max - model.min) * 0.5;
-    const Vec3 centre =
-        world_.blocks[instance.block].origin() + Vec3(instance.origin) - origin_ + linear * model.centre();
-    const Vec3 reach =
-        glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y + glm::abs(linear[2]) * half.z;
-    box.include(centre - reach);
-    box.include(centre + reach);
+    const Vec3 at = world_.blocks[instance.block].origin() + Vec3(instance.origin) - origin_;
+    Box box;
+    for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v)
+        box.include(at + linear * Vec3(world_.vertices[v].position));
     box.grow(kBoxMargin);
     return box;
 }
@@ -76,8 +65,8 @@ void Bodies::place(std::uint32_t body, Slot& slot) const {
     slot.surfaces.solid.add(world_, instance, world::SurfaceClass::Opaque, origin_);
     slot.surfaces.solid.add(world_, instance, world::SurfaceClass::CutOut, origin_);
     slot.surfaces.blended.add(world_, instance, world::SurfaceClass::Blended, origin_);
-    slot.surfaces.solid.build(scratch_);
-    slot.surfaces.blended.build(scratch_);
+    slot.surfaces.solid.build(groupings_[instance.mesh].solid, scratch_);
+    slot.surfaces.blended.build(groupings_[instance.mesh].blended, scratch_);
     slot.isPlaced.store(true, std::memory_order_release);
 }
 

@@ -2,8 +2,6 @@
 
 #include "reference/TriangleSet.h"
 
-#include "geometry/Bounds.h"
-
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -26,7 +24,7 @@ public:
     /// Replaces what is there; `instances` must stay as they are until the next call. Keeps its capacity.
     void assign(std::span<const world::Instance> instances);
 
-    /// The box of a body's vertices, a little too large at most where the body is turned.
+    /// The box of a body's vertices.
     [[nodiscard]] Box boxOf(std::uint32_t body) const;
     [[nodiscard]] bool hasSolid(std::uint32_t body) const;
     [[nodiscard]] bool hasBlended(std::uint32_t body) const;
@@ -49,12 +47,15 @@ private:
 
     const world::World& world_;
     const Vec3 origin_;
-    std::vector<Aabb> meshBoxes_; ///< by mesh, of its vertices, model space
     std::span<const world::Instance> instances_;
     std::size_t capacity_ = 0;
-    std::unique_ptr<Slot[]> slots_;        ///< by body
-    mutable std::mutex placing_;           ///< one thread places at a time
-    mutable TriangleSet::Scratch scratch_; ///< under placing_
+    std::unique_ptr<Slot[]> slots_; ///< by body
+    struct MeshGroupings {
+        TriangleSet::Grouping solid, blended;
+    };
+    mutable std::mutex placing_;                   ///< one thread places at a time
+    mutable std::vector<MeshGroupings> groupings_; ///< by mesh, as far as known; under placing_
+    mutable TriangleSet::Scratch scratch_;         ///< under placing_
 };
 
 /// What of the bodies can be met in each space (or zone), as hierarchies over their boxes.

@@ -59,8 +59,8 @@ public:
     Scene(Scene&&) noexcept;
     Scene& operator=(Scene&&) noexcept;
 
-    /// Takes over what moves; costs a build of the hierarchies of what moves, triangles apart. `moment` must be of the same world; it
-    /// is copied. Without a call nothing moves and all openings are open.
+    /// Takes over what moves; costs a build of the hierarchies of what moves, triangles apart. `moment` must be of the
+    /// same world; it is copied. Without a call nothing moves and all openings are open.
     void setMoment(const world::Moment& moment);
 
     /// Follows one ray from the root space. Pure.

@@ -1,5 +1,6 @@
 #include "reference/TriangleSet.h"
 
+#include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 
 #include <algorithm>
@@ -43,16 +44,25 @@ void TriangleSet::add(const world::World& world, const world::Instance& instance
     }
 }
 
-void TriangleSet::build(Scratch& scratch) {
-    scratch.boxes.assign(triangles_.size(), Box{});
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        for (const Vec3& p : {triangles_[i].a, triangles_[i].b, triangles_[i].c})
-            scratch.boxes[i].include(p);
+void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
+    const auto boxAll = [&] {
+        scratch.boxes.assign(triangles_.size(), Box{});
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            for (const Vec3* p : {&triangles_[i].a, &triangles_[i].b, &triangles_[i].c})
+                scratch.boxes[i].include(*p);
+        }
+    };
+    if (!grouping.isKnown) {
+        boxAll();
+        grouping.tree.build(scratch.boxes, kLeafSize, grouping.order);
+        grouping.isKnown = true;
     }
-    tree_.build(scratch.boxes, kLeafSize, scratch.order);
-    scratch.sorted.assign(triangles_.begin(), triangles_.end());
+    LIMEN_ASSERT(grouping.order.size() == triangles_.size(), "a grouping is of the same mesh");
+    scratch.triangles.assign(triangles_.begin(), triangles_.end());
     for (std::size_t i = 0; i < triangles_.size(); ++i)
-        triangles_[i] = scratch.sorted[scratch.order[i]];
+        triangles_[i] = scratch.triangles[grouping.order[i]];
+    boxAll();
+    tree_.fit(grouping.tree, scratch.boxes);
 }
 
 void TriangleSet::clear() {
