@@ -42,6 +42,9 @@ private:
         std::atomic<bool> isPlaced{false};
         Surfaces surfaces;
     };
+    struct MeshGroupings {
+        TriangleSet::Grouping solid, blended;
+    };
     void place(std::uint32_t body, Slot& slot) const;
     [[nodiscard]] const world::Mesh* meshOf(std::uint32_t body) const;
 
@@ -50,9 +53,6 @@ private:
     std::span<const world::Instance> instances_;
     std::size_t capacity_ = 0;
     std::unique_ptr<Slot[]> slots_; ///< by body
-    struct MeshGroupings {
-        TriangleSet::Grouping solid, blended;
-    };
     mutable std::mutex placing_;                   ///< one thread places at a time
     mutable std::vector<MeshGroupings> groupings_; ///< by mesh, as far as known; under placing_
     mutable TriangleSet::Scratch scratch_;         ///< under placing_
