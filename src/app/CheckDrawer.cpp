@@ -17,10 +17,22 @@ FrameEye eyeOf(const check::View& view, world::SpaceIndex root) {
     return eye;
 }
 
-Result<const world::World*> CheckDrawer::load(dat::BlockCoord block) {
-    if (Result<void> loaded = session_.load(block); !loaded)
-        return tl::unexpected(loaded.error());
-    return &session_.loaded().world;
+void CheckDrawer::expect(dat::BlockCoord block) {
+    expected_ = block;
+    coming_ = std::async(std::launch::async, [this, block] { return session_.read(block); });
+}
+
+Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord block) {
+    if (!session_.isLoaded() || !(session_.loaded().centre == block)) {
+        Result<std::shared_ptr<LoadedWorld>> read =
+            coming_.valid() && expected_ == block ? coming_.get() : session_.read(block);
+        if (!read)
+            return tl::unexpected(read.error());
+        if (Result<void> shown = session_.show(std::move(*read)); !shown)
+            return tl::unexpected(shown.error());
+    }
+    const std::shared_ptr<const LoadedWorld> loaded = session_.shareLoaded();
+    return std::shared_ptr<const world::World>(loaded, &loaded->world);
 }
 
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {

@@ -3,6 +3,8 @@
 #include "app/Session.h"
 #include "check/Run.h"
 
+#include <future>
+
 namespace limen::app {
 
 /// A check's view as the eye of a frame.
@@ -14,14 +16,19 @@ public:
     /// `outlines`: keep the regions of visits, for pictures of findings.
     CheckDrawer(Session& session, bool outlines) : session_(session), outlines_(outlines) {}
 
-    Result<const world::World*> load(dat::BlockCoord block) override;
+    Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override;
+    void expect(dat::BlockCoord block) override;
     reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override;
     Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
     const world::Moment& moment() const override { return session_.moment(); }
 
 private:
+    using Reading = std::future<Result<std::shared_ptr<LoadedWorld>>>;
+
     Session& session_;
     bool outlines_;
+    dat::BlockCoord expected_; ///< what coming_ reads
+    Reading coming_;
 };
 
 } // namespace limen::app

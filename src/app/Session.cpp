@@ -143,13 +143,24 @@ Session::~Session() = default;
 Result<void> Session::load(dat::BlockCoord centre) {
     if (loaded_ && loaded_->centre == centre)
         return {};
+    Result<std::shared_ptr<LoadedWorld>> loaded = read(centre);
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    return show(std::move(*loaded));
+}
+
+Result<std::shared_ptr<LoadedWorld>> Session::read(dat::BlockCoord centre) const {
     Result<std::unique_ptr<LoadedWorld>> loaded =
         LoadedWorld::load(source_.archive, centre, options_.load, source_.file.moving);
     if (!loaded)
         return tl::unexpected(loaded.error());
-    if (Result<void> uploaded = renderer_.upload(frame::buildScene((*loaded)->world)); !uploaded)
+    return std::shared_ptr<LoadedWorld>(std::move(*loaded));
+}
+
+Result<void> Session::show(std::shared_ptr<LoadedWorld> world) {
+    if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->world)); !uploaded)
         return uploaded;
-    loaded_ = std::move(*loaded);
+    loaded_ = std::move(world);
     return {};
 }
 

@@ -76,6 +76,10 @@ public:
     /// Loads and uploads the blocks around `centre` unless they are there already. On an error the world that
     /// was there stays.
     [[nodiscard]] Result<void> load(dat::BlockCoord centre);
+    /// The two halves of it. Reads the blocks around `centre`; any thread may, whatever else the session does.
+    [[nodiscard]] Result<std::shared_ptr<LoadedWorld>> read(dat::BlockCoord centre) const;
+    /// Uploads what was read; it is drawn from now on. On an error the world that was there stays.
+    [[nodiscard]] Result<void> show(std::shared_ptr<LoadedWorld> world);
     /// Loads the blocks around a moving eye when it comes near the edge of what is loaded; `root` is
     /// translated. True if something was loaded. Where nothing can be loaded the old world stays.
     bool follow(const Vec3& eye, world::SpaceIndex& root);
@@ -84,6 +88,8 @@ public:
 
     [[nodiscard]] const WorldSource& source() const { return source_; }
     [[nodiscard]] const LoadedWorld& loaded() const { return *loaded_; }
+    /// The same, for who needs it longer than until the next load.
+    [[nodiscard]] std::shared_ptr<const LoadedWorld> shareLoaded() const { return loaded_; }
     [[nodiscard]] bool isLoaded() const { return loaded_ != nullptr; }
     /// The last frame.
     [[nodiscard]] const visibility::VisibleSet& visible() const { return visible_; }
@@ -104,7 +110,7 @@ private:
     gpu::Renderer renderer_;
     std::optional<gpu::RenderTarget> target_, sampledTarget_; ///< one sample a pixel, and several
     gpu::RenderTarget* shown_ = nullptr;                      ///< that of the last frame
-    std::unique_ptr<LoadedWorld> loaded_;
+    std::shared_ptr<LoadedWorld> loaded_;
     visibility::FloodScratch scratch_;
     world::Moment moment_;
     visibility::VisibleSet visible_;

@@ -33,34 +33,56 @@ public:
           secondsBefore_(progress.totals.seconds) {}
 
     Result<void> run() {
+        const std::size_t done = progress_.tasks;
         for (std::size_t i = 0; i < request_.tasks.size(); ++i) {
-            if (i >= progress_.tasks) {
-                if (Result<void> done = runTask(request_.tasks[i]); !done)
-                    return done;
-                ++progress_.tasks;
-                progress_.views = 0;
+            if (i >= done) {
+                if (Result<void> ran = runTask(i); !ran)
+                    return ran;
             }
             asked_ += askedOf(request_, request_.tasks[i]);
             step(0);
         }
+        if (Result<void> finished = finishBlock(); !finished)
+            return finished;
         return save(progress_);
     }
 
 private:
-    Result<void> runTask(const BlockTask& task) {
-        const Result<const world::World*> loaded = drawer_.load(task.block);
+    /// A block of the run. Its last views are judged while the next block is made ready.
+    struct Block {
+        explicit Block(std::shared_ptr<const world::World> loaded)
+            : world(std::move(loaded)), traced(*world) {}
+        std::shared_ptr<const world::World> world;
+        TracedWorld traced;
+        std::optional<Judging> judging;
+    };
+
+    Result<void> runTask(std::size_t index) {
+        const BlockTask& task = request_.tasks[index];
+        const auto loaded = drawer_.load(task.block);
+        if (index + 1 < request_.tasks.size())
+            drawer_.expect(request_.tasks[index + 1].block);
+        std::unique_ptr<Block> next = loaded ? std::make_unique<Block>(*loaded) : nullptr;
+        const std::vector<View> views =
+            loaded ? viewsOf(request_, task, **loaded, next->traced.scene()) : std::vector<View>{};
+        if (Result<void> finished = finishBlock(); !finished)
+            return finished;
         if (!loaded) { // one damaged block among thousands must not end the run; the report counts it
             ++progress_.totals.blocksLeftOut;
             if (events_.leftOut)
                 events_.leftOut(task.block, loaded.error());
+            endTask();
             return {};
         }
-        const world::World& world = **loaded;
-        TracedWorld traced(world);
-        const std::vector<View> views = viewsOf(request_, task, world, traced.scene());
-        Judging judging(traced, request_.threads, events_, progress_);
-        for (std::size_t v = progress_.views; v < views.size(); ++v) {
-            Result<DrawnView> drawn = draw(world, views[v]);
+        block_ = std::move(next);
+        return drawViews(views);
+    }
+
+    Result<void> drawViews(const std::vector<View>& views) {
+        const std::size_t first = progress_.views;
+        Judging& judging = block_->judging.emplace(block_->traced, request_.threads, events_, progress_);
+        for (std::size_t v = first; v < views.size(); ++v) {
+            Result<DrawnView> drawn = draw(*block_->world, views[v]);
             if (!drawn)
                 return tl::unexpected(drawn.error());
             judging.add(std::move(*drawn));
@@ -70,7 +92,23 @@ private:
                     return kept;
             }
         }
-        return judging.finish();
+        return {};
+    }
+
+    /// Waits until the block's views are judged, and lets go of it.
+    Result<void> finishBlock() {
+        if (!block_)
+            return {};
+        Result<void> judged = block_->judging->finish();
+        block_.reset();
+        if (judged)
+            endTask();
+        return judged;
+    }
+
+    void endTask() {
+        ++progress_.tasks;
+        progress_.views = 0;
     }
 
     Result<DrawnView> draw(const world::World& world, const View& view) {
@@ -118,7 +156,8 @@ private:
     const double secondsBefore_;
     const Clock::time_point start_ = Clock::now();
     Clock::time_point saved_ = start_;
-    std::size_t asked_ = 0; ///< by the tasks that are done
+    std::size_t asked_ = 0;        ///< by the tasks that are done
+    std::unique_ptr<Block> block_; ///< whose views are drawn or judged
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "check/Traced.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 // The run itself, whoever draws.
@@ -15,8 +16,10 @@ class Drawer {
 public:
     virtual ~Drawer() = default;
 
-    /// Yields what was loaded, valid until the next load.
-    [[nodiscard]] virtual Result<const world::World*> load(dat::BlockCoord block) = 0;
+    /// Yields what was loaded; it stays as it is for as long as somebody holds it.
+    [[nodiscard]] virtual Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) = 0;
+    /// Says what will be loaded next, so that it may be read while views of the block before are drawn.
+    virtual void expect(dat::BlockCoord) {}
     /// The view's axes, as they are drawn.
     [[nodiscard]] virtual reference::Camera cameraOf(const View& view, world::SpaceIndex root) = 0;
     /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour.
@@ -61,8 +64,8 @@ struct RunEvents {
 [[nodiscard]] std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task,
                                         const world::World& world, const reference::Scene& scene);
 
-/// Draws and judges all views from `progress` on, the next one being drawn while one is traced; `progress` is brought up
-/// to date. Errors: the drawer's and the events'; what was judged until then is in `progress`.
+/// Draws and judges all views from `progress` on, the next one being drawn while one is traced, across blocks too;
+/// `progress` is brought up to date. Errors: the drawer's and the events'; what was judged until then is in `progress`.
 [[nodiscard]] Result<void> runCheck(const RunRequest& request, Drawer& drawer, const RunEvents& events,
                                     Progress& progress);
 

@@ -17,15 +17,27 @@ Follower::Follower(const SceneData& scene, const Ray& ray)
       nearPlane_(ray.nearPlane) {}
 
 template <class Do>
-void Follower::forBodies(world::SpaceIndex space, Do&& act) const {
-    act(scene_.fixed.at(space));
-    if (!scene_.moving.empty())
-        act(scene_.moving.at(space));
+void Follower::forPlaces(world::SpaceIndex space, Do&& act) const {
+    act(scene_.fixed, scene_.fixedBySpace.at(space));
+    if (!scene_.movingBySpace.empty())
+        act(scene_.moving, scene_.movingBySpace.at(space));
     if (scene_.options.objectsByZone) {
         const world::ZoneIndex zone = scene_.world.spaces[space].zone;
-        act(scene_.fixedByZone.at(zone));
-        act(scene_.movingByZone.at(zone));
+        act(scene_.fixed, scene_.fixedByZone.at(zone));
+        act(scene_.moving, scene_.movingByZone.at(zone));
     }
+}
+
+template <class Meet>
+void Follower::forSolids(world::SpaceIndex space, const BoxRay& boxRay, const Stretch& stretch,
+                         Meet&& meet) const {
+    forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
+        double farthest = std::min(stretch.most, nearest_.t);
+        place.solid.walk(boxRay, stretch.after, farthest, [&](std::uint32_t body) {
+            meet(bodies.surfacesOf(body).solid);
+            farthest = std::min(farthest, nearest_.t);
+        });
+    });
 }
 
 Leaving Follower::leavingFrom(const Visit& visit) const {
@@ -38,14 +50,13 @@ Exit Follower::exitOf(const Visit& visit) const {
 
 void Follower::meetSurfaces(const Visit& visit, double most) {
     const Stretch stretch{visit.surfacesAfter, nearPlane_, most};
-    forBodies(visit.space, [&](const Bodies& bodies) {
-        if (!bodies.solid.empty())
-            bodies.solid.findNearest(scene_.world, ray_, boxRay_, stretch, nearest_);
+    forSolids(visit.space, boxRay_, stretch, [&](const TriangleSet& solid) {
+        solid.findNearest(scene_.world, ray_, boxRay_, stretch, nearest_);
     });
     const Stretch before{visit.surfacesAfter, nearPlane_, std::min(most, nearest_.t)};
-    forBodies(visit.space, [&](const Bodies& bodies) {
-        if (!bodies.blended.empty())
-            meetLayers(bodies.blended, before);
+    forPlaces(visit.space, [&](const Bodies& bodies, const BodyLists::Place& place) {
+        place.blended.walk(boxRay_, before.after, before.most,
+                           [&](std::uint32_t body) { meetLayers(bodies.surfacesOf(body).blended, before); });
     });
 }
 
@@ -65,24 +76,28 @@ void Follower::meetLayers(const TriangleSet& blended, const Stretch& stretch) {
 void Follower::meetFilling(const Exit& exit) {
     nearest_ = {exit.t, 0};
     end_ = exit.before; // the filling is first of what lies in its plane
-    const std::uint32_t filling = scene_.fillings.empty() ? world::kNone : scene_.fillings[exit.portal];
+    const world::InstanceIndex filling =
+        scene_.fillings.empty() ? world::kNone : scene_.fillings[exit.portal];
     if (filling == world::kNone)
         return;
     double most = -kInfinity; // one that faces away still stands for the object
     bool met = false;
-    for (const Triangle& triangle : scene_.fillingSurfaces[filling].triangles()) {
+    const auto offer = [&](const Triangle& triangle) {
         Meeting at;
         const bool meets = meetsFront(ray_, triangle, at);
         const double facing =
             -glm::dot(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a), ray_.direction);
         if (met && !meets)
-            continue;
+            return;
         if ((meets && !met) || facing > most || (facing == most && triangle.id < nearest_.id)) {
             most = facing;
             nearest_.id = triangle.id;
         }
         met = met || meets;
-    }
+    };
+    const Surfaces& surfaces = scene_.moving.surfacesOf(filling);
+    for (const TriangleSet* set : {&surfaces.solid, &surfaces.blended})
+        std::for_each(set->triangles().begin(), set->triangles().end(), offer);
 }
 
 /// A ray in a cell that meets nothing may have slipped through a gap narrower than the data's own rounding: then it
@@ -91,9 +106,8 @@ bool Follower::closeGap(const Visit& visit, Exit& exit) {
     const BoxRay wide(ray_.eye, ray_.direction, kTolerance);
     exit = scene_.openings.nearestGrown(ray_, wide, leavingFrom(visit));
     const Stretch stretch{visit.surfacesAfter, nearPlane_, exit.found() ? exit.t : kInfinity};
-    forBodies(visit.space, [&](const Bodies& bodies) {
-        if (!bodies.solid.empty())
-            bodies.solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);
+    forSolids(visit.space, wide, stretch, [&](const TriangleSet& solid) {
+        solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);
     });
     if (nearest_.id != 0)
         exit = {};

@@ -35,8 +35,13 @@ private:
     }
     [[nodiscard]] Layers layersBefore(double end) const;
 
+    /// Calls act(bodies, place) for all that a ray can meet in the space.
     template <class Do>
-    void forBodies(world::SpaceIndex space, Do&& act) const;
+    void forPlaces(world::SpaceIndex space, Do&& act) const;
+    /// Calls meet(triangles) for those of the space's bodies that the ray may meet in the stretch, not beyond the nearest
+    /// surface, roughly from near to far.
+    template <class Meet>
+    void forSolids(world::SpaceIndex space, const BoxRay& boxRay, const Stretch& stretch, Meet&& meet) const;
 
     const SceneData& scene_;
     RayFrame ray_;

@@ -10,11 +10,17 @@
 namespace limen::reference {
 namespace {
 
+/// A float's next one is nearer than this share of it; rounding a double moves it by half of that at most. The second
+/// is for zero and what is next to it.
+constexpr float kStep = 0x1p-23f, kLeast = 1e-30f;
+
 float below(double value) {
-    return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
+    const auto rounded = static_cast<float>(value);
+    return rounded - (std::abs(rounded) * kStep + kLeast);
 }
 float above(double value) {
-    return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+    const auto rounded = static_cast<float>(value);
+    return rounded + (std::abs(rounded) * kStep + kLeast);
 }
 
 /// Half the surface, which is what the heuristic weighs boxes by.
@@ -30,13 +36,6 @@ void Box::include(const Vec3& p) {
         const double value = p[static_cast<int>(axis)];
         min[axis] = std::min(min[axis], below(value));
         max[axis] = std::max(max[axis], above(value));
-    }
-}
-
-void Box::include(const Box& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        min[axis] = std::min(min[axis], other.min[axis]);
-        max[axis] = std::max(max[axis], other.max[axis]);
     }
 }
 
@@ -66,6 +65,7 @@ BoxRay::BoxRay(const Vec3& eye, const Vec3& direction, double margin) {
 struct Hierarchy::Build {
     std::span<const Box> boxes;
     std::vector<std::uint32_t>& order;
+    const std::uint32_t leafSize;
 
     [[nodiscard]] float centre(std::uint32_t thing, std::size_t axis) const {
         return boxes[thing].min[axis] * 0.5f + boxes[thing].max[axis] * 0.5f;
@@ -181,6 +181,36 @@ std::uint32_t Hierarchy::Build::divide(const Range& range, std::uint32_t depth) 
                                             : range.first + static_cast<std::uint32_t>(middle - begin);
 }
 
+void Hierarchy::setChildBox(Node& node, std::uint32_t child, const Box& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.sides[0][axis][child] = box.min[axis];
+        node.sides[1][axis][child] = box.max[axis];
+    }
+}
+
+Box Hierarchy::boxOfChild(const Node& node, std::uint32_t child, std::span<const Box> boxes) const {
+    Box box;
+    if (node.count[child] > 0) {
+        for (const Box& thing : boxes.subspan(node.child[child], node.count[child]))
+            box.include(thing);
+    } else if (node.child[child] > 0) {
+        const Node& below = nodes_[node.child[child]];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.min[axis] = *std::min_element(below.sides[0][axis], below.sides[0][axis] + kWidth);
+            box.max[axis] = *std::max_element(below.sides[1][axis], below.sides[1][axis] + kWidth);
+        }
+    }
+    return box;
+}
+
+void Hierarchy::fit(const Hierarchy& other, std::span<const Box> boxes) {
+    nodes_.assign(other.nodes_.begin(), other.nodes_.end());
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        for (std::uint32_t child = 0; child < kWidth; ++child)
+            setChildBox(nodes_[i], child, boxOfChild(nodes_[i], child, boxes));
+    }
+}
+
 std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32_t depth) {
     LIMEN_ASSERT(depth < kMaxDepth, "a hierarchy is never deeper than its walk's stack");
     std::array<Range, kWidth> children{range};
@@ -188,7 +218,7 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     while (used < kWidth) { // the heaviest that can be divided is divided
         Range* heaviest = nullptr;
         for (std::uint32_t i = 0; i < used; ++i) {
-            if (children[i].count > kLeafSize &&
+            if (children[i].count > build.leafSize &&
                 (!heaviest || weightOf(children[i].box) > weightOf(heaviest->box)))
                 heaviest = &children[i];
         }
@@ -203,14 +233,10 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     for (std::uint32_t i = 0; i < kWidth; ++i) {
-        const Box box = i < used ? children[i].box : Box{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            nodes_[index].sides[0][axis][i] = box.min[axis];
-            nodes_[index].sides[1][axis][i] = box.max[axis];
-        }
+        setChildBox(nodes_[index], i, i < used ? children[i].box : Box{});
         if (i >= used)
             continue;
-        const bool leaf = children[i].count <= kLeafSize;
+        const bool leaf = children[i].count <= build.leafSize;
         const std::uint32_t child = leaf ? children[i].first : buildNode(build, children[i], depth + 1);
         nodes_[index].child[i] = child;
         nodes_[index].count[i] = leaf ? children[i].count : 0;
@@ -218,13 +244,14 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     return index;
 }
 
-void Hierarchy::build(std::span<const Box> boxes, std::vector<std::uint32_t>& order) {
+void Hierarchy::build(std::span<const Box> boxes, std::uint32_t leafSize, std::vector<std::uint32_t>& order) {
+    LIMEN_ASSERT(leafSize > 0, "a leaf holds something");
     nodes_.clear();
     order.resize(boxes.size());
     std::iota(order.begin(), order.end(), 0u);
     if (boxes.empty())
         return;
-    Build state{boxes, order};
+    Build state{boxes, order, leafSize};
     const auto count = static_cast<std::uint32_t>(boxes.size());
     buildNode(state, {0, count, state.boxOf(0, count)}, 0);
 }

@@ -10,12 +10,17 @@
 
 namespace limen::reference {
 
-/// An axis-aligned box in floats, rounded outwards: it holds what it was made of, whatever the rounding.
+/// An axis-aligned box in floats, rounded outwards: it holds what it was made of, whatever the rounding. The fourth of
+/// each is there to fill the register.
 struct Box {
-    std::array<float, 3> min{1e30f, 1e30f, 1e30f}, max{-1e30f, -1e30f, -1e30f};
+    alignas(16) std::array<float, 4> min{1e30f, 1e30f, 1e30f, 1e30f};
+    alignas(16) std::array<float, 4> max{-1e30f, -1e30f, -1e30f, -1e30f};
 
     void include(const Vec3& p);
-    void include(const Box& other);
+    void include(const Box& other) {
+        _mm_store_ps(min.data(), _mm_min_ps(_mm_load_ps(min.data()), _mm_load_ps(other.min.data())));
+        _mm_store_ps(max.data(), _mm_max_ps(_mm_load_ps(max.data()), _mm_load_ps(other.max.data())));
+    }
     /// Moves every side outwards by `margin` (metres) and one rounding step.
     void grow(double margin);
 };
@@ -36,9 +41,11 @@ struct BoxRay {
 /// binned surface area heuristic of Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007).
 class Hierarchy {
 public:
-    /// Rebuilds over `boxes`; `order` becomes the order in which leaves hold them. Costs n log n; keeps its capacity.
-    /// The same boxes always give the same hierarchy.
-    void build(std::span<const Box> boxes, std::vector<std::uint32_t>& order);
+    /// Rebuilds over `boxes`; at most `leafSize` of them are not divided further, `order` becomes the order in which
+    /// leaves hold them. Costs n log n; keeps its capacity. The same boxes always give the same hierarchy.
+    void build(std::span<const Box> boxes, std::uint32_t leafSize, std::vector<std::uint32_t>& order);
+    /// Groups as `other` does, over other boxes, given in the order of its leaves. Costs n.
+    void fit(const Hierarchy& other, std::span<const Box> boxes);
     void clear() { nodes_.clear(); }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
@@ -49,13 +56,13 @@ public:
 
 private:
     static constexpr std::uint32_t kWidth = 4;
-    static constexpr std::uint32_t kLeafSize = 4; ///< at most this many things are not divided further
     /// From this depth on ranges are halved, so that no data makes a hierarchy deeper than kMaxDepth.
     static constexpr std::uint32_t kHalvingDepth = 32, kMaxDepth = kHalvingDepth + 32;
 
     struct alignas(16) Node {
-        float sides[2][3][kWidth];     ///< [0] least, [1] greatest; an unused child's are the wrong way round
-        std::uint32_t child[kWidth]{}; ///< a node, or the first thing of a leaf
+        float sides[2][3][kWidth]; ///< [0] least, [1] greatest; an unused child's are the wrong way round
+        std::uint32_t
+            child[kWidth]{}; ///< a node, or the first thing of a leaf; the root, which is nobody's: unused
         std::uint32_t count[kWidth]{}; ///< things in a leaf; 0: an inner node
     };
     struct Range {
@@ -63,9 +70,12 @@ private:
         Box box;
     };
     struct Build;
+    /// The box of a child, from those of the things in the order of the leaves, and of the nodes below.
+    [[nodiscard]] Box boxOfChild(const Node& node, std::uint32_t child, std::span<const Box> boxes) const;
+    static void setChildBox(Node& node, std::uint32_t child, const Box& box);
     std::uint32_t buildNode(Build& build, const Range& range, std::uint32_t depth);
 
-    std::vector<Node> nodes_; ///< the root first
+    std::vector<Node> nodes_; ///< the root first, children after their parents
 };
 
 template <class Leaf>

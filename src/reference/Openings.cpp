@@ -10,6 +10,8 @@ namespace {
 
 /// A space with no more portals than this has them asked one by one.
 constexpr std::uint32_t kFew = 6;
+/// Portals that a hierarchy's leaf holds at most.
+constexpr std::uint32_t kLeafSize = 4;
 
 /// True if the ray meets the convex polygon that faces it, edges included.
 bool meetsConvex(const RayFrame& ray, std::span<const Vec3> polygon) {
@@ -94,7 +96,7 @@ Openings::Openings(const world::World& world, const Vec3& origin) : world_(world
         here.count = static_cast<std::uint32_t>(order_.size()) - here.first;
         if (here.count <= kFew)
             continue;
-        here.tree.build(boxes, order);
+        here.tree.build(boxes, kLeafSize, order);
         const std::vector<std::uint32_t> portals(order_.begin() + here.first, order_.end());
         for (std::uint32_t i = 0; i < here.count; ++i)
             order_[here.first + i] = portals[order[i]];

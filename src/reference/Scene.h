@@ -52,14 +52,15 @@ struct RuleOptions {
 /// A world and one of its moments, ready for rays. May be shared by threads while nobody calls setMoment.
 class Scene {
 public:
-    /// Builds a bounding volume hierarchy per space. `world` must outlive it.
+    /// Builds a bounding volume hierarchy of the instances of each space; their triangles follow when rays come near
+    /// them. `world` must outlive it.
     explicit Scene(const world::World& world, const RuleOptions& options = {});
     ~Scene();
     Scene(Scene&&) noexcept;
     Scene& operator=(Scene&&) noexcept;
 
-    /// Takes over what moves; costs a build of the hierarchies of what moves. `moment` must be of the same world; it
-    /// is copied. Without a call nothing moves and all openings are open.
+    /// Takes over what moves; costs a build of the hierarchies of what moves, triangles apart. `moment` must be of the
+    /// same world; it is copied. Without a call nothing moves and all openings are open.
     void setMoment(const world::Moment& moment);
 
     /// Follows one ray from the root space. Pure.

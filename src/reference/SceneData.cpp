@@ -13,59 +13,34 @@ Vec3 originOf(const world::World& world) {
 
 } // namespace
 
-void BodyTable::add(const world::World& world, std::uint32_t where, const world::Instance& instance,
-                    const Vec3& origin) {
-    isUsed_.resize(bodies_.size());
-    if (isUsed_[where] == 0) {
-        isUsed_[where] = 1;
-        used_.push_back(where);
-    }
-    Bodies& here = bodies_[where];
-    here.solid.add(world, instance, world::SurfaceClass::Opaque, origin);
-    here.solid.add(world, instance, world::SurfaceClass::CutOut, origin);
-    here.blended.add(world, instance, world::SurfaceClass::Blended, origin);
-}
-
-void BodyTable::build() {
-    for (const std::uint32_t where : used_) {
-        bodies_[where].solid.build();
-        bodies_[where].blended.build();
-    }
-}
-
-void BodyTable::clear() {
-    for (const std::uint32_t where : used_) {
-        bodies_[where].solid.clear();
-        bodies_[where].blended.clear();
-        isUsed_[where] = 0;
-    }
-    used_.clear();
-}
-
 SceneData::SceneData(const world::World& of, const RuleOptions& with)
-    : world(of), options(with), origin(originOf(of)), openings(of, origin) {
+    : world(of), options(with), origin(originOf(of)), openings(of, origin), fixed(of, origin),
+      moving(of, origin) {
     LIMEN_ASSERT(!world.spaces.empty(), "a world has at least the outside");
-    fixed.resize(world.spaces.size());
-    moving.resize(world.spaces.size());
+    for (BodyLists* bySpace : {&fixedBySpace, &movingBySpace})
+        bySpace->resize(world.spaces.size());
+    for (BodyLists* byZone : {&fixedByZone, &movingByZone})
+        byZone->resize(options.objectsByZone ? world.zones.size() : 0);
+    listFixed();
+}
+
+void SceneData::listFixed() {
+    fixed.assign(world.instances);
+    std::vector<std::uint8_t> isListed(world.instances.size(), 0);
     for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s) {
         const world::Space& space = world.spaces[s];
-        for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i)
-            addBodies(world.instances[world.spaceInstances[i]], s, fixed);
+        for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
+            const world::InstanceIndex instance = world.spaceInstances[i];
+            isListed[instance] = 1;
+            addBySpace(fixed, world.instances[instance], instance, s, fixedBySpace);
+        }
     }
-    fixed.build();
-    if (!options.objectsByZone)
-        return;
-    fixedByZone.resize(world.zones.size());
-    movingByZone.resize(world.zones.size());
-    std::vector<std::uint8_t> listed(world.instances.size(), 0);
-    for (const world::InstanceIndex i : world.spaceInstances)
-        listed[i] = 1;
-    std::vector<world::Instance> resident; // one that no space lists is of the moment
     for (world::InstanceIndex i = 0; i < world.instances.size(); ++i) {
-        if (listed[i] != 0)
-            resident.push_back(world.instances[i]);
+        if (isListed[i] != 0) // else it is of the moment
+            addByZone(fixed, world.instances[i], i, world.members, fixedByZone);
     }
-    addByZone(resident, world.members, fixedByZone);
+    fixedBySpace.build(fixed);
+    fixedByZone.build(fixed);
 }
 
 bool SceneData::goesByZone(const world::Instance& instance) const {
@@ -74,47 +49,23 @@ bool SceneData::goesByZone(const world::Instance& instance) const {
     return options.objectsByZone && !ofOneSpace;
 }
 
-void SceneData::addBodies(const world::Instance& instance, world::SpaceIndex space, BodyTable& bySpace) {
+void SceneData::addBySpace(const Bodies& bodies, const world::Instance& instance, std::uint32_t body,
+                           world::SpaceIndex space, BodyLists& bySpace) const {
     if (!goesByZone(instance))
-        bySpace.add(world, space, instance, origin);
+        bySpace.add(bodies, space, body);
 }
 
-void SceneData::addByZone(std::span<const world::Instance> instances,
-                          std::span<const world::SpaceIndex> members, BodyTable& byZone) {
-    for (const world::Instance& instance : instances) {
-        if (!goesByZone(instance))
-            continue;
-        std::vector<world::ZoneIndex> zones;
-        for (const world::SpaceIndex s : members.subspan(instance.firstMember, instance.memberCount))
-            zones.push_back(world.spaces[s].zone);
-        std::sort(zones.begin(), zones.end());
-        zones.erase(std::unique(zones.begin(), zones.end()), zones.end());
-        for (const world::ZoneIndex zone : zones)
-            byZone.add(world, zone, instance, origin);
-    }
-    byZone.build();
-}
-
-void SceneData::takeFillings(const world::Moment& moment) {
-    shut = moment.closed;
-    fillings.clear();
-    std::size_t count = 0;
-    if (!moment.fillings.empty())
-        fillings.assign(moment.fillings.size(), world::kNone);
-    for (std::size_t portal = 0; portal < moment.fillings.size(); ++portal) {
-        const world::InstanceIndex instance = moment.fillings[portal];
-        if (instance == world::kNone)
-            continue;
-        LIMEN_ASSERT(instance < moment.instances.size(), "a filling is one of the moment's instances");
-        if (fillingSurfaces.size() <= count)
-            fillingSurfaces.emplace_back();
-        TriangleSet& surface = fillingSurfaces[count];
-        surface.clear();
-        for (const auto surfaces :
-             {world::SurfaceClass::Opaque, world::SurfaceClass::CutOut, world::SurfaceClass::Blended})
-            surface.add(world, moment.instances[instance], surfaces, origin);
-        fillings[portal] = static_cast<std::uint32_t>(count++);
-    }
+void SceneData::addByZone(const Bodies& bodies, const world::Instance& instance, std::uint32_t body,
+                          std::span<const world::SpaceIndex> members, BodyLists& byZone) const {
+    if (!goesByZone(instance))
+        return;
+    std::vector<world::ZoneIndex> zones;
+    for (const world::SpaceIndex s : members.subspan(instance.firstMember, instance.memberCount))
+        zones.push_back(world.spaces[s].zone);
+    std::sort(zones.begin(), zones.end());
+    zones.erase(std::unique(zones.begin(), zones.end()), zones.end());
+    for (const world::ZoneIndex zone : zones)
+        byZone.add(bodies, zone, body);
 }
 
 void SceneData::takeMoment(const world::Moment& moment) {
@@ -122,16 +73,25 @@ void SceneData::takeMoment(const world::Moment& moment) {
                  "a moment is of the scene's world");
     LIMEN_ASSERT(moment.closed.empty() || moment.closed.size() == world.portals.size(),
                  "a moment is of the scene's world");
-    moving.clear();
+    movingInstances_.assign(moment.instances.begin(), moment.instances.end());
+    moving.assign(movingInstances_);
+    movingBySpace.clear();
     movingByZone.clear();
-    for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s) {
-        for (const world::InstanceIndex i : moment.instancesIn(s))
-            addBodies(moment.instances[i], s, moving);
+    if (!moment.firstInSpace.empty()) {
+        for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s) {
+            for (const world::InstanceIndex i : moment.instancesIn(s))
+                addBySpace(moving, moment.instances[i], i, s, movingBySpace);
+        }
     }
-    moving.build();
-    if (options.objectsByZone)
-        addByZone(moment.instances, moment.members, movingByZone);
-    takeFillings(moment);
+    for (world::InstanceIndex i = 0; i < moment.instances.size(); ++i)
+        addByZone(moving, moment.instances[i], i, moment.members, movingByZone);
+    movingBySpace.build(moving);
+    movingByZone.build(moving);
+    shut = moment.closed;
+    fillings = moment.fillings;
+    for (const world::InstanceIndex filling : fillings)
+        LIMEN_ASSERT(filling == world::kNone || filling < moment.instances.size(),
+                     "a filling is one of the moment's instances");
 }
 
 } // namespace limen::reference

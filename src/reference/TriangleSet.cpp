@@ -1,5 +1,6 @@
 #include "reference/TriangleSet.h"
 
+#include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 
 namespace limen::reference {
 namespace {
+
+constexpr std::uint32_t kLeafSize = 4; ///< at most this many triangles are tested one by one
 
 /// The texel's number along one side that holds the coordinate.
 std::uint32_t texelAt(double coordinate, std::uint32_t size, bool clamp) {
@@ -26,6 +29,7 @@ void TriangleSet::add(const world::World& world, const world::Instance& instance
     const Vec3 at = world.blocks[instance.block].origin() + Vec3(instance.origin);
     // By way of the global position, as openings have it: a corner that a wall and an opening share gets the same bits.
     const auto place = [&](const world::MeshVertex& v) { return (at + linear * Vec3(v.position)) - origin; };
+    triangles_.reserve(triangles_.size() + range.indexCount / 3);
     for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3) {
         const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {
             return world.vertices[mesh.firstVertex + world.indices[i + k]];
@@ -40,17 +44,25 @@ void TriangleSet::add(const world::World& world, const world::Instance& instance
     }
 }
 
-void TriangleSet::build() {
-    boxes_.assign(triangles_.size(), Box{});
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        for (const Vec3& p : {triangles_[i].a, triangles_[i].b, triangles_[i].c})
-            boxes_[i].include(p);
+void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
+    const auto boxAll = [&] {
+        scratch.boxes.assign(triangles_.size(), Box{});
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            for (const Vec3* p : {&triangles_[i].a, &triangles_[i].b, &triangles_[i].c})
+                scratch.boxes[i].include(*p);
+        }
+    };
+    if (!grouping.isKnown) {
+        boxAll();
+        grouping.tree.build(scratch.boxes, kLeafSize, grouping.order);
+        grouping.isKnown = true;
     }
-    tree_.build(boxes_, order_);
-    sorted_.clear();
-    for (const std::uint32_t i : order_)
-        sorted_.push_back(triangles_[i]);
-    triangles_.swap(sorted_);
+    LIMEN_ASSERT(grouping.order.size() == triangles_.size(), "a grouping is of the same mesh");
+    scratch.triangles.assign(triangles_.begin(), triangles_.end());
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+        triangles_[i] = scratch.triangles[grouping.order[i]];
+    boxAll();
+    tree_.fit(grouping.tree, scratch.boxes);
 }
 
 void TriangleSet::clear() {

@@ -59,10 +59,22 @@ struct Stretch {
 /// Triangles of one class of surface, and a hierarchy over them.
 class TriangleSet {
 public:
+    /// How triangles are grouped: the same for all instances of a mesh.
+    struct Grouping {
+        Hierarchy tree;
+        std::vector<std::uint32_t> order; ///< of the triangles, in the leaves
+        bool isKnown = false;
+    };
+    /// What build() needs for its time; for many sets in turn.
+    struct Scratch {
+        std::vector<Box> boxes;
+        std::vector<Triangle> triangles;
+    };
     /// Adds an instance's triangles of one class; `origin` is the scene's. build() must follow.
     void add(const world::World& world, const world::Instance& instance, world::SurfaceClass surfaces,
              const Vec3& origin);
-    void build();
+    /// Takes over the grouping; finds one first if it is not known.
+    void build(Grouping& grouping, Scratch& scratch);
     void clear();
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
@@ -95,9 +107,6 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<CutOut> cutOuts_;
     Hierarchy tree_;
-    std::vector<Box> boxes_;           ///< scratch of build()
-    std::vector<std::uint32_t> order_; ///< likewise
-    std::vector<Triangle> sorted_;     ///< likewise
 };
 
 } // namespace limen::reference

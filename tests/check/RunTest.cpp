@@ -20,12 +20,17 @@ struct TracingDrawer final : Drawer {
     explicit TracingDrawer(const House& h) : house(h) {}
 
     world::Moment still;
-    Result<const world::World*> load(dat::BlockCoord block) override {
+    std::vector<std::weak_ptr<const world::World>> given;
+    std::vector<dat::BlockCoord> expected;
+    Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override {
         EXPECT_EQ(block, house.source.home());
         if (!loads)
             return fail(ErrorCode::Malformed, "block", "is damaged");
-        return &house.world;
+        const auto loaded = std::make_shared<const world::World>(house.world);
+        given.push_back(loaded);
+        return loaded;
     }
+    void expect(dat::BlockCoord block) override { expected.push_back(block); }
     const world::Moment& moment() const override { return still; }
     reference::Camera cameraOf(const View& view, world::SpaceIndex root) override {
         const app::CameraBasis axes = app::basisOf({view.yaw, view.pitch});
@@ -178,6 +183,29 @@ TEST(Run, aFinishedRunIsNotDoneAgain) {
     const std::size_t shots = small.drawer.shots;
     small.run();
     EXPECT_EQ(small.drawer.shots, shots);
+}
+
+TEST(Run, blocksFollowEachOtherInOrderAndAreLetGo) {
+    const auto breakSome = [](const View& view, std::size_t, DrawnImages& images) {
+        if (view.kind == Kind::Path)
+            images.ids[3] = 0xFFFFFF;
+    };
+    SmallRun once, twice;
+    twice.request.tasks.push_back(twice.request.tasks[0]);
+    once.drawer.breakIt = twice.drawer.breakIt = breakSome;
+    const Totals single = once.run(), both = twice.run();
+    EXPECT_EQ(both.sum().views, 2 * single.sum().views);
+    EXPECT_EQ(both.sum().counts[static_cast<std::size_t>(Verdict::Disagrees)],
+              2 * single.sum().counts[static_cast<std::size_t>(Verdict::Disagrees)]);
+    ASSERT_EQ(both.worst.size(), 2 * single.worst.size());
+    for (std::size_t i = 0; i < single.worst.size(); ++i) { // equal counts: in the order of views
+        EXPECT_EQ(both.worst[i].number, single.worst[i].number);
+        EXPECT_EQ(both.worst[single.worst.size() + i].number, single.worst[i].number + single.sum().views);
+    }
+    EXPECT_EQ(twice.progress.tasks, 2u);
+    EXPECT_EQ(twice.drawer.expected, std::vector{twice.house.source.home()});
+    for (const auto& world : twice.drawer.given)
+        EXPECT_TRUE(world.expired());
 }
 
 TEST(Run, savesItsStateAtTheEnd) {

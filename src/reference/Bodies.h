@@ -1,0 +1,98 @@
+#pragma once
+
+#include "reference/TriangleSet.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+namespace limen::reference {
+
+/// The triangles of one instance.
+struct Surfaces {
+    TriangleSet solid;   ///< opaque and cut-out
+    TriangleSet blended; ///< translucent
+};
+
+/// The instances of a world, or of a moment of it. The triangles of one are placed when the first ray comes near it, for
+/// few rays come near most of them.
+class Bodies {
+public:
+    /// `origin` is the scene's. The world must outlive it.
+    Bodies(const world::World& world, const Vec3& origin);
+
+    /// Replaces what is there; `instances` must stay as they are until the next call. Keeps its capacity.
+    void assign(std::span<const world::Instance> instances);
+
+    /// The box of a body's vertices.
+    [[nodiscard]] Box boxOf(std::uint32_t body) const;
+    [[nodiscard]] bool hasSolid(std::uint32_t body) const;
+    [[nodiscard]] bool hasBlended(std::uint32_t body) const;
+
+    /// Any thread may ask. Cost: that of placing it, once.
+    [[nodiscard]] const Surfaces& surfacesOf(std::uint32_t body) const {
+        Slot& slot = slots_[body];
+        if (!slot.isPlaced.load(std::memory_order_acquire))
+            place(body, slot);
+        return slot.surfaces;
+    }
+
+private:
+    struct Slot {
+        std::atomic<bool> isPlaced{false};
+        Surfaces surfaces;
+    };
+    struct MeshGroupings {
+        TriangleSet::Grouping solid, blended;
+    };
+    void place(std::uint32_t body, Slot& slot) const;
+    [[nodiscard]] const world::Mesh* meshOf(std::uint32_t body) const;
+
+    const world::World& world_;
+    const Vec3 origin_;
+    std::span<const world::Instance> instances_;
+    std::size_t capacity_ = 0;
+    std::unique_ptr<Slot[]> slots_; ///< by body
+    mutable std::mutex placing_;                   ///< one thread places at a time
+    mutable std::vector<MeshGroupings> groupings_; ///< by mesh, as far as known; under placing_
+    mutable TriangleSet::Scratch scratch_;         ///< under placing_
+};
+
+/// What of the bodies can be met in each space (or zone), as hierarchies over their boxes.
+class BodyLists {
+public:
+    struct List {
+        std::vector<std::uint32_t> bodies;
+        Hierarchy tree;
+        [[nodiscard]] bool empty() const { return bodies.empty(); }
+        /// Calls visit(body) as Hierarchy::walk calls its leaf.
+        template <class Visit>
+        void walk(const BoxRay& ray, double nearest, const double& farthest, Visit&& visit) const {
+            tree.walk(ray, nearest, farthest, [&](std::uint32_t first, std::uint32_t count) {
+                for (std::uint32_t i = first; i < first + count; ++i)
+                    visit(bodies[i]);
+            });
+        }
+    };
+    struct Place {
+        List solid, blended; ///< one with both kinds of surface is in both
+    };
+
+    void resize(std::size_t places) { places_.resize(places); }
+    void clear();
+    void add(const Bodies& bodies, std::uint32_t place, std::uint32_t body);
+    /// Makes the hierarchies of what was added; walks see nothing before.
+    void build(const Bodies& bodies);
+    [[nodiscard]] const Place& at(std::uint32_t place) const { return places_[place]; }
+    [[nodiscard]] bool empty() const { return used_.empty(); }
+
+private:
+    void build(const Bodies& bodies, List& list);
+
+    std::vector<Place> places_;
+    std::vector<std::uint32_t> used_; ///< places that hold something
+    std::vector<Box> boxes_;          ///< scratch of build()
+    std::vector<std::uint32_t> order_, sorted_;
+};
+
+} // namespace limen::reference
