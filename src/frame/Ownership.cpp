@@ -1,6 +1,9 @@
 #include "frame/Ownership.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "visibility/Region.h"
+
+#include <algorithm>
 
 namespace limen::frame {
 
@@ -38,7 +41,7 @@ public:
                 continue;
             }
             const world::Portal& portal = world_.portals[visit.portal];
-            if (visit.split || visit.inPlane || !portal.exact || isNear(portal)) {
+            if (visit.split || visit.inPlane || isNear(portal)) {
                 drawRegion(i);
             } else {
                 drawPortal(i);
@@ -96,15 +99,33 @@ private:
         }
     }
 
-    void drawPortal(std::uint32_t visit) {
-        const visibility::Visit& parent = set_.visits[set_.visits[visit].parent];
-        if (parent.depth == 0 || !frame_.rules.ancestorClip) {
-            drawPolygon(visit, 0);
-            return;
+    /// The part of the parent's region that the way back's polygon leaves open, into limit_.
+    void clipByReciprocal(const visibility::Visit& parent, const world::Portal& reciprocal) {
+        std::vector<Vec3> edges;
+        for (const Vec3& corner : cornersOf(world_, reciprocal)) {
+            edges.push_back(screen_ * (corner - frame_.view.eye));
         }
+        std::reverse(edges.begin(), edges.end()); // counter-clockwise from the other side
+        visibility::clipByRegion(set_.region(parent), edges, limit_, swap_);
+    }
+
+    void drawPortal(std::uint32_t index) {
+        const visibility::Visit& visit = set_.visits[index];
+        const visibility::Visit& parent = set_.visits[visit.parent];
+        const world::Portal& portal = world_.portals[visit.portal];
+        if (visit.narrowed) {
+            clipByReciprocal(parent, world_.portals[portal.reciprocal]);
+            drawPortalWithin(index, limit_, parent.entryPlane);
+        } else if (parent.depth == 0 || !frame_.rules.ancestorClip) {
+            drawPolygon(index, 0);
+        } else {
+            drawPortalWithin(index, set_.region(parent), parent.entryPlane);
+        }
+    }
+
+    void drawPortalWithin(std::uint32_t visit, std::span<const Vec3> region, const Plane& entry) {
         // A region with more edges than fit is cut into fans around its first vertex, each drawn for itself;
         // the fans' inner edges grow too, so that they overlap rather than gape.
-        const auto region = set_.region(parent);
         for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
             const std::size_t last = std::min(first + kEdgesPerSet - 2, region.size() - 1);
             gpu::ClipSet clip = openClipSet();
@@ -114,7 +135,7 @@ private:
                 clip.planes[slot++] = grownEdge(region[i], region[i + 1]);
             }
             clip.planes[slot++] = grownEdge(region[last], region[0]);
-            clip.planes[kEdgesPerSet] = {Vec3f(parent.entryPlane.n), parent.entryPlane.d + kEntryTolerance};
+            clip.planes[kEdgesPerSet] = {Vec3f(entry.n), entry.d + kEntryTolerance};
             plan_.clipSets.push_back(clip);
             drawPolygon(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
         }
@@ -145,6 +166,7 @@ private:
     const visibility::VisibleSet& set_;
     FramePlan& plan_;
     Mat3 screen_;
+    std::vector<Vec3> limit_, swap_;
 };
 
 } // namespace

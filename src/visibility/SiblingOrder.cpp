@@ -49,16 +49,19 @@ SiblingOrder::Relation SiblingOrder::compare(const CandidateList& list, const Ca
     if (overlap_.empty() || coneSize(overlap_) < kTouching) {
         return Relation::None;
     }
+    const auto before = [&] {
+        return contains(list.region(b), list.region(a)) ? Relation::Covered : Relation::Before;
+    };
+    if (a.portal == b.portal && a.hole != b.hole) { // in one plane: where the pair is open, the hole is not
+        return a.hole ? before() : Relation::After;
+    }
     const Vec3 direction = centroid(overlap_);
     const double da = distanceAlong(a, direction);
     const double db = distanceAlong(b, direction);
     if (da == db) {
         return Relation::None;
     }
-    if (da > db) {
-        return contains(list.region(b), list.region(a)) ? Relation::Covered : Relation::Before;
-    }
-    return Relation::After;
+    return da > db ? before() : Relation::After;
 }
 
 void SiblingOrder::relate(const CandidateList& list) {
@@ -172,7 +175,9 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
         std::iota(byDistance_.begin(), byDistance_.end(), 0u);
         std::sort(byDistance_.begin(), byDistance_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return distance_[a] != distance_[b] ? distance_[a] > distance_[b]
-                                                : list.items[a].portal < list.items[b].portal;
+                   : list.items[a].portal != list.items[b].portal
+                       ? list.items[a].portal < list.items[b].portal
+                       : list.items[a].hole && !list.items[b].hole;
         });
         relate(list);
         if (place(list)) {

@@ -6,7 +6,7 @@ namespace limen::visibility {
 
 /// Puts the children of one visit far to near. Two openings that overlap on the screen are compared where
 /// they do: the farther one along a ray through both comes first (openings of one zone do not pierce each
-/// other, so any ray of the overlap tells). An opening wholly covered by one nearer opening is dropped: no
+/// other, so any ray of the overlap tells). The hole around an opening comes before it. An opening wholly covered by one nearer opening is dropped: no
 /// ray of this visit reaches it. Should overlaps run in a circle, an opening is cut along the edges of the
 /// one that must precede it, and its parts are ordered each for itself.
 class SiblingOrder {

@@ -68,6 +68,31 @@ TEST_F(OwnershipTest, drawsTheFloodsRegionWithinAMillimetreOfAnOpeningAndNoFurth
     }
 }
 
+TEST(Ownership, cutsAnInexactPairByTheOtherPolygonAndDrawsItsHoleWhole) {
+    TestWorld world;
+    const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
+    const auto b = world.addBox({0, 4, 0}, {4, 8, 3}, "blue");
+    TestWorld::LinkOptions link;
+    link.exact = false;
+    link.polygonInB = rectangle({1, 4, 0}, {2.5, 4, 2});
+    world.link(a, rectangle({1.5, 4, 0}, {3, 4, 2}), b, link);
+    PlannedWorld planned(world);
+    const auto& plan = planned.planFrom({2, 1, 1.5}, 0, world::findCell(planned.world, world.id(a)));
+    ASSERT_EQ(planned.visible.visits.size(), 3u);
+    EXPECT_EQ(plan.visits[1].zone, visibility::kNoZone);
+    for (const auto& vertex : plan.ownershipVertices) {
+        EXPECT_NE(vertex.block, frame::gpu::kNoVisit) << "from the corners that the walls have";
+        EXPECT_EQ(vertex.clipSet, vertex.visit - 1);
+    }
+    const auto kept = [&](const Vec3f& p) {
+        return std::all_of(
+            std::begin(plan.clipSets[1].planes), std::end(plan.clipSets[1].planes),
+            [&](const auto& plane) { return glm::dot(plane, frame::gpu::vec4(p, 1.0f)) >= 0.0f; });
+    };
+    EXPECT_TRUE(kept({0.4f, 3, -0.5f}));
+    EXPECT_FALSE(kept({0.6f, 3, -0.5f})) << "the way back ends half a metre right of the eye";
+}
+
 TEST(Ownership, cutsARegionOfManyEdgesIntoSeveralDraws) {
     TestWorld world;
     const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");

@@ -116,10 +116,59 @@ TEST(Flood, opensInexactPairsWhereBothPolygonsAre) {
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
                       uprightRectangle({1, 10, 0}, {0, 1, 0}, 4, 2));
     const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
-    ASSERT_EQ(set.visits.size(), 2u);
-    const Rect rect = boundsOf(set.region(set.visits[1]));
+    ASSERT_EQ(set.visits.size(), 3u);
+    EXPECT_TRUE(set.visits[2].narrowed);
+    const Rect rect = boundsOf(set.region(set.visits[2]));
     EXPECT_NEAR(rect.minX, -0.1, 1e-12);
     EXPECT_NEAR(rect.maxX, 0.2, 1e-12);
+    // Around it, and painted before: the hole that the portal's own polygon leaves.
+    const Visit& hole = set.visits[1];
+    EXPECT_TRUE(hole.hole);
+    EXPECT_EQ(hole.zone, kNoZone);
+    EXPECT_EQ(hole.space, kNone);
+    EXPECT_EQ(hole.portal, set.visits[2].portal);
+    EXPECT_NEAR(boundsOf(set.region(hole)).minX, -0.2, 1e-12);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.15, 0, 1})), (Chain{0, kNone}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0, 0, 1})), (Chain{0, 1}));
+}
+
+TEST(Flood, leavesNoHoleWhereTheWayBackIsLarger) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({0, 10, 0}, {0, 1, 0}, 5, 3));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 2u);
+    EXPECT_FALSE(set.visits[1].hole || set.visits[1].narrowed);
+}
+
+TEST(Flood, aPortalThatLeadsNowhereIsAHoleAndHidesWhatLiesBehind) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkOneWay(0, kNone, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(0, 1, uprightRectangle({1, 20, 0}, {0, -1, 0}, 4, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 3u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.03, 0, 1})), (Chain{0, kNone}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.12, 0, 1})), (Chain{0, 1}));
+    ASSERT_EQ(set.seen.size(), 2u) << "nothing is seen in a hole";
+}
+
+TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({1, 10, 0}, {0, 1, 0}, 4, 2));
+    const Graph graph = world.build();
+    const VisibleSet inBoth = floodOnce(graph, viewFrom({0.5, 10, 0}, 0, 0, 0));
+    ASSERT_EQ(inBoth.visits.size(), 2u);
+    EXPECT_EQ(inBoth.visits[1].space, 1u);
+    const VisibleSet inOne = floodOnce(graph, viewFrom({-1.5, 10, 0}, 0, 0, 0));
+    ASSERT_EQ(inOne.visits.size(), 2u);
+    EXPECT_TRUE(inOne.visits[1].hole && inOne.visits[1].inPlane);
 }
 
 TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
