@@ -117,23 +117,28 @@ bool SiblingOrder::place(const CandidateList& list) {
     return true;
 }
 
-void SiblingOrder::split(CandidateList& list) {
+bool SiblingOrder::split(CandidateList& list) {
     const std::size_t n = list.items.size();
-    std::uint32_t cut = 0;
-    std::uint32_t by = 0;
-    for (const std::uint32_t i : byDistance_) {
-        const auto waits = [&](std::uint32_t j) {
-            return done_[j] == 0 && relations_[i * n + j] == Relation::After;
-        };
-        const auto found = std::find_if(byDistance_.begin(), byDistance_.end(), waits);
-        if (done_[i] == 0 && found != byDistance_.end()) {
-            cut = i;
-            by = *found;
-            break;
+    for (const std::uint32_t cut : byDistance_) {
+        for (const std::uint32_t by : byDistance_) {
+            if (done_[cut] == 0 && done_[by] == 0 && relations_[cut * n + by] == Relation::After &&
+                cutInto(list, cut, by)) {
+                std::swap(list, next_);
+                return true;
+            }
         }
     }
+    return false;
+}
+
+void SiblingOrder::placeRest() {
+    std::copy_if(byDistance_.begin(), byDistance_.end(), std::back_inserter(order_),
+                 [&](std::uint32_t i) { return done_[i] == 0; });
+}
+
+bool SiblingOrder::cutInto(const CandidateList& list, std::uint32_t cut, std::uint32_t by) {
     next_.clear();
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t i = 0; i < list.items.size(); ++i) {
         if (i != cut) {
             next_.add(list.items[i], list.region(list.items[i]));
         }
@@ -158,7 +163,7 @@ void SiblingOrder::split(CandidateList& list) {
         rest_.swap(overlap_);
     }
     add(rest_);
-    std::swap(list, next_);
+    return next_.items.size() > list.items.size();
 }
 
 void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
@@ -183,8 +188,11 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
         if (place(list)) {
             break;
         }
+        if (!split(list)) { // each lies within the ones before it: alike but for rounding, or pierced
+            placeRest();
+            break;
+        }
         ++counts.cyclesSplit;
-        split(list);
     }
     next_.clear();
     for (const std::uint32_t i : order_) {

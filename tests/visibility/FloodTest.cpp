@@ -156,6 +156,22 @@ TEST(Flood, aPortalThatLeadsNowhereIsAHoleAndHidesWhatLiesBehind) {
     ASSERT_EQ(set.seen.size(), 2u) << "nothing is seen in a hole";
 }
 
+TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
+    // The hole comes before its opening; a slanting third lies behind the hole's middle and before the opening.
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 8, 2),
+                      uprightRectangle({3, 10, 0}, {0, 1, 0}, 1, 2));
+    world.link(0, 2, {{-4, 14, -0.2}, {4, 8, -0.2}, {4, 8, 0.2}, {-4, 14, 0.2}});
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    EXPECT_GT(set.counts.cyclesSplit, 0u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.2, 0, 1})), (Chain{0, kNone}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.3, 0, 1})), (Chain{0, 2}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.3, 0.08, 1})), (Chain{0, 1}));
+}
+
 TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
     GraphBuilder world;
     world.addSpace();
