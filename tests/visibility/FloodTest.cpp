@@ -156,6 +156,20 @@ TEST(Flood, aPortalThatLeadsNowhereIsAHoleAndHidesWhatLiesBehind) {
     ASSERT_EQ(set.seen.size(), 2u) << "nothing is seen in a hole";
 }
 
+TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({0, 9.9996, 0}, {0, 1, 0}, 4, 2));
+    // 0.3 mm before its own plane, 0.1 mm behind the other, whose edges are seen from the wrong side.
+    const VisibleSet set = floodOnce(world.build(), viewFrom({1.9999, 9.9997, 0.5}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 2u);
+    EXPECT_EQ(set.visits[1].space, 1u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.9, 0, 1})), (Chain{0, 1}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.2, 0.5, 1})), (Chain{0, 1}));
+}
+
 TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
     // The hole comes before its opening; a slanting third lies behind the hole's middle and before the opening.
     GraphBuilder world;
