@@ -123,7 +123,19 @@ private:
         }
     }
 
+    /// Whether the entry plane cuts the portal at all. Where it does not it must not be asked about: of a polygon seen
+    /// edge-on the pixel's centre, by the rasteriser's snapping, may stand for a point far beyond the polygon's edge.
+    [[nodiscard]] bool reachesBefore(const Plane& entry, std::uint32_t visit) const {
+        const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
+        return std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+            return entry.signedDistance(corner - frame_.view.eye) < -kEntryTolerance;
+        });
+    }
+
     void drawPortalWithin(std::uint32_t visit, std::span<const Vec3> region, const Plane& entry) {
+        const gpu::vec4 entryPlane = reachesBefore(entry, visit)
+                                         ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryTolerance)
+                                         : gpu::vec4(0, 0, 0, 1);
         // A region with more edges than fit is cut into fans around its first vertex, each drawn for itself;
         // the fans' inner edges grow too, so that they overlap rather than gape.
         for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
@@ -135,7 +147,7 @@ private:
                 clip.planes[slot++] = grownEdge(region[i], region[i + 1]);
             }
             clip.planes[slot++] = grownEdge(region[last], region[0]);
-            clip.planes[kEdgesPerSet] = {Vec3f(entry.n), entry.d + kEntryTolerance};
+            clip.planes[kEdgesPerSet] = entryPlane;
             plan_.clipSets.push_back(clip);
             drawPolygon(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
         }
