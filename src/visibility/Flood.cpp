@@ -266,11 +266,17 @@ private:
 
     /// The part of the opening that the visit's rays reach, into s_.region.
     bool openingRegion(const Visit& visit, const Graph::Portal& portal) {
-        s_.relative.clear();
+        if (portal.outlineCount > 0) {
+            hullSeenFrom(view_.eye, graph_.outline(portal), s_.relative);
+        } else {
+            s_.relative.clear();
+            for (const Vec3& v : graph_.polygon(portal)) {
+                s_.relative.push_back(v - view_.eye);
+            }
+        }
         double farthest = visit.parent == kNone ? 1.0 : 0.0;
-        for (const Vec3& v : graph_.polygon(portal)) {
-            s_.relative.push_back(v - view_.eye);
-            farthest = std::max(farthest, visit.entryPlane.signedDistance(s_.relative.back()));
+        for (const Vec3& v : s_.relative) {
+            farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
         }
         if (farthest <= kBeyondEntry) {
             return false;
