@@ -13,6 +13,9 @@ namespace {
 /// walk.
 constexpr std::uint32_t kPortalsWithoutTree = 12;
 
+/// Metres: a polygon whose vertices lie no farther off its plane looks convex from wherever it is seen.
+constexpr double kFlat = 1e-9;
+
 Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<const SpaceDesc> spaces,
                          std::size_t portalCount, std::span<const Vec3> vertices) {
     const std::string where = fmt::format("portal {}", index);
@@ -90,8 +93,13 @@ private:
 
 void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
     const auto polygon = vertices.subspan(desc.firstVertex, desc.vertexCount);
-    const auto outline = markCorners(polygon, vertices.subspan(desc.firstOutline, desc.outlineCount));
-    portals_.push_back({planeOf(polygon), desc.space, desc.destination, desc.reciprocal, desc.firstVertex,
+    const Plane plane = planeOf(polygon);
+    const bool isFlat = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& v) {
+        return std::abs(plane.signedDistance(v)) <= kFlat;
+    });
+    const auto outline = desc.outlineCount > 0 ? vertices.subspan(desc.firstOutline, desc.outlineCount)
+                                               : polygon.first(isFlat ? 0 : polygon.size());
+    portals_.push_back({plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex,
                         desc.vertexCount, desc.exact, static_cast<std::uint32_t>(outlines_.size()),
                         static_cast<std::uint32_t>(outline.size())});
     outlines_.insert(outlines_.end(), outline.begin(), outline.end());
@@ -111,8 +119,8 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
         for (const Vec3& v : graph.polygon(graph.portals_.back())) {
             boxes[i].include(v);
         }
-        for (const OutlineVertex& v : graph.outline(graph.portals_.back())) {
-            boxes[i].include(v.at);
+        for (const Vec3& v : graph.outline(graph.portals_.back())) {
+            boxes[i].include(v);
         }
     }
     std::vector<std::uint32_t> order;

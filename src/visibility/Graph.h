@@ -3,7 +3,6 @@
 #include "core/Error.h"
 #include "geometry/Bounds.h"
 #include "geometry/Plane.h"
-#include "visibility/Outline.h"
 
 #include <cstdint>
 #include <limits>
@@ -60,7 +59,7 @@ public:
         std::uint32_t space = 0, destination = kNone, reciprocal = kNone;
         std::uint32_t firstVertex = 0, vertexCount = 0;
         bool exact = true;
-        std::uint32_t firstOutline = 0, outlineCount = 0; ///< into `outline`; 0: the polygon's edges are all
+        std::uint32_t firstOutline = 0, outlineCount = 0; ///< 0: the polygon is flat and all there is
     };
 
     [[nodiscard]] std::span<const Space> spaces() const { return spaces_; }
@@ -69,14 +68,14 @@ public:
     [[nodiscard]] std::span<const Vec3> polygon(const Portal& portal) const {
         return std::span<const Vec3>(vertices_).subspan(portal.firstVertex, portal.vertexCount);
     }
-    [[nodiscard]] std::span<const OutlineVertex> outline(const Portal& portal) const {
-        return std::span<const OutlineVertex>(outlines_).subspan(portal.firstOutline, portal.outlineCount);
+    [[nodiscard]] std::span<const Vec3> outline(const Portal& portal) const {
+        return std::span<const Vec3>(outlines_).subspan(portal.firstOutline, portal.outlineCount);
     }
 
 private:
     void addPortal(const PortalDesc& desc, std::span<const Vec3> vertices);
 
-    std::vector<OutlineVertex> outlines_;
+    std::vector<Vec3> outlines_;
     std::vector<Space> spaces_;
     std::vector<Portal> portals_;
     std::vector<Vec3> vertices_;

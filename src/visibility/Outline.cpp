@@ -11,46 +11,32 @@ bool isOutside(const Vec3& a, const Vec3& p, const Vec3& b) {
     return glm::dot(glm::cross(a, b), p) > 0.0;
 }
 
-} // namespace
-
-std::vector<OutlineVertex> markCorners(std::span<const Vec3> corners, std::span<const Vec3> outline) {
-    std::vector<OutlineVertex> marked;
-    const auto first =
-        corners.empty() ? outline.end() : std::find(outline.begin(), outline.end(), corners[0]);
-    if (first == outline.end() || outline.size() <= corners.size()) {
-        return marked;
+/// The place of a vertex that its neighbours leave inside, or the polygon's size.
+std::size_t findDent(std::span<const Vec3> polygon) {
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!isOutside(polygon[i == 0 ? n - 1 : i - 1], polygon[i], polygon[i + 1 == n ? 0 : i + 1])) {
+            return i;
+        }
     }
-    const auto start = static_cast<std::size_t>(first - outline.begin());
-    std::size_t met = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec3& vertex = outline[(start + i) % outline.size()];
-        const bool isCorner = met < corners.size() && vertex == corners[met];
-        marked.push_back({vertex, isCorner});
-        met += isCorner ? 1 : 0;
-    }
-    if (met < corners.size()) {
-        marked.clear();
-    }
-    return marked;
+    return n;
 }
 
-void hullSeenFrom(const Vec3& eye, std::span<const OutlineVertex> outline, std::vector<Vec3>& out) {
+} // namespace
+
+void hullSeenFrom(const Vec3& eye, std::span<const Vec3> polygon, const Vec3& normal,
+                  std::vector<Vec3>& out) {
     out.clear();
-    std::size_t corner = 0; // the last one's place in `out`; corners always stay
-    const auto add = [&](const Vec3& vertex) {
-        while (out.size() > corner + 1 && !isOutside(out[out.size() - 2], out.back(), vertex)) {
-            out.pop_back();
-        }
-        out.push_back(vertex);
-    };
-    for (const OutlineVertex& vertex : outline) {
-        add(vertex.at - eye);
-        if (vertex.isCorner) {
-            corner = out.size() - 1;
-        }
+    for (const Vec3& vertex : polygon) {
+        out.push_back(vertex - eye);
     }
-    add(outline.front().at - eye); // closes the last edge
-    out.pop_back();
+    const auto isBefore = [&](const Vec3& v) { return glm::dot(normal, v) < 0.0; };
+    if (!std::all_of(out.begin(), out.end(), isBefore)) {
+        return;
+    }
+    for (std::size_t dent = findDent(out); out.size() > 3 && dent < out.size(); dent = findDent(out)) {
+        out.erase(out.begin() + static_cast<std::ptrdiff_t>(dent));
+    }
 }
 
 } // namespace limen::visibility

@@ -20,8 +20,12 @@ Vec3 centroid(std::span<const Vec3> region) {
     return sum;
 }
 
-/// How far along direction `d` (x, y, w; any length, the unit of the result) the candidate's plane is met.
+/// How far along direction `d` (x, y, w; any length, the unit of the result) the candidate's plane is met. An eye in the
+/// plane leaves through it at once, also where it lies a little before or behind.
 double distanceAlong(const Candidate& c, const Vec3& d) {
+    if (c.inPlane) {
+        return 0.0;
+    }
     const double speed = glm::dot(c.planeOnScreen, d);
     return speed > 0.0 ? -c.entryPlane.d / speed : 0.0;
 }
@@ -58,10 +62,8 @@ SiblingOrder::Relation SiblingOrder::compare(const CandidateList& list, const Ca
     const Vec3 direction = centroid(overlap_);
     const double da = distanceAlong(a, direction);
     const double db = distanceAlong(b, direction);
-    if (da == db) {
-        return Relation::None;
-    }
-    return da > db ? before() : Relation::After;
+    const bool isFarther = da != db ? da > db : a.portal > b.portal; // of equals the rays take the first
+    return isFarther ? before() : Relation::After;
 }
 
 void SiblingOrder::relate(const CandidateList& list) {
