@@ -282,7 +282,9 @@ private:
         if (farthest <= kBeyondEntry) {
             return false;
         }
-        clipPolygon(s_.relative, visit.entryPlane, 0.0, s_.beyond);
+        // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
+        // not quite in the planes of both.
+        clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
         if (!rules_.eyePlaneClip) {
             clipPolygon(s_.beyond, {view_.forward, -kPretendedNear}, 0.0, s_.swap);
             s_.beyond.swap(s_.swap);
