@@ -268,7 +268,7 @@ private:
     /// The part of the opening that the visit's rays reach, into s_.region.
     bool openingRegion(const Visit& visit, const Graph::Portal& portal) {
         if (portal.outlineCount > 0) {
-            hullSeenFrom(view_.eye, graph_.outline(portal), portal.plane.n, s_.relative);
+            hullSeenFrom(view_.eye, graph_.outline(portal), portal.plane.n, s_.relative, s_.swap);
         } else {
             s_.relative.clear();
             for (const Vec3& v : graph_.polygon(portal)) {

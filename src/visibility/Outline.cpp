@@ -1,5 +1,7 @@
 #include "visibility/Outline.h"
 
+#include "geometry/ConvexPolygon.h"
+
 #include <algorithm>
 
 namespace limen::visibility {
@@ -24,14 +26,16 @@ std::size_t findDent(std::span<const Vec3> polygon) {
 
 } // namespace
 
-void hullSeenFrom(const Vec3& eye, std::span<const Vec3> polygon, const Vec3& normal,
-                  std::vector<Vec3>& out) {
+void hullSeenFrom(const Vec3& eye, std::span<const Vec3> polygon, const Vec3& normal, std::vector<Vec3>& out,
+                  std::vector<Vec3>& swap) {
     out.clear();
     for (const Vec3& vertex : polygon) {
         out.push_back(vertex - eye);
     }
     const auto isBefore = [&](const Vec3& v) { return glm::dot(normal, v) < 0.0; };
     if (!std::all_of(out.begin(), out.end(), isBefore)) {
+        swap.swap(out);
+        clipPolygon(swap, {-normal, 0.0}, 0.0, out);
         return;
     }
     for (std::size_t dent = findDent(out); out.size() > 3 && dent < out.size(); dent = findDent(out)) {

@@ -11,8 +11,9 @@
 namespace limen::visibility {
 
 /// The convex hull of a nearly flat, nearly convex polygon as seen from the eye, eye-relative: its vertices but for those
-/// that lie, on the screen, within the others. The polygon is counter-clockwise from the eye. One that the eye does not
-/// see from before, vertex for vertex, is left as it is: it has no outline on the screen. `out` is overwritten.
-void hullSeenFrom(const Vec3& eye, std::span<const Vec3> polygon, const Vec3& normal, std::vector<Vec3>& out);
+/// that lie, on the screen, within the others. The polygon is counter-clockwise from the eye. Of one
+/// that is bent around the eye what no ray through its plane meets is cut off instead. `out` is overwritten; `swap` is scratch.
+void hullSeenFrom(const Vec3& eye, std::span<const Vec3> polygon, const Vec3& normal, std::vector<Vec3>& out,
+                  std::vector<Vec3>& swap);
 
 } // namespace limen::visibility
