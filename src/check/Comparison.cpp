@@ -151,7 +151,7 @@ private:
     const DrawnImages& drawn_;
     const reference::Picture& traced_;
     Retracer& retracer_;
-    std::size_t inVain_ = 0; ///< second looks that explained nothing
+    std::size_t inVain_ = 0;                   ///< second looks that explained nothing
     std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
 };
 

@@ -12,6 +12,10 @@ namespace {
 /// Overlaps narrower than this are what rounding makes of a shared edge; no pixel lies in them.
 constexpr double kTouching = 1e-11;
 
+/// Circles are cut until there are this many parts for each opening. Flat openings need hardly any; bent ones, whose regions
+/// need not be convex, could go on for ever.
+constexpr std::size_t kMostParts = 8;
+
 Vec3 centroid(std::span<const Vec3> region) {
     Vec3 sum(0.0);
     for (const Vec3& v : region) {
@@ -152,7 +156,7 @@ bool SiblingOrder::cutInto(const CandidateList& list, std::uint32_t cut, std::ui
     rest_.assign(original.begin(), original.end());
     const auto add = [&](std::vector<Vec3>& region) {
         tidyRegion(region);
-        if (!region.empty()) {
+        if (!region.empty() && coneSize(region) >= kTouching) {
             part.rect = boundsOf(region);
             next_.add(part, region);
         }
@@ -172,6 +176,7 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
     if (list.items.size() < 2) {
         return;
     }
+    const std::size_t most = kMostParts * list.items.size();
     for (;;) {
         distance_.clear();
         for (const Candidate& c : list.items) {
@@ -190,7 +195,8 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
         if (place(list)) {
             break;
         }
-        if (!split(list)) { // each lies within the ones before it: alike but for rounding, or pierced
+        if (list.items.size() > most || !split(list)) { // bent, pierced, or alike but for rounding
+            ++counts.cyclesLeft;
             placeRest();
             break;
         }

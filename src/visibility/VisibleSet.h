@@ -53,6 +53,7 @@ struct FloodCounts {
     std::uint32_t portalsTested = 0, portalsAdmitted = 0, spaceVisits = 0, revisits = 0;
     std::uint32_t visitsCut = 0;   ///< left out because Limits::maxVisits was reached
     std::uint32_t cyclesSplit = 0; ///< siblings that overlapped in a circle and were split
+    std::uint32_t cyclesLeft = 0;  ///< circles that no cut would part: ordered by distance
 };
 
 /// What one flood yields; see docs/ray-rule.md. Reuse it: `clear` keeps

@@ -78,6 +78,7 @@ VisibleSet floodOf(const Complex& complex, const visibility::View& view) {
     VisibleSet set;
     visibility::flood(complex.graph, {}, view, {}, scratch, set);
     EXPECT_EQ(set.counts.visitsCut, 0u) << "the cap on visits was reached";
+    EXPECT_EQ(set.counts.cyclesLeft, 0u) << "openings that overlap in a circle were left so";
     for (const Vec3& v : set.regionVertices) {
         EXPECT_TRUE(isFinite(v));
     }

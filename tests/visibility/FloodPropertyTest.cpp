@@ -269,7 +269,7 @@ RC_GTEST_PROP(FloodProperty, theSameInputGivesTheSameBits, (unsigned seed)) {
         RC_ASSERT(a.rect.minX == b.rect.minX && a.rect.maxX == b.rect.maxX);
         RC_ASSERT(a.rect.minY == b.rect.minY && a.rect.maxY == b.rect.maxY);
     }
-    RC_ASSERT(fresh.counts.visitsCut == 0u);
+    RC_ASSERT(fresh.counts.visitsCut == 0u && fresh.counts.cyclesLeft == 0u);
 }
 
 RC_GTEST_PROP(FloodProperty, theOrderInWhichPortalsAreListedChangesNothingButTheOrder, (unsigned seed)) {
