@@ -29,10 +29,11 @@ Json visitsJson(const world::World& world, const visibility::VisibleSet& visible
             const world::Portal& through = world.portals[visit.portal];
             portal = {{"space", spaceName(world, through.space)}, {"index", through.recordIndex}};
         }
-        list.push_back({{"zone", visit.zone},
+        list.push_back({{"zone", visit.hole ? Json(nullptr) : Json(visit.zone)},
                         {"space", spaceName(world, visit.space)},
                         {"parent", visit.parent == kNoIndex ? -1 : static_cast<std::int64_t>(visit.parent)},
                         {"portal", std::move(portal)},
+                        {"hole", visit.hole},
                         {"depth", visit.depth},
                         {"region", std::move(region)}});
     }

@@ -58,7 +58,7 @@ private:
         const Verdict worst = id == 0 ? Verdict::Void : Verdict::Disagrees;
         if (excused(x, y))
             return Verdict::Unjudged;
-        if (++looks_ > kMostSecondLooks)
+        if (inVain_ >= kMostSecondLooks)
             return worst;
         if (anyFiner(x, y, 1.0, 1, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
             return Verdict::ByZone;
@@ -67,6 +67,7 @@ private:
             return id == 0 ? Verdict::Hole : Verdict::Sliver;
         if (onFinerRays(x, y, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
             return Verdict::ByZone;
+        ++inVain_;
         if (id > 1 && retracer_.isEdgeOn(x, y, id, traced_.at(x, y).t))
             return Verdict::EdgeOn;
         return worst;
@@ -137,19 +138,20 @@ private:
             return Verdict::Agrees;
         if (excused(x, y))
             return Verdict::Unjudged;
-        if (++looks_ > kMostSecondLooks)
+        if (inVain_ >= kMostSecondLooks)
             return Verdict::Layers;
         if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.exact(u, v)); }))
             return Verdict::Sliver;
         if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.byZone(u, v)); }))
             return Verdict::ByZone;
+        ++inVain_;
         return Verdict::Layers;
     }
 
     const DrawnImages& drawn_;
     const reference::Picture& traced_;
     Retracer& retracer_;
-    std::size_t looks_ = 0;
+    std::size_t inVain_ = 0;                   ///< second looks that explained nothing
     std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
 };
 

@@ -58,7 +58,7 @@ struct Comparison {
     [[nodiscard]] std::uint64_t findings() const;
 };
 
-/// Pixels of one view that are looked at again with finer rays; those beyond are taken as they are, which is the
+/// Pixels of one view that are looked at again with finer rays in vain; those beyond are taken as they are, which is the
 /// stricter way.
 inline constexpr std::size_t kMostSecondLooks = 400;
 

@@ -8,11 +8,25 @@ namespace limen::check {
 
 namespace {
 
-constexpr int kTries = 64;         // for a random place
-constexpr int kFeelers = 6;        // directions that a place is felt out in
+constexpr int kTries = 64;  // for a random place
+constexpr int kFeelers = 6; // directions that a place is felt out in
+constexpr double kRoom =
+    0.002; // metres around a random eye: more than the trees' slack and the rule's tolerance
 constexpr double kFar = 300.0;     // metres: where a feeler into the sky is walked back from
 constexpr double kFromWall = 1e-4; // share of a feeler's length that is left out before its end
 constexpr double kIntoCell = 0.05; // metres before an opening that are surely in its cell
+
+/// True if the cell's tree holds the eye with room to spare. By its slack the tree alone would also let in an eye a fraction
+/// of a millimetre behind a wall, or past an opening and so in the next cell. Planes that leave out none of the eight corners
+/// of a cube are at least its half side away.
+bool isWithin(const world::World& world, world::SpaceIndex cell, const Vec3& eye) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 way((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+        if (!motion::cellContains(world, cell, eye + way * kRoom))
+            return false;
+    }
+    return true;
+}
 
 } // namespace
 
@@ -78,7 +92,7 @@ std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex ce
     const Vec3 size = space.bounds.max - space.bounds.min;
     for (int i = 0; i < kTries && !space.bounds.empty(); ++i) {
         const Vec3 eye = space.bounds.min + size * Vec3(dice.unit(), dice.unit(), dice.unit());
-        if (motion::cellContains(around.world, cell, eye) && standsFree(around, cell, eye, dice))
+        if (isWithin(around.world, cell, eye) && standsFree(around, cell, eye, dice))
             return eye;
     }
     // A cell whose tree holds nothing: feel the way in from an opening.

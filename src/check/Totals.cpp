@@ -27,8 +27,10 @@ void Totals::add(const View& view, std::uint64_t number, const Comparison& compa
         return;
     ++viewsWithFindings;
     const Finding finding{view, one.findings(), number, comparison.counts, moved};
-    const auto place = std::upper_bound(worst.begin(), worst.end(), finding,
-                                        [](const Finding& a, const Finding& b) { return a.count > b.count; });
+    const auto isWorse = [](const Finding& a, const Finding& b) {
+        return a.grave() != b.grave() ? a.grave() > b.grave() : a.count > b.count;
+    };
+    const auto place = std::upper_bound(worst.begin(), worst.end(), finding, isWorse);
     worst.insert(place, finding);
     if (worst.size() > kWorst)
         worst.pop_back();

@@ -32,6 +32,11 @@ struct Finding {
     std::uint64_t number = 0; ///< of the view, in the order of the run
     std::array<std::uint64_t, kVerdictCount> counts{};
     std::uint64_t moved = 0;
+
+    /// Pixels of it that are not the rasteriser's edge-on ones.
+    [[nodiscard]] std::uint64_t grave() const {
+        return count - counts[static_cast<std::size_t>(Verdict::EdgeOn)];
+    }
 };
 
 /// What a run has found.
@@ -39,7 +44,8 @@ struct Totals {
     static constexpr std::size_t kWorst = 50;
 
     std::array<KindTotals, kKindCount> kinds;
-    std::vector<Finding> worst; ///< at most kWorst, most pixels first; of equals the earlier view first
+    std::vector<Finding>
+        worst; ///< at most kWorst: most grave pixels first, then most pixels, then the earlier view
     std::uint64_t viewsWithFindings = 0;
     std::uint64_t blocksLeftOut = 0; ///< that could not be loaded
     double drawSeconds = 0.0;        ///< of them with drawing and reading back

@@ -4,6 +4,13 @@
 
 namespace limen::check {
 
+namespace {
+
+/// How far floats may move a corner of a block, metres: half a block's width in float, twice over.
+constexpr double kNearRounding = 2e-5;
+
+} // namespace
+
 TracedWorld::TracedWorld(const world::World& world) : world_(world), scene_(world) {}
 
 void TracedWorld::setMoment(const world::Moment& moment) {
@@ -37,8 +44,16 @@ reference::Answer ViewRetracer::byZone(double x, double y) {
 
 bool ViewRetracer::isCutByNearPlane(double x, double y) {
     reference::Ray ray = rayThrough(camera_, x, y);
-    ray.nearPlane = 0.0;
-    return traced_.scene().trace(camera_.root, ray).t < camera_.nearPlane;
+    const auto traceFrom = [&](double nearPlane) {
+        ray.nearPlane = nearPlane;
+        return traced_.scene().trace(camera_.root, ray);
+    };
+    if (traceFrom(0.0).t < camera_.nearPlane)
+        return true;
+    // A surface that lies in the near plane itself, a pane for one, is cut by it or not as floats round.
+    const reference::Answer before = traceFrom(camera_.nearPlane - kNearRounding);
+    const reference::Answer behind = traceFrom(camera_.nearPlane + kNearRounding);
+    return before.id != behind.id || !(before.layers == behind.layers);
 }
 
 bool ViewRetracer::leadsIntoTheRoot(double x, double y) {

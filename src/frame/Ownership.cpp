@@ -2,6 +2,8 @@
 
 #include "geometry/ConvexPolygon.h"
 
+#include <algorithm>
+
 namespace limen::frame {
 
 namespace {
@@ -37,14 +39,13 @@ public:
                 continue;
             }
             // The flood's region of these is not what their outline and their parent's region leave of it.
-            const bool byRegion = visit.split || visit.inPlane || !world_.portals[visit.portal].exact;
+            const bool byRegion = visit.split || visit.inPlane || visit.narrowed;
             if (byRegion) {
                 drawWithin(i, set_.region(visit), Cut{0.0, {0, 0, 0, 1}});
             } else if (set_.visits[visit.parent].depth > 0 && frame_.rules.ancestorClip) {
                 const visibility::Visit& parent = set_.visits[visit.parent];
                 drawWithin(i, set_.region(parent),
-                           Cut{frame_.rules.growth ? kGrowth : 0.0,
-                               {Vec3f(parent.entryPlane.n), parent.entryPlane.d + kEntryTolerance}});
+                           Cut{frame_.rules.growth ? kGrowth : 0.0, planeFor(i, parent.entryPlane)});
             } else {
                 draw(i, 0);
             }
@@ -66,6 +67,16 @@ private:
         out.zone = visit.zone;
         out.parent = root ? gpu::kNoVisit : visit.parent;
         plan_.visits.push_back(out);
+    }
+
+    /// A plane to cut the visit's portal by; open where it does not reach: of a polygon seen edge-on the depth in the
+    /// plane is told too roughly to be asked about for nothing.
+    [[nodiscard]] gpu::vec4 planeFor(std::uint32_t visit, const Plane& entry) const {
+        const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
+        const bool cuts = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+            return entry.signedDistance(corner - frame_.view.eye) < -kEntryTolerance;
+        });
+        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryTolerance) : gpu::vec4(0, 0, 0, 1);
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {

@@ -10,11 +10,19 @@ Result<visibility::Graph> visibilityGraph(const world::World& world) {
         spaces.push_back({s.firstPortal, s.portalCount, s.zone});
     }
     std::vector<visibility::PortalDesc> portals;
+    std::vector<Vec3> vertices = world.portalCorners; // with the outlines behind
     portals.reserve(world.portals.size());
     for (const world::Portal& p : world.portals) {
-        portals.push_back({p.space, p.destination, p.reciprocal, p.firstCorner, p.cornerCount, p.exact});
+        visibility::PortalDesc& desc = portals.emplace_back();
+        desc = {p.space, p.destination, p.reciprocal, p.firstCorner, p.cornerCount, p.exact};
+        if (p.vertexCount > p.cornerCount) {
+            desc.firstOutline = static_cast<std::uint32_t>(vertices.size());
+            desc.outlineCount = p.vertexCount;
+            const auto outline = polygonOf(world, p);
+            vertices.insert(vertices.end(), outline.begin(), outline.end());
+        }
     }
-    return visibility::Graph::build(spaces, portals, world.portalCorners);
+    return visibility::Graph::build(spaces, portals, vertices);
 }
 
 } // namespace limen::frame

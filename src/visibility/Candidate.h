@@ -16,6 +16,8 @@ struct Candidate {
     Rect rect;                                      ///< bounds of the region
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< region, in the owner's vertex array
     bool inPlane = false;
+    bool hole = false; ///< rays that pass the portal's polygon and end there
+    bool narrowed = false;
     bool split = false; ///< one of the parts of an opening cut to break a circle of overlaps
 };
 

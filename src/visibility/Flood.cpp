@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 #include "visibility/CellFlood.h"
+#include "visibility/Outline.h"
 #include "visibility/Region.h"
 #include "visibility/SiblingOrder.h"
 
@@ -16,7 +17,7 @@ struct FloodScratch::Data {
     SiblingOrder order;
     CandidateList pending;  ///< a stack: the top is the next visit in drawing order
     CandidateList children; ///< of the visit at hand
-    std::vector<Vec3> relative, beyond, region, swap;
+    std::vector<Vec3> relative, beyond, region, whole, swap;
     std::vector<std::uint32_t> nodes;
 };
 
@@ -33,6 +34,14 @@ constexpr double kBeyondEntry = 1e-6;
 
 /// Where openings are cut with Rules::eyePlaneClip off, metres.
 constexpr double kPretendedNear = 0.02;
+
+/// True if clipping has taken nothing away but rounding.
+bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
+    constexpr double kRounding = 1e-12; // radians
+    return std::equal(
+        before.begin(), before.end(), after.begin(), after.end(),
+        [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) <= kRounding * kRounding; });
+}
 
 /// One flood: the depth-first walk over visits.
 class Walk {
@@ -51,7 +60,10 @@ public:
             if (out_.visits.size() >= maxVisits) {
                 return false;
             }
-            visitSpaces(popPending());
+            const std::uint32_t next = popPending();
+            if (!out_.visits[next].hole) {
+                visitSpaces(next);
+            }
         }
         return true;
     }
@@ -72,8 +84,8 @@ private:
         const Candidate c = s_.pending.items.back();
         const Graph::Portal& portal = graph_.portals()[c.portal];
         Visit visit;
-        visit.space = portal.destination;
-        visit.zone = graph_.spaces()[portal.destination].zone;
+        visit.space = c.hole ? kNone : portal.destination;
+        visit.zone = c.hole ? kNoZone : graph_.spaces()[portal.destination].zone;
         visit.parent = c.parent;
         visit.portal = c.portal;
         visit.entryPlane = c.entryPlane;
@@ -81,6 +93,8 @@ private:
         visit.vertexCount = c.vertexCount;
         visit.depth = out_.visits[c.parent].depth + 1;
         visit.inPlane = c.inPlane;
+        visit.hole = c.hole;
+        visit.narrowed = c.narrowed;
         visit.split = c.split;
         const auto region = s_.pending.region(c);
         out_.regionVertices.insert(out_.regionVertices.end(), region.begin(), region.end());
@@ -159,8 +173,9 @@ private:
     void tryOpening(std::uint32_t index, std::uint32_t portalIndex) {
         const Visit& visit = out_.visits[index];
         const Graph::Portal& portal = graph_.portals()[portalIndex];
-        if (portal.destination == kNone || portal.plane.n == Vec3(0.0) ||
-            graph_.spaces()[portal.destination].zone == visit.zone || isWayBack(visit, portalIndex) ||
+        const bool leadsNowhere = portal.destination == kNone;
+        if (portal.plane.n == Vec3(0.0) || isWayBack(visit, portalIndex) ||
+            (!leadsNowhere && graph_.spaces()[portal.destination].zone == visit.zone) ||
             (!closed_.empty() && closed_[portalIndex] != 0)) {
             return;
         }
@@ -169,8 +184,7 @@ private:
             return;
         }
         ++out_.counts.portalsTested;
-        const bool inPlane = rules_.halfPlane && visit.inPlane && side <= kInPlane &&
-                             containsProjection(graph_.polygon(portal), portal.plane.n, view_.eye, 0.0);
+        const bool inPlane = rules_.halfPlane && visit.inPlane && holdsEye(portal);
         if (!inPlane && side <= 0.0) {
             return; // edge-on or from behind: no ray of this visit passes
         }
@@ -190,9 +204,43 @@ private:
         c.parent = index;
         c.entryPlane = portal.plane.relativeTo(view_.eye).flipped();
         c.planeOnScreen = eyeFromScreenTransposed_ * c.entryPlane.n;
-        c.rect = boundsOf(s_.region);
         c.inPlane = inPlane;
+        if (leadsNowhere) {
+            addChild(c, true);
+            return;
+        }
+        if (isCutByReciprocal(visit, portal)) {
+            s_.whole.assign(s_.region.begin(), s_.region.end());
+            clipByReciprocal(graph_.portals()[portal.reciprocal]);
+            if (!isSameRegion(s_.whole, s_.region)) {
+                s_.region.swap(s_.whole);
+                addChild(c, true);
+                s_.region.swap(s_.whole);
+                c.narrowed = true;
+            }
+        }
+        if (!s_.region.empty()) {
+            addChild(c, false);
+        }
+    }
+
+    /// A child with the region in s_.region.
+    void addChild(Candidate c, bool hole) {
+        c.hole = hole;
+        c.rect = boundsOf(s_.region);
         s_.children.add(c, s_.region);
+    }
+
+    /// True if the eye lies in the portal's plane, inside the opening.
+    [[nodiscard]] bool holdsEye(const Graph::Portal& portal) const {
+        return std::abs(portal.plane.signedDistance(view_.eye)) <= kInPlane &&
+               containsProjection(graph_.polygon(portal), portal.plane.n, view_.eye, 0.0);
+    }
+
+    /// True if the way back's polygon bounds the opening too. An eye inside that one is through it already.
+    [[nodiscard]] bool isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
+        return !portal.exact && portal.reciprocal != kNone &&
+               !(rules_.halfPlane && visit.inPlane && holdsEye(graph_.portals()[portal.reciprocal]));
     }
 
     [[nodiscard]] bool isWayBack(const Visit& visit, std::uint32_t portal) const {
@@ -219,16 +267,24 @@ private:
 
     /// The part of the opening that the visit's rays reach, into s_.region.
     bool openingRegion(const Visit& visit, const Graph::Portal& portal) {
-        s_.relative.clear();
+        if (portal.outlineCount > 0) {
+            hullSeenFrom(view_.eye, graph_.outline(portal), portal.plane.n, s_.relative, s_.swap);
+        } else {
+            s_.relative.clear();
+            for (const Vec3& v : graph_.polygon(portal)) {
+                s_.relative.push_back(v - view_.eye);
+            }
+        }
         double farthest = visit.parent == kNone ? 1.0 : 0.0;
-        for (const Vec3& v : graph_.polygon(portal)) {
-            s_.relative.push_back(v - view_.eye);
-            farthest = std::max(farthest, visit.entryPlane.signedDistance(s_.relative.back()));
+        for (const Vec3& v : s_.relative) {
+            farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
         }
         if (farthest <= kBeyondEntry) {
             return false;
         }
-        clipPolygon(s_.relative, visit.entryPlane, 0.0, s_.beyond);
+        // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
+        // not quite in the planes of both.
+        clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
         if (!rules_.eyePlaneClip) {
             clipPolygon(s_.beyond, {view_.forward, -kPretendedNear}, 0.0, s_.swap);
             s_.beyond.swap(s_.swap);
@@ -237,15 +293,16 @@ private:
             v = screen_ * v;
         }
         clipByRegion(s_.beyond, out_.region(visit), s_.region, s_.swap);
-        if (!portal.exact && portal.reciprocal != kNone && !s_.region.empty()) {
-            clipByReciprocal(graph_.portals()[portal.reciprocal]);
-        }
         return !s_.region.empty();
     }
 
     /// An inexact pair is open where both polygons are.
     void clipByReciprocal(const Graph::Portal& reciprocal) {
         s_.relative.clear();
+        if (reciprocal.plane.n == Vec3(0.0)) {
+            s_.region.clear();
+            return;
+        }
         for (const Vec3& v : graph_.polygon(reciprocal)) {
             s_.relative.push_back(screen_ * (v - view_.eye));
         }

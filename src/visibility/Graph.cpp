@@ -13,6 +13,9 @@ namespace {
 /// walk.
 constexpr std::uint32_t kPortalsWithoutTree = 12;
 
+/// Metres: a polygon whose vertices lie no farther off its plane looks convex from wherever it is seen.
+constexpr double kFlat = 1e-9;
+
 Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<const SpaceDesc> spaces,
                          std::size_t portalCount, std::span<const Vec3> vertices) {
     const std::string where = fmt::format("portal {}", index);
@@ -30,10 +33,16 @@ Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<
     if (portal.firstVertex > vertices.size() || portal.vertexCount > vertices.size() - portal.firstVertex) {
         return fail(ErrorCode::BadArgument, where, "has vertices outside the array");
     }
-    for (const Vec3& v : vertices.subspan(portal.firstVertex, portal.vertexCount)) {
-        if (!isFinite(v)) {
-            return fail(ErrorCode::BadArgument, where, "has a vertex that is not finite");
-        }
+    if (portal.firstOutline > vertices.size() ||
+        portal.outlineCount > vertices.size() - portal.firstOutline) {
+        return fail(ErrorCode::BadArgument, where, "has an outline outside the array");
+    }
+    const auto finite = [](const Vec3& v) { return isFinite(v); };
+    const auto polygon = vertices.subspan(portal.firstVertex, portal.vertexCount);
+    const auto outline = vertices.subspan(portal.firstOutline, portal.outlineCount);
+    if (!std::all_of(polygon.begin(), polygon.end(), finite) ||
+        !std::all_of(outline.begin(), outline.end(), finite)) {
+        return fail(ErrorCode::BadArgument, where, "has a vertex that is not finite");
     }
     return {};
 }
@@ -82,6 +91,20 @@ private:
 
 } // namespace
 
+void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
+    const auto polygon = vertices.subspan(desc.firstVertex, desc.vertexCount);
+    const Plane plane = planeOf(polygon);
+    const bool isFlat = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& v) {
+        return std::abs(plane.signedDistance(v)) <= kFlat;
+    });
+    const auto outline = desc.outlineCount > 0 ? vertices.subspan(desc.firstOutline, desc.outlineCount)
+                                               : polygon.first(isFlat ? 0 : polygon.size());
+    portals_.push_back({plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex,
+                        desc.vertexCount, desc.exact, static_cast<std::uint32_t>(outlines_.size()),
+                        static_cast<std::uint32_t>(outline.size())});
+    outlines_.insert(outlines_.end(), outline.begin(), outline.end());
+}
+
 Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const PortalDesc> portals,
                            std::span<const Vec3> vertices) {
     Graph graph;
@@ -92,12 +115,13 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
         if (auto checked = checkPortal(p, i, spaces, portals.size(), vertices); !checked) {
             return tl::unexpected(checked.error());
         }
-        const auto polygon = vertices.subspan(p.firstVertex, p.vertexCount);
-        for (const Vec3& v : polygon) {
+        graph.addPortal(p, vertices);
+        for (const Vec3& v : graph.polygon(graph.portals_.back())) {
             boxes[i].include(v);
         }
-        graph.portals_.push_back(
-            {planeOf(polygon), p.space, p.destination, p.reciprocal, p.firstVertex, p.vertexCount, p.exact});
+        for (const Vec3& v : graph.outline(graph.portals_.back())) {
+            boxes[i].include(v);
+        }
     }
     std::vector<std::uint32_t> order;
     for (std::size_t i = 0; i < spaces.size(); ++i) {

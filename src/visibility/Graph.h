@@ -28,6 +28,8 @@ struct PortalDesc {
     std::uint32_t reciprocal = kNone; ///< the portal that leads back through the same opening; kNone: one-way
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< convex, counter-clockwise seen from inside `space`
     bool exact = true; ///< false: the reciprocal's polygon differs, and the opening is what both leave open
+    /// The polygon with vertices that walls have on its edges, and not quite on them (visibility/Outline.h); 0: none.
+    std::uint32_t firstOutline = 0, outlineCount = 0;
 };
 
 /// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
@@ -57,6 +59,7 @@ public:
         std::uint32_t space = 0, destination = kNone, reciprocal = kNone;
         std::uint32_t firstVertex = 0, vertexCount = 0;
         bool exact = true;
+        std::uint32_t firstOutline = 0, outlineCount = 0; ///< 0: the polygon is flat and all there is
     };
 
     [[nodiscard]] std::span<const Space> spaces() const { return spaces_; }
@@ -65,8 +68,14 @@ public:
     [[nodiscard]] std::span<const Vec3> polygon(const Portal& portal) const {
         return std::span<const Vec3>(vertices_).subspan(portal.firstVertex, portal.vertexCount);
     }
+    [[nodiscard]] std::span<const Vec3> outline(const Portal& portal) const {
+        return std::span<const Vec3>(outlines_).subspan(portal.firstOutline, portal.outlineCount);
+    }
 
 private:
+    void addPortal(const PortalDesc& desc, std::span<const Vec3> vertices);
+
+    std::vector<Vec3> outlines_;
     std::vector<Space> spaces_;
     std::vector<Portal> portals_;
     std::vector<Vec3> vertices_;

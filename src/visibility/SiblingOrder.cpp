@@ -12,6 +12,10 @@ namespace {
 /// Overlaps narrower than this are what rounding makes of a shared edge; no pixel lies in them.
 constexpr double kTouching = 1e-11;
 
+/// Circles are cut until there are this many parts for each opening. Flat openings need hardly any; bent ones, whose regions
+/// need not be convex, could go on for ever.
+constexpr std::size_t kMostParts = 8;
+
 Vec3 centroid(std::span<const Vec3> region) {
     Vec3 sum(0.0);
     for (const Vec3& v : region) {
@@ -20,8 +24,12 @@ Vec3 centroid(std::span<const Vec3> region) {
     return sum;
 }
 
-/// How far along direction `d` (x, y, w; any length, the unit of the result) the candidate's plane is met.
+/// How far along direction `d` (x, y, w; any length, the unit of the result) the candidate's plane is met. An eye in the
+/// plane leaves through it at once, also where it lies a little before or behind.
 double distanceAlong(const Candidate& c, const Vec3& d) {
+    if (c.inPlane) {
+        return 0.0;
+    }
     const double speed = glm::dot(c.planeOnScreen, d);
     return speed > 0.0 ? -c.entryPlane.d / speed : 0.0;
 }
@@ -49,16 +57,17 @@ SiblingOrder::Relation SiblingOrder::compare(const CandidateList& list, const Ca
     if (overlap_.empty() || coneSize(overlap_) < kTouching) {
         return Relation::None;
     }
+    const auto before = [&] {
+        return contains(list.region(b), list.region(a)) ? Relation::Covered : Relation::Before;
+    };
+    if (a.portal == b.portal && a.hole != b.hole) { // in one plane: where the pair is open, the hole is not
+        return a.hole ? before() : Relation::After;
+    }
     const Vec3 direction = centroid(overlap_);
     const double da = distanceAlong(a, direction);
     const double db = distanceAlong(b, direction);
-    if (da == db) {
-        return Relation::None;
-    }
-    if (da > db) {
-        return contains(list.region(b), list.region(a)) ? Relation::Covered : Relation::Before;
-    }
-    return Relation::After;
+    const bool isFarther = da != db ? da > db : a.portal > b.portal; // of equals the rays take the first
+    return isFarther ? before() : Relation::After;
 }
 
 void SiblingOrder::relate(const CandidateList& list) {
@@ -114,23 +123,28 @@ bool SiblingOrder::place(const CandidateList& list) {
     return true;
 }
 
-void SiblingOrder::split(CandidateList& list) {
+bool SiblingOrder::split(CandidateList& list) {
     const std::size_t n = list.items.size();
-    std::uint32_t cut = 0;
-    std::uint32_t by = 0;
-    for (const std::uint32_t i : byDistance_) {
-        const auto waits = [&](std::uint32_t j) {
-            return done_[j] == 0 && relations_[i * n + j] == Relation::After;
-        };
-        const auto found = std::find_if(byDistance_.begin(), byDistance_.end(), waits);
-        if (done_[i] == 0 && found != byDistance_.end()) {
-            cut = i;
-            by = *found;
-            break;
+    for (const std::uint32_t cut : byDistance_) {
+        for (const std::uint32_t by : byDistance_) {
+            if (done_[cut] == 0 && done_[by] == 0 && relations_[cut * n + by] == Relation::After &&
+                cutInto(list, cut, by)) {
+                std::swap(list, next_);
+                return true;
+            }
         }
     }
+    return false;
+}
+
+void SiblingOrder::placeRest() {
+    std::copy_if(byDistance_.begin(), byDistance_.end(), std::back_inserter(order_),
+                 [&](std::uint32_t i) { return done_[i] == 0; });
+}
+
+bool SiblingOrder::cutInto(const CandidateList& list, std::uint32_t cut, std::uint32_t by) {
     next_.clear();
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t i = 0; i < list.items.size(); ++i) {
         if (i != cut) {
             next_.add(list.items[i], list.region(list.items[i]));
         }
@@ -142,7 +156,7 @@ void SiblingOrder::split(CandidateList& list) {
     rest_.assign(original.begin(), original.end());
     const auto add = [&](std::vector<Vec3>& region) {
         tidyRegion(region);
-        if (!region.empty()) {
+        if (!region.empty() && coneSize(region) >= kTouching) {
             part.rect = boundsOf(region);
             next_.add(part, region);
         }
@@ -155,13 +169,14 @@ void SiblingOrder::split(CandidateList& list) {
         rest_.swap(overlap_);
     }
     add(rest_);
-    std::swap(list, next_);
+    return next_.items.size() > list.items.size();
 }
 
 void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
     if (list.items.size() < 2) {
         return;
     }
+    const std::size_t most = kMostParts * list.items.size();
     for (;;) {
         distance_.clear();
         for (const Candidate& c : list.items) {
@@ -172,14 +187,20 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
         std::iota(byDistance_.begin(), byDistance_.end(), 0u);
         std::sort(byDistance_.begin(), byDistance_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return distance_[a] != distance_[b] ? distance_[a] > distance_[b]
-                                                : list.items[a].portal < list.items[b].portal;
+                   : list.items[a].portal != list.items[b].portal
+                       ? list.items[a].portal < list.items[b].portal
+                       : list.items[a].hole && !list.items[b].hole;
         });
         relate(list);
         if (place(list)) {
             break;
         }
+        if (list.items.size() > most || !split(list)) { // bent, pierced, or alike but for rounding
+            ++counts.cyclesLeft;
+            placeRest();
+            break;
+        }
         ++counts.cyclesSplit;
-        split(list);
     }
     next_.clear();
     for (const std::uint32_t i : order_) {

@@ -11,10 +11,13 @@
 
 namespace limen::visibility {
 
+/// The zone of holes: nothing is a member of it.
+inline constexpr std::uint32_t kNoZone = std::numeric_limits<std::uint32_t>::max();
+
 /// One visit of the eye's rays to a zone: where on the screen, from which plane on, and through what.
 struct Visit {
-    std::uint32_t zone = 0;
-    std::uint32_t space = 0; ///< the space entered (the root space for the root)
+    std::uint32_t zone = 0;  ///< kNoZone for a hole
+    std::uint32_t space = 0; ///< the space entered (the root space for the root); kNone for a hole
     std::uint32_t parent = std::numeric_limits<std::uint32_t>::max(); ///< index into visits; max for the root
     std::uint32_t portal =
         std::numeric_limits<std::uint32_t>::max(); ///< the portal come through; max for the root
@@ -24,6 +27,9 @@ struct Visit {
     std::uint32_t depth = 0;                        ///< 0 for the root
     bool inPlane = false; ///< the eye lies in the portal's plane and the region is half of the parent's; true
                           ///< for the root
+    bool hole = false; ///< the rays pass the portal's polygon and end there: it leads nowhere, or its pair is
+                       ///< not open; no children and no seen spaces
+    bool narrowed = false; ///< of an inexact pair: the other polygon bounds its region as well
     bool split =
         false; ///< its region is one part of the opening, cut to break a circle of overlapping siblings
 };
@@ -47,6 +53,7 @@ struct FloodCounts {
     std::uint32_t portalsTested = 0, portalsAdmitted = 0, spaceVisits = 0, revisits = 0;
     std::uint32_t visitsCut = 0;   ///< left out because Limits::maxVisits was reached
     std::uint32_t cyclesSplit = 0; ///< siblings that overlapped in a circle and were split
+    std::uint32_t cyclesLeft = 0;  ///< circles that no cut would part: ordered by distance
 };
 
 /// What one flood yields; see docs/ray-rule.md. Reuse it: `clear` keeps

@@ -220,6 +220,15 @@ TEST(Comparison, aBrokenPictureIsNotLookedAtForEver) {
     EXPECT_LT(retracer.finerRays, kMostSecondLooks * 4000);
 }
 
+TEST(Comparison, pixelsThatAreExplainedDoNotUseUpTheSecondLooks) {
+    const DrawnImages drawn = drawnOf(64, 64, kOther);
+    HandMadeRetracer retracer;
+    retracer.byZoneId = [](double, double) { return kOther; };
+    Comparison result;
+    compare(drawn, tracedOf(64, 64, kWall), retracer, result);
+    EXPECT_EQ(result.count(Verdict::ByZone), 64u * 64u);
+}
+
 TEST(Stillness, countsPixelsThatDifferInAnyBit) {
     DrawnImages first = drawnOf(4, 2, kWall);
     first.colour.assign(4 * 2 * 4, 100);

@@ -74,6 +74,22 @@ TEST(Views, randomOnesAreFoundInACellWithoutATree) {
         EXPECT_TRUE(world.spaces[world::findCell(world, view.root)].bounds.contains(view.eye));
 }
 
+TEST(Standing, randomPlacesKeepClearOfWallsAndOpenings) {
+    limen::test::TestWorld source;
+    const auto flat = source.addBox({0, 0, 0}, {4, 4, 0.006}, "brown");
+    const world::World world = limen::test::loadTestWorld(source);
+    const reference::Scene scene(world);
+    const Surroundings around{world, scene, source.home(), 1, 32, 18, {}};
+    const world::SpaceIndex cell = world::findCell(world, source.id(flat));
+    for (std::uint64_t i = 0; i < 50; ++i) {
+        Dice dice(1, {i});
+        const auto eye = placeInCell(around, cell, dice);
+        ASSERT_TRUE(eye.has_value());
+        EXPECT_GE(eye->z, 0.0017);
+        EXPECT_LE(eye->z, 0.0043);
+    }
+}
+
 TEST(Views, outsideOnesStandInTheOpen) {
     const House house;
     std::vector<View> views;

@@ -5,6 +5,12 @@
 namespace limen::test {
 namespace {
 
+bool keeps(const frame::gpu::ClipSet& clip, const Vec3f& p) {
+    return std::all_of(std::begin(clip.planes), std::end(clip.planes), [&](const frame::gpu::vec4& plane) {
+        return glm::dot(plane, frame::gpu::vec4(p, 1.0f)) >= 0.0f;
+    });
+}
+
 struct OwnershipTest : ::testing::Test {
     Rooms rooms;
     PlannedWorld planned{rooms.world};
@@ -47,15 +53,23 @@ TEST_F(OwnershipTest, clipsByTheParentsEdgesAndNeverByTheRoots) {
     }
     // A point in the middle of the grandchild's opening is kept; one beside the parent's opening is cut.
     const auto& clip = plan.clipSets[1];
-    const auto kept = [&](const Vec3f& p) {
-        return std::all_of(std::begin(clip.planes), std::end(clip.planes),
-                           [&](const frame::gpu::vec4& plane) {
-                               return glm::dot(plane, frame::gpu::vec4(p, 1.0f)) >= 0.0f;
-                           });
-    };
-    EXPECT_TRUE(kept({0, 7, -0.5f}));
-    EXPECT_FALSE(kept({4, 7, -0.5f}));
-    EXPECT_FALSE(kept({0, 2, -0.5f})) << "before the parent's entry plane";
+    EXPECT_TRUE(keeps(clip, {0, 7, -0.5f}));
+    EXPECT_FALSE(keeps(clip, {4, 7, -0.5f}));
+    EXPECT_TRUE(keeps(clip, {0, 2, -0.5f})) << "the opening lies beyond the entry plane, which is not asked";
+}
+
+TEST(Ownership, clipsByTheParentsEntryPlaneWhatReachesBeforeIt) {
+    TestWorld world;
+    const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
+    const auto b = world.addBox({0, 2, 0}, {4, 8, 3}, "blue");
+    const auto c = world.addBox({4, 2, 0}, {8, 8, 3}, "red");
+    world.link(a, rectangle({0.5, 4, 0}, {3.9, 4, 2.5}), b);
+    world.link(b, rectangle({4, 3, 0}, {4, 5, 2}), c);
+    PlannedWorld planned(world);
+    const auto& plan = planned.planFrom({1, 1, 1.5}, 40, world::findCell(planned.world, world.id(a)));
+    ASSERT_EQ(planned.visible.visits.size(), 3u);
+    EXPECT_TRUE(keeps(plan.clipSets[1], {2.8f, 3.3f, -0.5f}));
+    EXPECT_FALSE(keeps(plan.clipSets[1], {2.4f, 2.9f, -0.5f})) << "before the parent's entry plane";
 }
 
 TEST_F(OwnershipTest, drawsTheFloodsRegionWithinAMillimetreOfAnOpeningAndNoFurther) {
@@ -66,6 +80,27 @@ TEST_F(OwnershipTest, drawsTheFloodsRegionWithinAMillimetreOfAnOpeningAndNoFurth
             EXPECT_EQ(vertex.block == frame::gpu::kNoVisit, vertex.visit == 1 && before < 0.001) << before;
         }
     }
+}
+
+TEST(Ownership, cutsAnInexactPairByTheOtherPolygonAndDrawsItsHoleWhole) {
+    TestWorld world;
+    const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
+    const auto b = world.addBox({0, 4, 0}, {4, 8, 3}, "blue");
+    TestWorld::LinkOptions link;
+    link.exact = false;
+    link.polygonInB = rectangle({1, 4, 0}, {2.5, 4, 2});
+    world.link(a, rectangle({1.5, 4, 0}, {3, 4, 2}), b, link);
+    PlannedWorld planned(world);
+    const auto& plan = planned.planFrom({2, 1, 1.5}, 0, world::findCell(planned.world, world.id(a)));
+    ASSERT_EQ(planned.visible.visits.size(), 3u);
+    EXPECT_EQ(plan.visits[1].zone, visibility::kNoZone);
+    for (const auto& vertex : plan.ownershipVertices) {
+        EXPECT_NE(vertex.block, frame::gpu::kNoVisit) << "from the corners that the walls have";
+        EXPECT_EQ(vertex.clipSet, vertex.visit - 1);
+    }
+    EXPECT_TRUE(keeps(plan.clipSets[1], {0.4f, 3, -0.5f}));
+    EXPECT_FALSE(keeps(plan.clipSets[1], {0.6f, 3, -0.5f}))
+        << "the way back ends half a metre right of the eye";
 }
 
 TEST(Ownership, cutsARegionOfManyEdgesIntoSeveralDraws) {

@@ -78,6 +78,7 @@ VisibleSet floodOf(const Complex& complex, const visibility::View& view) {
     VisibleSet set;
     visibility::flood(complex.graph, {}, view, {}, scratch, set);
     EXPECT_EQ(set.counts.visitsCut, 0u) << "the cap on visits was reached";
+    EXPECT_EQ(set.counts.cyclesLeft, 0u) << "openings that overlap in a circle were left so";
     for (const Vec3& v : set.regionVertices) {
         EXPECT_TRUE(isFinite(v));
     }
@@ -87,18 +88,22 @@ VisibleSet floodOf(const Complex& complex, const visibility::View& view) {
     return set;
 }
 
-/// Whether the ray meets the portal's polygon; of an inexact pair both, each in its own plane: it is open where both are.
-bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec3& eye,
-               const Vec3& direction) {
-    const auto meets = [&](const world::Portal& p) {
-        const double t = -p.plane.signedDistance(eye) / glm::dot(p.plane.n, direction);
-        return containsProjection(cornersOf(world, p), p.plane.n, eye + direction * t, 0.0);
-    };
-    return meets(portal) &&
-           (portal.exact || portal.reciprocal == world::kNone || meets(world.portals[portal.reciprocal]));
+/// Whether the ray, as a line, meets the portal's polygon.
+bool meets(const world::World& world, const world::Portal& portal, const Vec3& eye, const Vec3& direction) {
+    const double t = -portal.plane.signedDistance(eye) / glm::dot(portal.plane.n, direction);
+    return containsProjection(cornersOf(world, portal), portal.plane.n, eye + direction * t, 0.0);
 }
 
-/// The spaces a ray passes through, found the slow way: by the nearest opening ahead, without regard to walls.
+/// Whether a ray that meets the portal's polygon goes on: an inexact pair is open where both polygons are.
+bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec3& eye,
+               const Vec3& direction) {
+    return portal.destination != world::kNone &&
+           (portal.exact || portal.reciprocal == world::kNone ||
+            meets(world, world.portals[portal.reciprocal], eye, direction));
+}
+
+/// The spaces a ray passes through, found the slow way: by the nearest opening ahead, without regard to walls. kNone at
+/// the end is a hole.
 std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visibility::View& view,
                                           const Vec3& direction) {
     std::vector<world::SpaceIndex> chain{view.root};
@@ -112,14 +117,18 @@ std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visib
             const world::Portal& portal = world.portals[p];
             const double speed = glm::dot(portal.plane.n, direction);
             const double t = -portal.plane.signedDistance(view.eye) / speed;
-            if (speed < 0.0 && t > t0 && t < nearest && portal.destination != world::kNone &&
+            if (speed < 0.0 && t > t0 && t < nearest &&
                 (cameBy == world::kNone || world.portals[cameBy].reciprocal != p) &&
-                isOpenFor(world, portal, view.eye, direction)) {
+                meets(world, portal, view.eye, direction)) {
                 nearest = t;
                 next = p;
             }
         }
         if (next == world::kNone) {
+            return chain;
+        }
+        if (!isOpenFor(world, world.portals[next], view.eye, direction)) {
+            chain.push_back(world::kNone);
             return chain;
         }
         chain.push_back(world.portals[next].destination);

@@ -87,6 +87,20 @@ TEST(Flood, inThePlaneInsideTheOpeningTheFarHalfBelongsToTheSpaceBehind) {
     }
 }
 
+TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
+    // North 0.15 mm ahead an opening that counts as met at the eye; east 0.01 mm ahead one that begins beside the eye.
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.addSpace();
+    world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(0, 2, uprightRectangle({0.50001, 10.99986, 0}, {-1, 0, 0}, 2, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0.5, 9.99985, 0}, 30, 0, 0));
+    ASSERT_GE(set.visits.size(), 2u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0, 0, 1})), (Chain{0, 1}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.2, 0.1, 1})), (Chain{0, 1}));
+}
+
 TEST(Flood, inThePlaneBesideTheOpeningNothingIsLostOrFlooded) {
     const VisibleSet set = floodOnce(rowOfRooms(2).build(), viewFrom({3, 10, 0}, 270, 0, 0));
     EXPECT_EQ(set.visits.size(), 1u);
@@ -116,10 +130,89 @@ TEST(Flood, opensInexactPairsWhereBothPolygonsAre) {
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
                       uprightRectangle({1, 10, 0}, {0, 1, 0}, 4, 2));
     const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
-    ASSERT_EQ(set.visits.size(), 2u);
-    const Rect rect = boundsOf(set.region(set.visits[1]));
+    ASSERT_EQ(set.visits.size(), 3u);
+    EXPECT_TRUE(set.visits[2].narrowed);
+    const Rect rect = boundsOf(set.region(set.visits[2]));
     EXPECT_NEAR(rect.minX, -0.1, 1e-12);
     EXPECT_NEAR(rect.maxX, 0.2, 1e-12);
+    // Around it, and painted before: the hole that the portal's own polygon leaves.
+    const Visit& hole = set.visits[1];
+    EXPECT_TRUE(hole.hole);
+    EXPECT_EQ(hole.zone, kNoZone);
+    EXPECT_EQ(hole.space, kNone);
+    EXPECT_EQ(hole.portal, set.visits[2].portal);
+    EXPECT_NEAR(boundsOf(set.region(hole)).minX, -0.2, 1e-12);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.15, 0, 1})), (Chain{0, kNone}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0, 0, 1})), (Chain{0, 1}));
+}
+
+TEST(Flood, leavesNoHoleWhereTheWayBackIsLarger) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({0, 10, 0}, {0, 1, 0}, 5, 3));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 2u);
+    EXPECT_FALSE(set.visits[1].hole || set.visits[1].narrowed);
+}
+
+TEST(Flood, aPortalThatLeadsNowhereIsAHoleAndHidesWhatLiesBehind) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkOneWay(0, kNone, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(0, 1, uprightRectangle({1, 20, 0}, {0, -1, 0}, 4, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 3u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.03, 0, 1})), (Chain{0, kNone}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.12, 0, 1})), (Chain{0, 1}));
+    ASSERT_EQ(set.seen.size(), 2u) << "nothing is seen in a hole";
+}
+
+TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({0, 9.9996, 0}, {0, 1, 0}, 4, 2));
+    // 0.3 mm before its own plane, 0.1 mm behind the other, whose edges are seen from the wrong side.
+    const VisibleSet set = floodOnce(world.build(), viewFrom({1.9999, 9.9997, 0.5}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 2u);
+    EXPECT_EQ(set.visits[1].space, 1u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.9, 0, 1})), (Chain{0, 1}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.2, 0.5, 1})), (Chain{0, 1}));
+}
+
+TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
+    // The hole comes before its opening; a slanting third lies behind the hole's middle and before the opening.
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 8, 2),
+                      uprightRectangle({3, 10, 0}, {0, 1, 0}, 1, 2));
+    world.link(0, 2, {{-4, 14, -0.2}, {4, 8, -0.2}, {4, 8, 0.2}, {-4, 14, 0.2}});
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    EXPECT_GT(set.counts.cyclesSplit, 0u);
+    EXPECT_EQ(chainOf(set, ownerOf(set, {-0.2, 0, 1})), (Chain{0, kNone}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.3, 0, 1})), (Chain{0, 2}));
+    EXPECT_EQ(chainOf(set, ownerOf(set, {0.3, 0.08, 1})), (Chain{0, 1}));
+}
+
+TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({1, 10, 0}, {0, 1, 0}, 4, 2));
+    const Graph graph = world.build();
+    const VisibleSet inBoth = floodOnce(graph, viewFrom({0.5, 10, 0}, 0, 0, 0));
+    ASSERT_EQ(inBoth.visits.size(), 2u);
+    EXPECT_EQ(inBoth.visits[1].space, 1u);
+    const VisibleSet inOne = floodOnce(graph, viewFrom({-1.5, 10, 0}, 0, 0, 0));
+    ASSERT_EQ(inOne.visits.size(), 2u);
+    EXPECT_TRUE(inOne.visits[1].hole && inOne.visits[1].inPlane);
 }
 
 TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
