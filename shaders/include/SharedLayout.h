@@ -80,7 +80,7 @@ LIMEN_STRUCT(FrameConstants) {
     vec4 fogRange LIMEN_ZERO;      // near, far in metres
     vec4 voidColour LIMEN_ZERO;
     vec4 skyZenith LIMEN_ZERO;     // rgb: plain sky overhead; the horizon is fogColour
-    vec4 viewport LIMEN_ZERO;      // width, height, 1/width, 1/height
+    vec4 viewport LIMEN_ZERO;      // width, height, 1/width, 1/height; this and the rays are filled in by gpu
     vec4 rayCorner LIMEN_ZERO;     // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
     vec4 rayRight LIMEN_ZERO;      // and the steps of one pixel
     vec4 rayUp LIMEN_ZERO;

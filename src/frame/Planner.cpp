@@ -120,11 +120,6 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.fogRange = {sky.fogNear, sky.fogFar, 0.0f, 0.0f};
     c.skyZenith = {sky.fogColour * Vec3f(kZenith[0], kZenith[1], kZenith[2]), 1.0f};
     c.voidColour = {frame.voidColour, 1.0f};
-    const Vec3 right = frame.view.right * frame.view.tanHalfX, up = frame.view.up * frame.view.tanHalfY;
-    c.rayCorner = {Vec3f(frame.view.forward - right - up), 0.0f};
-    c.rayRight = {Vec3f(right * (2.0 / frame.width)), 0.0f};
-    c.rayUp = {Vec3f(up * (2.0 / frame.height)), 0.0f};
-    c.viewport = {frame.width, frame.height, 1.0 / frame.width, 1.0 / frame.height};
     c.rootZone = set.visits[0].zone;
     c.visitCount = static_cast<std::uint32_t>(set.visits.size());
     c.flags = frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0;

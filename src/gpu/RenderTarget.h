@@ -32,8 +32,9 @@ public:
     /// downwards. Empty if it is not multisampled.
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
 
-    /// Fills in FrameConstants::samplesX and samplesY, which must be 0.
-    void placeSamples(frame::gpu::FrameConstants& constants) const;
+    /// Fills in what depends on the target: the viewport, the rays through its pixels (from clipFromEye, whose rounding
+    /// they share), and where its samples lie; samplesX and samplesY must be 0.
+    void place(frame::gpu::FrameConstants& constants) const;
 
     /// R,G,B,A bytes; of a multisampled target the samples' mean.
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;

@@ -331,7 +331,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     device_->setGeometry(scene_->vertices, scene_->indices); // another renderer may have drawn since
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
     layout::FrameConstants constants = plan.constants;
-    target.placeSamples(constants);
+    target.place(constants);
     const auto arrays = frameArrays(plan, constants);
     for (std::size_t i = 0; i < arrays.size(); ++i) {
         copyTo(memory, ring.offsets[i], arrays[i]);

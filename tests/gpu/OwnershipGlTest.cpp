@@ -107,21 +107,31 @@ TEST_F(OwnershipGlTest, clipSetCutsWhatAChildOwns) {
                                                      "AA..BBAA", "AA..BBAA", "AAAAAAAA", "AAAAAAAA"));
 }
 
-TEST_F(OwnershipGlTest, screenPolygonsOwnTheirPixels) {
+TEST_F(OwnershipGlTest, aClipSetAloneOwnsItsPixels) {
     SceneBuilder scene = twoRooms();
-    // Clip x, y, w, scaled by w: the same square as the opening's left half. Outside a clip set's reach.
-    scene.plan.clipSets.push_back({});
-    scene.plan.ownershipVertices.clear();
-    for (const glm::vec2& corner :
-         {glm::vec2{-0.5f, -0.5f}, {0, -0.5f}, {0, 0.5f}, {-0.5f, -0.5f}, {0, 0.5f}, {-0.5f, 0.5f}}) {
-        layout::OwnershipVertex vertex;
-        vertex.position = {corner * 3.0f, 3.0f};
-        vertex.block = layout::kNoVisit;
-        vertex.visit = 1;
-        scene.plan.ownershipVertices.push_back(vertex);
-    }
+    layout::ClipSet set = scene.plan.clipSets[0]; // the opening's left half, at any distance
+    set.planes[0] = {-1, 0, 0, 0};
+    set.planes[1] = {1, 0.5f, 0, 0};
+    set.planes[2] = {0, 0.5f, -1, 0};
+    set.planes[3] = {0, 0.5f, 1, 0};
+    scene.plan.clipSets.push_back(set);
+    layout::OwnershipVertex vertex;
+    vertex.visit = 1;
+    vertex.clipSet = 1;
+    vertex.outlineCount = layout::kCoverWindow;
+    scene.plan.ownershipVertices.assign(3, vertex);
     EXPECT_THAT(render(scene).picture(), ElementsAre("AAAAAAAA", "AAAAAAAA", "AABB..AA", "AABB..AA",
                                                      "AABB..AA", "AABB..AA", "AAAAAAAA", "AAAAAAAA"));
+}
+
+TEST_F(OwnershipGlTest, anOpeningLookedForInTheWholeWindowOwnsTheSamePixels) {
+    SceneBuilder scene = twoRooms();
+    const Frame drawn = render(scene);
+    for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices) {
+        vertex.outlineCount |= layout::kCoverWindow;
+    }
+    EXPECT_EQ(render(scene).ids, drawn.ids);
+    EXPECT_EQ(render(scene, 8, {.exactOutlines = false}).ids, drawn.ids);
 }
 
 TEST_F(OwnershipGlTest, portalCutByTheEyesPlaneOwnsWhatIsInFront) {
@@ -133,13 +143,9 @@ TEST_F(OwnershipGlTest, portalCutByTheEyesPlaneOwnsWhatIsInFront) {
     below.entryPlane = {0, 0, -1, -0.001f};
     below.zone = 2;
     scene.plan.visits.push_back(below);
-    for (const glm::vec2& corner :
-         {glm::vec2{-50, -5}, {50, -5}, {50, 500}, {-50, -5}, {50, 500}, {-50, 500}}) {
-        layout::OwnershipVertex vertex;
-        vertex.position = {corner, -0.001f};
-        vertex.visit = 1;
-        scene.plan.ownershipVertices.push_back(vertex);
-    }
+    scene.addOpening(std::array{glm::vec3{-50, -5, -0.001f}, glm::vec3{50, -5, -0.001f},
+                                glm::vec3{50, 500, -0.001f}, glm::vec3{-50, 500, -0.001f}},
+                     1);
     scene.addWall('B', {-8, -8}, {8, 8}, 4, in({{2, 0}}));
     EXPECT_THAT(render(scene, 4).picture(), ElementsAre("....", "....", "BBBB", "BBBB"));
 }

@@ -67,11 +67,13 @@ std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3
         upload.materialRefs.push_back(options.material);
     }
     const auto baseVertex = static_cast<std::int32_t>(upload.vertices.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], 0, layout::packLoop(0, 4)});
+    const glm::vec3 facet =
+        glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])); // quads are flat
+    for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
+        upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], 0, facet});
     }
     const auto firstIndex = static_cast<std::uint32_t>(upload.indices.size());
-    upload.indices.insert(upload.indices.end(), {0, 1, 2, 0, 2, 3});
+    upload.indices.insert(upload.indices.end(), {0, 1, 2, 3, 4, 5});
     const auto index = static_cast<std::uint32_t>(upload.instances.size());
     upload.instances.push_back(instance);
     instanceDraws_.push_back({6, 1, firstIndex, baseVertex, index});
@@ -133,14 +135,27 @@ std::uint32_t SceneBuilder::visitThrough(glm::vec2 min, glm::vec2 max, float y, 
     plan.visits.push_back(visit);
     const std::array<glm::vec3, 4> corners{
         glm::vec3{min.x, y, min.y}, {max.x, y, min.y}, {max.x, y, max.y}, {min.x, y, max.y}};
-    for (const std::size_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) {
-        layout::OwnershipVertex vertex;
-        vertex.position = corners[corner];
-        vertex.visit = number;
-        vertex.clipSet = clipSet;
-        plan.ownershipVertices.push_back(vertex);
-    }
+    addOpening(corners, number, clipSet);
     return number;
+}
+
+void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t visit,
+                              std::uint32_t clipSet) {
+    layout::OwnershipVertex vertex;
+    vertex.visit = visit;
+    vertex.clipSet = clipSet;
+    vertex.outlineFirst = static_cast<std::uint32_t>(plan.ownershipVertices.size());
+    vertex.outlineCount = static_cast<std::uint32_t>(corners.size());
+    glm::vec3 middle(0.0f);
+    for (const glm::vec3& corner : corners) {
+        middle += corner / static_cast<float>(corners.size());
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (const glm::vec3& position : {middle, corners[i], corners[(i + 1) % corners.size()]}) {
+            vertex.position = position;
+            plan.ownershipVertices.push_back(vertex);
+        }
+    }
 }
 
 const frame::FramePlan& SceneBuilder::finish(bool allBatches) {

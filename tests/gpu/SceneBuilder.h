@@ -57,6 +57,8 @@ public:
     /// A visit behind a rectangle in the plane y, entered northwards; yields its number.
     std::uint32_t visitThrough(glm::vec2 min, glm::vec2 max, float y, std::uint32_t zone,
                                std::uint32_t parent, std::uint32_t clipSet = 0);
+    /// An opening of a visit that is there, as a fan around its middle.
+    void addOpening(std::span<const glm::vec3> corners, std::uint32_t visit, std::uint32_t clipSet = 0);
 
     /// Fills in the batches and stages and yields the plan. `allBatches`: one of every program and variant,
     /// even empty.
