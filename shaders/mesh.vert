@@ -40,10 +40,11 @@ vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
     return vec4(normal, dot(normal, through));
 }
 
-Instance outlineInstance;
+Instance outlineInstance = Instance(vec4(0.0), vec4(0.0), vec4(0.0), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0.0);
+uint outlineFirst = 0u;
 
 vec3 outlineCorner(uint i) {
-    return eyeFromModel(cornerAt(vTriangle + i), outlineInstance);
+    return eyeFromModel(cornerAt(outlineFirst + i), outlineInstance);
 }
 #include "grow.glsl"
 
@@ -111,10 +112,13 @@ void drawLarger(uint own) {
     Growth growth = growthOf(seen, own);
     uint before = (own + 2u) % 3u;
     uint after = (own + 1u) % 3u;
-    vEyeRelative += growth.before * (vEyeRelative - seen.at[before]) + growth.after * (vEyeRelative - seen.at[after]);
-    vUv += growth.before * (vUv - uvAt(vTriangle + before)) + growth.after * (vUv - uvAt(vTriangle + after));
-    gl_Position = clipFromEye(vEyeRelative);
-    gl_Position.xy += growth.shift * gl_Position.w / (frame.viewport.xy * 0.5);
+    vec3 at = seen.at[own];
+    at += growth.before * (at - seen.at[before]) + growth.after * (at - seen.at[after]);
+    vec4 clip = clipFromEye(at);
+    clip.xy += growth.shift * clip.w / (frame.viewport.xy * 0.5);
+    gl_Position = clip;
+    vEyeRelative = at;
+    vUv = inUv + growth.before * (inUv - uvAt(outlineFirst + before)) + growth.after * (inUv - uvAt(outlineFirst + after));
 }
 #endif
 
@@ -136,10 +140,12 @@ void main() {
     vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
 #ifdef EXACT
     uint corner = uint(gl_VertexID) % 3u;
-    vTriangle = uint(gl_VertexID) - corner;
     outlineInstance = instance;
-    vFacet = facetFromModel(inFacet, instance, outlineCorner(0u)); // of the same corner for all three
-    if (vFacet.w < 0.0) {
+    outlineFirst = uint(gl_VertexID) - corner;
+    vTriangle = outlineFirst;
+    vec4 facet = facetFromModel(inFacet, instance, outlineCorner(0u)); // of the same corner for all three
+    vFacet = facet;
+    if (facet.w < 0.0) {
         drawLarger(corner);
         gl_Position.z *= kBeforeNear;
     } else {

@@ -92,7 +92,7 @@ LIMEN_STRUCT(FrameConstants) {
     uint staticMembers LIMEN_ZERO;   // likewise
     uint samplesX LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
     uint samplesY LIMEN_ZERO; // pixel's lower left corner in 1/256 of a pixel
-    float pixel LIMEN_ZERO;   // metres that a pixel covers at a view depth of one metre
+    float pixel LIMEN_ZERO;   // metres that a pixel covers at a view depth of one metre; likewise
     uint reserved0 LIMEN_ZERO;
     uint reserved1 LIMEN_ZERO;
     uint reserved2 LIMEN_ZERO;

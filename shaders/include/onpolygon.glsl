@@ -13,7 +13,7 @@ const float kNearRounding = 1.0e-5;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
 const float kGrazing = 1.0e-4;
 
-Instance outlineInstance;
+Instance outlineInstance = Instance(vec4(0.0), vec4(0.0), vec4(0.0), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0.0);
 
 vec3 outlineCorner(uint i) {
     return eyeFromBlock(blockFromModel(cornerAt(vTriangle + i), outlineInstance.row0, outlineInstance.row1, outlineInstance.row2),

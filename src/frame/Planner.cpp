@@ -124,8 +124,6 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.visitCount = static_cast<std::uint32_t>(set.visits.size());
     c.flags = frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0;
     c.nearPlane = static_cast<float>(frame.nearPlane);
-    c.pixel = static_cast<float>(
-        2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height));
 }
 
 void Planner::collect(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {

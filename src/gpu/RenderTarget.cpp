@@ -77,6 +77,8 @@ void RenderTarget::place(frame::gpu::FrameConstants& constants) const {
     constants.rayCorner = glm::vec4(eyeFromWindow * glm::dvec3(-1.0, -1.0, 1.0), 0.0);
     constants.rayRight = glm::vec4(eyeFromWindow[0] * (2.0 / width), 0.0);
     constants.rayUp = glm::vec4(eyeFromWindow[1] * (2.0 / height), 0.0);
+    constants.pixel =
+        std::max(glm::length(glm::vec3(constants.rayRight)), glm::length(glm::vec3(constants.rayUp)));
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         constants.samplesX |= static_cast<std::uint32_t>(samples_[i].x * 256.0f) << (8 * i);
         constants.samplesY |= static_cast<std::uint32_t>(samples_[i].y * 256.0f) << (8 * i);

@@ -32,7 +32,7 @@ public:
     /// downwards. Empty if it is not multisampled.
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
 
-    /// Fills in what depends on the target: the viewport, the rays through its pixels (from clipFromEye, whose rounding
+    /// Fills in what depends on the target: the viewport, its pixels' size and the rays through them (from clipFromEye, whose rounding
     /// they share), and where its samples lie; samplesX and samplesY must be 0.
     void place(frame::gpu::FrameConstants& constants) const;
 
