@@ -88,7 +88,7 @@ NamedView roundOpeningsInARow() {
 NamedView noseInTheDoorway() {
     NamedView view = twoRooms();
     view.eye = {3.9995, 1.7, 11.5};
-    view.yaw = 20;
+    view.yaw = 80;
     view.pitch = -10;
     return view;
 }
@@ -186,15 +186,15 @@ NamedView boardsBehindAPanel() {
 NamedView barsInAnOpening() {
     NamedView view;
     TestWorld& world = view.world;
-    const auto west = world.addBox({0, 0, 10}, {4, 4, 13}, "brown");
-    const auto east = world.addBox({4, 0, 10}, {8, 4, 13}, "blue");
-    world.link(west, rectangle({4, 1.5, 10}, {4, 2.5, 12}), east);
+    const auto west = world.addBox({0, 0, 10}, {4.3, 4, 13}, "brown");
+    const auto east = world.addBox({4.3, 0, 10}, {8, 4, 13}, "blue");
+    world.link(west, rectangle({4.3, 1.5, 10}, {4.3, 2.5, 12}), east);
     for (int i = 0; i < 4; ++i) {
         const double y = 1.6 + 0.22 * i;
-        world.walls(west).push_back({rectangle({4, y, 10}, {4, y + 0.1, 12}), "iron", true});
+        world.walls(west).push_back({rectangle({4.3001, y, 10}, {4.3001, y + 0.1, 12}), "iron", true});
     }
     view.root = east;
-    view.eye = {4.532, 1.494, 10.875};
+    view.eye = {4.832, 1.494, 10.875};
     view.yaw = 276.946;
     view.pitch = -4.761;
     return view;

@@ -33,6 +33,6 @@ struct NamedView {
 [[nodiscard]] NamedView shutDoor();           ///< an opaque door between two rooms
 [[nodiscard]] NamedView twoWindowsOnAMeadow(); ///< a tree for each, seen through one of them only
 [[nodiscard]] NamedView boardsBehindAPanel();  ///< shelf boards at eye level, hidden by the panel before them
-[[nodiscard]] NamedView barsInAnOpening();     ///< a room's grating in the very plane of its opening
+[[nodiscard]] NamedView barsInAnOpening();     ///< a room's grating that stands 0.1 mm out of its opening
 
 } // namespace limen::test

@@ -99,12 +99,12 @@ TEST(Meshes, drawTwoSidedPolygonsTwiceUnderOneNumber) {
     const Instance& object = world.instances.back();
     const Mesh& mesh = world.meshes[object.mesh];
     EXPECT_EQ(mesh.polygonCount, 2u);
-    EXPECT_EQ(mesh.vertexCount, 11u);
+    EXPECT_EQ(mesh.vertexCount, 15u);
     EXPECT_EQ(mesh.ranges[0].indexCount, 15u);
-    for (std::uint32_t v = 0; v < 4; ++v) {
-        EXPECT_EQ(world.vertices[mesh.firstVertex + v + 4].normal,
+    for (std::uint32_t v = 0; v < 6; ++v) {
+        EXPECT_EQ(world.vertices[mesh.firstVertex + v + 6].normal,
                   -world.vertices[mesh.firstVertex + v].normal);
-        EXPECT_EQ(world.vertices[mesh.firstVertex + v + 4].polygon, 0);
+        EXPECT_EQ(world.vertices[mesh.firstVertex + v + 6].polygon, 0);
     }
     for (std::uint32_t i = 0; i < mesh.ranges[0].indexCount; i += 3) {
         const MeshVertex* t[3];
@@ -112,6 +112,10 @@ TEST(Meshes, drawTwoSidedPolygonsTwiceUnderOneNumber) {
             t[k] = &world.vertices[mesh.firstVertex + world.indices[mesh.ranges[0].firstIndex + i + k]];
         const Vec3f n = glm::cross(t[1]->position - t[0]->position, t[2]->position - t[0]->position);
         EXPECT_GT(glm::dot(n, t[0]->normal), 0.0f);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            EXPECT_EQ(t[k], t[0] + k) << "vertices come in threes";
+            EXPECT_NEAR(glm::dot(t[k]->facet, glm::normalize(n)), 1.0f, 1e-6f);
+        }
     }
 }
 

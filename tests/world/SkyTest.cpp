@@ -119,7 +119,7 @@ TEST(Sky, loadsItsMeshesFromTheRegion) {
     source.region().sky.dayGroups[0].objects = {dome};
     const World world = test::loadTestWorld(source);
     ASSERT_EQ(world.sky.parts.size(), 1u);
-    EXPECT_EQ(world.meshes[world.sky.parts[0].mesh].vertexCount, 24u);
+    EXPECT_EQ(world.meshes[world.sky.parts[0].mesh].vertexCount, 36u);
     EXPECT_LT(world.sky.parts[0].firstMaterial, world.materialRefs.size());
     EXPECT_GT(skyAt(world.sky, 0, 0.5).sunDirection.z, 0.5f);
 }
