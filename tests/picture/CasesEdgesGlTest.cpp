@@ -55,7 +55,6 @@ constexpr std::pair<std::uint32_t, std::uint32_t> kSizes[] = {{40, 28}, {61, 43}
 TEST_P(CasesEdges, case12_openingEdgesAtEverySubPixelAlignment) {
     Threshold world;
     PictureWorld pictures(world.world, options());
-    pictures.edgeOnIsCounted = true;
     for (const auto& [width, height] : kSizes) {
         pictures.width = width;
         pictures.height = height;
@@ -65,7 +64,6 @@ TEST_P(CasesEdges, case12_openingEdgesAtEverySubPixelAlignment) {
             ASSERT_GE(picture.visible.visits.size(), GetParam() ? 3u : 4u);
         }
     }
-    EXPECT_LE(pictures.edgeOn, GetParam() ? 4u : 0u) << "of 935,000 pixels";
 }
 
 TEST_P(CasesEdges, case12_multisampledOpeningEdgesAtEverySubPixelAlignment) {
@@ -139,7 +137,6 @@ TEST_P(CasesEdges, case31_openingsThatShareAnEdge) {
     world.link(hall, rectangle({4, 1.7, 3}, {4, 4.1, 4.2}), c);
     world.link(a, rectangle({4.6, 3, 0}, {6, 3, 2}), b);
     PictureWorld pictures(world, options());
-    pictures.edgeOnIsCounted = true;
     const Vec3 eyes[] = {{1, 3, 3},           {1.3, 3.0, 1.5},    {2.2, 2.4, 3.0},
                          {3.995, 3.01, 2.98}, {3.9995, 2.9, 2.8}, {0.7, 4.77, 1.11},
                          {3.6, 3.3, 0.9},     {3.99, 1.7, 1.0},   {2, 1.7, 4.2}};
@@ -153,13 +150,10 @@ TEST_P(CasesEdges, case31_openingsThatShareAnEdge) {
         pictures.expectClean(pictures.look({7, 2.9, 2.5}, 270 + turn, 5, pictures.space(world.id(a))));
         pictures.expectClean(pictures.look({5, 4, 3.4}, 270 + turn, -20, pictures.space(world.id(c))));
     }
-    EXPECT_LE(pictures.edgeOn, GetParam() ? 8u : 0u) << "of 325,000 pixels";
 }
 
-/// Fails with every cell its own zone: one pixel, whose ray runs along the wall between two of the rooms behind, is void.
-/// The eye is 5 mm before three openings that share edges, and in that wall's plane; 1 cm beside it all is well. The cause
-/// is not known; drawing near openings like any other does not help.
-TEST_P(CasesEdges, DISABLED_case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
+/// The eye is 5 mm before three openings that share edges, and in the plane of the wall between two rooms behind.
+TEST_P(CasesEdges, case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
     TestWorld world;
     const auto hall = world.addBox({0, 0, 0}, {4, 6, 6}, "brown");
     const auto a = world.addBox({4, 0, 0}, {8, 3, 3}, "blue");

@@ -199,15 +199,8 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
 Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options) {
     Picture picture = shoot(frame, options);
     const check::Comparison c = judge(picture);
-    judged += c.verdicts.size();
-    edgeOn += c.count(check::Verdict::EdgeOn);
-    seams += seamsAreCounted ? c.count(check::Verdict::Void) : 0;
-    const auto fails = [&](check::Verdict v) {
-        return check::isFinding(v) && !(edgeOnIsCounted && v == check::Verdict::EdgeOn) &&
-               !(seamsAreCounted && v == check::Verdict::Void);
-    };
     const Vec3 eye = frame.view.eye - origin_;
-    if (const auto wrong = std::find_if(c.verdicts.begin(), c.verdicts.end(), fails);
+    if (const auto wrong = std::find_if(c.verdicts.begin(), c.verdicts.end(), check::isFinding);
         wrong != c.verdicts.end()) {
         const auto at = static_cast<std::uint32_t>(wrong - c.verdicts.begin());
         const std::uint32_t x = at % frame.width, y = at / frame.width;
@@ -221,8 +214,7 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::Rend
     }
     std::size_t voids = 0;
     for (std::size_t i = 0; i < picture.ids.size(); ++i) {
-        const bool isCounted = seamsAreCounted && c.verdicts[i] == check::Verdict::Void;
-        voids += picture.ids[i] == 0 && c.verdicts[i] != check::Verdict::Unjudged && !isCounted ? 1 : 0;
+        voids += picture.ids[i] == 0 && c.verdicts[i] != check::Verdict::Unjudged ? 1 : 0;
     }
     EXPECT_EQ(voids, 0u) << "void pixels";
     return picture;

@@ -42,7 +42,7 @@ struct PictureOptions {
     int radius = 1;
     world::MovingEntries moving{};
     std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
-    bool exactOutlines = true;                   ///< gpu::RendererOptions
+    bool exactOutlines = true;                ///< gpu::RendererOptions
     Omissions omissions{};                    ///< in what is drawn; what it is held against stays whole
 };
 
@@ -81,14 +81,8 @@ public:
     /// What the driver calls its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string driverVersion() const;
     /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test. Not that
-    /// behind a wall which the near plane cuts. With `edgeOnIsCounted` pixels of the verdict edge_on only add to
-    /// `edgeOn` (docs/cases.md, "Known to be wrong").
+    /// behind a wall which the near plane cuts.
     Picture expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
-    bool edgeOnIsCounted = false;
-    /// Void pixels only add to `seams`: for eyes close to an opening (same place).
-    bool seamsAreCounted = false;
-    std::uint64_t seams = 0;
-    std::uint64_t edgeOn = 0, judged = 0; ///< pixels, by expectClean
 
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes
     double fov = 75.0;
