@@ -15,8 +15,8 @@ namespace limen::gpu {
 
 struct RendererOptions {
     TextureStoreOptions textures{};
-    /// Fragments of polygons seen edge-on are put back onto their polygon (shaders/include/onpolygon.glsl). Costs early
-    /// depth tests on drivers that know no conservative depth.
+    /// What a pixel shows is decided by the ray through its centre and not by corners that the rasteriser has snapped
+    /// (shaders/include/outline.glsl). Frames of several samples a pixel are always drawn without.
     bool exactOutlines = true;
     /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
     std::vector<std::string> shaderDefines{};
