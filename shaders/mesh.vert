@@ -22,6 +22,7 @@ layout(location = 5) flat out uint vId;
 #ifdef EXACT
 layout(location = 6) flat out uint vTriangle; // its first vertex in the arena
 layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
+layout(location = 8) flat out vec3 vOutline[3]; // its corners, of screenFromEye
 #endif
 
 vec3 eyeFromModel(vec3 position, Instance instance) {
@@ -147,6 +148,7 @@ void main() {
     corners[1] = corner == 1u ? eyeRelative : corner == 2u ? before : after;
     corners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;
     vFacet = facetFromModel(inFacet, instance, corners[0]); // of the same corner for all three
+    vOutline = vec3[3](screenFromEye(corners[0]), screenFromEye(corners[1]), screenFromEye(corners[2]));
     if (vFacet.w < 0.0) {
         drawLarger(corner, before, after);
         gl_Position.z *= kBeforeNear;

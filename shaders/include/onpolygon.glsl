@@ -15,24 +15,31 @@ const float kGrazing = 1.0e-4;
 
 Instance outlineInstance;
 
+// Eye-relative.
 vec3 outlineCorner(uint i) {
     return eyeFromBlock(blockFromModel(cornerAt(vTriangle + i), outlineInstance.row0, outlineInstance.row1, outlineInstance.row2),
                         outlineInstance.block);
+}
+
+vec3 cornerOnScreen(uint i) {
+    return vOutline[i];
 }
 #include "ray.glsl"
 #include "outline.glsl"
 
 // The depths between which the ray with this direction (depth 1) passes within kBesideRay of the polygon; empty (x > y) if
 // it does not. In the polygon's plane the ray is a line; each outline edge that comes within a band around it bounds the
-// stretch.
-vec2 stretchOver(vec3 normal, vec3 direction) {
+// stretch. It is seldom asked for: of no edge, then, and drivers that run every branch for all fragments have a single turn of
+// the loop to do.
+vec2 stretchOver(bool isAsked, vec3 normal, vec3 direction) {
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
     vec3 across = normalize(cross(normal, direction));
     float beside = kBesideRay * frame.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
-    vec3 from = outlineCorner(2u);
-    for (uint i = 0u; i < 3u; ++i) {
+    uint edges = isAsked ? 3u : 0u;
+    for (uint i = 0u; i < edges; ++i) {
+        vec3 from = outlineCorner((i + 2u) % 3u);
         vec3 to = outlineCorner(i);
         vec2 depths = vec2(dot(along, from), dot(along, to));
         vec2 sides = vec2(dot(across, from), dot(across, to));
@@ -49,7 +56,6 @@ vec2 stretchOver(vec3 normal, vec3 direction) {
             vec2 ends = vec2(mix(depths.x, depths.y, first), mix(depths.x, depths.y, last));
             stretch = vec2(min(stretch.x, min(ends.x, ends.y)), max(stretch.y, max(ends.x, ends.y)));
         }
-        from = to;
     }
     return stretch;
 }
@@ -58,19 +64,17 @@ vec2 stretchOver(vec3 normal, vec3 direction) {
 float depthOnPolygon(vec3 direction) {
     float facing = -dot(vFacet.xyz, direction);
     float onPlane = -vFacet.w / facing;
-    if (facing > kGrazing * length(direction)) {
-        return onPlane;
-    }
-    vec2 stretch = stretchOver(vFacet.xyz, direction);
+    bool grazes = !(facing > kGrazing * length(direction));
+    vec2 stretch = stretchOver(grazes, vFacet.xyz, direction);
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
 // The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
 // a pixel away: it may be another texel's.
 vec2 uvOnPolygon() {
-    vec2 a = acrossRay(outlineCorner(0u), gl_FragCoord.xy);
-    vec2 b = acrossRay(outlineCorner(1u), gl_FragCoord.xy);
-    vec2 c = acrossRay(outlineCorner(2u), gl_FragCoord.xy);
+    vec2 a = acrossRay(cornerOnScreen(0u), gl_FragCoord.xy);
+    vec2 b = acrossRay(cornerOnScreen(1u), gl_FragCoord.xy);
+    vec2 c = acrossRay(cornerOnScreen(2u), gl_FragCoord.xy);
     vec3 shares = vec3(b.x * c.y - c.x * b.y, c.x * a.y - a.x * c.y, a.x * b.y - b.x * a.y);
     float sum = shares.x + shares.y + shares.z;
     if (sum == 0.0) {

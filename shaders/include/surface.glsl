@@ -14,6 +14,7 @@ layout(location = 5) flat in uint vId;
 #ifdef EXACT
 layout(location = 6) flat in uint vTriangle;
 layout(location = 7) flat in vec4 vFacet;
+layout(location = 8) flat in vec3 vOutline[3];
 #endif
 
 #include "onpolygon.glsl"
