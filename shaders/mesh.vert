@@ -22,7 +22,8 @@ layout(location = 5) flat out uint vId;
 #ifdef EXACT
 layout(location = 6) flat out uint vTriangle; // its first vertex in the arena
 layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
-layout(location = 8) flat out vec3 vOutline[3]; // its corners, of screenFromEye
+layout(location = 8) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
+layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenFromEye
 #endif
 
 vec3 eyeFromModel(vec3 position, Instance instance) {
@@ -41,11 +42,8 @@ vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
     return vec4(normal, dot(normal, through));
 }
 
-// The triangle's corners, first to last, eye-relative: the same for all three vertices.
-vec3 corners[3];
-
 vec3 outlineCorner(uint i) {
-    return i == 0u ? corners[0] : i == 1u ? corners[1] : corners[2];
+    return i == 0u ? vCorners[0] : i == 1u ? vCorners[1] : vCorners[2];
 }
 #include "grow.glsl"
 
@@ -99,7 +97,7 @@ void drawAround(vec2 pixelsFromMiddle) {
 // Moves the corner of a triangle that faces the eye outwards, with what is interpolated from it. All three corners must
 // come to the same decisions, so each of them takes them for the triangle as a whole, in the same order.
 void drawLarger(uint own, vec3 before, vec3 after) {
-    vec4 clip[3] = vec4[3](clipFromEye(corners[0]), clipFromEye(corners[1]), clipFromEye(corners[2]));
+    vec4 clip[3] = vec4[3](clipFromEye(vCorners[0]), clipFromEye(vCorners[1]), clipFromEye(vCorners[2]));
     bool mayThin = mayBeThin(clip[0], clip[1], clip[2]);
     if (mayThin) {
         Thin thin = thinAt(3u, own, frame.nearPlane);
@@ -144,11 +142,11 @@ void main() {
     vTriangle = uint(gl_VertexID) - corner;
     vec3 before = eyeFromModel(cornerAt(vTriangle + (corner + 2u) % 3u), instance);
     vec3 after = eyeFromModel(cornerAt(vTriangle + (corner + 1u) % 3u), instance);
-    corners[0] = corner == 0u ? eyeRelative : corner == 1u ? before : after;
-    corners[1] = corner == 1u ? eyeRelative : corner == 2u ? before : after;
-    corners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;
-    vFacet = facetFromModel(inFacet, instance, corners[0]); // of the same corner for all three
-    vOutline = vec3[3](screenFromEye(corners[0]), screenFromEye(corners[1]), screenFromEye(corners[2]));
+    vCorners[0] = corner == 0u ? eyeRelative : corner == 1u ? before : after;
+    vCorners[1] = corner == 1u ? eyeRelative : corner == 2u ? before : after;
+    vCorners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;
+    vFacet = facetFromModel(inFacet, instance, vCorners[0]); // of the same corner for all three
+    vOutline = vec3[3](screenFromEye(vCorners[0]), screenFromEye(vCorners[1]), screenFromEye(vCorners[2]));
     if (vFacet.w < 0.0) {
         drawLarger(corner, before, after);
         gl_Position.z *= kBeforeNear;

@@ -13,14 +13,6 @@ const float kNearRounding = 1.0e-5;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
 const float kGrazing = 1.0e-4;
 
-Instance outlineInstance;
-
-// Eye-relative.
-vec3 outlineCorner(uint i) {
-    return eyeFromBlock(blockFromModel(cornerAt(vTriangle + i), outlineInstance.row0, outlineInstance.row1, outlineInstance.row2),
-                        outlineInstance.block);
-}
-
 vec3 cornerOnScreen(uint i) {
     return vOutline[i];
 }
@@ -37,10 +29,11 @@ vec2 stretchOver(bool isAsked, vec3 normal, vec3 direction) {
     vec3 across = normalize(cross(normal, direction));
     float beside = kBesideRay * frame.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
+    vec3 from = vCorners[2];
+    vec3 to = vCorners[0];
+    vec3 next = vCorners[1];
     uint edges = isAsked ? 3u : 0u;
     for (uint i = 0u; i < edges; ++i) {
-        vec3 from = outlineCorner((i + 2u) % 3u);
-        vec3 to = outlineCorner(i);
         vec2 depths = vec2(dot(along, from), dot(along, to));
         vec2 sides = vec2(dot(across, from), dot(across, to));
         // Part of the edge with |side| <= beside * |depth|: edges behind the eye bound the stretch as well.
@@ -56,6 +49,10 @@ vec2 stretchOver(bool isAsked, vec3 normal, vec3 direction) {
             vec2 ends = vec2(mix(depths.x, depths.y, first), mix(depths.x, depths.y, last));
             stretch = vec2(min(stretch.x, min(ends.x, ends.y)), max(stretch.y, max(ends.x, ends.y)));
         }
+        vec3 before = from;
+        from = to;
+        to = next;
+        next = before;
     }
     return stretch;
 }
@@ -84,8 +81,7 @@ vec2 uvOnPolygon() {
 }
 
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
-bool findOnPolygon(Instance instance, out vec3 at) {
-    outlineInstance = instance;
+bool findOnPolygon(out vec3 at) {
     vec3 direction = rayThrough(gl_FragCoord.xy);
     float depth = depthOnPolygon(direction);
     gl_FragDepth = min(frame.nearPlane / depth, 1.0);
@@ -99,7 +95,7 @@ vec2 uvOnPolygon() {
     return vUv;
 }
 
-bool findOnPolygon(Instance instance, out vec3 at) {
+bool findOnPolygon(out vec3 at) {
     at = vEyeRelative;
     return true;
 }
