@@ -16,7 +16,7 @@ layout(location = 2) flat in vec4 vPlane;
 layout(location = 3) flat in uint vCovers;
 layout(location = 0) out uint outVisit;
 
-uvec3 opening;
+uvec3 opening = uvec3(0u);
 #include "openingcorner.glsl"
 
 vec3 cornerOnScreen(uint i) {

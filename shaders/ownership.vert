@@ -13,7 +13,8 @@ layout(location = 1) flat out uvec3 vOpening; // first vertex of the fan, number
 layout(location = 2) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, p) = vPlane.w
 layout(location = 3) flat out uint vCovers;   // 1: drawn around the whole window
 
-uvec3 opening;
+uvec3 opening = uvec3(0u);
+vec4 plane = vec4(0.0); // vPlane
 #include "openingcorner.glsl"
 #include "grow.glsl"
 
@@ -40,7 +41,7 @@ Growth growthOf(uint own, out vec3 before, out vec3 at, out vec3 after) {
     at = outlineCorner(own);
     before = outlineCorner(own == 0u ? opening.y - 1u : own - 1u);
     after = outlineCorner(own + 1u == opening.y ? 0u : own + 1u);
-    return growthAt(clipFromEye(before), clipFromEye(at), clipFromEye(after), vPlane.w < 0.0);
+    return growthAt(clipFromEye(before), clipFromEye(at), clipFromEye(after), plane.w < 0.0);
 }
 
 bool anyFails() {
@@ -87,7 +88,10 @@ void main() {
     vVisit = corner.visit;
     opening = uvec3(corner.outlineFirst, corner.outlineCount & ~kCoverWindow, corner.clipSet);
     vOpening = opening;
-    vPlane = opening.y > 0u ? planeOfOutline() : vec4(0.0);
+    if (opening.y > 0u) {
+        plane = planeOfOutline();
+    }
+    vPlane = plane;
     vCovers = (corner.outlineCount & kCoverWindow) != 0u ? 1u : 0u;
     if (vCovers != 0u) {
         gl_Position = everywhere(min(part, 3u));
