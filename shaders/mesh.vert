@@ -22,6 +22,8 @@ layout(location = 5) flat out uint vId;
 #ifdef EXACT
 layout(location = 6) flat out uint vTriangle; // its first vertex in the arena
 layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
+layout(location = 8) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
+layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenFromEye
 #endif
 
 vec3 eyeFromModel(vec3 position, Instance instance) {
@@ -40,49 +42,50 @@ vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
     return vec4(normal, dot(normal, through));
 }
 
-Instance outlineInstance = Instance(vec4(0.0), vec4(0.0), vec4(0.0), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0.0);
-uint outlineFirst = 0u;
+vec3 corners[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0)); // vCorners
+uint triangle = 0u;                                         // vTriangle
 
 vec3 outlineCorner(uint i) {
-    return eyeFromModel(cornerAt(outlineFirst + i), outlineInstance);
+    return i == 0u ? corners[0] : i == 1u ? corners[1] : corners[2];
 }
 #include "grow.glsl"
 
 // The near plane cuts fragment by fragment, too; the clipper must leave what may round to either side of it.
 const float kBeforeNear = 0.999;
 
-// All three corners must come to the same decisions, so each of them takes them for the triangle as a whole, in the same
-// order.
-struct Seen {
-    vec3 at[3];
-    vec4 clip[3];
+// A vertex of a triangle and the others, in the triangle's order.
+struct Around {
+    vec4 before;
+    vec4 own;
+    vec4 after;
 };
 
-Seen seenTriangle() {
-    Seen seen;
-    for (uint i = 0u; i < 3u; ++i) {
-        seen.at[i] = outlineCorner(i);
-        seen.clip[i] = clipFromEye(seen.at[i]);
+// Growth of a vertex's corner. With `all` it fails for all three vertices alike, if that of any corner does. A loop that
+// seldom has a second turn, and no branch: drivers that run every branch for all vertices still end a loop with its last
+// turn.
+Growth growthOf(Around clip, bool all) {
+    Growth growth = Growth(0.0, 0.0, vec2(0.0), false);
+    uint turns = all ? 3u : 1u;
+    for (uint turn = 0u; turn < turns; ++turn) {
+        Growth next = growthAt(clip.before, clip.own, clip.after, true);
+        bool fails = growth.fails || next.fails;
+        if (turn == 0u) {
+            growth = next;
+        }
+        growth.fails = fails && all;
+        clip = Around(clip.own, clip.after, clip.before);
     }
-    return seen;
+    return growth;
 }
 
-Growth growthOf(Seen seen, uint corner) {
-    return growthAt(seen.clip[(corner + 2u) % 3u], seen.clip[corner], seen.clip[(corner + 1u) % 3u], true);
-}
-
-bool anyFails(Seen seen) {
-    return growthOf(seen, 0u).fails || growthOf(seen, 1u).fails || growthOf(seen, 2u).fails;
-}
-
-vec2 aroundTriangle(Seen seen, uint corner) {
+vec2 aroundTriangle(vec4 first, vec4 second, vec4 third, uint corner) {
     vec2 most = frame.viewport.xy * 0.5;
     vec2 low = -most;
     vec2 high = most;
-    if (min(min(seen.clip[0].w, seen.clip[1].w), seen.clip[2].w) >= frame.nearPlane) {
-        vec2 a = seen.clip[0].xy / seen.clip[0].w * most;
-        vec2 b = seen.clip[1].xy / seen.clip[1].w * most;
-        vec2 c = seen.clip[2].xy / seen.clip[2].w * most;
+    if (min(min(first.w, second.w), third.w) >= frame.nearPlane) {
+        vec2 a = first.xy / first.w * most;
+        vec2 b = second.xy / second.w * most;
+        vec2 c = third.xy / third.w * most;
         low = clamp(min(min(a, b), c), -most, most);
         high = clamp(max(max(a, b), c), -most, most);
     }
@@ -94,10 +97,11 @@ void drawAround(vec2 pixelsFromMiddle) {
     gl_Position = vec4(pixelsFromMiddle / (frame.viewport.xy * 0.5), 0.5, 1.0);
 }
 
-// Moves the corner of a triangle that faces the eye outwards, with what is interpolated from it.
-void drawLarger(uint own) {
-    Seen seen = seenTriangle();
-    bool mayThin = mayBeThin(seen.clip[0], seen.clip[1], seen.clip[2]);
+// Moves the corner of a triangle that faces the eye outwards, with what is interpolated from it. All three corners must
+// come to the same decisions, so each of them takes them for the triangle as a whole, in the same order.
+void drawLarger(uint own, vec3 before, vec3 after) {
+    vec4 clip[3] = vec4[3](clipFromEye(corners[0]), clipFromEye(corners[1]), clipFromEye(corners[2]));
+    bool mayThin = mayBeThin(clip[0], clip[1], clip[2]);
     if (mayThin) {
         Thin thin = thinAt(3u, own, frame.nearPlane);
         if (thin.is) {
@@ -105,20 +109,21 @@ void drawLarger(uint own) {
             return;
         }
     }
-    if ((mayThin || mayFail(seen.clip[0], seen.clip[1], seen.clip[2])) && anyFails(seen)) {
-        drawAround(aroundTriangle(seen, own));
+    bool all = mayThin || mayFail(clip[0], clip[1], clip[2]);
+    Growth growth = growthOf(Around(clipFromEye(before), gl_Position, clipFromEye(after)), all);
+    if (growth.fails) {
+        drawAround(aroundTriangle(clip[0], clip[1], clip[2], own));
         return;
     }
-    Growth growth = growthOf(seen, own);
-    uint before = (own + 2u) % 3u;
-    uint after = (own + 1u) % 3u;
-    vec3 at = seen.at[own];
-    at += growth.before * (at - seen.at[before]) + growth.after * (at - seen.at[after]);
-    vec4 clip = clipFromEye(at);
-    clip.xy += growth.shift * clip.w / (frame.viewport.xy * 0.5);
-    gl_Position = clip;
+    vec3 at = outlineCorner(own);
+    vec2 uvBefore = uvAt(triangle + (own + 2u) % 3u);
+    vec2 uvAfter = uvAt(triangle + (own + 1u) % 3u);
+    at += growth.before * (at - before) + growth.after * (at - after);
     vEyeRelative = at;
-    vUv = inUv + growth.before * (inUv - uvAt(outlineFirst + before)) + growth.after * (inUv - uvAt(outlineFirst + after));
+    vUv = inUv + growth.before * (inUv - uvBefore) + growth.after * (inUv - uvAfter);
+    vec4 moved = clipFromEye(at);
+    moved.xy += growth.shift * moved.w / (frame.viewport.xy * 0.5);
+    gl_Position = moved;
 }
 #endif
 
@@ -140,13 +145,19 @@ void main() {
     vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
 #ifdef EXACT
     uint corner = uint(gl_VertexID) % 3u;
-    outlineInstance = instance;
-    outlineFirst = uint(gl_VertexID) - corner;
-    vTriangle = outlineFirst;
-    vec4 facet = facetFromModel(inFacet, instance, outlineCorner(0u)); // of the same corner for all three
+    triangle = uint(gl_VertexID) - corner;
+    vec3 before = eyeFromModel(cornerAt(triangle + (corner + 2u) % 3u), instance);
+    vec3 after = eyeFromModel(cornerAt(triangle + (corner + 1u) % 3u), instance);
+    corners[0] = corner == 0u ? eyeRelative : corner == 1u ? before : after;
+    corners[1] = corner == 1u ? eyeRelative : corner == 2u ? before : after;
+    corners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;
+    vec4 facet = facetFromModel(inFacet, instance, corners[0]); // of the same corner for all three
+    vTriangle = triangle;
     vFacet = facet;
+    vCorners = corners;
+    vOutline = vec3[3](screenFromEye(corners[0]), screenFromEye(corners[1]), screenFromEye(corners[2]));
     if (facet.w < 0.0) {
-        drawLarger(corner);
+        drawLarger(corner, before, after);
         gl_Position.z *= kBeforeNear;
     } else {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // faces away, or has no area

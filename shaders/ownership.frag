@@ -18,6 +18,10 @@ layout(location = 0) out uint outVisit;
 
 uvec3 opening = uvec3(0u);
 #include "openingcorner.glsl"
+
+vec3 cornerOnScreen(uint i) {
+    return screenFromEye(outlineCorner(i));
+}
 #include "outline.glsl"
 
 // Without EXACT the rasteriser has decided, unless something larger was drawn.

@@ -14,7 +14,7 @@ layout(location = 2) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, 
 layout(location = 3) flat out uint vCovers;   // 1: drawn around the whole window
 
 uvec3 opening = uvec3(0u);
-vec4 openingPlane = vec4(0.0);
+vec4 plane = vec4(0.0); // vPlane
 #include "openingcorner.glsl"
 #include "grow.glsl"
 
@@ -41,7 +41,7 @@ Growth growthOf(uint own, out vec3 before, out vec3 at, out vec3 after) {
     at = outlineCorner(own);
     before = outlineCorner(own == 0u ? opening.y - 1u : own - 1u);
     after = outlineCorner(own + 1u == opening.y ? 0u : own + 1u);
-    return growthAt(clipFromEye(before), clipFromEye(at), clipFromEye(after), openingPlane.w < 0.0);
+    return growthAt(clipFromEye(before), clipFromEye(at), clipFromEye(after), plane.w < 0.0);
 }
 
 bool anyFails() {
@@ -88,11 +88,12 @@ void main() {
     vVisit = corner.visit;
     opening = uvec3(corner.outlineFirst, corner.outlineCount & ~kCoverWindow, corner.clipSet);
     vOpening = opening;
-    openingPlane = opening.y > 0u ? planeOfOutline() : vec4(0.0);
-    vPlane = openingPlane;
-    bool covers = (corner.outlineCount & kCoverWindow) != 0u;
-    vCovers = covers ? 1u : 0u;
-    if (covers) {
+    if (opening.y > 0u) {
+        plane = planeOfOutline();
+    }
+    vPlane = plane;
+    vCovers = (corner.outlineCount & kCoverWindow) != 0u ? 1u : 0u;
+    if (vCovers != 0u) {
         gl_Position = everywhere(min(part, 3u));
         return;
     }

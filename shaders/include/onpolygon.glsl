@@ -13,27 +13,27 @@ const float kNearRounding = 1.0e-5;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
 const float kGrazing = 1.0e-4;
 
-Instance outlineInstance = Instance(vec4(0.0), vec4(0.0), vec4(0.0), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0.0);
-
-vec3 outlineCorner(uint i) {
-    return eyeFromBlock(blockFromModel(cornerAt(vTriangle + i), outlineInstance.row0, outlineInstance.row1, outlineInstance.row2),
-                        outlineInstance.block);
+vec3 cornerOnScreen(uint i) {
+    return vOutline[i];
 }
 #include "ray.glsl"
 #include "outline.glsl"
 
 // The depths between which the ray with this direction (depth 1) passes within kBesideRay of the polygon; empty (x > y) if
 // it does not. In the polygon's plane the ray is a line; each outline edge that comes within a band around it bounds the
-// stretch.
-vec2 stretchOver(vec3 normal, vec3 direction) {
+// stretch. It is seldom asked for: of no edge, then, and drivers that run every branch for all fragments have a single turn of
+// the loop to do.
+vec2 stretchOver(bool isAsked, vec3 normal, vec3 direction) {
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
     vec3 across = normalize(cross(normal, direction));
     float beside = kBesideRay * frame.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
-    vec3 from = outlineCorner(2u);
-    for (uint i = 0u; i < 3u; ++i) {
-        vec3 to = outlineCorner(i);
+    vec3 from = vCorners[2];
+    vec3 to = vCorners[0];
+    vec3 next = vCorners[1];
+    uint edges = isAsked ? 3u : 0u;
+    for (uint i = 0u; i < edges; ++i) {
         vec2 depths = vec2(dot(along, from), dot(along, to));
         vec2 sides = vec2(dot(across, from), dot(across, to));
         // Part of the edge with |side| <= beside * |depth|: edges behind the eye bound the stretch as well.
@@ -49,7 +49,10 @@ vec2 stretchOver(vec3 normal, vec3 direction) {
             vec2 ends = vec2(mix(depths.x, depths.y, first), mix(depths.x, depths.y, last));
             stretch = vec2(min(stretch.x, min(ends.x, ends.y)), max(stretch.y, max(ends.x, ends.y)));
         }
+        vec3 before = from;
         from = to;
+        to = next;
+        next = before;
     }
     return stretch;
 }
@@ -58,19 +61,17 @@ vec2 stretchOver(vec3 normal, vec3 direction) {
 float depthOnPolygon(vec3 direction) {
     float facing = -dot(vFacet.xyz, direction);
     float onPlane = -vFacet.w / facing;
-    if (facing > kGrazing * length(direction)) {
-        return onPlane;
-    }
-    vec2 stretch = stretchOver(vFacet.xyz, direction);
+    bool grazes = !(facing > kGrazing * length(direction));
+    vec2 stretch = stretchOver(grazes, vFacet.xyz, direction);
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
 // The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
 // a pixel away: it may be another texel's.
 vec2 uvOnPolygon() {
-    vec2 a = acrossRay(outlineCorner(0u), gl_FragCoord.xy);
-    vec2 b = acrossRay(outlineCorner(1u), gl_FragCoord.xy);
-    vec2 c = acrossRay(outlineCorner(2u), gl_FragCoord.xy);
+    vec2 a = acrossRay(cornerOnScreen(0u), gl_FragCoord.xy);
+    vec2 b = acrossRay(cornerOnScreen(1u), gl_FragCoord.xy);
+    vec2 c = acrossRay(cornerOnScreen(2u), gl_FragCoord.xy);
     vec3 shares = vec3(b.x * c.y - c.x * b.y, c.x * a.y - a.x * c.y, a.x * b.y - b.x * a.y);
     float sum = shares.x + shares.y + shares.z;
     if (sum == 0.0) {
@@ -80,8 +81,7 @@ vec2 uvOnPolygon() {
 }
 
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
-bool findOnPolygon(Instance instance, out vec3 at) {
-    outlineInstance = instance;
+bool findOnPolygon(out vec3 at) {
     vec3 direction = rayThrough(gl_FragCoord.xy);
     float depth = depthOnPolygon(direction);
     gl_FragDepth = min(frame.nearPlane / depth, 1.0);
@@ -95,7 +95,7 @@ vec2 uvOnPolygon() {
     return vUv;
 }
 
-bool findOnPolygon(Instance instance, out vec3 at) {
+bool findOnPolygon(out vec3 at) {
     at = vEyeRelative;
     return true;
 }

@@ -4,14 +4,13 @@
 // little larger than they are (grow.glsl), and each fragment decides for itself whether the ray through its centre passes
 // over the polygon.
 //
-// Before this is included: `vec3 outlineCorner(uint i)`, eye-relative, i below the number of corners, and ray.glsl.
+// Before this is included: `vec3 cornerOnScreen(uint i)`, of screenFromEye, i below the number of corners.
 // Ref: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013), for the coordinates in which the ray is the z axis.
 
 // Across the ray through a point of the window, in pixels times depth.
-vec2 acrossRay(vec3 p, vec2 window) {
-    vec4 clip = clipFromEye(p);
+vec2 acrossRay(vec3 onScreen, vec2 window) {
     vec2 centre = window - frame.viewport.xy * 0.5;
-    precise vec2 across = clip.xy * (frame.viewport.xy * 0.5) - centre * clip.w;
+    precise vec2 across = onScreen.xy - centre * onScreen.z;
     return across;
 }
 
@@ -19,9 +18,9 @@ vec2 acrossRay(vec3 p, vec2 window) {
 // share an edge compute the very same for it, for its ends are taken in the same order, so that no ray slips between them.
 bool isOverOutline(uint count, vec2 window) {
     bool inside = false;
-    vec2 from = acrossRay(outlineCorner(count - 1u), window);
+    vec2 from = acrossRay(cornerOnScreen(count - 1u), window);
     for (uint i = 0u; i < count; ++i) {
-        vec2 to = acrossRay(outlineCorner(i), window);
+        vec2 to = acrossRay(cornerOnScreen(i), window);
         if ((from.y < 0.0) != (to.y < 0.0)) {
             vec2 below = from.y < 0.0 ? from : to;
             vec2 above = from.y < 0.0 ? to : from;

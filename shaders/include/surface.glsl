@@ -14,12 +14,14 @@ layout(location = 5) flat in uint vId;
 #ifdef EXACT
 layout(location = 6) flat in uint vTriangle;
 layout(location = 7) flat in vec4 vFacet;
+layout(location = 8) flat in vec3 vCorners[3];
+layout(location = 11) flat in vec3 vOutline[3];
 #endif
 
 #include "onpolygon.glsl"
 
 // False: the pixel does not show the polygon.
-bool findPlace(Instance instance, out Place place) {
+bool findPlace(out Place place) {
     // Derivatives first: what follows differs from fragment to fragment.
 #ifdef MULTISAMPLED
     vec3 samples[kSamples];
@@ -39,7 +41,7 @@ bool findPlace(Instance instance, out Place place) {
     vec3 dx = dFdx(vEyeRelative);
     vec3 dy = dFdy(vEyeRelative);
     vec3 at;
-    bool found = findOnPolygon(instance, at);
+    bool found = findOnPolygon(at);
     place = Place(at, dx, dy);
     return found;
 #endif
@@ -48,7 +50,7 @@ bool findPlace(Instance instance, out Place place) {
 // GATED: the caller discards when `kept` is false; of a multisampled pixel the samples that are not kept are masked.
 Keep keepOf(Instance instance) {
     Place place;
-    if (!findPlace(instance, place)) {
+    if (!findPlace(place)) {
         return Keep(false, 0u, 0u);
     }
 #ifdef GATED
