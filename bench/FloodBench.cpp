@@ -3,6 +3,8 @@
 #include "FloodScenes.h"
 #include "PathFlood.h"
 #include "Stopwatch.h"
+#include "ViewTimes.h"
+#include "WorldFloodBench.h"
 
 #include "visibility/Flood.h"
 
@@ -23,22 +25,6 @@ constexpr Known kScenes[] = {
     {8, 8, 2.0, 1.9, 8.0},     {16, 16, 2.0, 3.1, 24.0}, {32, 32, 2.0, 6.4, 67.0},
     {16, 16, 6.0, 10.2, 90.0}, {64, 1, 2.0, 1.8, 15.0},
 };
-
-std::uint64_t hashOf(const visibility::VisibleSet& set, std::uint64_t sofar) {
-    Hash hash;
-    hash.add(sofar);
-    for (const visibility::SeenSpace& s : set.seen) {
-        hash.add(s.space);
-        hash.add(s.visit);
-    }
-    for (const visibility::Visit& v : set.visits) {
-        hash.add(v.portal);
-    }
-    for (const Vec3& v : set.regionVertices) {
-        hash.add(v);
-    }
-    return hash.value();
-}
 
 BenchRow rowFor(const char* name, const FloodScene& scene, const Known& known, AllocationCounter counter) {
     visibility::FloodScratch scratch;
@@ -80,6 +66,9 @@ std::vector<BenchRow> benchFlood(AllocationCounter counter) {
     for (const Known& known : kScenes) {
         rows.push_back(rowFor("flood/rooms", roomGridApart(known.columns, known.rows, known.door, kSeed),
                               known, counter));
+    }
+    for (const auto& more : {fineRows(counter), scaleRows(counter), townRows(counter)}) {
+        rows.insert(rows.end(), more.begin(), more.end());
     }
     return rows;
 }

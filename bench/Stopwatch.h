@@ -20,18 +20,24 @@ struct Samples {
     }
 };
 
+/// Seconds that `work` takes.
+template <class Work>
+[[nodiscard]] double secondsOf(Work&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Runs `work` twice to warm up and then `repeats` times, each timed.
 template <class Work>
 [[nodiscard]] Samples measure(int repeats, AllocationCounter counter, Work&& work) {
     for (int i = 0; i < 2; ++i)
         work();
     Samples out;
+    out.seconds.reserve(static_cast<std::size_t>(repeats));
     for (int i = 0; i < repeats; ++i) {
         const std::uint64_t before = counter ? counter() : 0;
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const auto stop = std::chrono::steady_clock::now();
-        out.seconds.push_back(std::chrono::duration<double>(stop - start).count());
+        out.seconds.push_back(secondsOf(work));
         out.allocations = counter ? counter() - before : 0;
     }
     return out;

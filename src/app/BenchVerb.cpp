@@ -24,7 +24,8 @@ struct Bench {
 
 constexpr std::array kBenches{
     Bench{"dat", "opening a dat, looking records up, decoding geometry", &bench::benchDat},
-    Bench{"flood", "following the rays of a view through grids of rooms", &bench::benchFlood},
+    Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
+          &bench::benchFlood},
 };
 
 struct BenchOptions {

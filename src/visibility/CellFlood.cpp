@@ -22,6 +22,10 @@ constexpr double kNear = 0.01;
 /// is so near lies within kNear of the eye or off the screen.
 constexpr double kMinW = 1e-6;
 
+/// Rectangles that wait for the same cell become one if it is no larger than this many times both. Neighbouring cells of a
+/// hall let rays into the next one side by side, and following each by itself costs more with every cell passed.
+constexpr double kMostWaste = 1.5;
+
 void include(Rect& rect, double x, double y) {
     rect.minX = std::min(rect.minX, x);
     rect.maxX = std::max(rect.maxX, x);
@@ -37,6 +41,10 @@ bool holds(const Rect& outer, const Rect& inner) {
 void include(Rect& rect, const Rect& more) {
     include(rect, more.minX, more.minY);
     include(rect, more.maxX, more.maxY);
+}
+
+double areaOf(const Rect& r) {
+    return (r.maxX - r.minX) * (r.maxY - r.minY);
 }
 
 } // namespace
@@ -66,6 +74,7 @@ void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpa
         mark.slot = static_cast<std::uint32_t>(seen.size());
         mark.count = 1;
         mark.rects[0] = rect;
+        mark.arrivals[0] = static_cast<std::uint32_t>(queue_.size());
         seen.push_back({space, visit_, rect});
         queue_.push_back({space, rect});
         return;
@@ -75,12 +84,32 @@ void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpa
             return;
         }
     }
-    ++counts.revisits;
     include(seen[mark.slot].rect, rect);
+    if (joinWaiting(mark, rect)) {
+        return;
+    }
+    ++counts.revisits;
     const Rect let = mark.count < kRects ? rect : seen[mark.slot].rect;
     mark.count = std::min(mark.count + 1, kRects);
     mark.rects[mark.count - 1] = let;
+    mark.arrivals[mark.count - 1] = static_cast<std::uint32_t>(queue_.size());
     queue_.push_back({space, let});
+}
+
+bool CellFlood::joinWaiting(Mark& mark, const Rect& rect) {
+    for (std::uint32_t i = 0; i < mark.count; ++i) {
+        if (mark.arrivals[i] < head_) {
+            continue; // has been followed already
+        }
+        Rect both = mark.rects[i];
+        include(both, rect);
+        if (areaOf(both) <= kMostWaste * (areaOf(mark.rects[i]) + areaOf(rect))) {
+            mark.rects[i] = both;
+            queue_[mark.arrivals[i]].rect = both;
+            return true;
+        }
+    }
+    return false;
 }
 
 void CellFlood::leave(const Input& input, const Arrival& from, std::vector<SeenSpace>& seen,

@@ -13,8 +13,8 @@ namespace limen::visibility {
 /// It decides nothing about the picture (inside a zone depth does); it finds the cells worth drawing and the
 /// portals out of the zone worth clipping. So a rectangle may be too large, never too small. A cell reached
 /// in several places keeps the rectangles apart, since their union would let in everything that lies between
-/// them on the screen; beyond kRects of them it falls back to the union, which bounds the work by the cells
-/// seen.
+/// them on the screen, unless they lie side by side and none has been followed yet; beyond kRects of them it
+/// falls back to the union, which bounds the work by the cells seen.
 class CellFlood {
 public:
     /// What one flood of a zone works on.
@@ -36,13 +36,16 @@ private:
     static constexpr std::uint32_t kRects = 6;
     struct Mark {
         std::uint32_t stamp = 0, slot = 0, count = 0;
-        std::array<Rect, kRects> rects; ///< those let in so far
+        std::array<Rect, kRects> rects;             ///< those let in so far
+        std::array<std::uint32_t, kRects> arrivals; ///< and where they are in the queue
     };
     struct Arrival {
         std::uint32_t space = 0;
         Rect rect;
     };
     void reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpace>& seen, FloodCounts& counts);
+    /// True if the rectangle has gone into one that waits to be followed.
+    [[nodiscard]] bool joinWaiting(Mark& mark, const Rect& rect);
     void leave(const Input& input, const Arrival& from, std::vector<SeenSpace>& seen, FloodCounts& counts);
     void tryPortal(const Input& input, std::uint32_t portal, const Rect& rect, std::vector<SeenSpace>& seen,
                    FloodCounts& counts);

@@ -76,6 +76,26 @@ TEST(Flood, takesOnlyOnePathRoundALoop) {
     EXPECT_EQ(set.visits.size(), 3u);
 }
 
+/// Two rooms of one zone joined by two doors 2 m wide, their middles `apart` metres from each other.
+FloodCounts countsOfTwoDoors(double apart) {
+    GraphBuilder world;
+    world.addSpace(0);
+    world.addSpace(0);
+    world.link(0, 1, uprightRectangle({-apart / 2, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(0, 1, uprightRectangle({apart / 2, 10, 0}, {0, -1, 0}, 2, 2));
+    return floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0)).counts;
+}
+
+TEST(Flood, insideAZoneOpeningsSideBySideAreFollowedAsOne) {
+    EXPECT_EQ(countsOfTwoDoors(2.0).spaceVisits, 2u);
+    EXPECT_EQ(countsOfTwoDoors(2.0).revisits, 0u);
+}
+
+TEST(Flood, insideAZoneOpeningsFarApartAreFollowedEachByItself) {
+    EXPECT_EQ(countsOfTwoDoors(12.0).spaceVisits, 3u);
+    EXPECT_EQ(countsOfTwoDoors(12.0).revisits, 1u);
+}
+
 TEST(Flood, inThePlaneInsideTheOpeningTheFarHalfBelongsToTheSpaceBehind) {
     const Graph graph = rowOfRooms(2).build();
     for (const double offset : {-0.0001, 0.0, 0.0001}) {
