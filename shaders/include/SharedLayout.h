@@ -53,6 +53,8 @@ LIMEN_CONST kOutputBlended = 2;
 LIMEN_CONST kOutside = 0u; // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
 
+LIMEN_CONST kKindShell = 0u; // Instance.kind: a cell's own walls, world::Kind::Shell
+
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
 
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;

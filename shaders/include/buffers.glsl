@@ -30,7 +30,7 @@ layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureR
 layout(std430, binding = kBindMoverMembers) readonly buffer MoverMemberBuffer { Member moverMembers[]; };
 #endif
 // The vertex fetch's own arena (frame::gpu::Vertex), word by word.
-const uint kVertexWords = 10u;
+const uint kVertexWords = 13u;
 layout(std430, binding = kBindVertices) readonly buffer VertexBuffer { float arena[]; };
 
 // What stands still and what moves are numbered on, from one array into the other.
@@ -58,4 +58,9 @@ vec3 cornerAt(uint vertex) {
 vec2 uvAt(uint vertex) {
     uint at = vertex * kVertexWords + 4u;
     return vec2(arena[at], arena[at + 1u]);
+}
+
+vec3 neighbourAt(uint vertex) {
+    uint at = vertex * kVertexWords + 10u;
+    return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
 }

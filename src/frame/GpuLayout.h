@@ -12,13 +12,14 @@
 
 namespace limen::frame::gpu {
 
-/// One vertex of the arena as the vertex fetch reads it; 40 bytes. They come in threes (world::Mesh).
+/// One vertex of the arena as the vertex fetch reads it; 52 bytes. They come in threes (world::Mesh).
 struct Vertex {
     glm::vec3 position{0.0f};
     std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
     glm::vec2 uv{0.0f};
     std::uint32_t polygonSurface = 0; ///< polygon, and in the high half the surface slot
     glm::vec3 facet{0.0f};            ///< model-space unit normal of its triangle; zero if that has no area
+    glm::vec3 neighbour{0.0f};        ///< of a shell: facet beyond the edge to the next corner; zero: none
 };
 
 /// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.
@@ -30,7 +31,7 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;
 };
 
-static_assert(sizeof(Vertex) == 40 && sizeof(DrawCommand) == 20);
+static_assert(sizeof(Vertex) == 52 && sizeof(DrawCommand) == 20);
 static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 48);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);

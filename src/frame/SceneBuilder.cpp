@@ -103,8 +103,8 @@ SceneUpload buildScene(const world::World& world) {
     SceneUpload scene;
     scene.vertices.reserve(world.vertices.size());
     for (const world::MeshVertex& v : world.vertices) {
-        scene.vertices.push_back(
-            {v.position, packNormal(v.normal), v.uv, v.polygon | std::uint32_t{v.surface} << 16, v.facet});
+        scene.vertices.push_back({v.position, packNormal(v.normal), v.uv,
+                                  v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour});
     }
     scene.indices = world.indices;
     for (const world::Instance& in : world.instances) {

@@ -2,6 +2,8 @@
 
 #include "core/Assert.h"
 
+#include <bit>
+
 namespace limen::world {
 
 namespace {
@@ -17,6 +19,36 @@ void setFacets(std::span<MeshVertex> vertices) {
         const Vec3f facet = length > 0.0 ? Vec3f(normal / length) : Vec3f(0.0f);
         for (std::size_t k = 0; k < 3; ++k)
             vertices[i + k].facet = facet;
+    }
+}
+
+/// From corner to corner, to the bit.
+struct Edge {
+    std::array<float, 6> ends{};
+    bool operator==(const Edge&) const = default;
+
+    Edge(const Vec3f& from, const Vec3f& to) : ends{from.x, from.y, from.z, to.x, to.y, to.z} {}
+};
+
+struct EdgeHash {
+    std::size_t operator()(const Edge& edge) const {
+        std::size_t hash = 0;
+        for (const float v : edge.ends)
+            hash = hash * 0x9E3779B97F4A7C15u + std::bit_cast<std::uint32_t>(v);
+        return hash ^ hash >> 29;
+    }
+};
+
+/// Stitched polygons meet edge by edge. The back of a two-sided polygon is nobody's neighbour.
+void setNeighbours(std::span<MeshVertex> vertices) {
+    std::unordered_map<Edge, std::size_t, EdgeHash> byEdge;
+    const auto next = [](std::size_t i) { return i % 3 == 2 ? i - 2 : i + 1; };
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        byEdge.try_emplace(Edge(vertices[i].position, vertices[next(i)].position), i);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto found = byEdge.find(Edge(vertices[next(i)].position, vertices[i].position));
+        if (found != byEdge.end() && vertices[found->second].facet != -vertices[i].facet)
+            vertices[i].neighbour = vertices[found->second].facet;
     }
 }
 
@@ -40,7 +72,10 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
         points.emplace_back(vertex.position);
     mesh.bounds = boundingSphere(points);
     world_.vertices.insert(world_.vertices.end(), data.vertices.begin(), data.vertices.end());
-    setFacets(std::span(world_.vertices).subspan(mesh.firstVertex));
+    const std::span<MeshVertex> own = std::span(world_.vertices).subspan(mesh.firstVertex);
+    setFacets(own);
+    if (sourceOf(key) == MeshSource::Shell)
+        setNeighbours(own);
     world_.polygonIds.insert(world_.polygonIds.end(), data.polygonIds.begin(), data.polygonIds.end());
     world_.meshes.push_back(mesh);
     return static_cast<std::uint32_t>(world_.meshes.size() - 1);

@@ -28,4 +28,8 @@ enum class MeshSource : std::uint64_t { GfxObj, Shell, Terrain, Exterior, Sky, F
            record;
 }
 
+[[nodiscard]] constexpr MeshSource sourceOf(std::uint64_t contentKey) {
+    return static_cast<MeshSource>(contentKey >> 60);
+}
+
 } // namespace limen::world

@@ -152,5 +152,24 @@ TEST(Meshes, areSharedByContentAndPlacedBySetups) {
     EXPECT_NEAR(glm::length(parts[1]->linear[2] - Vec3f(0, 0, 0.5f)), 0.0f, 1e-4f);
 }
 
+TEST(Meshes, shellsKnowTheWallBeyondEachEdge) {
+    test::TestWorld source;
+    const auto room = source.addBox({0, 0, 0}, {4, 3, 2}, "brown");
+    const World world = test::loadTestWorld(source);
+    const Space& space = world.spaces[findCell(world, source.id(room))];
+    const Instance& shell = world.instances[world.spaceInstances[space.firstInstance]];
+    ASSERT_EQ(shell.kind, Kind::Shell);
+    const Mesh& mesh = world.meshes[shell.mesh];
+    ASSERT_EQ(mesh.vertexCount, 36u);
+    std::size_t corners = 0, flat = 0;
+    for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v) {
+        const float cosine = glm::dot(world.vertices[v].neighbour, world.vertices[v].facet);
+        corners += std::abs(cosine) < 1e-6f && world.vertices[v].neighbour != Vec3f(0.0f) ? 1 : 0;
+        flat += cosine > 0.999f ? 1 : 0;
+    }
+    EXPECT_EQ(corners, 24u) << "four edges of each wall";
+    EXPECT_EQ(flat, 12u) << "both sides of each diagonal";
+}
+
 } // namespace
 } // namespace limen::world
