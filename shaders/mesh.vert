@@ -26,8 +26,17 @@ layout(location = 8) flat out vec3 vCorners[3]; // eye-relative, the same for al
 layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenFromEye
 #endif
 
+// A baked mesh has its block's origin, and its vertices go the openings' way. Of any other the origin goes that way, and what
+// is turned is added: its vertices would be rounded to floats of the block (0.01 mm) on the way.
 vec3 eyeFromModel(vec3 position, Instance instance) {
-    return eyeFromBlock(blockFromModel(position, instance.row0, instance.row1, instance.row2), instance.block);
+    vec3 origin = vec3(instance.row0.w, instance.row1.w, instance.row2.w);
+    precise vec3 turned = vec3(instance.row0.x * position.x + instance.row0.y * position.y + instance.row0.z * position.z,
+                               instance.row1.x * position.x + instance.row1.y * position.y + instance.row1.z * position.z,
+                               instance.row2.x * position.x + instance.row2.y * position.y + instance.row2.z * position.z);
+    bool isBaked = origin == vec3(0.0);
+    precise vec3 start = eyeFromBlock(isBaked ? turned : origin, instance.block);
+    precise vec3 result = isBaked ? start : start + turned;
+    return result;
 }
 
 #ifdef EXACT
