@@ -19,7 +19,7 @@ struct Vertex {
     glm::vec2 uv{0.0f};
     std::uint32_t polygonSurface = 0; ///< polygon, and in the high half the surface slot
     glm::vec3 facet{0.0f};            ///< model-space unit normal of its triangle; zero if that has no area
-    glm::vec3 neighbour{0.0f};        ///< of a shell: facet beyond the edge to the next corner; zero: none
+    glm::vec3 neighbour{0.0f};        ///< of a shell: facet of the polygon beyond the edge to the next corner; zero: none
 };
 
 /// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.

@@ -39,16 +39,33 @@ struct EdgeHash {
     }
 };
 
+/// The facet of each polygon's largest triangle: those of slivers are what rounding makes of them.
+std::vector<Vec3f> facetsByPolygon(std::span<const MeshVertex> vertices, std::size_t polygons) {
+    std::vector<Vec3f> facets(polygons, Vec3f(0.0f));
+    std::vector<float> areas(polygons, 0.0f);
+    for (std::size_t i = 0; i < vertices.size(); i += 3) {
+        const MeshVertex& first = vertices[i];
+        const float area = glm::length(
+            glm::cross(vertices[i + 1].position - first.position, vertices[i + 2].position - first.position));
+        if (area > areas[first.polygon]) {
+            areas[first.polygon] = area;
+            facets[first.polygon] = first.facet;
+        }
+    }
+    return facets;
+}
+
 /// Stitched polygons meet edge by edge. The back of a two-sided polygon is nobody's neighbour.
-void setNeighbours(std::span<MeshVertex> vertices) {
-    std::unordered_map<Edge, std::size_t, EdgeHash> byEdge;
+void setNeighbours(std::span<MeshVertex> vertices, std::size_t polygons) {
+    const std::vector<Vec3f> facets = facetsByPolygon(vertices, polygons);
+    std::unordered_map<Edge, std::uint16_t, EdgeHash> byEdge;
     const auto next = [](std::size_t i) { return i % 3 == 2 ? i - 2 : i + 1; };
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        byEdge.try_emplace(Edge(vertices[i].position, vertices[next(i)].position), i);
+        byEdge.try_emplace(Edge(vertices[i].position, vertices[next(i)].position), vertices[i].polygon);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const auto found = byEdge.find(Edge(vertices[next(i)].position, vertices[i].position));
-        if (found != byEdge.end() && vertices[found->second].facet != -vertices[i].facet)
-            vertices[i].neighbour = vertices[found->second].facet;
+        if (found != byEdge.end() && found->second != vertices[i].polygon)
+            vertices[i].neighbour = facets[found->second];
     }
 }
 
@@ -75,7 +92,7 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     const std::span<MeshVertex> own = std::span(world_.vertices).subspan(mesh.firstVertex);
     setFacets(own);
     if (sourceOf(key) == MeshSource::Shell)
-        setNeighbours(own);
+        setNeighbours(own, data.polygonIds.size());
     world_.polygonIds.insert(world_.polygonIds.end(), data.polygonIds.begin(), data.polygonIds.end());
     world_.meshes.push_back(mesh);
     return static_cast<std::uint32_t>(world_.meshes.size() - 1);

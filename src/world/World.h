@@ -98,7 +98,7 @@ struct MeshVertex {
         0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number each side)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
     Vec3f facet{0.0f};         ///< unit normal of its triangle; zero if that has no area
-    /// Of shells: facet of the triangle beyond the edge from here to the next corner; zero where none is.
+    /// Of shells: facet of the polygon beyond the edge from here to the next corner; zero where none is.
     Vec3f neighbour{0.0f};
 };
 
