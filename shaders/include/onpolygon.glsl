@@ -12,6 +12,8 @@ const float kBesideRay = 1.0 / 128.0;
 const float kNearRounding = 1.0e-5;
 // Metres: twice what a corner of two cells may differ by for being a float of its block.
 const float kTouching = 1.0e-4;
+// Share of the depth: no more than what nobody sees, for what is rightly there may lie as near to such an edge.
+const float kMostBehind = 9.0e-5;
 // Metres: twice the reach of the rule for an eye in an opening's plane.
 const float kInPlane = 4.0e-4;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
@@ -99,7 +101,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
             farther = max(farther, 2.0 * kTouching / max(dot(wall, direction), 0.1));
         }
     }
-    return farther;
+    return min(farther, kMostBehind * dot(at, direction) / dot(direction, direction));
 }
 
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
