@@ -30,9 +30,8 @@ layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenF
 // is turned is added: its vertices would be rounded to floats of the block (0.01 mm) on the way.
 vec3 eyeFromModel(vec3 position, Instance instance) {
     vec3 origin = vec3(instance.row0.w, instance.row1.w, instance.row2.w);
-    precise vec3 turned = vec3(instance.row0.x * position.x + instance.row0.y * position.y + instance.row0.z * position.z,
-                               instance.row1.x * position.x + instance.row1.y * position.y + instance.row1.z * position.z,
-                               instance.row2.x * position.x + instance.row2.y * position.y + instance.row2.z * position.z);
+    vec3 turned = blockFromModel(position, vec4(instance.row0.xyz, 0.0), vec4(instance.row1.xyz, 0.0),
+                                 vec4(instance.row2.xyz, 0.0));
     bool isBaked = origin == vec3(0.0);
     precise vec3 start = eyeFromBlock(isBaked ? turned : origin, instance.block);
     precise vec3 result = isBaked ? start : start + turned;

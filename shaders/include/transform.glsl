@@ -1,4 +1,4 @@
-// The one way from a model's vertex to the screen. Walls and the portal polygons between them go through the same
+// From a model's vertex to the screen. Baked walls and the portal polygons between them go through the same
 // expressions, marked precise, so that equal inputs give equal bits in every program: that is what makes openings
 // watertight.
 #include "buffers.glsl"

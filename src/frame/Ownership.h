@@ -14,9 +14,9 @@ namespace limen::frame {
 /// every pixel is either owned by what lies behind the opening or covered by the wall beside it. It is cut by
 /// the edges of its *parent's* region, grown by 1/128 of a pixel (the parent's
 /// own corners are snapped when it is drawn), and by the parent's entry plane; never by edges of
-/// its own. Of an inexact pair the other polygon's edges cut it as well; the hole around it is drawn as if the pair were
-/// exact. Where the polygon comes nearer to the eye than 1 mm, where the eye lies in its plane, and where
-/// the visit is one part of a split opening, the region that the flood found is drawn instead.
+/// its own. What is behind an inexact pair, and one part of a split opening, are cut by the region that the flood found as
+/// well; the hole around an inexact pair is drawn as if the pair were exact. An opening nearer to the eye than 5 cm is looked
+/// for in the whole window; one in whose plane the eye lies is its region alone.
 void planOwnership(const world::World& world, const FrameView& frame, const visibility::VisibleSet& set,
                    FramePlan& plan);
 

@@ -95,7 +95,7 @@ struct MeshVertex {
     Vec2f uv{
         0.0f}; ///< v grows downwards; for terrain: position in the landcell, (0,0) at its south-west corner
     std::uint16_t polygon =
-        0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number each side)
+        0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number for both sides)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
     Vec3f facet{0.0f};         ///< unit normal of its triangle; zero if that has no area
     /// Of shells: facet of the polygon beyond the edge from here to the next corner; zero where none is.
