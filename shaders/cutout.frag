@@ -1,6 +1,7 @@
 // Cut-out surfaces: a texel counts where alpha >= 0.5, else there is nothing. With kFrameExactCutOuts the texel that
 // holds the pixel's centre decides, at mip 0, as the reference does. Out: colour; the polygon's id. FLAT: the colour is
-// the id's; no texture is read but for alpha.
+// the id's, and cut-outs are exact in any case: drivers that run every branch for all fragments would spend most of such a
+// frame on filtering textures that nobody sees.
 // MULTISAMPLED: exact ones are tested at each sample; others cover as many samples as alpha, made as steep as a pixel,
 // says.
 #include "surface.glsl"
@@ -11,12 +12,17 @@ layout(location = kOutputId) out uint outId;
 
 const float kAlphaThreshold = 0.5;
 
-bool isExact(Material material) {
-    return (frame.flags & kFrameExactCutOuts) != 0u && material.texture != kNoTexture;
+bool isExact() {
+#ifdef FLAT
+    return true;
+#else
+    return (frame.flags & kFrameExactCutOuts) != 0u;
+#endif
 }
 
 float exactAlpha(Material material, vec2 uv) {
-    return material.colour.a * nearestTexel(material.texture, uv).a;
+    return material.texture == kNoTexture ? material.colour.a
+                                          : material.colour.a * nearestTexel(material.texture, uv).a;
 }
 
 #ifdef MULTISAMPLED
@@ -39,29 +45,28 @@ uint coveredSamples(float alpha) {
 #endif
 
 void main() {
+#ifndef FLAT
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
+#endif
     Instance instance = instanceAt(vInstance);
     Keep keep = keepOf(instance);
     Material material = materials[vSurface];
 #ifdef FLAT
     float alpha = 1.0;
-    if (!isExact(material)) {
-        alpha = materialColour(material, dx, dy).a;
-    }
 #else
     vec4 colour = materialColour(material, dx, dy);
     float alpha = colour.a;
 #endif
 #ifdef MULTISAMPLED
-    uint solid = isExact(material) ? solidSamples(material) : coveredSamples(alpha);
+    uint solid = isExact() ? solidSamples(material) : coveredSamples(alpha);
 #ifdef GATED
     solid &= uint(gl_SampleMask[0]);
 #endif
     gl_SampleMask[0] = int(solid);
     bool isSolid = solid != 0u;
 #else
-    if (isExact(material)) {
+    if (isExact()) {
         alpha = exactAlpha(material, uvOnPolygon());
     }
     bool isSolid = alpha >= kAlphaThreshold;
