@@ -81,7 +81,7 @@ vec2 uvOnPolygon() {
     vec3 shares = vec3(b.x * c.y - c.x * b.y, c.x * a.y - a.x * c.y, a.x * b.y - b.x * a.y);
     float sum = shares.x + shares.y + shares.z;
     if (sum == 0.0) {
-        return vUv;
+        return uvAt(vTriangle); // an area of nothing; and what is not read here, flat programs need not interpolate
     }
     return (uvAt(vTriangle) * shares.x + uvAt(vTriangle + 1u) * shares.y + uvAt(vTriangle + 2u) * shares.z) / sum;
 }
