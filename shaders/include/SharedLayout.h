@@ -58,6 +58,7 @@ LIMEN_CONST kKindShell = 0u; // Instance.kind: a cell's own walls, world::Kind::
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
 
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;
+LIMEN_CONST kShutByNothing = 1u; // Visit.shutBy: a filling without a surface
 LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
 LIMEN_CONST kSkyId = 1u;
 LIMEN_CONST kVoidId = 0u;
@@ -104,8 +105,8 @@ LIMEN_STRUCT(Visit) {
     vec4 entryPlane LIMEN_ZERO; // eye-relative; beyond = positive; the root's is (0,0,0,1): everything is beyond it
     uint zone LIMEN_ZERO;
     uint parent LIMEN_ZERO;     // kNoVisit for the root
-    uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
+    uint shutBy LIMEN_ZERO;     // 0: not shut; else the idBase of what fills the opening, or kShutByNothing
+    uint reserved LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Instance) {

@@ -21,6 +21,10 @@ const float kPlaneToleranceSlope = 4.0e-7;
 // (the ceiling of a doorway at eye level) that moves it by far more than a millimetre, out of its own cell.
 const float kSnap = 1.0 / 128.0;
 
+// Metres. What lies no more than this before a shut opening's plane is met after its filling (docs: "Fillings"). So is
+// what lies beyond.
+const float kInFilling = 0.0002;
+
 // Where a fragment was kept, and by which light set it is lit there.
 struct Keep {
     bool kept;
@@ -83,6 +87,16 @@ float toleranceFor(vec3 normal, Place place) {
     return kPlaneTolerance + kPlaneToleranceSlope * length(place.at) + kSnap * slope;
 }
 
+// How far a fragment may lie beyond the plane by which its rays leave, at most. `shutBy`: of the visit beyond.
+float leavingTolerance(Instance instance, vec3 normal, uint shutBy, Place place) {
+#ifndef LIMEN_WITHOUT_FILLING_FIRST // tests show that it is needed (docs/proof.md)
+    if (shutBy != 0u && shutBy != instance.idBase) {
+        return -kInFilling;
+    }
+#endif
+    return toleranceFor(normal, place);
+}
+
 // The two halves of the test, for one point.
 bool isBeyondEntry(vec4 entryPlane, vec3 at, float tolerance) {
 #ifdef LIMEN_WITHOUT_ENTRY_TEST // tests show that it is needed (docs/proof.md)
@@ -108,16 +122,18 @@ const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next v
 // Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends.
 Keep walkChain(Instance instance, Place place) {
     vec4 next = kNothingBeyond;
+    uint shutBy = 0u;
     uint visitIndex = leafVisit();
     while (visitIndex < frame.visitCount) {
         Visit visit = visits[visitIndex];
         uint lightSet;
         bool beyondEntry = isBeyondEntry(visit.entryPlane, place.at, toleranceFor(visit.entryPlane.xyz, place));
-        bool beforeNext = isBeforeNext(next, place.at, toleranceFor(next.xyz, place));
+        bool beforeNext = isBeforeNext(next, place.at, leavingTolerance(instance, next.xyz, shutBy, place));
         if (beyondEntry && beforeNext && findMember(instance, visit.zone, lightSet)) {
             return Keep(true, visit.zone, lightSet);
         }
         next = visit.entryPlane;
+        shutBy = visit.shutBy;
         visitIndex = visit.parent;
     }
     return Keep(false, 0u, 0u);

@@ -9,11 +9,12 @@
 // says which zone lights the fragment.
 void walkFrom(uint leaf, uint asked, Instance instance, Place place, inout Keep keep, inout uint kept) {
     vec4 next = kNothingBeyond;
+    uint shutBy = 0u;
     uint visitIndex = leaf;
     while (visitIndex < frame.visitCount && asked != 0u) {
         Visit visit = visits[visitIndex];
         float entryTolerance = toleranceFor(visit.entryPlane.xyz, place);
-        float nextTolerance = toleranceFor(next.xyz, place);
+        float nextTolerance = leavingTolerance(instance, next.xyz, shutBy, place);
         uint within = 0u;
         for (int i = 0; i < int(kSamples); ++i) {
             bool isWithin = isBeyondEntry(visit.entryPlane, place.sampleAt[i], entryTolerance) &&
@@ -30,6 +31,7 @@ void walkFrom(uint leaf, uint asked, Instance instance, Place place, inout Keep 
             asked &= ~within;
         }
         next = visit.entryPlane;
+        shutBy = visit.shutBy;
         visitIndex = visit.parent;
     }
 }

@@ -34,6 +34,7 @@ Json visitsJson(const world::World& world, const visibility::VisibleSet& visible
                         {"parent", visit.parent == kNoIndex ? -1 : static_cast<std::int64_t>(visit.parent)},
                         {"portal", std::move(portal)},
                         {"hole", visit.hole},
+                        {"shut", visit.shut},
                         {"depth", visit.depth},
                         {"region", std::move(region)}});
     }

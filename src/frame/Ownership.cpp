@@ -26,9 +26,10 @@ constexpr std::size_t kEdgesPerSet = 7;
 
 class OwnershipPlanner {
 public:
-    OwnershipPlanner(const world::World& world, const FrameView& frame, const visibility::VisibleSet& set,
-                     FramePlan& plan)
-        : world_(world), frame_(frame), set_(set), plan_(plan), screen_(frame.view.screenFromEye()) {}
+    OwnershipPlanner(const world::World& world, const world::Moment& moment, const FrameView& frame,
+                     const visibility::VisibleSet& set, FramePlan& plan)
+        : world_(world), moment_(moment), frame_(frame), set_(set), plan_(plan),
+          screen_(frame.view.screenFromEye()) {}
 
     void run() {
         plan_.clipSets.push_back(openClipSet());
@@ -66,7 +67,15 @@ private:
             root ? gpu::vec4(0, 0, 0, 1) : gpu::vec4(Vec3f(visit.entryPlane.n), visit.entryPlane.d);
         out.zone = visit.zone;
         out.parent = root ? gpu::kNoVisit : visit.parent;
+        out.shutBy = visit.shut ? shutBy(visit.portal) : 0;
         plan_.visits.push_back(out);
+    }
+
+    /// gpu::Visit::shutBy of a shut portal.
+    [[nodiscard]] std::uint32_t shutBy(std::uint32_t portal) const {
+        const world::InstanceIndex filling =
+            moment_.fillings.empty() ? world::kNone : moment_.fillings[portal];
+        return filling == world::kNone ? gpu::kShutByNothing : moment_.instances[filling].idBase;
     }
 
     /// A plane to cut the visit's portal by; open where it does not reach: of a polygon seen edge-on the depth in the
@@ -162,6 +171,7 @@ private:
     }
 
     const world::World& world_;
+    const world::Moment& moment_;
     const FrameView& frame_;
     const visibility::VisibleSet& set_;
     FramePlan& plan_;
@@ -170,9 +180,9 @@ private:
 
 } // namespace
 
-void planOwnership(const world::World& world, const FrameView& frame, const visibility::VisibleSet& set,
-                   FramePlan& plan) {
-    OwnershipPlanner(world, frame, set, plan).run();
+void planOwnership(const world::World& world, const world::Moment& moment, const FrameView& frame,
+                   const visibility::VisibleSet& set, FramePlan& plan) {
+    OwnershipPlanner(world, moment, frame, set, plan).run();
     plan.counts.ownershipTriangles = static_cast<std::uint32_t>(plan.ownershipVertices.size() / 3);
 }
 

@@ -3,7 +3,7 @@
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
 #include "visibility/VisibleSet.h"
-#include "world/World.h"
+#include "world/Moment.h"
 
 namespace limen::frame {
 
@@ -17,7 +17,8 @@ namespace limen::frame {
 /// its own. What is behind an inexact pair, and one part of a split opening, are cut by the region that the flood found as
 /// well; the hole around an inexact pair is drawn as if the pair were exact. An opening nearer to the eye than 5 cm is looked
 /// for in the whole window; one in whose plane the eye lies is its region alone.
-void planOwnership(const world::World& world, const FrameView& frame, const visibility::VisibleSet& set,
-                   FramePlan& plan);
+/// A shut opening is drawn like any other: of what lies in its plane its rays meet the filling first.
+void planOwnership(const world::World& world, const world::Moment& moment, const FrameView& frame,
+                   const visibility::VisibleSet& set, FramePlan& plan);
 
 } // namespace limen::frame

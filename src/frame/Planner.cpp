@@ -73,7 +73,7 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
     fillConstants(frame, set, plan);
     packMovers(plan);
     beginStage(plan, StageKind::Ownership);
-    planOwnership(world_, frame, set, plan);
+    planOwnership(world_, moment, frame, set, plan);
     const bool several = set.visits.size() > 1;
     if (several) {
         plan.batches.push_back(

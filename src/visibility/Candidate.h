@@ -17,6 +17,7 @@ struct Candidate {
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< region, in the owner's vertex array
     bool inPlane = false;
     bool hole = false; ///< rays that pass the portal's polygon and end there
+    bool shut = false; ///< a hole that is filled
     bool narrowed = false;
     bool split = false; ///< one of the parts of an opening cut to break a circle of overlaps
 };

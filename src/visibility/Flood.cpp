@@ -94,6 +94,7 @@ private:
         visit.depth = out_.visits[c.parent].depth + 1;
         visit.inPlane = c.inPlane;
         visit.hole = c.hole;
+        visit.shut = c.shut;
         visit.narrowed = c.narrowed;
         visit.split = c.split;
         const auto region = s_.pending.region(c);
@@ -173,10 +174,10 @@ private:
     void tryOpening(std::uint32_t index, std::uint32_t portalIndex) {
         const Visit& visit = out_.visits[index];
         const Graph::Portal& portal = graph_.portals()[portalIndex];
-        const bool leadsNowhere = portal.destination == kNone;
+        const bool isShut = !closed_.empty() && closed_[portalIndex] != 0;
+        const bool isEnd = isShut || portal.destination == kNone;
         if (portal.plane.n == Vec3(0.0) || isWayBack(visit, portalIndex) ||
-            (!leadsNowhere && graph_.spaces()[portal.destination].zone == visit.zone) ||
-            (!closed_.empty() && closed_[portalIndex] != 0)) {
+            (!isEnd && graph_.spaces()[portal.destination].zone == visit.zone)) {
             return;
         }
         const double side = portal.plane.signedDistance(view_.eye);
@@ -185,7 +186,7 @@ private:
         }
         ++out_.counts.portalsTested;
         const bool inPlane = rules_.halfPlane && visit.inPlane && holdsEye(portal);
-        if (!inPlane && side <= 0.0) {
+        if (inPlane ? isShut : side <= 0.0) {
             return; // edge-on or from behind: no ray of this visit passes
         }
         if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
@@ -205,7 +206,8 @@ private:
         c.entryPlane = portal.plane.relativeTo(view_.eye).flipped();
         c.planeOnScreen = eyeFromScreenTransposed_ * c.entryPlane.n;
         c.inPlane = inPlane;
-        if (leadsNowhere) {
+        if (isEnd) {
+            c.shut = isShut;
             addChild(c, true);
             return;
         }

@@ -27,8 +27,10 @@ struct Visit {
     std::uint32_t depth = 0;                        ///< 0 for the root
     bool inPlane = false; ///< the eye lies in the portal's plane and the region is half of the parent's; true
                           ///< for the root
-    bool hole = false; ///< the rays pass the portal's polygon and end there: it leads nowhere, or its pair is
-                       ///< not open; no children and no seen spaces
+    bool hole =
+        false; ///< the rays pass the portal's polygon and end there: it leads nowhere, its pair is not
+               ///< open, or it is shut; no children and no seen spaces
+    bool shut = false;     ///< a hole that the opening's filling closes
     bool narrowed = false; ///< of an inexact pair: the other polygon bounds its region as well
     bool split =
         false; ///< its region is one part of the opening, cut to break a circle of overlapping siblings

@@ -149,6 +149,26 @@ NamedView shutDoor() {
     return view;
 }
 
+NamedView boardThroughAShutDoor() {
+    NamedView view;
+    TestWorld& world = view.world;
+    world.setFlatTerrain(world.home(), 0);
+    const auto room = world.addBox({90, 80, 0}, {94, 84, 3}, "brown");
+    const auto next = world.addBox({94, 80, 0}, {98, 84, 3}, "blue");
+    world.link(room, rectangle({94, 81, 0}, {94, 82.5, 2}), next);
+    const auto window = world.openOutside(room, rectangle({92.5, 84, 0.5}, {93.5, 84, 2}));
+    const auto other = world.openOutside(next, rectangle({94.1, 84, 0.5}, {96, 84, 2}));
+    world.addBuilding(boxExterior({90, 80, 0}, {98, 84, 3}), {window, other});
+    world.addStatic(next, world.addModel(boxExterior({-0.00015, -0.5, -0.9}, {0.1, 1.9, 0.9}, "red")),
+                    frameAt({94, 82, 1.2})); // by both windows it belongs to the first room, too
+    view.moving.doors.push_back({"door", world.id(room), 0, true, 0.0, {}});
+    view.doors = 0.0;
+    view.root = room;
+    view.eye = {92.5, 81.5, 1.4};
+    view.yaw = 45;
+    return view;
+}
+
 NamedView twoWindowsOnAMeadow() {
     NamedView view;
     TestWorld& world = view.world;

@@ -128,6 +128,10 @@ TEST(Mechanisms, filling) {
     expectNeeded(shutDoor, off, 392);
 }
 
+TEST(Mechanisms, fillingFirst) {
+    expectNeeded(boardThroughAShutDoor, withoutShaderPart("LIMEN_WITHOUT_FILLING_FIRST"), 1581);
+}
+
 TEST(Mechanisms, viewcone) {
     Off off;
     off.frame.viewcone = false;

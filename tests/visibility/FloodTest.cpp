@@ -9,10 +9,11 @@ namespace {
 using Chain = std::vector<std::uint32_t>;
 
 /// Rooms in a row along +y, 10 m deep, a 2 m × 2 m door in every wall: room i spans y in [10 i, 10 i + 10].
-GraphBuilder rowOfRooms(int count) {
+/// Each is a zone of its own, or all are one.
+GraphBuilder rowOfRooms(int count, bool oneZone = false) {
     GraphBuilder world;
     for (int i = 0; i < count; ++i) {
-        world.addSpace();
+        world.addSpace(oneZone ? 0 : static_cast<std::uint32_t>(i));
     }
     for (int i = 0; i + 1 < count; ++i) {
         world.link(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1),
@@ -54,7 +55,25 @@ TEST(Flood, stopsAtAClosedFilling) {
     for (std::size_t i = 0; i < closed.size(); ++i) {
         closed[i] = graph.portals()[i].space == 1 && graph.portals()[i].destination == 2;
     }
-    EXPECT_EQ(floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed).visits.size(), 2u);
+    const VisibleSet set = floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed);
+    ASSERT_EQ(set.visits.size(), 3u) << "two rooms, and the door between the second and the third";
+    EXPECT_TRUE(set.visits[2].shut && set.visits[2].hole);
+    EXPECT_EQ(set.visits[2].parent, 1u);
+    EXPECT_EQ(set.seen.size(), 2u);
+}
+
+TEST(Flood, aShutOpeningWithinAZoneIsAVisitToo) {
+    const Graph graph = rowOfRooms(4, true).build();
+    std::vector<std::uint8_t> closed(graph.portals().size(), 0);
+    EXPECT_EQ(floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed).visits.size(), 1u);
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+        closed[i] =
+            graph.portals()[i].space + graph.portals()[i].destination == 3; // between 1 and 2, both ways
+    }
+    const VisibleSet set = floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed);
+    ASSERT_EQ(set.visits.size(), 2u);
+    EXPECT_TRUE(set.visits[1].shut);
+    EXPECT_EQ(set.seen.size(), 2u) << "what lies behind it is not seen";
 }
 
 TEST(Flood, hasNoDistanceCutOff) {
