@@ -48,9 +48,10 @@ Box Bodies::boxOf(std::uint32_t body) const {
     const world::Mesh& mesh = world_.meshes[instance.mesh];
     const Mat3 linear(instance.linear);
     const Vec3 at = world_.blocks[instance.block].origin() + Vec3(instance.origin) - origin_;
-    Box box;
+    Extent extent;
     for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v)
-        box.include(at + linear * Vec3(world_.vertices[v].position));
+        extent.include(at + linear * Vec3(world_.vertices[v].position));
+    Box box = extent.box();
     box.grow(kBoxMargin);
     return box;
 }

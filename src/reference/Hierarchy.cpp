@@ -31,19 +31,20 @@ float weightOf(const Box& box) {
 
 } // namespace
 
-void Box::include(const Vec3& p) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double value = p[static_cast<int>(axis)];
-        min[axis] = std::min(min[axis], below(value));
-        max[axis] = std::max(max[axis], above(value));
-    }
-}
-
 void Box::grow(double margin) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         min[axis] = below(min[axis] - margin);
         max[axis] = above(max[axis] + margin);
     }
+}
+
+Box Extent::box() const {
+    Box box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.min[axis] = below(least[static_cast<int>(axis)]);
+        box.max[axis] = above(greatest[static_cast<int>(axis)]);
+    }
+    return box;
 }
 
 BoxRay::BoxRay(const Vec3& eye, const Vec3& direction, double margin) {
@@ -148,6 +149,8 @@ std::uint32_t Hierarchy::Build::halve(const Range& range, std::size_t axis) cons
 
 /// Divides a range in two, neither of them empty. Yields where the second begins.
 std::uint32_t Hierarchy::Build::divide(const Range& range, std::uint32_t depth) const {
+    if (range.count == 2)
+        return range.first + 1;
     const Box centres = centresOf(range);
     std::size_t widest = 0;
     Cut best;

@@ -16,13 +16,23 @@ struct Box {
     alignas(16) std::array<float, 4> min{1e30f, 1e30f, 1e30f, 1e30f};
     alignas(16) std::array<float, 4> max{-1e30f, -1e30f, -1e30f, -1e30f};
 
-    void include(const Vec3& p);
     void include(const Box& other) {
         _mm_store_ps(min.data(), _mm_min_ps(_mm_load_ps(min.data()), _mm_load_ps(other.min.data())));
         _mm_store_ps(max.data(), _mm_max_ps(_mm_load_ps(max.data()), _mm_load_ps(other.max.data())));
     }
     /// Moves every side outwards by `margin` (metres) and one rounding step.
     void grow(double margin);
+};
+
+/// Gathers points for their box: in double, to be rounded once.
+struct Extent {
+    Vec3 least{1e30}, greatest{-1e30};
+
+    void include(const Vec3& p) {
+        least = glm::min(least, p);
+        greatest = glm::max(greatest, p);
+    }
+    [[nodiscard]] Box box() const;
 };
 
 /// A ray as boxes are tested against it: in float, and for certain never missing a box that the ray in double meets.

@@ -83,12 +83,13 @@ Openings::Openings(const world::World& world, const Vec3& origin) : world_(world
         for (world::PortalIndex i = space.firstPortal; i < space.firstPortal + space.portalCount; ++i) {
             if (openings_[i].cornerCount < 3)
                 continue; // shut by the loader
-            Box box;
+            Extent extent;
             const Opening& opening = openings_[i];
             for (const Vec3& p : cornersOf(opening))
-                box.include(p);
+                extent.include(p);
             for (const Vec3& p : std::span(points_).subspan(opening.firstOutline, opening.outlineCount))
-                box.include(p);
+                extent.include(p);
+            Box box = extent.box();
             box.grow(2.0 * kTolerance); // an eye in its plane is in the box
             boxes.push_back(box);
             order_.push_back(i);

@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4; ///< at most this many triangles are tested one by one
 
+Box boxOf(const Triangle& triangle) {
+    Extent extent;
+    for (const Vec3& corner : {triangle.a, triangle.b, triangle.c})
+        extent.include(corner);
+    return extent.box();
+}
+
 /// The texel's number along one side that holds the coordinate.
 std::uint32_t texelAt(double coordinate, std::uint32_t size, bool clamp) {
     const double within = clamp ? std::clamp(coordinate, 0.0, 1.0) : coordinate - std::floor(coordinate);
@@ -46,11 +53,9 @@ void TriangleSet::add(const world::World& world, const world::Instance& instance
 
 void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
     const auto boxAll = [&] {
-        scratch.boxes.assign(triangles_.size(), Box{});
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            for (const Vec3* p : {&triangles_[i].a, &triangles_[i].b, &triangles_[i].c})
-                scratch.boxes[i].include(*p);
-        }
+        scratch.boxes.clear();
+        for (const Triangle& triangle : triangles_)
+            scratch.boxes.push_back(boxOf(triangle));
     };
     if (!grouping.isKnown) {
         boxAll();
@@ -63,10 +68,16 @@ void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
         triangles_[i] = scratch.triangles[grouping.order[i]];
     boxAll();
     tree_.fit(grouping.tree, scratch.boxes);
+    planes_.clear();
+    for (const Triangle& triangle : triangles_) {
+        const Vec3 corners[] = {triangle.a, triangle.b, triangle.c};
+        planes_.push_back(planeOf(corners));
+    }
 }
 
 void TriangleSet::clear() {
     triangles_.clear();
+    planes_.clear();
     cutOuts_.clear();
     tree_.clear();
 }
@@ -107,18 +118,19 @@ void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ra
                                    const Stretch& stretch, double margin, Nearest& nearest) const {
     const double farthest = std::min(stretch.most, nearest.t);
     tree_.walk(boxRay, stretch.after, farthest, [&](std::uint32_t first, std::uint32_t count) {
-        for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
-            const Vec3 corners[] = {triangle.a, triangle.b, triangle.c};
-            const Plane plane = planeOf(corners);
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const Plane& plane = planes_[i];
             const double speed = glm::dot(plane.n, ray.direction);
             if (!(speed < 0.0))
                 continue;
             const double t = -plane.signedDistance(ray.eye) / speed;
-            if (!(t > stretch.after && t >= stretch.least && t <= stretch.most) ||
-                !containsProjection(corners, plane.n, ray.eye + ray.direction * t, margin))
+            if (!(t > stretch.after && t >= stretch.least && t <= std::min(stretch.most, nearest.t)))
+                continue;
+            const Triangle& triangle = triangles_[i];
+            const Vec3 corners[] = {triangle.a, triangle.b, triangle.c}, p = ray.eye + ray.direction * t;
+            if (!containsProjection(corners, plane.n, p, margin))
                 continue;
             // Weights by areas; beside the triangle they run a little out of 0..1, and so does the texel.
-            const Vec3 p = ray.eye + ray.direction * t;
             const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
             const double whole = glm::dot(normal, normal);
             const double b = glm::dot(glm::cross(p - triangle.a, triangle.c - triangle.a), normal) / whole;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/Plane.h"
 #include "reference/Hierarchy.h"
 #include "reference/RayFrame.h"
 #include "world/World.h"
@@ -105,6 +106,7 @@ private:
     [[nodiscard]] bool isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const;
 
     std::vector<Triangle> triangles_;
+    std::vector<Plane> planes_; ///< by triangle, for findNearestGrown
     std::vector<CutOut> cutOuts_;
     Hierarchy tree_;
 };
