@@ -1,5 +1,7 @@
 #include "check/Comparison.h"
 
+#include "check/FinerRays.h"
+
 #include "core/Assert.h"
 
 #include <bit>
@@ -22,7 +24,7 @@ constexpr double kDepthShare = 1e-4;
 class Judge {
 public:
     Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer)
-        : drawn_(drawn), traced_(traced), retracer_(retracer) {}
+        : drawn_(drawn), traced_(traced), retracer_(retracer), exact_{retracer}, byZone_{retracer} {}
 
     Verdict verdictAt(int x, int y) {
         const std::size_t i = indexOf(x, y);
@@ -38,6 +40,15 @@ public:
     }
 
 private:
+    struct Exact {
+        Retracer& retracer;
+        Answer operator()(double x, double y) const { return retracer.exact(x, y); }
+    };
+    struct ByZone {
+        Retracer& retracer;
+        Answer operator()(double x, double y) const { return retracer.byZone(x, y); }
+    };
+
     [[nodiscard]] std::size_t indexOf(int x, int y) const {
         return static_cast<std::size_t>(y) * drawn_.width + static_cast<std::size_t>(x);
     }
@@ -60,12 +71,12 @@ private:
             return Verdict::Unjudged;
         if (inVain_ >= kMostSecondLooks)
             return worst;
-        if (anyFiner(x, y, 1.0, 1, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
+        const auto showsIt = [&](const Answer& a) { return a.id == id; };
+        if (anyFiner(x, y, 1.0, 1, byZone_, showsIt))
             return Verdict::ByZone;
-        const auto meets = [&](double u, double v) { return retracer_.exact(u, v).id == id; };
-        if (onFinerRays(x, y, meets))
+        if (onFinerRays(x, y, exact_, showsIt))
             return id == 0 ? Verdict::Hole : Verdict::Sliver;
-        if (onFinerRays(x, y, [&](double u, double v) { return retracer_.byZone(u, v).id == id; }))
+        if (onFinerRays(x, y, byZone_, showsIt))
             return Verdict::ByZone;
         ++inVain_;
         if (id > 1 && retracer_.isEdgeOn(x, y, id, traced_.at(x, y).t))
@@ -94,26 +105,6 @@ private:
         return *known;
     }
 
-    /// True if any of (2·reach + 1)² rays, `step` pixels apart around the centre of a pixel, passes the test.
-    template <class Test>
-    [[nodiscard]] static bool anyFiner(int x, int y, double step, int reach, Test test) {
-        for (int dy = -reach; dy <= reach; ++dy) {
-            for (int dx = -reach; dx <= reach; ++dx) {
-                if (test(x + dx * step, y + dy * step))
-                    return true;
-            }
-        }
-        return false;
-    }
-
-    /// Rays within the 3×3 pixels: finer than the rasteriser's 1/256 of a pixel around the middle, then wider, then
-    /// over the whole.
-    template <class Test>
-    [[nodiscard]] static bool onFinerRays(int x, int y, Test test) {
-        return anyFiner(x, y, 1.0 / 2048.0, 16, test) || anyFiner(x, y, 1.0 / 64.0, 8, test) ||
-               anyFiner(x, y, 1.0 / 16.0, 24, test);
-    }
-
     [[nodiscard]] bool hasRightDepth(int x, int y) {
         if (drawn_.depth.empty())
             return true;
@@ -140,9 +131,9 @@ private:
             return Verdict::Unjudged;
         if (inVain_ >= kMostSecondLooks)
             return Verdict::Layers;
-        if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.exact(u, v)); }))
+        if (onFinerRays(x, y, exact_, same))
             return Verdict::Sliver;
-        if (onFinerRays(x, y, [&](double u, double v) { return same(retracer_.byZone(u, v)); }))
+        if (onFinerRays(x, y, byZone_, same))
             return Verdict::ByZone;
         ++inVain_;
         return Verdict::Layers;
@@ -151,6 +142,8 @@ private:
     const DrawnImages& drawn_;
     const reference::Picture& traced_;
     Retracer& retracer_;
+    Exact exact_;
+    ByZone byZone_;
     std::size_t inVain_ = 0;                   ///< second looks that explained nothing
     std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
 };

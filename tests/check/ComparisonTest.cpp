@@ -79,6 +79,16 @@ TEST(Comparison, finerRaysMakeASliver) {
     EXPECT_EQ(odd.result.findings(), 0u);
 }
 
+TEST(Comparison, aStripNarrowerThanAnyGridMakesASliver) {
+    OneOddPixel odd(kOther); // a millionth of a pixel, between two walls
+    odd.retracer.exactId = [](double x, double) {
+        return x < 2.0003 ? kWall : x < 2.000301 ? kOther : kWall + 1;
+    };
+    EXPECT_EQ(odd.verdict(), Verdict::Sliver);
+    odd.retracer.exactId = [](double x, double) { return x < 2.0003 ? kWall : kWall + 1; };
+    EXPECT_EQ(odd.verdict(), Verdict::Disagrees) << "where two walls meet nothing shows between them";
+}
+
 TEST(Comparison, finerRaysBeyondTheNeighboursMakeNone) {
     OneOddPixel odd(kOther);
     odd.retracer.exactId = [](double x, double) { return x > 3.51 ? kOther : kWall; };

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "reference/Scene.h"
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <vector>
+
+// Second looks at a pixel: rays between those that were traced. Distances are in pixels; `trace(x, y)` yields the
+// reference::Answer of a ray, `test` says whether an answer is what was looked for.
+namespace limen::check {
+
+/// Between the rays of the finest grid, and how many of them lie either side of the middle: it spans 1/128 of a pixel, twice
+/// what the rasteriser snaps corners to.
+inline constexpr double kFinest = 1.0 / 2048.0;
+inline constexpr int kFinestReach = 16;
+/// Halvings of kFinest until two rays are 1e-13 of a pixel apart, which doubles hardly tell.
+inline constexpr int kHalvings = 32;
+
+/// True if any of (2·reach + 1)² rays, `step` apart around the centre of a pixel, passes the test.
+template <class Trace, class Test>
+[[nodiscard]] bool anyFiner(int x, int y, double step, int reach, Trace trace, Test test) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+        for (int dx = -reach; dx <= reach; ++dx) {
+            if (test(trace(x + dx * step, y + dy * step)))
+                return true;
+        }
+    }
+    return false;
+}
+
+[[nodiscard]] inline bool isSameAnswer(const reference::Answer& a, const reference::Answer& b) {
+    return a.id == b.id && a.layers == b.layers;
+}
+
+/// The finest grid around the centre of a pixel, traced.
+class FinestGrid {
+public:
+    template <class Trace>
+    FinestGrid(int x, int y, Trace trace) : x_(x), y_(y) {
+        answers_.reserve(kSide * kSide);
+        for (int j = 0; j < kSide; ++j) {
+            for (int i = 0; i < kSide; ++i)
+                answers_.push_back(trace(placeOf(i, j).x, placeOf(i, j).y));
+        }
+    }
+
+    template <class Test>
+    [[nodiscard]] bool any(Test test) const {
+        return std::any_of(answers_.begin(), answers_.end(), test);
+    }
+
+    /// True if a ray on a line that parts two surfaces passes the test.
+    template <class Trace, class Test>
+    [[nodiscard]] bool anyOnBoundaries(Trace trace, Test test) const {
+        for (int j = 0; j < kSide; ++j) {
+            for (int i = 0; i < kSide; ++i) {
+                if ((i + 1 < kSide && anyBetween({i, j}, {i + 1, j}, trace, test)) ||
+                    (j + 1 < kSide && anyBetween({i, j}, {i, j + 1}, trace, test)))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    static constexpr int kSide = 2 * kFinestReach + 1;
+
+    [[nodiscard]] glm::dvec2 placeOf(int i, int j) const {
+        return {x_ + (i - kFinestReach) * kFinest, y_ + (j - kFinestReach) * kFinest};
+    }
+    [[nodiscard]] const reference::Answer& at(glm::ivec2 p) const {
+        return answers_[static_cast<std::size_t>(p.y * kSide + p.x)];
+    }
+
+    /// True if a ray between these two passes the test: one at the line on which they part. A strip between two surfaces may
+    /// be narrower than any grid.
+    template <class Trace, class Test>
+    [[nodiscard]] bool anyBetween(glm::ivec2 first, glm::ivec2 second, Trace trace, Test test) const {
+        if (isSameAnswer(at(first), at(second)))
+            return false;
+        glm::dvec2 a = placeOf(first.x, first.y), b = placeOf(second.x, second.y);
+        for (int i = 0; i < kHalvings; ++i) {
+            const glm::dvec2 middle = (a + b) * 0.5;
+            const reference::Answer there = trace(middle.x, middle.y);
+            if (test(there))
+                return true;
+            (isSameAnswer(there, at(first)) ? a : b) = middle;
+        }
+        return false;
+    }
+
+    int x_, y_;
+    std::vector<reference::Answer> answers_;
+};
+
+/// True if a ray within the 3×3 pixels passes the test. Looked for around the middle, then wider, then over the whole, last
+/// along boundaries.
+template <class Trace, class Test>
+[[nodiscard]] bool onFinerRays(int x, int y, Trace trace, Test test) {
+    const FinestGrid finest(x, y, trace);
+    return finest.any(test) || anyFiner(x, y, 1.0 / 64.0, 8, trace, test) ||
+           anyFiner(x, y, 1.0 / 16.0, 24, trace, test) || finest.anyOnBoundaries(trace, test);
+}
+
+} // namespace limen::check
