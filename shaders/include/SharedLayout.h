@@ -53,7 +53,8 @@ LIMEN_CONST kOutputBlended = 2;
 LIMEN_CONST kOutside = 0u; // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
 
-LIMEN_CONST kKindShell = 0u; // Instance.kind: a cell's own walls, world::Kind::Shell
+LIMEN_CONST kKindShell = 0u;   // Instance.kind: a cell's own walls, world::Kind::Shell
+LIMEN_CONST kKindFilling = 6u; // what stands in an opening: a door's leaf, a pane, world::Kind::Filling
 
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
 

@@ -104,12 +104,23 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     return min(farther, kMostBehind * dot(at, direction) / dot(direction, direction));
 }
 
+// Of what lies in an opening's plane a pane is met first (docs: "Fillings"). What is blended writes no depth, so that it may
+// be tested with that of a place before the pane. Yields how much nearer.
+float beforePlane(uint kind, vec3 direction) {
+#ifdef TRANSLUCENT
+    return kind == kKindFilling ? kInFilling / max(-dot(vFacet.xyz, direction), kGrazing) : 0.0;
+#else
+    return 0.0;
+#endif
+}
+
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
-bool findOnPolygon(bool isShell, out vec3 at) {
+bool findOnPolygon(uint kind, out vec3 at) {
     vec3 direction = rayThrough(gl_FragCoord.xy);
     float depth = depthOnPolygon(direction);
     at = direction * depth;
-    gl_FragDepth = min(frame.nearPlane / (depth + behindNeighbours(isShell, at, direction)), 1.0);
+    float tested = depth + behindNeighbours(kind == kKindShell, at, direction) - beforePlane(kind, direction);
+    gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0);
     return depth >= frame.nearPlane * (1.0 - kNearRounding) && isOverOutline(3u, gl_FragCoord.xy);
 }
 
@@ -119,7 +130,7 @@ vec2 uvOnPolygon() {
     return vUv;
 }
 
-bool findOnPolygon(bool isShell, out vec3 at) {
+bool findOnPolygon(uint kind, out vec3 at) {
     at = vEyeRelative;
     return true;
 }

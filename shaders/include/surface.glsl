@@ -41,7 +41,7 @@ bool findPlace(out Place place) {
     vec3 dx = dFdx(vEyeRelative);
     vec3 dy = dFdy(vEyeRelative);
     vec3 at;
-    bool found = findOnPolygon(instanceAt(vInstance).kind == kKindShell, at);
+    bool found = findOnPolygon(instanceAt(vInstance).kind, at);
     place = Place(at, dx, dy);
     return found;
 #endif

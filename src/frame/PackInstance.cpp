@@ -4,6 +4,9 @@
 
 namespace limen::frame {
 
+static_assert(static_cast<std::uint32_t>(world::Kind::Shell) == gpu::kKindShell &&
+              static_cast<std::uint32_t>(world::Kind::Filling) == gpu::kKindFilling);
+
 gpu::Instance packInstance(const world::World& world, const world::Instance& in,
                            std::span<const world::SpaceIndex> members, std::vector<gpu::Member>& zones) {
     gpu::Instance out;

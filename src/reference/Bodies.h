@@ -28,6 +28,9 @@ public:
     [[nodiscard]] Box boxOf(std::uint32_t body) const;
     [[nodiscard]] bool hasSolid(std::uint32_t body) const;
     [[nodiscard]] bool hasBlended(std::uint32_t body) const;
+    [[nodiscard]] bool isFilling(std::uint32_t body) const {
+        return instances_[body].kind == world::Kind::Filling;
+    }
 
     /// Any thread may ask. Cost: that of placing it, once.
     [[nodiscard]] const Surfaces& surfacesOf(std::uint32_t body) const {

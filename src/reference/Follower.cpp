@@ -53,19 +53,26 @@ void Follower::meetSurfaces(const Visit& visit, double most) {
     forSolids(visit.space, boxRay_, stretch, [&](const TriangleSet& solid) {
         solid.findNearest(scene_.world, ray_, boxRay_, stretch, nearest_);
     });
-    const Stretch before{visit.surfacesAfter, nearPlane_, std::min(most, nearest_.t)};
     forPlaces(visit.space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-        place.blended.walk(boxRay_, before.after, before.most,
-                           [&](std::uint32_t body) { meetLayers(bodies.surfacesOf(body).blended, before); });
+        place.blended.walk(boxRay_, stretch.after, stretch.most, [&](std::uint32_t body) {
+            meetLayers(bodies.surfacesOf(body).blended, bodies.isFilling(body), stretch);
+        });
     });
 }
 
-void Follower::meetLayers(const TriangleSet& blended, const Stretch& stretch) {
-    blended.findAll(ray_, boxRay_, stretch, [&](std::uint32_t id, double t) {
+/// Of what lies in a portal's plane the filling is met first, so a pane counts from the tolerance before it on.
+void Follower::meetLayers(const TriangleSet& blended, bool isFilling, const Stretch& stretch) {
+    blended.findAll(ray_, boxRay_, stretch, [&](const Triangle& triangle, double t) {
+        if (isFilling) {
+            const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+            t -= kTolerance * glm::length(normal) / std::abs(glm::dot(normal, ray_.direction));
+        }
+        if (t > nearest_.t)
+            return;
         const auto known =
-            std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == id; });
+            std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == triangle.id; });
         if (known == layers_.end())
-            layers_.push_back({id, t});
+            layers_.push_back({triangle.id, t});
         else
             known->t = std::min(known->t, t);
     });

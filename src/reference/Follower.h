@@ -27,7 +27,7 @@ private:
     [[nodiscard]] Exit exitOf(const Visit& visit) const;
     [[nodiscard]] Leaving leavingFrom(const Visit& visit) const;
     void meetSurfaces(const Visit& visit, double most);
-    void meetLayers(const TriangleSet& blended, const Stretch& stretch);
+    void meetLayers(const TriangleSet& blended, bool isFilling, const Stretch& stretch);
     [[nodiscard]] bool closeGap(const Visit& visit, Exit& exit);
     void meetFilling(const Exit& exit);
     [[nodiscard]] bool isShut(world::PortalIndex portal) const {

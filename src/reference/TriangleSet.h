@@ -84,7 +84,7 @@ public:
     void findNearest(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
                      const Stretch& stretch, Nearest& nearest) const;
 
-    /// Calls met(id, t) for every front face in the stretch, texels not asked.
+    /// Calls met(triangle, t) for every front face in the stretch, texels not asked.
     template <class Met>
     void findAll(const RayFrame& ray, const BoxRay& boxRay, const Stretch& stretch, Met&& met) const {
         tree_.walk(boxRay, stretch.after, stretch.most, [&](std::uint32_t first, std::uint32_t count) {
@@ -92,7 +92,7 @@ public:
                 Meeting at;
                 if (meetsFront(ray, triangle, at) && at.t > stretch.after && at.t >= stretch.least &&
                     at.t <= stretch.most)
-                    met(triangle.id, at.t);
+                    met(triangle, at.t);
             }
         });
     }

@@ -91,5 +91,34 @@ TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
     RecordProperty("pixelsWithLayers", static_cast<int>(sum.withLayers));
 }
 
+TEST_P(Layers, ofAPaneIsMetBeforeTheBarThatTouchesIt) {
+    MovingHut hut;
+    const auto plate = hut.source.addModel({{{{0, 0, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 1}}, "glass", true}});
+    hut.moving.doors.back().leaves.front().model = plate;
+    // A bar whose face towards the room lies a tenth of a millimetre before the pane.
+    hut.source.addStatic(hut.rear,
+                         hut.source.addModel(boxExterior({-0.0001, 0, 0}, {-0.00005, 0.3, 0.8}, "oak")),
+                         frameAt({18, 12, 3.1}));
+    PictureWorld pictures(hut.source, {GetParam(), 1, hut.moving});
+    pictures.setMoment({});
+    const world::SpaceIndex root = pictures.space(hut.source.id(hut.rear));
+    Tally sum;
+    std::size_t bars = 0;
+    for (const Vec3& eye : {Vec3(16, 12, 3.5), Vec3(17.9, 11.9, 3.3), Vec3(17.97, 12.2, 3.6)}) {
+        const Picture picture = pictures.shoot(pictures.look(eye, 85, 3, root),
+                                               {.shading = gpu::Shading::IdsOnly, .wantLayers = true});
+        tally(pictures, picture, sum);
+        EXPECT_EQ(sum.wrong, 0u) << sum.first;
+        for (std::size_t i = 0; i < picture.ids.size(); ++i) {
+            const std::uint32_t instance = instanceOfId(pictures.world(), picture.ids[i]);
+            if (instance != world::kNone &&
+                pictures.world().instances[instance].kind == world::Kind::Static) {
+                bars += picture.layers[i].count == 1 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(bars, 100u) << "the bar is seen through the pane";
+}
+
 } // namespace
 } // namespace limen::test

@@ -70,7 +70,7 @@ bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
 
 void NaiveTracer::addTriangles(const world::Instance& instance) {
     const world::Mesh& mesh = world_.meshes[instance.mesh];
-    Body body{instance.bounds, triangles_.size(), 0};
+    Body body{instance.bounds, triangles_.size(), 0, instance.kind == world::Kind::Filling};
     const Vec3 origin = world_.blocks[instance.block].origin() + Vec3(instance.origin);
     const auto place = [&](const world::MeshVertex& v) {
         return origin + Mat3(instance.linear) * Vec3(v.position);
@@ -159,7 +159,11 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
             for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
                 double v = 0.0, w = 0.0;
                 const Triangle& triangle = triangles_[i];
-                const double t = triangle.blended ? meets(triangle, ray, v, w) : 0.0;
+                double t = triangle.blended ? meets(triangle, ray, v, w) : 0.0;
+                if (triangle.blended && body.filling) { // met before what else lies in the plane
+                    const Vec3 normal = glm::normalize(glm::cross(triangle.ab, triangle.ac));
+                    t -= kTolerance / std::abs(glm::dot(normal, ray.direction));
+                }
                 const bool known = std::find(layers.begin(), layers.end(), triangle.id) != layers.end();
                 if (triangle.blended && t > after && t <= until && std::isfinite(t) && !known) {
                     layers.push_back(triangle.id);

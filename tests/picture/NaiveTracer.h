@@ -49,6 +49,7 @@ private:
     struct Body {
         Sphere bounds;
         std::size_t firstTriangle = 0, triangleCount = 0;
+        bool filling = false;
     };
     /// Neighbouring bodies of one space, so that a ray need not ask each of thousands.
     struct Cluster {
