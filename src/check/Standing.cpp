@@ -8,8 +8,9 @@ namespace limen::check {
 
 namespace {
 
-constexpr int kTries = 64;  // for a random place
-constexpr int kFeelers = 6; // directions that a place is felt out in
+constexpr int kTries = 64; // for a random place
+// Directions that a place is felt out in. The notch of a cell that winds around one lets half of them pass.
+constexpr int kFeelers = 24;
 constexpr double kRoom =
     0.002; // metres around a random eye: more than the trees' slack and the rule's tolerance
 constexpr double kFar = 300.0;     // metres: where a feeler into the sky is walked back from
