@@ -11,7 +11,7 @@ const float kBesideRay = 1.0 / 128.0;
 // Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
 const float kNearRounding = 1.0e-5;
 // Metres: twice what a corner of two cells may differ by for being a float of its block.
-const float kTouching = 1.0e-4;
+const float kTouching = 2.0e-6;
 // Share of the depth: no more than what nobody sees, for what is rightly there may lie as near to such an edge.
 const float kMostBehind = 9.0e-5;
 // Metres: twice the reach of the rule for an eye in an opening's plane.

@@ -50,7 +50,7 @@ Box Bodies::boxOf(std::uint32_t body) const {
     const Vec3 at = world_.blocks[instance.block].origin() + Vec3(instance.origin) - origin_;
     Box box;
     for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v)
-        box.include(at + linear * Vec3(world_.vertices[v].position));
+        box.include(at + linear * world_.vertices[v].corner());
     box.grow(kBoxMargin);
     return box;
 }

@@ -12,9 +12,8 @@ namespace {
 void setFacets(std::span<MeshVertex> vertices) {
     LIMEN_ASSERT(vertices.size() % 3 == 0, "vertices come in threes");
     for (std::size_t i = 0; i < vertices.size(); i += 3) {
-        const Vec3 origin(vertices[i].position);
-        const Vec3 normal =
-            glm::cross(Vec3(vertices[i + 1].position) - origin, Vec3(vertices[i + 2].position) - origin);
+        const Vec3 origin = vertices[i].corner();
+        const Vec3 normal = glm::cross(vertices[i + 1].corner() - origin, vertices[i + 2].corner() - origin);
         const double length = glm::length(normal);
         const Vec3f facet = length > 0.0 ? Vec3f(normal / length) : Vec3f(0.0f);
         for (std::size_t k = 0; k < 3; ++k)
@@ -24,29 +23,30 @@ void setFacets(std::span<MeshVertex> vertices) {
 
 /// From corner to corner, to the bit.
 struct Edge {
-    std::array<float, 6> ends{};
+    std::array<double, 6> ends{};
     bool operator==(const Edge&) const = default;
 
-    Edge(const Vec3f& from, const Vec3f& to) : ends{from.x, from.y, from.z, to.x, to.y, to.z} {}
+    Edge(const Vec3& from, const Vec3& to) : ends{from.x, from.y, from.z, to.x, to.y, to.z} {}
 };
 
 struct EdgeHash {
     std::size_t operator()(const Edge& edge) const {
-        std::size_t hash = 0;
-        for (const float v : edge.ends)
-            hash = hash * 0x9E3779B97F4A7C15u + std::bit_cast<std::uint32_t>(v);
-        return hash ^ hash >> 29;
+        std::uint64_t hash = 0;
+        for (const double v : edge.ends)
+            hash = (hash ^ hash >> 29) * 0x9E3779B97F4A7C15u + std::bit_cast<std::uint64_t>(v);
+        return static_cast<std::size_t>(hash ^ hash >> 29);
     }
 };
 
 /// The facet of each polygon's largest triangle: those of slivers are what rounding makes of them.
 std::vector<Vec3f> facetsByPolygon(std::span<const MeshVertex> vertices, std::size_t polygons) {
     std::vector<Vec3f> facets(polygons, Vec3f(0.0f));
-    std::vector<float> areas(polygons, 0.0f);
+    std::vector<double> areas(polygons, 0.0);
     for (std::size_t i = 0; i < vertices.size(); i += 3) {
         const MeshVertex& first = vertices[i];
-        const float area = glm::length(
-            glm::cross(vertices[i + 1].position - first.position, vertices[i + 2].position - first.position));
+        const Vec3 origin = first.corner();
+        const double area =
+            glm::length(glm::cross(vertices[i + 1].corner() - origin, vertices[i + 2].corner() - origin));
         if (area > areas[first.polygon]) {
             areas[first.polygon] = area;
             facets[first.polygon] = first.facet;
@@ -61,9 +61,9 @@ void setNeighbours(std::span<MeshVertex> vertices, std::size_t polygons) {
     std::unordered_map<Edge, std::uint16_t, EdgeHash> byEdge;
     const auto next = [](std::size_t i) { return i % 3 == 2 ? i - 2 : i + 1; };
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        byEdge.try_emplace(Edge(vertices[i].position, vertices[next(i)].position), vertices[i].polygon);
+        byEdge.try_emplace(Edge(vertices[i].corner(), vertices[next(i)].corner()), vertices[i].polygon);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const auto found = byEdge.find(Edge(vertices[next(i)].position, vertices[i].position));
+        const auto found = byEdge.find(Edge(vertices[next(i)].corner(), vertices[i].corner()));
         if (found != byEdge.end() && found->second != vertices[i].polygon)
             vertices[i].neighbour = facets[found->second];
     }
@@ -86,7 +86,7 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     std::vector<Vec3> points;
     points.reserve(data.vertices.size());
     for (const MeshVertex& vertex : data.vertices)
-        points.emplace_back(vertex.position);
+        points.push_back(vertex.corner());
     mesh.bounds = boundingSphere(points);
     world_.vertices.insert(world_.vertices.end(), data.vertices.begin(), data.vertices.end());
     const std::span<MeshVertex> own = std::span(world_.vertices).subspan(mesh.firstVertex);
