@@ -20,7 +20,7 @@ struct Vertex {
     std::uint32_t polygonSurface = 0; ///< polygon, and in the high half the surface slot
     glm::vec3 facet{0.0f};            ///< model-space unit normal of its triangle; zero if that has no area
     glm::vec3 neighbour{
-        0.0f};            ///< of a shell: facet of the polygon beyond the edge to the next corner; zero: none
+        0.0f};            ///< of a shell: the wall beyond the edge to the next corner (world::MeshVertex)
     glm::vec3 rest{0.0f}; ///< what `position` is short of the corner (world::MeshVertex)
 };
 

@@ -101,7 +101,8 @@ struct MeshVertex {
         0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number for both sides)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
     Vec3f facet{0.0f};         ///< unit normal of its triangle; zero if that has no area
-    /// Of shells: facet of the polygon beyond the edge from here to the next corner; zero where none is.
+    /// Of shells: facet of the polygon beyond the edge from here to the next corner, divided by the metres from its plane
+    /// within which surfaces of another cell may lie for what corners are off; zero where none is.
     Vec3f neighbour{0.0f};
     /// Of shells, exteriors and fillings: what `position` is short of the corner.
     Vec3f rest{0.0f};
