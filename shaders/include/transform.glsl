@@ -12,8 +12,8 @@ vec3 blockFromModel(vec3 model, vec4 row0, vec4 row1, vec4 row2) {
 }
 
 // Eye-relative metres from block-local ones in two floats. The eye comes in two as well: subtracting the rounded part from
-// something near it is exact (Sterbenz), and what the roundings left is put together apart. That of the sum with the block's
-// origin is exact because the origin is zero or has no smaller exponent.
+// something near it is exact (Sterbenz), and what the roundings left is put together apart. What is lost of the sum with the
+// block's origin is exact as long as the origin is zero or has no smaller exponent, as for all that lies in its block.
 // Ref: Dekker, "A floating-point technique for extending the available precision" (1971), for `lost`.
 vec3 eyeFromBlock(vec3 local, vec3 rest, uint block) {
     vec3 origin = blocks[block].xyz;
