@@ -11,6 +11,7 @@ layout(location = 1) in vec4 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in uint inPolygonSurface;
 layout(location = 4) in vec3 inFacet;
+layout(location = 5) in vec3 inRest;
 
 invariant gl_Position;
 layout(location = 0) out vec3 vEyeRelative;
@@ -28,14 +29,21 @@ layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenF
 
 // A baked mesh has its block's origin, and its vertices go the openings' way. Of any other the origin goes that way, and what
 // is turned is added: its vertices would be rounded to floats of the block (0.01 mm) on the way.
-vec3 eyeFromModel(vec3 position, Instance instance) {
+vec3 eyeFromModel(vec3 position, vec3 rest, Instance instance) {
     vec3 origin = vec3(instance.row0.w, instance.row1.w, instance.row2.w);
-    vec3 turned = blockFromModel(position, vec4(instance.row0.xyz, 0.0), vec4(instance.row1.xyz, 0.0),
-                                 vec4(instance.row2.xyz, 0.0));
+    vec4 row0 = vec4(instance.row0.xyz, 0.0);
+    vec4 row1 = vec4(instance.row1.xyz, 0.0);
+    vec4 row2 = vec4(instance.row2.xyz, 0.0);
+    vec3 turned = blockFromModel(position, row0, row1, row2);
+    vec3 turnedRest = blockFromModel(rest, row0, row1, row2);
     bool isBaked = origin == vec3(0.0);
-    precise vec3 start = eyeFromBlock(isBaked ? turned : origin, instance.block);
+    precise vec3 start = eyeFromBlock(isBaked ? turned : origin, turnedRest, instance.block);
     precise vec3 result = isBaked ? start : start + turned;
     return result;
+}
+
+vec3 eyeFromVertex(uint vertex, Instance instance) {
+    return eyeFromModel(cornerAt(vertex), cornerRestAt(vertex), instance);
 }
 
 #ifdef EXACT
@@ -138,7 +146,7 @@ void drawLarger(uint own, vec3 before, vec3 after) {
 void main() {
     uint index = uint(gl_BaseInstanceARB);
     Instance instance = instanceAt(index);
-    vec3 eyeRelative = eyeFromModel(inPosition, instance);
+    vec3 eyeRelative = eyeFromModel(inPosition, inRest, instance);
     gl_Position = clipFromEye(eyeRelative);
     vEyeRelative = eyeRelative;
     vNormal = vec3(dot(instance.row0.xyz, inNormal.xyz), dot(instance.row1.xyz, inNormal.xyz),
@@ -154,8 +162,8 @@ void main() {
 #ifdef EXACT
     uint corner = uint(gl_VertexID) % 3u;
     triangle = uint(gl_VertexID) - corner;
-    vec3 before = eyeFromModel(cornerAt(triangle + (corner + 2u) % 3u), instance);
-    vec3 after = eyeFromModel(cornerAt(triangle + (corner + 1u) % 3u), instance);
+    vec3 before = eyeFromVertex(triangle + (corner + 2u) % 3u, instance);
+    vec3 after = eyeFromVertex(triangle + (corner + 1u) % 3u, instance);
     corners[0] = corner == 0u ? eyeRelative : corner == 1u ? before : after;
     corners[1] = corner == 1u ? eyeRelative : corner == 2u ? before : after;
     corners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;

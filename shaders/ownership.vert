@@ -97,7 +97,7 @@ void main() {
         gl_Position = everywhere(min(part, 3u));
         return;
     }
-    vec4 clip = clipFromEye(eyeFromBlock(corner.position, corner.block));
+    vec4 clip = clipFromEye(eyeFromBlock(corner.position, corner.rest, corner.block));
     gl_Position = vec4(clip.xy, 0.0, clip.w);
 #ifdef EXACT
     drawLarger(part);

@@ -186,6 +186,8 @@ LIMEN_STRUCT(OwnershipVertex) {
     uint clipSet LIMEN_ZERO;
     uint outlineFirst LIMEN_ZERO; // the fan's first vertex
     uint outlineCount LIMEN_ZERO; // corners of the outline, as many as triangles in the fan; and kCoverWindow
+    vec3 rest LIMEN_ZERO;         // what `position` is short of the corner
+    uint reserved0 LIMEN_ZERO;
 };
 
 // Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.

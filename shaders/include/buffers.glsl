@@ -30,7 +30,7 @@ layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureR
 layout(std430, binding = kBindMoverMembers) readonly buffer MoverMemberBuffer { Member moverMembers[]; };
 #endif
 // The vertex fetch's own arena (frame::gpu::Vertex), word by word.
-const uint kVertexWords = 13u;
+const uint kVertexWords = 16u;
 layout(std430, binding = kBindVertices) readonly buffer VertexBuffer { float arena[]; };
 
 // What stands still and what moves are numbered on, from one array into the other.
@@ -52,6 +52,11 @@ Member memberAt(uint index) {
 
 vec3 cornerAt(uint vertex) {
     uint at = vertex * kVertexWords;
+    return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
+}
+
+vec3 cornerRestAt(uint vertex) {
+    uint at = vertex * kVertexWords + 13u;
     return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
 }
 

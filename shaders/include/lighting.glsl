@@ -11,7 +11,7 @@ float falloff(float distance, float range) {
 }
 
 vec3 lampLight(Light lamp, vec3 eyeRelative, vec3 normal) {
-    vec3 towards = eyeFromBlock(lamp.position.xyz, floatBitsToUint(lamp.colour.w)) - eyeRelative;
+    vec3 towards = eyeFromBlock(lamp.position.xyz, vec3(0.0), floatBitsToUint(lamp.colour.w)) - eyeRelative;
     float distance = length(towards);
     if (distance >= lamp.position.w) {
         return vec3(0.0);

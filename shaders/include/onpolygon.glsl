@@ -10,10 +10,6 @@
 const float kBesideRay = 1.0 / 128.0;
 // Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
 const float kNearRounding = 1.0e-5;
-// Metres: twice what a corner of two cells may differ by for being a float of its block.
-const float kTouching = 1.0e-4;
-// Share of the depth: no more than what nobody sees, for what is rightly there may lie as near to such an edge.
-const float kMostBehind = 9.0e-5;
 // Metres: twice the reach of the rule for an eye in an opening's plane.
 const float kInPlane = 4.0e-4;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
@@ -86,22 +82,24 @@ vec2 uvOnPolygon() {
     return (uvAt(vTriangle) * shares.x + uvAt(vTriangle + 1u) * shares.y + uvAt(vTriangle + 2u) * shares.z) / sum;
 }
 
-// Cells of a zone that touch reach into each other by what rounding has moved their corners. Within so much of an edge of its
+// Cells of a zone that touch reach into each other by what their records' corners are off. Within so much of an edge of its
 // triangle, a fragment of a shell that is reached through the back of the wall beyond the edge belongs to a cell that the ray
 // is not in: it is to lie behind that wall, and whatever of the ray's own cell is there shows instead. Yields how much farther.
+// How much that is follows from how flat the cell's polygons are (world::MeshVertex): a wall's length is one over it.
 // Shells are placed as they are: a facet needs no turning. Only of shells: see stretchOver for the loop.
 float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     float farther = 0.0;
     uint edges = isShell ? 3u : 0u;
     for (uint i = 0u; i < edges; ++i) {
         vec3 wall = neighbourAt(vTriangle + i);
+        float perMetre = length(wall);
         float height = dot(wall, vCorners[i]); // how far the eye is behind the wall; in its plane it may be in an opening
         float before = dot(wall, at) - height;
-        if (height > kInPlane && abs(before) < kTouching) {
-            farther = max(farther, 2.0 * kTouching / max(dot(wall, direction), 0.1));
+        if (height > kInPlane * perMetre && abs(before) < 1.0) {
+            farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
         }
     }
-    return min(farther, kMostBehind * dot(at, direction) / dot(direction, direction));
+    return farther;
 }
 
 // Of what lies in an opening's plane a pane is met first (docs: "Fillings"). What is blended writes no depth, so that it may

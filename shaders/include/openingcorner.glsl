@@ -2,5 +2,5 @@
 // its corners.
 vec3 outlineCorner(uint i) {
     OwnershipVertex corner = ownershipVertices[opening.x + 3u * i + 1u];
-    return eyeFromBlock(corner.position, corner.block);
+    return eyeFromBlock(corner.position, corner.rest, corner.block);
 }

@@ -11,12 +11,17 @@ vec3 blockFromModel(vec3 model, vec4 row0, vec4 row1, vec4 row2) {
     return result;
 }
 
-// Eye-relative metres from block-local ones. The eye comes in two floats: subtracting the rounded part from something
-// near it is exact (Sterbenz), and the low part is what the rounding left.
-vec3 eyeFromBlock(vec3 local, uint block) {
-    precise vec3 offset = local + blocks[block].xyz;
+// Eye-relative metres from block-local ones in two floats. The eye comes in two as well: subtracting the rounded part from
+// something near it is exact (Sterbenz), and what the roundings left is put together apart. What is lost of the sum with the
+// block's origin is exact as long as the origin is zero or has no smaller exponent, as for all that lies in its block.
+// Ref: Dekker, "A floating-point technique for extending the available precision" (1971), for `lost`.
+vec3 eyeFromBlock(vec3 local, vec3 rest, uint block) {
+    vec3 origin = blocks[block].xyz;
+    precise vec3 offset = origin + local;
+    precise vec3 lost = local - (offset - origin);
     precise vec3 high = offset - frame.eyeHigh.xyz;
-    precise vec3 result = high - frame.eyeLow.xyz;
+    precise vec3 low = (lost + rest) - frame.eyeLow.xyz;
+    precise vec3 result = high + low;
     return result;
 }
 

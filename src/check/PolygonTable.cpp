@@ -32,7 +32,7 @@ void PolygonTable::forTriangles(const world::Instance& instance, bool blended, V
             const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {
                 return world_.vertices[mesh.firstVertex + world_.indices[i + k]];
             };
-            const auto place = [&](std::uint32_t k) { return origin + linear * Vec3(vertex(k).position); };
+            const auto place = [&](std::uint32_t k) { return origin + linear * vertex(k).corner(); };
             visit(vertex(0).polygon, Triangle{{place(0), place(1), place(2)}});
         }
     }

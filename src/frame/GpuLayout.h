@@ -12,14 +12,16 @@
 
 namespace limen::frame::gpu {
 
-/// One vertex of the arena as the vertex fetch reads it; 52 bytes. They come in threes (world::Mesh).
+/// One vertex of the arena as the vertex fetch reads it; 64 bytes. They come in threes (world::Mesh).
 struct Vertex {
     glm::vec3 position{0.0f};
     std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
     glm::vec2 uv{0.0f};
     std::uint32_t polygonSurface = 0; ///< polygon, and in the high half the surface slot
     glm::vec3 facet{0.0f};            ///< model-space unit normal of its triangle; zero if that has no area
-    glm::vec3 neighbour{0.0f};        ///< of a shell: facet of the polygon beyond the edge to the next corner; zero: none
+    glm::vec3 neighbour{
+        0.0f};            ///< of a shell: the wall beyond the edge to the next corner (world::MeshVertex)
+    glm::vec3 rest{0.0f}; ///< what `position` is short of the corner (world::MeshVertex)
 };
 
 /// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.
@@ -31,11 +33,11 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;
 };
 
-static_assert(sizeof(Vertex) == 52 && sizeof(DrawCommand) == 20);
+static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
 static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 48);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
-static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 32 &&
+static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
 static_assert(sizeof(SkyInstance) == 80);
 

@@ -1,6 +1,7 @@
 #include "frame/Ownership.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/TwoFloats.h"
 
 #include <algorithm>
 
@@ -144,8 +145,9 @@ private:
 
     void drawEverywhere(std::uint32_t visit, std::uint32_t clipSet) {
         const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
-        plan_.ownershipVertices.insert(plan_.ownershipVertices.end(), 3,
-                                       {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow});
+        plan_.ownershipVertices.insert(
+            plan_.ownershipVertices.end(), 3,
+            {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow, Vec3f(0.0f), 0});
     }
 
     /// The portal polygon as a fan around its middle: every edge of its outline stays as it is, divided
@@ -161,7 +163,9 @@ private:
         const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
         const std::uint32_t count = portal.vertexCount | (isNear(portal) ? gpu::kCoverWindow : 0u);
         const auto corner = [&](const Vec3& local) {
-            plan_.ownershipVertices.push_back({Vec3f(local), portal.block, visit, clipSet, first, count});
+            const TwoFloats parts = inTwoFloats(local); // the same as the walls'
+            plan_.ownershipVertices.push_back(
+                {parts.nearest, portal.block, visit, clipSet, first, count, parts.rest, 0});
         };
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             corner(middle);

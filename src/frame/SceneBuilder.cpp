@@ -104,7 +104,7 @@ SceneUpload buildScene(const world::World& world) {
     scene.vertices.reserve(world.vertices.size());
     for (const world::MeshVertex& v : world.vertices) {
         scene.vertices.push_back({v.position, packNormal(v.normal), v.uv,
-                                  v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour});
+                                  v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour, v.rest});
     }
     scene.indices = world.indices;
     for (const world::Instance& in : world.instances) {

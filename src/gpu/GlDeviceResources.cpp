@@ -47,6 +47,7 @@ void describeVertices(GLuint vertexArray) {
     floats(2, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
     integer(3, offsetof(Vertex, polygonSurface));
     floats(4, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, facet));
+    floats(5, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, rest));
 }
 
 // Which attachments a pass's fragment outputs go to.

@@ -50,7 +50,7 @@ Box Bodies::boxOf(std::uint32_t body) const {
     const Vec3 at = world_.blocks[instance.block].origin() + Vec3(instance.origin) - origin_;
     Extent extent;
     for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v)
-        extent.include(at + linear * Vec3(world_.vertices[v].position));
+        extent.include(at + linear * world_.vertices[v].corner());
     Box box = extent.box();
     box.grow(kBoxMargin);
     return box;

@@ -35,7 +35,7 @@ void TriangleSet::add(const world::World& world, const world::Instance& instance
     const Mat3 linear(instance.linear);
     const Vec3 at = world.blocks[instance.block].origin() + Vec3(instance.origin);
     // By way of the global position, as openings have it: a corner that a wall and an opening share gets the same bits.
-    const auto place = [&](const world::MeshVertex& v) { return (at + linear * Vec3(v.position)) - origin; };
+    const auto place = [&](const world::MeshVertex& v) { return (at + linear * v.corner()) - origin; };
     triangles_.reserve(triangles_.size() + range.indexCount / 3);
     for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3) {
         const auto vertex = [&](std::uint32_t k) -> const world::MeshVertex& {

@@ -94,12 +94,12 @@ void Assembly::addPortals(const BlockContent& block) {
         portal.reciprocal = globalIndex(content.reciprocal);
         portal.firstVertex = static_cast<std::uint32_t>(world_.portalVertices.size());
         portal.vertexCount = static_cast<std::uint32_t>(content.points.size());
-        for (const Vec3f& p : content.points)
-            world_.portalVertices.push_back(origin + Vec3(p));
+        for (const Vec3& p : content.points)
+            world_.portalVertices.push_back(origin + p);
         portal.firstCorner = static_cast<std::uint32_t>(world_.portalCorners.size());
         portal.cornerCount = static_cast<std::uint32_t>(content.corners.size());
-        for (const Vec3f& p : content.corners)
-            world_.portalCorners.push_back(origin + Vec3(p));
+        for (const Vec3& p : content.corners)
+            world_.portalCorners.push_back(origin + p);
         portal.plane = toGlobal(content.plane, origin);
         portal.block = block_;
         portal.recordIndex = content.recordIndex;

@@ -18,9 +18,9 @@ std::uint64_t movingObject(MovingThing thing, std::size_t index) {
 /// Both sides of an opening's polygon as a mesh, block-local; pictures laid on in metres.
 MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origin) {
     const std::span<const Vec3> polygon = polygonOf(world, portal);
-    std::vector<Vec3f> points;
+    std::vector<Vec3> points;
     for (const Vec3& p : polygon)
-        points.emplace_back(p - origin); // exact: they were stored as floats of this block
+        points.push_back(p - origin); // exact: they are corners of this block
     const Vec3 up = std::abs(portal.plane.n.z) < 0.7 ? Vec3(0.0, 0.0, 1.0) : Vec3(0.0, 1.0, 0.0);
     const Vec3f across(glm::normalize(glm::cross(up, portal.plane.n)));
     std::vector<TriangleCorners> triangles;
@@ -33,10 +33,11 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
             if (side == 1)
                 std::swap(t[1], t[2]);
             for (const std::uint32_t corner : t) {
-                const Vec3f& p = points[corner];
+                const Vec3f p(points[corner]);
                 indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
                 mesh.vertices.push_back(
                     {p, normal, Vec2f(glm::dot(across, p), -glm::dot(Vec3f(up), p)), side, 0, Vec3f(0.0f)});
+                mesh.vertices.back().placeAt(points[corner]);
             }
         }
         mesh.polygonIds.push_back(portal.polygonId);

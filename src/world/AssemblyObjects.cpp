@@ -42,7 +42,7 @@ std::vector<std::uint32_t> codesOf(const std::vector<dat::AlphaMap>& maps) {
 MeshData posed(const MeshData& mesh, const ModelPart& part) {
     MeshData out = mesh;
     for (MeshVertex& vertex : out.vertices)
-        vertex.position = Vec3f(part.origin + part.linear * Vec3(vertex.position));
+        vertex.position = Vec3f(part.origin + part.linear * vertex.corner());
     return out;
 }
 

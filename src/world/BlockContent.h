@@ -13,14 +13,12 @@ struct PortalContent {
     std::uint32_t space = kNone;       ///< cell, or kOutdoorSpace
     std::uint32_t destination = kNone; ///< cell, kOutdoorSpace or kNone
     std::uint32_t reciprocal = kNone;  ///< portal
-    std::vector<Vec3f> points; ///< block-local, counter-clockwise seen from `space`; empty: not to be trusted
-    std::vector<Vec3f> corners;  ///< the convex hull of the record's own corners; a subset of `points`
+    std::vector<Vec3> points;  ///< block-local, counter-clockwise seen from `space`; empty: not to be trusted
+    std::vector<Vec3> corners; ///< the convex hull of the record's own corners; a subset of `points`
     Plane plane{Vec3(0.0), 0.0}; ///< block-local, `space` in front
     bool exact = true;
     std::uint16_t recordIndex = 0, polygonId = 0;
     std::uint16_t flags = 0, otherCell = 0, otherPortal = 0; ///< as in the record
-
-    [[nodiscard]] std::vector<Vec3> polygon() const { return {corners.begin(), corners.end()}; }
 };
 
 /// What deciding about zones needs of a cell. Block-local.

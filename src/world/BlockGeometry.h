@@ -15,7 +15,7 @@ struct Placement {
 };
 
 /// All polygons of one block that must meet without cracks: shells, exteriors, portal polygons. They are
-/// added, then baked together: corners welded to common float positions, T-junctions stitched.
+/// added, then baked together: corners welded to common positions, T-junctions stitched.
 class BlockGeometry {
 public:
     /// Yields a handle, or kNone if the polygon comes to lie absurdly far away.
@@ -30,7 +30,7 @@ public:
     }
     /// What became of it: none if it was thinner than the weld tolerance. Corners index vertices().
     [[nodiscard]] const std::vector<StitchLoop>& loops(std::uint32_t handle) const { return loops_[handle]; }
-    [[nodiscard]] std::span<const Vec3f> vertices() const { return welder_.positions(); }
+    [[nodiscard]] std::span<const Vec3> vertices() const { return welder_.positions(); }
 
 private:
     Welder welder_;

@@ -135,7 +135,7 @@ void finishCell(const CellDraft& draft, const BlockGeometry& geometry, Records& 
             builder.addLoop(loop, geometry.vertices());
             points.clear();
             for (const StitchCorner& corner : loop)
-                points.emplace_back(geometry.vertices()[corner.vertex]);
+                points.push_back(geometry.vertices()[corner.vertex]);
             addToShape(cell.shape, points);
             closure.addDrawn(loop, source.frontSlot >= 0, source.backSlot >= 0);
         }
@@ -150,7 +150,7 @@ void finishCell(const CellDraft& draft, const BlockGeometry& geometry, Records& 
     const auto index = static_cast<std::uint32_t>(block.cells.size());
     for (PortalContent& portal :
          cellPortals(draft, index, geometry, closure, cell.shape.points, block.findings)) {
-        addToShape(cell.shape, portal.polygon());
+        addToShape(cell.shape, portal.corners);
         block.portals.push_back(std::move(portal));
     }
     cell.shape.closed = closure.isClosed();

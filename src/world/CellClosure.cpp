@@ -20,7 +20,7 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
 void CellClosure::addDrawn(const StitchLoop& loop, bool front, bool back) {
     std::vector<Vec3> wall;
     for (const StitchCorner& corner : loop)
-        wall.emplace_back(vertices_[corner.vertex]);
+        wall.push_back(vertices_[corner.vertex]);
     walls_.push_back(std::move(wall));
     if (front != back)
         addEdges(loop, front ? 1 : -1);
@@ -75,9 +75,9 @@ std::size_t CellClosure::openEdges(std::size_t limit, std::uint64_t* first) cons
 std::string CellClosure::describe() const {
     std::uint64_t first = 0;
     const std::size_t open = openEdges(vertices_.size() * 2 + 1, &first);
-    const Vec3f a = vertices_[static_cast<std::uint32_t>(first >> 32)],
-                b = vertices_[static_cast<std::uint32_t>(first)];
-    const auto text = [](const Vec3f& p) {
+    const Vec3 a = vertices_[static_cast<std::uint32_t>(first >> 32)],
+               b = vertices_[static_cast<std::uint32_t>(first)];
+    const auto text = [](const Vec3& p) {
         return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
     };
     return std::to_string(open) + " open edges, one from " + text(a) + " to " + text(b);

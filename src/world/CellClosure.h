@@ -12,7 +12,7 @@ namespace limen::world {
 class CellClosure {
 public:
     /// `vertices` must outlive the object.
-    explicit CellClosure(std::span<const Vec3f> vertices) : vertices_(vertices) {}
+    explicit CellClosure(std::span<const Vec3> vertices) : vertices_(vertices) {}
 
     void addDrawn(const StitchLoop& loop, bool front, bool back);
     /// How well a portal's winding fits the edges that the shell leaves open: > 0 as it is, < 0 reversed, 0
@@ -30,7 +30,7 @@ private:
     /// Counts open edges, stopping at `limit`; `first` gets the first one's key.
     std::size_t openEdges(std::size_t limit, std::uint64_t* first = nullptr) const;
 
-    std::span<const Vec3f> vertices_;
+    std::span<const Vec3> vertices_;
     std::unordered_map<std::uint64_t, int>
         balance_; ///< by edge: times from the smaller vertex minus times to it
     std::vector<std::vector<Vec3>> walls_;

@@ -15,22 +15,22 @@ constexpr double kOneSided = 0.01;
 
 /// The convex hull of a flat polygon, counter-clockwise seen from the tip of `normal`, without corners on its
 /// edges. Ref: Andrew's monotone chain, 1979.
-std::vector<Vec3f> hullOf(std::vector<Vec3f> points, const Vec3& normal) {
+std::vector<Vec3> hullOf(std::vector<Vec3> points, const Vec3& normal) {
     const Vec3 helper = std::abs(normal.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(helper, normal)), v = glm::cross(normal, u);
-    const auto flat = [&](const Vec3f& p) { return Vec2(glm::dot(Vec3(p), u), glm::dot(Vec3(p), v)); };
-    std::sort(points.begin(), points.end(), [&](const Vec3f& p, const Vec3f& q) {
+    const auto flat = [&](const Vec3& p) { return Vec2(glm::dot(p, u), glm::dot(p, v)); };
+    std::sort(points.begin(), points.end(), [&](const Vec3& p, const Vec3& q) {
         const Vec2 a = flat(p), b = flat(q);
         return a.x != b.x ? a.x < b.x : a.y < b.y;
     });
-    std::vector<Vec3f> hull;
-    const auto turnsLeft = [&](const Vec3f& next) {
+    std::vector<Vec3> hull;
+    const auto turnsLeft = [&](const Vec3& next) {
         const Vec2 a = flat(hull[hull.size() - 2]), b = flat(hull.back()), c = flat(next);
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
     };
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t first = hull.size();
-        for (const Vec3f& p : points) {
+        for (const Vec3& p : points) {
             while (hull.size() >= first + 2 && !turnsLeft(p))
                 hull.pop_back();
             hull.push_back(p);
@@ -41,18 +41,17 @@ std::vector<Vec3f> hullOf(std::vector<Vec3f> points, const Vec3& normal) {
     return hull;
 }
 
-/// Why a polygon cannot be an opening, or null. `hull` is its convex hull.
-const char* defectOf(std::span<const Vec3f> polygon, std::span<const Vec3f> hull, const Plane& plane) {
-    const std::vector<Vec3> outline(hull.begin(), hull.end());
+/// Why a polygon cannot be an opening, or null. `outline` is its convex hull.
+const char* defectOf(std::span<const Vec3> polygon, std::span<const Vec3> outline, const Plane& plane) {
     if (outline.size() < 3 || glm::length(newellNormal(outline)) < 2e-6)
         return "has no area";
-    for (const Vec3f& p : polygon) {
-        if (!(std::abs(plane.signedDistance(Vec3(p))) <= kFlatness))
+    for (const Vec3& p : polygon) {
+        if (!(std::abs(plane.signedDistance(p)) <= kFlatness))
             return "is not flat";
         double depth = 1e300;
         for (std::size_t i = 0; i < outline.size(); ++i)
-            depth = std::min(
-                depth, distanceToSegment(Vec3(p), outline[i], outline[(i + 1) % outline.size()]).distance);
+            depth =
+                std::min(depth, distanceToSegment(p, outline[i], outline[(i + 1) % outline.size()]).distance);
         if (depth > kFlatness)
             return "is not convex";
     }
@@ -79,12 +78,12 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const Block
     if (geometry.loops(handle).size() != 1)
         return "has no area";
     const StitchLoop& loop = geometry.loops(handle).front();
-    std::vector<Vec3f> corners, points;
+    std::vector<Vec3> corners, points;
     for (const std::uint32_t vertex : geometry.corners(handle))
         corners.push_back(geometry.vertices()[vertex]);
     for (const StitchCorner& corner : loop)
         points.push_back(geometry.vertices()[corner.vertex]);
-    const Plane plane = planeOf(std::vector<Vec3>(corners.begin(), corners.end()));
+    const Plane plane = planeOf(corners);
     const bool flagged = (portal.flags & dat::CellPortal::kPortalSide) != 0;
     int side = closure.fit(loop);
     if (side == 0)
@@ -95,7 +94,7 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const Block
     if (plane.n == Vec3(0.0))
         return "has no area";
     portal.plane = positive ? plane : plane.flipped();
-    std::vector<Vec3f> hull = hullOf(corners, portal.plane.n);
+    std::vector<Vec3> hull = hullOf(corners, portal.plane.n);
     if (const char* defect = defectOf(corners, hull, plane))
         return defect;
     if (!positive)

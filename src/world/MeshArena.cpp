@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace limen::world {
@@ -12,9 +13,8 @@ namespace {
 void setFacets(std::span<MeshVertex> vertices) {
     LIMEN_ASSERT(vertices.size() % 3 == 0, "vertices come in threes");
     for (std::size_t i = 0; i < vertices.size(); i += 3) {
-        const Vec3 origin(vertices[i].position);
-        const Vec3 normal =
-            glm::cross(Vec3(vertices[i + 1].position) - origin, Vec3(vertices[i + 2].position) - origin);
+        const Vec3 origin = vertices[i].corner();
+        const Vec3 normal = glm::cross(vertices[i + 1].corner() - origin, vertices[i + 2].corner() - origin);
         const double length = glm::length(normal);
         const Vec3f facet = length > 0.0 ? Vec3f(normal / length) : Vec3f(0.0f);
         for (std::size_t k = 0; k < 3; ++k)
@@ -24,29 +24,37 @@ void setFacets(std::span<MeshVertex> vertices) {
 
 /// From corner to corner, to the bit.
 struct Edge {
-    std::array<float, 6> ends{};
+    std::array<double, 6> ends{};
     bool operator==(const Edge&) const = default;
 
-    Edge(const Vec3f& from, const Vec3f& to) : ends{from.x, from.y, from.z, to.x, to.y, to.z} {}
+    Edge(const Vec3& from, const Vec3& to) : ends{from.x, from.y, from.z, to.x, to.y, to.z} {}
 };
 
 struct EdgeHash {
     std::size_t operator()(const Edge& edge) const {
-        std::size_t hash = 0;
-        for (const float v : edge.ends)
-            hash = hash * 0x9E3779B97F4A7C15u + std::bit_cast<std::uint32_t>(v);
-        return hash ^ hash >> 29;
+        std::uint64_t hash = 0;
+        for (const double v : edge.ends)
+            hash = (hash ^ hash >> 29) * 0x9E3779B97F4A7C15u + std::bit_cast<std::uint64_t>(v);
+        return static_cast<std::size_t>(hash ^ hash >> 29);
     }
 };
+
+/// Metres from the plane of a wall within which surfaces of a cell beyond it may lie, if both cells' walls are flat: corners are
+/// stored in their records as floats, 0.001 mm off within 16 m of a cell's origin and 0.004 mm within 64 m, and are so again
+/// relative to the eye.
+constexpr double kFlatReach = 1e-5;
+/// The same at most, however uneven walls are: what is rightly seen beside such an edge may lie as near to it.
+constexpr double kMostReach = 1e-4;
 
 /// The facet of each polygon's largest triangle: those of slivers are what rounding makes of them.
 std::vector<Vec3f> facetsByPolygon(std::span<const MeshVertex> vertices, std::size_t polygons) {
     std::vector<Vec3f> facets(polygons, Vec3f(0.0f));
-    std::vector<float> areas(polygons, 0.0f);
+    std::vector<double> areas(polygons, 0.0);
     for (std::size_t i = 0; i < vertices.size(); i += 3) {
         const MeshVertex& first = vertices[i];
-        const float area = glm::length(
-            glm::cross(vertices[i + 1].position - first.position, vertices[i + 2].position - first.position));
+        const Vec3 origin = first.corner();
+        const double area =
+            glm::length(glm::cross(vertices[i + 1].corner() - origin, vertices[i + 2].corner() - origin));
         if (area > areas[first.polygon]) {
             areas[first.polygon] = area;
             facets[first.polygon] = first.facet;
@@ -55,17 +63,34 @@ std::vector<Vec3f> facetsByPolygon(std::span<const MeshVertex> vertices, std::si
     return facets;
 }
 
+/// How far a corner of a polygon lies off the polygon's facet, at most. Records may have corners off their planes (of a grid,
+/// say), and then cells that share a wall cut it into triangles that are not in one plane.
+double unevennessOf(std::span<const MeshVertex> vertices, std::span<const Vec3f> facets) {
+    std::vector<double> low(facets.size(), 1e300), high(facets.size(), -1e300);
+    for (const MeshVertex& vertex : vertices) {
+        const double height = glm::dot(Vec3(facets[vertex.polygon]), vertex.corner());
+        low[vertex.polygon] = std::min(low[vertex.polygon], height);
+        high[vertex.polygon] = std::max(high[vertex.polygon], height);
+    }
+    double most = 0.0;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        most = std::max(most, high[i] - low[i]);
+    return most;
+}
+
 /// Stitched polygons meet edge by edge. The back of a two-sided polygon is nobody's neighbour.
 void setNeighbours(std::span<MeshVertex> vertices, std::size_t polygons) {
     const std::vector<Vec3f> facets = facetsByPolygon(vertices, polygons);
+    const double reach = std::min(kFlatReach + 2.0 * unevennessOf(vertices, facets), kMostReach);
+    const auto perReach = static_cast<float>(1.0 / reach);
     std::unordered_map<Edge, std::uint16_t, EdgeHash> byEdge;
     const auto next = [](std::size_t i) { return i % 3 == 2 ? i - 2 : i + 1; };
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        byEdge.try_emplace(Edge(vertices[i].position, vertices[next(i)].position), vertices[i].polygon);
+        byEdge.try_emplace(Edge(vertices[i].corner(), vertices[next(i)].corner()), vertices[i].polygon);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const auto found = byEdge.find(Edge(vertices[next(i)].position, vertices[i].position));
+        const auto found = byEdge.find(Edge(vertices[next(i)].corner(), vertices[i].corner()));
         if (found != byEdge.end() && found->second != vertices[i].polygon)
-            vertices[i].neighbour = facets[found->second];
+            vertices[i].neighbour = facets[found->second] * perReach;
     }
 }
 
@@ -86,7 +111,7 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     std::vector<Vec3> points;
     points.reserve(data.vertices.size());
     for (const MeshVertex& vertex : data.vertices)
-        points.emplace_back(vertex.position);
+        points.push_back(vertex.corner());
     mesh.bounds = boundingSphere(points);
     world_.vertices.insert(world_.vertices.end(), data.vertices.begin(), data.vertices.end());
     const std::span<MeshVertex> own = std::span(world_.vertices).subspan(mesh.firstVertex);

@@ -20,7 +20,7 @@ void MeshBuilder::beginPolygon(std::uint16_t id, std::int32_t frontSlot, std::in
     backSlot_ = backSlot;
 }
 
-void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Vec3f> vertices) {
+void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Vec3> vertices) {
     points_.clear();
     for (const StitchCorner& corner : loop)
         points_.push_back(vertices[corner.vertex]);
@@ -35,8 +35,7 @@ void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Ve
 }
 
 void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back) {
-    const std::vector<Vec3> exact(points_.begin(), points_.end());
-    const Vec3f flat(planeOf(exact).n);
+    const Vec3f flat(planeOf(points_).n);
     const auto slotIndex = static_cast<std::size_t>(slot);
     const SurfaceClass surfaceClass =
         slotIndex < classes_.size() ? classes_[slotIndex] : SurfaceClass::Opaque;
@@ -44,7 +43,7 @@ void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot
     for (const TriangleCorners& t : triangles_) {
         for (const std::uint32_t i : {t[0], back ? t[2] : t[1], back ? t[1] : t[2]}) {
             MeshVertex vertex;
-            vertex.position = points_[i];
+            vertex.placeAt(points_[i]);
             vertex.normal = unitOr(loop[i].normal, flat) * (back ? -1.0f : 1.0f);
             vertex.uv = back ? loop[i].back : loop[i].front;
             vertex.polygon = static_cast<std::uint16_t>(mesh_.polygonIds.size() - 1);

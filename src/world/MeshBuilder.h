@@ -25,7 +25,7 @@ public:
     /// Starts a polygon; the loops added next are parts of it and share its number.
     void beginPolygon(std::uint16_t id, std::int32_t frontSlot, std::int32_t backSlot);
     /// `vertices` are the positions that the corners index. Requires beginPolygon.
-    void addLoop(std::span<const StitchCorner> loop, std::span<const Vec3f> vertices);
+    void addLoop(std::span<const StitchCorner> loop, std::span<const Vec3> vertices);
     [[nodiscard]] MeshData finish() { return std::move(mesh_); }
 
 private:
@@ -34,7 +34,7 @@ private:
     std::vector<SurfaceClass> classes_;
     MeshData mesh_;
     std::int32_t frontSlot_ = -1, backSlot_ = -1;
-    std::vector<Vec3f> points_;
+    std::vector<Vec3> points_;
     std::vector<TriangleCorners> triangles_;
 };
 

@@ -93,7 +93,7 @@ Model Models::read(dat::RecordId id) {
     for (const ModelPart& posed : model.parts) {
         if (const PartMesh* mesh = part(posed.gfxObj)) {
             for (const MeshVertex& vertex : mesh->mesh.vertices)
-                points.push_back(posed.origin + posed.linear * Vec3(vertex.position));
+                points.push_back(posed.origin + posed.linear * vertex.corner());
         }
     }
     model.bounds = boundingSphere(points);
@@ -118,7 +118,7 @@ std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
     for (const PortalPolygonRef& ref : portalRefs(*record, kAnyPortalCount))
         portals.insert(ref.polygonId);
     MeshBuilder builder(classesOf(record->surfaces, records_));
-    std::vector<Vec3f> points;
+    std::vector<Vec3> points;
     for (const SourcePolygon& polygon :
          readPolygons(record->vertexArray, record->polygons, record->surfaces.size(), portals, gfxObj,
                       records_.findings())) {
@@ -129,7 +129,7 @@ std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
         for (const SourcePolygon::Corner& corner : polygon.corners) {
             loop.push_back(
                 {static_cast<std::uint32_t>(points.size()), Vec3f(corner.normal), corner.front, corner.back});
-            points.emplace_back(corner.position);
+            points.push_back(corner.position);
         }
         builder.beginPolygon(polygon.id, polygon.frontSlot, polygon.backSlot);
         builder.addLoop(loop, points);

@@ -28,7 +28,7 @@ bool meets(const Aabb& box, const Vec3& a, const Vec3& direction, double radius)
 
 } // namespace
 
-PointTree::PointTree(std::span<const Vec3f> points) : points_(points), order_(points.size()) {
+PointTree::PointTree(std::span<const Vec3> points) : points_(points), order_(points.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     if (!points.empty())
         build(0, static_cast<std::uint32_t>(points.size()));
@@ -39,7 +39,7 @@ void PointTree::build(std::uint32_t first, std::uint32_t count) {
     nodes_.emplace_back();
     Aabb box;
     for (std::uint32_t i = first; i < first + count; ++i)
-        box.include(Vec3(points_[order_[i]]));
+        box.include(points_[order_[i]]);
     nodes_[at].box = box;
     if (count <= kLeafSize) {
         nodes_[at].first = first;
@@ -77,7 +77,7 @@ void PointTree::nearSegment(const Vec3& a, const Vec3& b, double radius,
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (distanceToSegment(Vec3(points_[order_[i]]), a, b).distance <= radius)
+            if (distanceToSegment(points_[order_[i]], a, b).distance <= radius)
                 out.push_back(order_[i]);
         }
     }

@@ -10,7 +10,7 @@ namespace limen::world {
 /// A tree of boxes over points, for questions about what lies near a segment. Built once, O(n log n).
 class PointTree {
 public:
-    explicit PointTree(std::span<const Vec3f> points);
+    explicit PointTree(std::span<const Vec3> points);
 
     /// Appends the indices of all points within `radius` of the segment a-b, in no particular order.
     void nearSegment(const Vec3& a, const Vec3& b, double radius, std::vector<std::uint32_t>& out) const;
@@ -23,7 +23,7 @@ private:
     };
     void build(std::uint32_t first, std::uint32_t count);
 
-    std::span<const Vec3f> points_;
+    std::span<const Vec3> points_;
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
 };

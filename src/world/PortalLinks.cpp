@@ -29,7 +29,7 @@ std::string nameOf(const PortalContent& portal) {
 }
 
 bool sameOpening(const PortalContent& a, const PortalContent& b, double tolerance) {
-    return !a.points.empty() && !b.points.empty() && samePolygon(a.polygon(), b.polygon(), tolerance);
+    return !a.points.empty() && !b.points.empty() && samePolygon(a.corners, b.corners, tolerance);
 }
 
 /// The portal of `cell` with a given index in its record's list, or kNone.
@@ -188,7 +188,7 @@ void linkBuilding(BlockContent& block, const dat::Building& building,
         if (i >= ownPolygons.size() || ownPolygons[i].empty())
             note(block.findings, record, name + " has no polygon in the building's model");
         else if (!block.portals[exit].points.empty() &&
-                 !samePolygon(ownPolygons[i], block.portals[exit].polygon(), kOpeningTolerance))
+                 !samePolygon(ownPolygons[i], block.portals[exit].corners, kOpeningTolerance))
             note(block.findings, record,
                  name + " has another polygon in the building's model than in the cell");
         block.portals[exit].reciprocal = static_cast<std::uint32_t>(block.portals.size());

@@ -40,7 +40,7 @@ std::vector<StitchLoop> simpleLoops(const StitchLoop& loop) {
 
 } // namespace
 
-Stitcher::Stitcher(std::span<const Vec3f> vertices) : vertices_(vertices), tree_(vertices) {}
+Stitcher::Stitcher(std::span<const Vec3> vertices) : vertices_(vertices), tree_(vertices) {}
 
 bool Stitcher::along(const Inserted& a, const Inserted& b) {
     return a.t != b.t ? a.t < b.t : a.vertex < b.vertex;
@@ -58,7 +58,7 @@ bool Stitcher::force(std::uint32_t a, std::uint32_t b, std::uint32_t vertex) {
     if (std::any_of(list.begin(), list.end(), [&](const Inserted& i) { return i.vertex == vertex; }))
         return false;
     const Vec3 from(vertices_[std::min(a, b)]), to(vertices_[std::max(a, b)]);
-    list.push_back({vertex, distanceToSegment(Vec3(vertices_[vertex]), from, to).t});
+    list.push_back({vertex, distanceToSegment(vertices_[vertex], from, to).t});
     std::sort(list.begin(), list.end(), along);
     return true;
 }
@@ -95,7 +95,7 @@ const std::vector<Stitcher::Inserted>& Stitcher::onEdge(std::uint32_t a, std::ui
         tree_.nearSegment(from, to, kWeldTolerance, near_);
         for (const std::uint32_t v : near_) {
             if (v != low && v != high)
-                entry->second.push_back({v, distanceToSegment(Vec3(vertices_[v]), from, to).t});
+                entry->second.push_back({v, distanceToSegment(vertices_[v], from, to).t});
         }
         std::sort(entry->second.begin(), entry->second.end(), along);
     }

@@ -22,7 +22,7 @@ using StitchLoop = std::vector<StitchCorner>;
 class Stitcher {
 public:
     /// `vertices` must outlive the stitcher.
-    explicit Stitcher(std::span<const Vec3f> vertices);
+    explicit Stitcher(std::span<const Vec3> vertices);
 
     /// Yields the polygon with the vertices inserted. A vertex that comes up twice cuts the polygon in two;
     /// parts with fewer than three corners (slivers thinner than the tolerance) vanish, and leave their
@@ -45,7 +45,7 @@ private:
     bool force(std::uint32_t a, std::uint32_t b, std::uint32_t vertex);
     bool insertInto(const StitchLoop& in, StitchLoop& out);
 
-    std::span<const Vec3f> vertices_;
+    std::span<const Vec3> vertices_;
     PointTree tree_;
     std::unordered_map<std::uint64_t, std::vector<Inserted>> edges_;
     std::vector<std::uint32_t> near_;

@@ -112,8 +112,7 @@ private:
 
 } // namespace
 
-void triangulate(std::span<const Vec3f> polygon, std::vector<TriangleCorners>& out) {
-    std::vector<Vec3> points(polygon.begin(), polygon.end());
+void triangulate(std::span<const Vec3> points, std::vector<TriangleCorners>& out) {
     const Vec3 n = planeOf(points).n;
     if (n == Vec3(0.0))
         return;

@@ -1,5 +1,7 @@
 #include "world/Weld.h"
 
+#include "geometry/TwoFloats.h"
+
 #include <numeric>
 #include <unordered_map>
 
@@ -14,6 +16,9 @@ constexpr double kReach = kWeldTolerance + 2.0 * 1.7320508 * kMicro;
 /// Side of the search grid's cells: so much larger than the reach that most points have one cell to look
 /// into.
 constexpr double kGrid = 0.004;
+
+/// 2^33. A double has 53 bits: 20 are left for whole metres.
+constexpr double kStepsPerMetre = 8589934592.0;
 
 struct Key {
     std::int64_t x, y, z;
@@ -84,6 +89,12 @@ void uniteNeighbours(const std::vector<Vec3>& points, Clusters& clusters) {
 
 } // namespace
 
+Vec3 canonicalPosition(const Vec3& position) {
+    const Vec3 steps = position * kStepsPerMetre;
+    const Vec3 stepped(std::round(steps.x), std::round(steps.y), std::round(steps.z));
+    return inTwoFloats(stepped / kStepsPerMetre).sum();
+}
+
 std::uint32_t Welder::add(const Vec3& position) {
     added_.push_back(position);
     return static_cast<std::uint32_t>(added_.size() - 1);
@@ -109,7 +120,7 @@ void Welder::weld() {
         const std::uint32_t root = clusters.root(i);
         if (root == i) {
             vertexOfPoint[i] = static_cast<std::uint32_t>(positions_.size());
-            positions_.emplace_back(points[i]);
+            positions_.push_back(canonicalPosition(points[i]));
         } else {
             vertexOfPoint[i] = vertexOfPoint[root];
         }

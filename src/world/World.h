@@ -3,6 +3,7 @@
 #include "dat/Ids.h"
 #include "geometry/Bounds.h"
 #include "geometry/Plane.h"
+#include "geometry/TwoFloats.h"
 #include "world/Image.h"
 #include "world/Index.h"
 #include "world/Moving.h"
@@ -19,9 +20,10 @@
 // shared by motion, visibility (as a graph), frame and reference.
 //
 // Space: "global" is metres from the south-west corner of landblock 0x0000, x east, y north, z up, in double.
-// "Block-local" is metres from the south-west corner of a landblock, in float: everything static is stored
-// so, because 192 m in a float is exact to 0.02 mm anywhere on the map, and because vertices that two meshes
-// share have the very same block-local bits and so project to the same point (watertight).
+// "Block-local" is metres from the south-west corner of a landblock: everything static is stored so, in float, because
+// 192 m in a float is exact to 0.02 mm anywhere on the map. Corners of what must meet (shells, exteriors, portals) are
+// stored in two floats, whose sum is as exact as the data: else cells that touch would reach into each other by what the
+// first float rounds. Those that two meshes share have the very same bits and so project to the same point (watertight).
 namespace limen::world {
 
 inline constexpr double kBlockSize = 192.0;
@@ -90,7 +92,8 @@ enum class SurfaceClass : std::uint8_t { Opaque, CutOut, Blended };
 
 /// One vertex of the arena. Vertices are not shared between polygons.
 struct MeshVertex {
-    Vec3f position{0.0f}; ///< model space; for shells, exteriors and terrain: block-local
+    Vec3f position{
+        0.0f}; ///< model space; for shells, exteriors and terrain: block-local, to the nearest float
     Vec3f normal{0.0f};
     Vec2f uv{
         0.0f}; ///< v grows downwards; for terrain: position in the landcell, (0,0) at its south-west corner
@@ -98,8 +101,19 @@ struct MeshVertex {
         0; ///< number of the polygon in its mesh, 0..polygonCount-1 (two-sided: one number for both sides)
     std::uint16_t surface = 0; ///< slot in the instance's material run; for terrain: landcell 0..63 (cx*8+cy)
     Vec3f facet{0.0f};         ///< unit normal of its triangle; zero if that has no area
-    /// Of shells: facet of the polygon beyond the edge from here to the next corner; zero where none is.
+    /// Of shells: facet of the polygon beyond the edge from here to the next corner, divided by the metres from its plane
+    /// within which surfaces of another cell may lie for what corners are off; zero where none is.
     Vec3f neighbour{0.0f};
+    /// Of shells, exteriors and fillings: what `position` is short of the corner.
+    Vec3f rest{0.0f};
+
+    /// The corner itself, in the space of `position`.
+    [[nodiscard]] Vec3 corner() const { return TwoFloats{position, rest}.sum(); }
+    void placeAt(const Vec3& corner) {
+        const TwoFloats parts = inTwoFloats(corner);
+        position = parts.nearest;
+        rest = parts.rest;
+    }
 };
 
 /// Geometry that instances share. Triangles are counter-clockwise from the front; back faces are never drawn
@@ -189,8 +203,9 @@ struct World {
     std::vector<Block> blocks;
     std::vector<Space> spaces;
     std::vector<Portal> portals;
-    std::vector<Vec3> portalCorners;  ///< global; the same floats
-    std::vector<Vec3> portalVertices; ///< global; exact in the block-local floats of the portal's block
+    std::vector<Vec3> portalCorners; ///< global; some of portalVertices, to the bit
+    std::vector<Vec3>
+        portalVertices; ///< global; less the origin of the portal's block they are corners of its meshes
     std::vector<Zone> zones;
     std::vector<SpaceIndex> zoneSpaces;
     std::vector<CellBspNode> cellBspNodes;

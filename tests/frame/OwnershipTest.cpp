@@ -29,7 +29,8 @@ TEST_F(OwnershipTest, drawsAPortalFromTheVeryFloatsOfItsWalls) {
         }
         EXPECT_EQ(vertex.block, portal.block);
         for (const Vec3& v : outline) {
-            corners += Vec3f(v - planned.world.blocks[portal.block].origin()) == vertex.position ? 1 : 0;
+            const TwoFloats parts = inTwoFloats(v - planned.world.blocks[portal.block].origin());
+            corners += parts.nearest == vertex.position && parts.rest == vertex.rest ? 1 : 0;
         }
     }
     EXPECT_EQ(corners, 2 * outline.size()) << "a fan around the middle meets each corner twice";

@@ -52,7 +52,7 @@ Vec3 pointIn(const world::World& world, world::SpaceIndex space, std::mt19937& r
     double weights = 0.0;
     for (std::uint32_t v = 0; v < mesh.vertexCount; ++v) {
         const double weight = std::pow(unit(random), 6.0); // lets some corners dominate
-        sum += Vec3(world.vertices[mesh.firstVertex + v].position) * weight;
+        sum += world.vertices[mesh.firstVertex + v].corner() * weight;
         weights += weight;
     }
     return sum / weights + world.blocks[shell.block].origin();

@@ -23,7 +23,7 @@ std::vector<Face> facesOf(const world::World& world, const world::Space& space) 
         for (std::uint32_t i = 0; i + 2 < range.indexCount; i += 3) {
             const auto corner = [&](std::uint32_t k) {
                 const std::uint32_t index = world.indices[range.firstIndex + i + k];
-                return Vec3(world.vertices[mesh.firstVertex + index].position) + origin;
+                return world.vertices[mesh.firstVertex + index].corner() + origin;
             };
             faces.push_back({corner(0), corner(1), corner(2)});
         }

@@ -73,7 +73,7 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
     Body body{instance.bounds, triangles_.size(), 0, instance.kind == world::Kind::Filling};
     const Vec3 origin = world_.blocks[instance.block].origin() + Vec3(instance.origin);
     const auto place = [&](const world::MeshVertex& v) {
-        return origin + Mat3(instance.linear) * Vec3(v.position);
+        return origin + Mat3(instance.linear) * v.corner();
     };
     for (const auto surfaces :
          {world::SurfaceClass::Opaque, world::SurfaceClass::CutOut, world::SurfaceClass::Blended}) {

@@ -122,16 +122,16 @@ TEST(LoadWorld, isTheSameAtAnyCornerOfTheMapButForThePlace) {
     }
 }
 
-TEST(LoadWorld, portalVerticesAreTheBlocksFloatsExactly) {
+TEST(LoadWorld, portalVerticesAreTheWallsCornersExactly) {
     House house({254, 254});
     const World world = test::loadTestWorld(house.source);
-    std::set<std::array<float, 3>> wallVertices;
+    std::set<std::array<double, 3>> wallVertices;
     for (const MeshVertex& v : world.vertices)
-        wallVertices.insert({v.position.x, v.position.y, v.position.z});
+        wallVertices.insert({v.corner().x, v.corner().y, v.corner().z});
     const Vec3 origin = world.blocks[0].origin();
     for (const Vec3& p : world.portalVertices) {
-        const Vec3f local(p - origin);
-        EXPECT_EQ(Vec3(local) + origin, p);
+        const Vec3 local = p - origin;
+        EXPECT_EQ(local + origin, p);
         EXPECT_TRUE(wallVertices.contains({local.x, local.y, local.z}));
     }
 }
@@ -140,8 +140,8 @@ TEST(LoadWorld, givesTheSameArraysEveryTime) {
     House first, second;
     const World a = test::loadTestWorld(first.source), b = test::loadTestWorld(second.source);
     const auto sameVertex = [](const MeshVertex& v, const MeshVertex& w) {
-        return v.position == w.position && v.normal == w.normal && v.uv == w.uv && v.polygon == w.polygon &&
-               v.surface == w.surface;
+        return v.position == w.position && v.rest == w.rest && v.normal == w.normal && v.uv == w.uv &&
+               v.polygon == w.polygon && v.surface == w.surface;
     };
     EXPECT_TRUE(
         std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), sameVertex));

@@ -163,12 +163,42 @@ TEST(Meshes, shellsKnowTheWallBeyondEachEdge) {
     ASSERT_EQ(mesh.vertexCount, 36u);
     std::size_t corners = 0, none = 0;
     for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v) {
+        const float length = glm::length(world.vertices[v].neighbour);
         const float cosine = glm::dot(world.vertices[v].neighbour, world.vertices[v].facet);
-        corners += std::abs(cosine) < 1e-6f && world.vertices[v].neighbour != Vec3f(0.0f) ? 1 : 0;
+        corners += std::abs(cosine) < 1e-6f * length && std::abs(length - 1e5f) < 1.0f ? 1 : 0;
         none += world.vertices[v].neighbour == Vec3f(0.0f) ? 1 : 0;
     }
     EXPECT_EQ(corners, 24u) << "four edges of each wall";
     EXPECT_EQ(none, 12u) << "both sides of each diagonal";
+}
+
+/// Metres from walls within which another cell's surfaces may lie, of a room with a corner moved upwards.
+double reachOfWalls(double uneven) {
+    test::TestWorld source;
+    test::Walls walls = test::boxWalls({0, 0, 0}, {4, 3, 2});
+    for (test::Wall& wall : walls) {
+        for (Vec3& p : wall.points)
+            p.z += p == Vec3(4, 3, 2) ? uneven : 0.0;
+    }
+    source.addCell(walls);
+    const World world = test::loadTestWorld(source);
+    double least = 1e300, most = 0.0;
+    for (const MeshVertex& v : world.vertices) {
+        if (v.neighbour == Vec3f(0.0f))
+            continue;
+        least = std::min(least, 1.0 / glm::length(Vec3(v.neighbour)));
+        most = std::max(most, 1.0 / glm::length(Vec3(v.neighbour)));
+    }
+    EXPECT_NEAR(least, most, 1e-9);
+    return most;
+}
+
+TEST(Meshes, shellsKnowHowFarTheirWallsAreFromFlat) {
+    EXPECT_NEAR(reachOfWalls(0.0), 1e-5, 1e-9);
+    const double some = reachOfWalls(0.00003);
+    EXPECT_GT(some, 4e-5);
+    EXPECT_LT(some, 8e-5);
+    EXPECT_NEAR(reachOfWalls(0.01), 1e-4, 1e-9) << "no more than that";
 }
 
 } // namespace

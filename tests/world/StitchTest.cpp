@@ -22,8 +22,8 @@ std::vector<std::uint32_t> verticesOf(const StitchLoop& loop) {
 using Vertices = std::vector<std::uint32_t>;
 
 TEST(Stitcher, insertsVerticesInTheOrderOfTheEdgeEitherWay) {
-    const std::vector<Vec3f> vertices{{0, 0, 0}, {4, 0, 0},       {4, 4, 0},    {0, 4, 0},
-                                      {3, 0, 0}, {1, 0.0001f, 0}, {2, 0.01f, 0}};
+    const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0},      {4, 4, 0},   {0, 4, 0},
+                                     {3, 0, 0}, {1, 0.0001, 0}, {2, 0.01, 0}};
     Stitcher stitcher(vertices);
     const auto up = stitcher.stitch(loopOf({0, 1, 2, 3}));
     ASSERT_EQ(up.size(), 1u);
@@ -34,7 +34,7 @@ TEST(Stitcher, insertsVerticesInTheOrderOfTheEdgeEitherWay) {
 }
 
 TEST(Stitcher, interpolatesWhatCornersCarry) {
-    const std::vector<Vec3f> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 0, 0}};
+    const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 0, 0}};
     Stitcher stitcher(vertices);
     const auto loops = stitcher.stitch(loopOf({0, 1, 2}));
     ASSERT_EQ(loops.size(), 1u);
@@ -45,7 +45,7 @@ TEST(Stitcher, interpolatesWhatCornersCarry) {
 TEST(Stitcher, dissolvesASliverSoThatItsNeighboursMeet) {
     // The triangle 0 1 2 is thinner than the tolerance: what is on its long side gets its third corner
     // instead.
-    const std::vector<Vec3f> vertices{{0, 0, 0}, {4, 0, 0}, {2, 0.0001f, 0}, {0, 4, 0}, {0, -4, 0}};
+    const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {2, 0.0001, 0}, {0, 4, 0}, {0, -4, 0}};
     Stitcher stitcher(vertices);
     EXPECT_TRUE(stitcher.stitch(loopOf({0, 1, 2})).empty());
     const auto above = stitcher.stitch(loopOf({0, 1, 3}));
@@ -54,7 +54,7 @@ TEST(Stitcher, dissolvesASliverSoThatItsNeighboursMeet) {
 }
 
 TEST(Stitcher, dropsRepeatedCornersAndPolygonsWithoutThreeCorners) {
-    const std::vector<Vec3f> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     Stitcher stitcher(vertices);
     const auto loops = stitcher.stitch(loopOf({0, 1, 1, 2, 2}));
     ASSERT_EQ(loops.size(), 1u);
@@ -65,19 +65,18 @@ TEST(Stitcher, dropsRepeatedCornersAndPolygonsWithoutThreeCorners) {
 }
 
 TEST(PointTree, findsWhatABruteForceSearchFinds) {
-    std::vector<Vec3f> points;
+    std::vector<Vec3> points;
     for (int i = 0; i < 500; ++i)
-        points.emplace_back(std::fmod(0.731f * static_cast<float>(i), 10.0f),
-                            std::fmod(1.27f * static_cast<float>(i), 10.0f),
-                            std::fmod(0.391f * static_cast<float>(i), 10.0f));
+        points.emplace_back(std::fmod(0.731 * i, 10.0), std::fmod(1.27 * i, 10.0),
+                            std::fmod(0.391 * i, 10.0));
     const PointTree tree(points);
     for (int i = 0; i < 50; ++i) {
-        const Vec3 a(points[static_cast<std::size_t>(i)]), b(points[static_cast<std::size_t>(499 - i)]);
+        const Vec3 a = points[static_cast<std::size_t>(i)], b = points[static_cast<std::size_t>(499 - i)];
         std::vector<std::uint32_t> found, expected;
         tree.nearSegment(a, b, 0.5, found);
         std::sort(found.begin(), found.end());
         for (std::uint32_t p = 0; p < points.size(); ++p) {
-            if (distanceToSegment(Vec3(points[p]), a, b).distance <= 0.5)
+            if (distanceToSegment(points[p], a, b).distance <= 0.5)
                 expected.push_back(p);
         }
         EXPECT_EQ(found, expected);

@@ -8,35 +8,42 @@ namespace {
 
 using test::rectangle;
 using test::TestWorld;
-using Bits = std::array<float, 3>;
+using Bits = std::array<float, 6>;
 
-Bits bitsOf(const Vec3f& p) {
-    return {p.x, p.y, p.z};
+Bits bitsOf(const Vec3f& p, const Vec3f& rest) {
+    return {p.x, p.y, p.z, rest.x, rest.y, rest.z};
 }
 
 /// Counts edges of a cell's triangles and portals that do not run as often one way as the other, bit for bit.
 int openEdges(const World& world, SpaceIndex index) {
     std::map<std::pair<Bits, Bits>, int> balance;
-    const auto add = [&](const Vec3f& a, const Vec3f& b) {
-        if (bitsOf(a) < bitsOf(b))
-            ++balance[{bitsOf(a), bitsOf(b)}];
+    const auto add = [&](const Bits& a, const Bits& b) {
+        if (a < b)
+            ++balance[{a, b}];
         else
-            --balance[{bitsOf(b), bitsOf(a)}];
+            --balance[{b, a}];
+    };
+    const auto ofMesh = [&](std::uint32_t vertex) {
+        return bitsOf(world.vertices[vertex].position, world.vertices[vertex].rest);
+    };
+    const auto ofPortal = [](const Vec3& local) {
+        const TwoFloats parts = inTwoFloats(local);
+        return bitsOf(parts.nearest, parts.rest);
     };
     const Space& space = world.spaces[index];
     const Mesh& mesh = world.meshes[world.instances[space.shell].mesh];
     for (const Mesh::Range& range : mesh.ranges) {
         for (std::uint32_t i = 0; i < range.indexCount; ++i) {
             const std::uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
-            add(world.vertices[mesh.firstVertex + world.indices[range.firstIndex + i]].position,
-                world.vertices[mesh.firstVertex + world.indices[range.firstIndex + next]].position);
+            add(ofMesh(mesh.firstVertex + world.indices[range.firstIndex + i]),
+                ofMesh(mesh.firstVertex + world.indices[range.firstIndex + next]));
         }
     }
     for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
         const auto polygon = polygonOf(world, world.portals[p]);
         const Vec3 origin = world.blocks[world.portals[p].block].origin();
         for (std::size_t i = 0; i < polygon.size(); ++i)
-            add(Vec3f(polygon[i] - origin), Vec3f(polygon[(i + 1) % polygon.size()] - origin));
+            add(ofPortal(polygon[i] - origin), ofPortal(polygon[(i + 1) % polygon.size()] - origin));
     }
     int open = 0;
     for (const auto& [edge, count] : balance)
@@ -53,7 +60,7 @@ int degenerateTriangles(const World& world) {
                 Vec3 p[3];
                 for (std::uint32_t k = 0; k < 3; ++k)
                     p[k] =
-                        world.vertices[mesh.firstVertex + world.indices[range.firstIndex + i + k]].position;
+                        world.vertices[mesh.firstVertex + world.indices[range.firstIndex + i + k]].corner();
                 degenerate += glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) > 0.0 ? 0 : 1;
             }
         }

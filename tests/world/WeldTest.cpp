@@ -1,11 +1,28 @@
 #include "world/Weld.h"
 
+#include "geometry/TwoFloats.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
 namespace limen::world {
 namespace {
+
+TEST(CanonicalPosition, isTheSumOfTwoFloatsAndExactAboutAnyBlocksOrigin) {
+    std::mt19937 random(2);
+    for (const double reach : {0.01, 1.0, 200.0, 30000.0, 500000.0}) {
+        std::uniform_real_distribution<double> place(-reach, reach);
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 given(place(random), place(random), place(random)), p = canonicalPosition(given);
+            EXPECT_LT(glm::length(p - given), reach > 32000.0 ? 1e-7 : 1e-10);
+            EXPECT_EQ(inTwoFloats(p).sum(), p);
+            EXPECT_EQ(canonicalPosition(p), p);
+            const Vec3 origin(254.0 * 192.0, 192.0, 0.0);
+            EXPECT_EQ((origin + p) - origin, p);
+        }
+    }
+}
 
 TEST(Welder, givesNearPositionsTheFirstOnesBits) {
     Welder welder;
@@ -15,7 +32,7 @@ TEST(Welder, givesNearPositionsTheFirstOnesBits) {
     welder.weld();
     EXPECT_EQ(welder.vertexOf(a), welder.vertexOf(b));
     EXPECT_NE(welder.vertexOf(a), welder.vertexOf(c));
-    EXPECT_EQ(welder.positions()[welder.vertexOf(a)], Vec3f(corner));
+    EXPECT_EQ(welder.positions()[welder.vertexOf(a)], canonicalPosition(corner));
     EXPECT_EQ(welder.positions().size(), 2u);
 }
 
