@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limen::reference {
 namespace {
@@ -68,6 +69,11 @@ void Openings::addOpening(const world::Portal& portal, const Vec3& origin) {
         for (const Vec3& p : world::polygonOf(world_, portal))
             points_.push_back(p - origin);
     }
+    const std::span<const Vec3> points = std::span(points_).subspan(opening.firstCorner);
+    const double off = std::transform_reduce(
+        points.begin(), points.end(), 0.0, [](double a, double b) { return std::max(a, b); },
+        [&](const Vec3& p) { return std::abs(opening.plane.signedDistance(p)); });
+    opening.before = std::min(kTolerance, kBefore + off);
     openings_.push_back(opening);
 }
 
@@ -132,8 +138,9 @@ bool Openings::isOpenAt(const Opening& opening, const RayFrame& ray) const {
             meetsOutline(ray, std::span(points_).subspan(opening.firstOutline, opening.outlineCount)));
 }
 
-bool Openings::holdsEye(const Opening& opening, const Vec3& eye) const {
-    return std::abs(opening.plane.signedDistance(eye)) <= kTolerance &&
+bool Openings::holdsEye(const Opening& opening, const Vec3& eye, double way) const {
+    const double side = way * opening.plane.signedDistance(eye);
+    return side >= -kTolerance && side <= opening.before &&
            containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
 }
 
@@ -144,7 +151,7 @@ Exit Openings::nearest(const RayFrame& ray, const BoxRay& boxRay, const Leaving&
         const bool shut = !from.shut.empty() && from.shut[i] != 0;
         // Nothing leaves through a shut one, so that it cannot hold the eye either.
         const bool inPlane =
-            from.after <= 0.0 && !shut && holdsEye(opening, ray.eye) && !contains(from.notAgain, i);
+            from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i);
         const double at = inPlane ? 0.0 : -side / speed;
         if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
             return;
@@ -183,7 +190,7 @@ bool Openings::passesPair(world::PortalIndex portal, const RayFrame& ray, double
     const Opening& other = openings_[back];
     if (other.cornerCount < 3)
         return false;
-    if (after <= 0.0 && holdsEye(other, ray.eye))
+    if (after <= 0.0 && holdsEye(other, ray.eye, -1.0))
         return true;
     const double speed = glm::dot(other.plane.n, ray.direction);
     const double t = -other.plane.signedDistance(ray.eye) / speed;

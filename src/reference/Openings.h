@@ -17,6 +17,8 @@ namespace limen::reference {
 /// (docs/ray-rule.md). Also the widest gap that is a rounding of data: corners nearer than this are one corner to the
 /// loader (world/README.md), so what is narrower was meant to be closed.
 inline constexpr double kTolerance = 0.0002;
+/// Metres before an opening's plane up to which an eye is in it, beside what its corners are off it.
+inline constexpr double kBefore = 0.00001;
 
 /// The portal by which a ray leaves a space.
 struct Exit {
@@ -60,6 +62,7 @@ private:
         std::uint32_t firstCorner = 0, cornerCount = 0;
         /// With vertices that other polygons have on its edges; a count of 0: none are.
         std::uint32_t firstOutline = 0, outlineCount = 0;
+        double before = 0.0; ///< metres before its plane up to which an eye is in it
     };
     struct SpaceOpenings {
         Hierarchy tree; ///< only of more than kFew
@@ -72,7 +75,8 @@ private:
         return std::span(points_).subspan(opening.firstCorner, opening.cornerCount);
     }
     [[nodiscard]] bool isOpenAt(const Opening& opening, const RayFrame& ray) const;
-    [[nodiscard]] bool holdsEye(const Opening& opening, const Vec3& eye) const;
+    /// `way`: 1 for rays out of its space, -1 for those into it.
+    [[nodiscard]] bool holdsEye(const Opening& opening, const Vec3& eye, double way) const;
     void addOpening(const world::Portal& portal, const Vec3& origin);
 
     const world::World& world_;

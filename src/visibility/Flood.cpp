@@ -185,7 +185,7 @@ private:
             return;
         }
         ++out_.counts.portalsTested;
-        const bool inPlane = rules_.halfPlane && visit.inPlane && holdsEye(portal);
+        const bool inPlane = rules_.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
         if (inPlane ? isShut : side <= 0.0) {
             return; // edge-on or from behind: no ray of this visit passes
         }
@@ -233,16 +233,17 @@ private:
         s_.children.add(c, s_.region);
     }
 
-    /// True if the eye lies in the portal's plane, inside the opening.
-    [[nodiscard]] bool holdsEye(const Graph::Portal& portal) const {
-        return std::abs(portal.plane.signedDistance(view_.eye)) <= kInPlane &&
+    /// True if the eye lies in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for those into it.
+    [[nodiscard]] bool holdsEye(const Graph::Portal& portal, double way) const {
+        const double side = way * portal.plane.signedDistance(view_.eye);
+        return side >= -kInPlane && side <= portal.inPlane &&
                containsProjection(graph_.polygon(portal), portal.plane.n, view_.eye, 0.0);
     }
 
     /// True if the way back's polygon bounds the opening too. An eye inside that one is through it already.
     [[nodiscard]] bool isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
         return !portal.exact && portal.reciprocal != kNone &&
-               !(rules_.halfPlane && visit.inPlane && holdsEye(graph_.portals()[portal.reciprocal]));
+               !(rules_.halfPlane && visit.inPlane && holdsEye(graph_.portals()[portal.reciprocal], -1.0));
     }
 
     [[nodiscard]] bool isWayBack(const Visit& visit, std::uint32_t portal) const {

@@ -8,9 +8,6 @@
 
 namespace limen::visibility {
 
-/// An eye this near to a portal's plane, in metres, is in it (docs/ray-rule.md, "Tolerances").
-inline constexpr double kInPlane = 0.0002;
-
 /// Memory that a flood works in; give each thread its own and reuse it, so that a steady frame allocates
 /// nothing.
 class FloodScratch {

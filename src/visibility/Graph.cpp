@@ -89,6 +89,17 @@ private:
     std::span<const Aabb> boxes_;
 };
 
+/// How far the farthest corner lies off the plane.
+double unevenness(const Plane& plane, std::span<const Vec3> polygon, std::span<const Vec3> outline) {
+    double most = 0.0;
+    for (const std::span<const Vec3> corners : {polygon, outline}) {
+        for (const Vec3& corner : corners) {
+            most = std::max(most, std::abs(plane.signedDistance(corner)));
+        }
+    }
+    return most;
+}
+
 } // namespace
 
 void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
@@ -101,7 +112,8 @@ void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
                                                : polygon.first(isFlat ? 0 : polygon.size());
     portals_.push_back({plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex,
                         desc.vertexCount, desc.exact, static_cast<std::uint32_t>(outlines_.size()),
-                        static_cast<std::uint32_t>(outline.size())});
+                        static_cast<std::uint32_t>(outline.size()),
+                        std::min(kInPlane, kBeforePlane + unevenness(plane, polygon, outline))});
     outlines_.insert(outlines_.end(), outline.begin(), outline.end());
 }
 

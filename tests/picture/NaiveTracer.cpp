@@ -210,7 +210,13 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
         }
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         const double side = portal.plane.signedDistance(ray.eye);
-        const bool inPlane = after <= 0.0 && std::abs(side) <= kTolerance &&
+        double before = 0.00001; // what floats make of corners, and how far they are off the plane
+        for (const auto& corners : {polygon, world::cornersOf(world_, portal)}) {
+            for (const Vec3& corner : corners) {
+                before = std::max(before, 0.00001 + std::abs(portal.plane.signedDistance(corner)));
+            }
+        }
+        const bool inPlane = after <= 0.0 && side >= -kTolerance && side <= std::min(before, kTolerance) &&
                              containsProjection(polygon, portal.plane.n, ray.eye, 0.0);
         const double at = inPlane ? 0.0 : -side / speed;
         const bool ahead = inPlane || (side > 0.0 && at > after);
