@@ -40,14 +40,23 @@ reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceInd
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
-    const DrawOptions options{.ids = true,
-                              .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
-                              .layers = !colour}; // counting takes the place of painting
+    DrawOptions options{.ids = true,
+                        .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
+                        .layers = !colour}; // counting takes the place of painting
+    if (multisampled_)
+        options = {.ids = false, .shading = gpu::Shading::FlatIds, .layers = false};
     if (Result<void> drawn = session_.draw(eyeOf(view, root), options); !drawn)
         return tl::unexpected(drawn.error());
     check::DrawnImages images;
     images.width = view.width;
     images.height = view.height;
+    if (outlines_)
+        images.outlines = regionOutlines(session_.visible());
+    if (multisampled_) {
+        images.colour = session_.target().readColour();
+        images.samples = session_.target().samplePositions();
+        return images;
+    }
     images.ids = session_.target().readIds();
     images.depth = session_.target().readDepth();
     images.nearPlane = frame::FrameView{}.nearPlane;
@@ -57,8 +66,6 @@ Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::Spa
     }
     if (colour)
         images.colour = session_.target().readColour();
-    if (outlines_)
-        images.outlines = regionOutlines(session_.visible());
     return images;
 }
 

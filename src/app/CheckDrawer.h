@@ -2,6 +2,7 @@
 
 #include "app/Session.h"
 #include "check/Run.h"
+#include "frame/IdColour.h"
 
 #include <future>
 
@@ -13,20 +14,23 @@ namespace limen::app {
 /// Draws the views of a check through the path of every other verb. The session must outlive it.
 class CheckDrawer final : public check::Drawer {
 public:
-    /// `outlines`: keep the regions of visits, for pictures of findings.
-    CheckDrawer(Session& session, bool outlines) : session_(session), outlines_(outlines) {}
+    /// `outlines`: keep the regions of visits, for pictures of findings. `multisampled`: draw flat by id, with the session's
+    /// samples a pixel.
+    CheckDrawer(Session& session, bool outlines, bool multisampled)
+        : session_(session), outlines_(outlines), multisampled_(multisampled) {}
 
     Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override;
     void expect(dat::BlockCoord block) override;
     reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override;
     Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
+    check::IdColour idColour() const override { return &frame::colourOfId; }
     const world::Moment& moment() const override { return session_.moment(); }
 
 private:
     using Reading = std::future<Result<std::shared_ptr<LoadedWorld>>>;
 
     Session& session_;
-    bool outlines_;
+    bool outlines_, multisampled_;
     dat::BlockCoord expected_; ///< what coming_ reads
     Reading coming_;
 };

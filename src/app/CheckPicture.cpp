@@ -75,7 +75,10 @@ Picture pictureOfVerdicts(const check::FindingPicture& finding) {
 Picture pictureOfFinding(const check::FindingPicture& finding) {
     const std::uint32_t width = finding.drawn.width, height = finding.drawn.height;
     const std::uint32_t factor = std::max(1u, kPanelWidth / std::max(1u, width));
-    Picture drawn = enlarged(pictureOfIds(width, height, finding.drawn.ids), factor);
+    Picture drawn =
+        enlarged(finding.drawn.samples.empty() ? pictureOfIds(width, height, finding.drawn.ids)
+                                               : pictureFromRgba(width, height, finding.drawn.colour),
+                 factor);
     drawOutlines(drawn, finding.drawn.outlines);
     Picture all(3 * width * factor + 2 * kGap, height * factor, {255, 255, 255});
     paste(all, drawn, 0);

@@ -110,9 +110,10 @@ std::string worldOptions(const CheckOptions& options, const WorldSource& source)
 
 /// Everything that decides which views are checked and how.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
-    return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' weather '{}' world '{}'",
-                       options.views, options.kinds, options.seed, options.size, options.block, options.doors,
-                       options.weather, world);
+    return fmt::format(
+        "views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' weather '{}' world '{}' samples {}",
+        options.views, options.kinds, options.seed, options.size, options.block, options.doors,
+        options.weather, world, options.session.samples);
 }
 
 Result<check::Progress> progressOf(const CheckOptions& options, const std::string& run) {
@@ -187,7 +188,7 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     const Result<check::RunRequest> request = requestOf(options, headless->session->source());
     if (!request)
         return tl::unexpected(request.error());
-    CheckDrawer drawer(*headless->session, !options.directory.empty());
+    CheckDrawer drawer(*headless->session, !options.directory.empty(), options.session.samples > 1);
     {
         Progress bar(console, "check", check::viewsAsked(*request));
         const check::RunEvents events = eventsOf(options, console, bar);

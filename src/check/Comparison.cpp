@@ -4,6 +4,7 @@
 
 #include "core/Assert.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -183,7 +184,7 @@ std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second)
                      first.colour.size() == second.colour.size(),
                  "the pictures are of one size");
     const auto same = [&](std::size_t i) {
-        if (first.ids[i] != second.ids[i])
+        if (!first.ids.empty() && first.ids[i] != second.ids[i])
             return false;
         if (!first.depth.empty() &&
             std::bit_cast<std::uint32_t>(first.depth[i]) != std::bit_cast<std::uint32_t>(second.depth[i]))
@@ -192,7 +193,7 @@ std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second)
                std::memcmp(first.colour.data() + 4 * i, second.colour.data() + 4 * i, 4) == 0;
     };
     std::size_t moved = 0;
-    for (std::size_t i = 0; i < first.ids.size(); ++i)
+    for (std::size_t i = 0; i < std::max(first.ids.size(), first.colour.size() / 4); ++i)
         moved += same(i) ? 0 : 1;
     return moved;
 }

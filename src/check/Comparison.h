@@ -21,6 +21,8 @@ struct DrawnImages {
     double nearPlane = 0.02;               ///< metres
     std::vector<reference::Layers> layers; ///< translucent surfaces met; empty: not counted
     std::vector<std::uint8_t> colour;      ///< R,G,B,A; empty: not drawn
+    /// Of a multisampled picture, which has colour alone: where in a pixel the samples lie, from its centre, y downwards.
+    std::vector<glm::vec2> samples;
     std::vector<std::vector<Vec2>>
         outlines; ///< regions of visits in NDC, for pictures of findings; may be empty
 };

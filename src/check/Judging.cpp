@@ -10,8 +10,10 @@ constexpr std::size_t kMostWaiting = 3; // views: enough to even out, few enough
 
 } // namespace
 
-Judging::Judging(TracedWorld& traced, unsigned threads, const RunEvents& events, Progress& progress)
-    : traced_(traced), threads_(threads), events_(events), progress_(progress), thread_([this] { work(); }) {}
+Judging::Judging(TracedWorld& traced, unsigned threads, IdColour idColour, const RunEvents& events,
+                 Progress& progress)
+    : traced_(traced), threads_(threads), idColour_(idColour), events_(events), progress_(progress),
+      thread_([this] { work(); }) {}
 
 Judging::~Judging() {
     {
@@ -69,7 +71,10 @@ void Judging::judge(const DrawnView& drawn) {
     traced_.setMoment(drawn.moment);
     reference::tracePicture(traced_.scene(), drawn.camera, threads_, picture_);
     ViewRetracer retracer(traced_, drawn.camera);
-    compare(drawn.images, picture_, retracer, comparison_);
+    if (drawn.images.samples.empty())
+        compare(drawn.images, picture_, retracer, comparison_);
+    else
+        judgeSamples(drawn, retracer);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::uint64_t number = 0;
     {
@@ -86,6 +91,14 @@ void Judging::judge(const DrawnView& drawn) {
     const std::lock_guard guard(lock_);
     if (!shown && failure_)
         failure_ = std::move(shown);
+}
+
+void Judging::judgeSamples(const DrawnView& drawn, Retracer& retracer) {
+    const std::vector<glm::vec2>& samples = drawn.images.samples;
+    sampled_.resize(samples.size());
+    for (std::size_t s = 0; s < samples.size(); ++s)
+        reference::tracePicture(traced_.scene(), drawn.camera, threads_, sampled_[s], Vec2(samples[s]));
+    compareSampled(drawn.images, sampled_, idColour_, retracer, comparison_);
 }
 
 } // namespace limen::check

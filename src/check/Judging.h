@@ -23,7 +23,8 @@ struct DrawnView {
 class Judging {
 public:
     /// `progress` is written to under this object's lock until it is destroyed.
-    Judging(TracedWorld& traced, unsigned threads, const RunEvents& events, Progress& progress);
+    Judging(TracedWorld& traced, unsigned threads, IdColour idColour, const RunEvents& events,
+            Progress& progress);
     /// Judges what still waits.
     ~Judging();
     Judging(const Judging&) = delete;
@@ -39,19 +40,22 @@ public:
 private:
     void work();
     void judge(const DrawnView& view);
+    void judgeSamples(const DrawnView& view, Retracer& retracer);
 
     TracedWorld& traced_;
     const unsigned threads_;
+    const IdColour idColour_; // of multisampled pictures
     const RunEvents& events_;
     mutable std::mutex lock_;
     std::condition_variable changed_;
-    Progress& progress_;                 // under lock_
-    std::deque<DrawnView> waiting_;      // under lock_
-    bool busy_ = false, ending_ = false; // under lock_
-    Result<void> failure_;               // under lock_
-    reference::Picture picture_;         // the thread's
-    Comparison comparison_;              // the thread's
-    std::thread thread_;                 // last: starts when the rest is there
+    Progress& progress_;                      // under lock_
+    std::deque<DrawnView> waiting_;           // under lock_
+    bool busy_ = false, ending_ = false;      // under lock_
+    Result<void> failure_;                    // under lock_
+    reference::Picture picture_;              // the thread's
+    std::vector<reference::Picture> sampled_; // the thread's, by sample
+    Comparison comparison_;                   // the thread's
+    std::thread thread_;                      // last: starts when the rest is there
 };
 
 } // namespace limen::check

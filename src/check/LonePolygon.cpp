@@ -28,8 +28,8 @@ struct Seen {
           ac(triangle.corners[2] - triangle.corners[0]), n(glm::cross(ab, ac)), offset(glm::dot(n, a)) {}
 };
 
-/// Directions through the corners of the square of half-width kSnap around a pixel's centre, counter-clockwise as seen.
-std::array<Vec3, 4> squareAround(const reference::Camera& camera, int x, int y) {
+/// Directions through the corners of the square of half-width kSnap around a place, counter-clockwise as seen.
+std::array<Vec3, 4> squareAround(const reference::Camera& camera, double x, double y) {
     const auto at = [&](double dx, double dy) {
         return reference::rayThrough(camera, x + dx * kSnap, y + dy * kSnap).direction;
     };
@@ -93,7 +93,7 @@ bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int
 
 } // namespace
 
-bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& camera, int x, int y,
+bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& camera, double x, double y,
                   double shown) {
     const std::array<Vec3, 4> square = squareAround(camera, x, y);
     bool covered = false;

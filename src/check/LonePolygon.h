@@ -8,12 +8,12 @@
 // What a rasteriser may make of one polygon at one pixel, the rest of the world aside.
 namespace limen::check {
 
-/// True if a ray within 1/128 of a pixel of the centre meets the polygon, from either side, while the plane of one of
+/// True if a ray within 1/128 of a pixel of a place of the picture meets the polygon, from either side, while the plane of one of
 /// its triangles lies before view depth `shown` (metres; infinite and NaN: anything is before it) on such a ray. The
 /// rasteriser snaps corners to 1/256 of a pixel, so a polygon seen edge-on may cover a centre that it does not contain;
 /// the depth it takes there from its plane may lie far before the polygon.
-[[nodiscard]] bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& camera, int x,
-                                int y, double shown);
+[[nodiscard]] bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& camera, double x,
+                                double y, double shown);
 
 /// True if a rasteriser may give the polygon view depth `drawn` (metres) at the pixel's centre.
 ///

@@ -6,6 +6,13 @@
 
 namespace limen::check {
 
+namespace {
+
+/// Metres a metre of distance: more than a pixel of any sensible picture.
+constexpr double kPixelShare = 0.02;
+
+} // namespace
+
 PolygonTable::PolygonTable(const world::World& world, const world::Moment& moment)
     : world_(world), moment_(moment) {
     const auto add = [&](const world::Instance& instance) {
@@ -79,6 +86,26 @@ void PolygonTable::trianglesAround(world::SpaceIndex index, const Vec3& point, d
         addTrianglesAround(world_.instances[world_.spaceInstances[i]], point, reach, out);
     for (const world::InstanceIndex i : moment_.instancesIn(index))
         addTrianglesAround(moment_.instances[i], point, reach, out);
+}
+
+void PolygonTable::polygonsAlong(const Vec3& eye, const Vec3& direction,
+                                 std::vector<std::uint32_t>& out) const {
+    out.clear();
+    const Vec3 way = glm::normalize(direction);
+    const auto add = [&](const world::Instance& instance) {
+        const Vec3 offset = instance.bounds.centre - eye;
+        const double along = glm::dot(offset, way), radius = instance.bounds.radius;
+        const double margin = radius + kPixelShare * (std::abs(along) + radius);
+        if (along < -margin || glm::length(offset - way * along) > margin)
+            return;
+        for (std::uint32_t p = 0; p < world_.meshes[instance.mesh].polygonCount; ++p)
+            out.push_back(instance.idBase + p);
+    };
+    std::for_each(byId_.begin(), byId_.end(), [&](const world::Instance* instance) { add(*instance); });
+    for (const world::Instance& moving : moment_.instances) {
+        if (moving.mesh != world::kNone)
+            add(moving);
+    }
 }
 
 } // namespace limen::check

@@ -26,6 +26,10 @@ public:
     void trianglesAround(world::SpaceIndex space, const Vec3& point, double reach,
                          std::vector<Triangle>& out) const;
 
+    /// The ids of all polygons of instances whose ball, and a pixel's width around it, a ray passes. `direction` need not be
+    /// of unit length. `out` is overwritten.
+    void polygonsAlong(const Vec3& eye, const Vec3& direction, std::vector<std::uint32_t>& out) const;
+
 private:
     [[nodiscard]] const world::Instance* instanceOf(std::uint32_t id) const;
     template <class Visit>

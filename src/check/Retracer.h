@@ -3,6 +3,7 @@
 #include "reference/Scene.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace limen::check {
 
@@ -21,9 +22,11 @@ public:
     /// False for a ray out of the space that an eye on a wall or on the edge of an opening is said to be in
     /// (check/EyeContact.h).
     [[nodiscard]] virtual bool leadsIntoTheRoot(double x, double y) = 0;
-    /// True if the polygon `id` covers the pixel's centre but for the rasteriser's rounding, and its plane there lies
-    /// before depth `shown` (check/LonePolygon.h).
-    [[nodiscard]] virtual bool isEdgeOn(int x, int y, std::uint32_t id, double shown) = 0;
+    /// True if the polygon `id` covers the place but for the rasteriser's rounding, and its plane there lies before depth
+    /// `shown` (check/LonePolygon.h).
+    [[nodiscard]] virtual bool isEdgeOn(double x, double y, std::uint32_t id, double shown) = 0;
+    /// The ids of all polygons that the ray comes near, whichever space they are in. `ids` is overwritten. Slow.
+    virtual void polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) = 0;
     /// True if view depth `drawn` is one that the rasteriser may give polygon `id` at the pixel's centre
     /// (check/LonePolygon.h).
     [[nodiscard]] virtual bool mayHaveDepth(int x, int y, std::uint32_t id, double drawn) = 0;

@@ -80,7 +80,8 @@ private:
 
     Result<void> drawViews(const std::vector<View>& views) {
         const std::size_t first = progress_.views;
-        Judging& judging = block_->judging.emplace(block_->traced, request_.threads, events_, progress_);
+        Judging& judging =
+            block_->judging.emplace(block_->traced, request_.threads, drawer_.idColour(), events_, progress_);
         for (std::size_t v = first; v < views.size(); ++v) {
             Result<DrawnView> drawn = draw(*block_->world, views[v]);
             if (!drawn)

@@ -2,6 +2,7 @@
 
 #include "check/Plan.h"
 #include "check/Report.h"
+#include "check/SampledComparison.h"
 #include "check/Traced.h"
 
 #include <functional>
@@ -22,8 +23,11 @@ public:
     virtual void expect(dat::BlockCoord) {}
     /// The view's axes, as they are drawn.
     [[nodiscard]] virtual reference::Camera cameraOf(const View& view, world::SpaceIndex root) = 0;
-    /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour.
+    /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour. Or, all views alike, a multisampled
+    /// picture: colour, flat by id, and where its samples lie.
     [[nodiscard]] virtual Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) = 0;
+    /// What an id's colour is in a flat picture; for drawers of multisampled ones.
+    [[nodiscard]] virtual IdColour idColour() const { return nullptr; }
     /// Where everything was in the picture drawn last.
     [[nodiscard]] virtual const world::Moment& moment() const = 0;
 };

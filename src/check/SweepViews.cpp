@@ -12,8 +12,9 @@ constexpr double kFov = 75.0; // degrees
 constexpr double kBesideLeast = 0.004,
                  kBesideMost = 0.06; // metres from an edge or a corner: the near plane, 2 cm, cuts
                                      // the wall beside some of them
-constexpr double kAnchor = 0.005;    // metres from the opening's plane: in the space on that side, if no wall leans over it
-constexpr int kTries = 24;           // combinations tried for one view
+constexpr double kAnchor =
+    0.005; // metres from the opening's plane: in the space on that side, if no wall leans over it
+constexpr int kTries = 24; // combinations tried for one view
 
 enum class Line : std::uint8_t { Square, Aslant, BesideEdge, BesideCorner, OnEdge, OnCorner };
 constexpr std::array<const char*, 6> kLineNames{"square",          "aslant",     "beside an edge",
@@ -139,8 +140,8 @@ Vec3 directionOf(Look look, const Vec3& n, Dice& dice) {
 
 /// The space that the eye is in when it comes along the course; nothing if a wall stands in the way. A point of the
 /// opening itself is in both spaces, but a place before it need not be: walls may meet it at a sharp angle.
-std::optional<world::SpaceIndex> spaceAt(const Surroundings& around, const Combination& c, const Course& course,
-                                         const Vec3& eye) {
+std::optional<world::SpaceIndex> spaceAt(const Surroundings& around, const Combination& c,
+                                         const Course& course, const Vec3& eye) {
     const world::Portal& portal = around.world.portals[c.portal];
     const world::SpaceIndex start = c.fromBehind ? portal.destination : portal.space;
     const Vec3 anchor = course.inner + course.way * (c.fromBehind ? -kAnchor : kAnchor);

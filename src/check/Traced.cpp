@@ -62,8 +62,13 @@ bool ViewRetracer::leadsIntoTheRoot(double x, double y) {
     return contact_->touchesNothing() || contact_->leadsIntoTheRoot(rayThrough(camera_, x, y).direction);
 }
 
-bool ViewRetracer::isEdgeOn(int x, int y, std::uint32_t id, double shown) {
+bool ViewRetracer::isEdgeOn(double x, double y, std::uint32_t id, double shown) {
     return coversEdgeOn(trianglesOf(id), camera_, x, y, shown);
+}
+
+void ViewRetracer::polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) {
+    const reference::Ray ray = rayThrough(camera_, x, y);
+    traced_.polygons().polygonsAlong(ray.eye, ray.direction, ids);
 }
 
 bool ViewRetracer::mayHaveDepth(int x, int y, std::uint32_t id, double drawn) {

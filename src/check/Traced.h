@@ -42,7 +42,8 @@ public:
     reference::Answer byZone(double x, double y) override;
     bool isCutByNearPlane(double x, double y) override;
     bool leadsIntoTheRoot(double x, double y) override;
-    bool isEdgeOn(int x, int y, std::uint32_t id, double shown) override;
+    bool isEdgeOn(double x, double y, std::uint32_t id, double shown) override;
+    void polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) override;
     bool mayHaveDepth(int x, int y, std::uint32_t id, double drawn) override;
 
 private:

@@ -29,7 +29,9 @@ struct Picture {
     }
 };
 
-/// Traces a whole picture on `threads` threads; `out` is overwritten. The same answers whatever their number.
-void tracePicture(const Scene& scene, const Camera& camera, unsigned threads, Picture& out);
+/// Traces a whole picture on `threads` threads; `out` is overwritten. The same answers whatever their number. `place`: where
+/// in each pixel its ray passes, from the centre, y downwards.
+void tracePicture(const Scene& scene, const Camera& camera, unsigned threads, Picture& out,
+                  Vec2 place = Vec2(0.0));
 
 } // namespace limen::reference

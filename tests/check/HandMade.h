@@ -46,6 +46,7 @@ struct HandMadeRetracer final : Retracer {
     std::function<std::uint32_t(double, double)> exactId, byZoneId;
     std::function<bool(double, double)> cut, into;
     std::function<bool(std::uint32_t)> edgeOn, depth;
+    std::vector<std::uint32_t> near;
     std::size_t finerRays = 0;
 
     reference::Answer exact(double x, double y) override {
@@ -55,7 +56,8 @@ struct HandMadeRetracer final : Retracer {
     reference::Answer byZone(double x, double y) override { return answer(byZoneId ? byZoneId(x, y) : 99); }
     bool isCutByNearPlane(double x, double y) override { return cut && cut(x, y); }
     bool leadsIntoTheRoot(double x, double y) override { return !into || into(x, y); }
-    bool isEdgeOn(int, int, std::uint32_t id, double) override { return edgeOn && edgeOn(id); }
+    bool isEdgeOn(double, double, std::uint32_t id, double) override { return edgeOn && edgeOn(id); }
+    void polygonsAlong(double, double, std::vector<std::uint32_t>& ids) override { ids = near; }
     bool mayHaveDepth(int, int, std::uint32_t id, double) override { return depth && depth(id); }
 };
 

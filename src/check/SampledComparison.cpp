@@ -1,0 +1,167 @@
+#include "check/SampledComparison.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+namespace limen::check {
+
+namespace {
+
+/// Pixels: how far from a sample the rasteriser's rounding may move an edge, and the grid of rays within that.
+constexpr double kReach = 1.0 / 128.0;
+constexpr int kSteps = 2; ///< to each side
+/// Of 255: what rounding the mean of the samples' colours may differ by.
+constexpr int kRounding = 1;
+/// Ids tried for one sample; more than that meet in no pixel that is not noise.
+constexpr std::size_t kMostIds = 12;
+
+using Ids = std::vector<std::uint32_t>;
+
+void addOnce(Ids& ids, std::uint32_t id) {
+    if (ids.size() < kMostIds && std::find(ids.begin(), ids.end(), id) == ids.end())
+        ids.push_back(id);
+}
+
+/// One pixel, and what each of its samples may show.
+class SampledPixel {
+public:
+    SampledPixel(const DrawnImages& drawn, std::span<const reference::Picture> traced, IdColour colourOf,
+                 Retracer& retracer, int x, int y)
+        : drawn_(drawn), traced_(traced), colourOf_(colourOf), retracer_(retracer), x_(x), y_(y) {
+        const std::size_t at = (static_cast<std::size_t>(y) * drawn.width + static_cast<std::size_t>(x)) * 4;
+        colour_ = {drawn.colour[at], drawn.colour[at + 1], drawn.colour[at + 2]};
+        for (const reference::Picture& picture : traced)
+            ids_.push_back({picture.at(x, y).id});
+    }
+
+    [[nodiscard]] Verdict verdict(bool mayLookAgain) {
+        if (isExplained())
+            return Verdict::Agrees;
+        if (isExcused())
+            return Verdict::Unjudged;
+        if (!mayLookAgain)
+            return Verdict::Disagrees;
+        lookAround([&](double x, double y) { return retracer_.exact(x, y).id; });
+        lookForTies();
+        if (isExplained())
+            return Verdict::Sliver;
+        lookAround([&](double x, double y) { return retracer_.byZone(x, y).id; });
+        if (isExplained())
+            return Verdict::ByZone;
+        lookForHidden();
+        return isExplained() ? Verdict::EdgeOn : Verdict::Disagrees;
+    }
+
+private:
+    [[nodiscard]] bool isExplained() const {
+        Ids chosen(ids_.size(), 0);
+        return anyMean(0, glm::ivec3(0), chosen);
+    }
+
+    /// Whether a choice of one id for each sample from `from` on gives the drawn colour. `chosen`: those before.
+    [[nodiscard]] bool anyMean(std::size_t from, const glm::ivec3& sum, Ids& chosen) const {
+        const auto count = static_cast<int>(ids_.size());
+        if (from == ids_.size()) {
+            const glm::ivec3 off = glm::abs(sum - colour_ * count);
+            const bool same =
+                std::all_of(chosen.begin(), chosen.end(), [&](std::uint32_t id) { return id == chosen[0]; });
+            return std::max({off.x, off.y, off.z}) <= (same ? 0 : kRounding * count);
+        }
+        return std::any_of(ids_[from].begin(), ids_[from].end(), [&](std::uint32_t id) {
+            const auto [r, g, b] = colourOf_(id);
+            chosen[from] = id;
+            return anyMean(from + 1, sum + glm::ivec3(r, g, b), chosen);
+        });
+    }
+
+    /// As for pictures of one sample: the rays of the 3×3 pixels.
+    [[nodiscard]] bool isExcused() {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (retracer_.isCutByNearPlane(x_ + dx, y_ + dy) ||
+                    !retracer_.leadsIntoTheRoot(x_ + dx, y_ + dy))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    template <class Trace>
+    void lookAround(Trace trace) {
+        for (std::size_t s = 0; s < ids_.size(); ++s) {
+            for (int dy = -kSteps; dy <= kSteps; ++dy) {
+                for (int dx = -kSteps; dx <= kSteps; ++dx)
+                    addOnce(ids_[s], trace(x_ + double{drawn_.samples[s].x} + dx * kReach / kSteps,
+                                           y_ + double{drawn_.samples[s].y} + dy * kReach / kSteps));
+            }
+        }
+    }
+
+    /// Polygons that are seen in the 3×3 pixels.
+    void lookForTies() {
+        Ids around;
+        for (const reference::Picture& picture : traced_) {
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dx = -1; dx <= 1; ++dx) {
+                    const std::uint32_t id = picture.at(x_ + dx, y_ + dy).id;
+                    if (id > 1 && std::find(around.begin(), around.end(), id) == around.end())
+                        around.push_back(id);
+                }
+            }
+        }
+        addTied(around);
+    }
+
+    /// Any polygon near the pixel's rays.
+    void lookForHidden() {
+        Ids near;
+        retracer_.polygonsAlong(x_, y_, near);
+        addTied(near);
+    }
+
+    void addTied(const Ids& candidates) {
+        for (const std::uint32_t id : candidates) {
+            for (std::size_t s = 0; s < ids_.size(); ++s) {
+                if (retracer_.isEdgeOn(x_ + double{drawn_.samples[s].x}, y_ + double{drawn_.samples[s].y}, id,
+                                       traced_[s].at(x_, y_).t))
+                    addOnce(ids_[s], id);
+            }
+        }
+    }
+
+    const DrawnImages& drawn_;
+    std::span<const reference::Picture> traced_;
+    IdColour colourOf_;
+    Retracer& retracer_;
+    int x_, y_;
+    glm::ivec3 colour_{0};
+    std::vector<Ids> ids_; ///< by sample
+};
+
+} // namespace
+
+void compareSampled(const DrawnImages& drawn, std::span<const reference::Picture> traced, IdColour colourOf,
+                    Retracer& retracer, Comparison& result) {
+    const std::size_t pixels = static_cast<std::size_t>(drawn.width) * drawn.height;
+    LIMEN_ASSERT(drawn.colour.size() == 4 * pixels, "a colour for every pixel");
+    LIMEN_ASSERT(!traced.empty() && traced.size() == drawn.samples.size(),
+                 "a traced picture for every sample");
+    result.counts = {};
+    result.verdicts.resize(pixels);
+    std::size_t inVain = 0, i = 0;
+    for (int y = 0; y < static_cast<int>(drawn.height); ++y) {
+        for (int x = 0; x < static_cast<int>(drawn.width); ++x, ++i) {
+            SampledPixel pixel(drawn, traced, colourOf, retracer, x, y);
+            const Verdict verdict = pixel.verdict(inVain < kMostSecondLooks);
+            inVain += isFinding(verdict) ? 1 : 0;
+            result.verdicts[i] = verdict;
+            ++result.counts[static_cast<std::size_t>(verdict)];
+        }
+    }
+}
+
+} // namespace limen::check

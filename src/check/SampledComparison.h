@@ -1,0 +1,24 @@
+#pragma once
+
+#include "check/Comparison.h"
+
+namespace limen::check {
+
+/// The colour, R,G,B, that stands for an id in a flat picture. Ids may share one.
+using IdColour = std::array<std::uint8_t, 3> (*)(std::uint32_t id);
+
+/// Holds a multisampled picture, shaded flat by id, against pictures traced through each of its samples.
+///
+/// A pixel agrees if its colour is the mean of the colours of what the rays through its samples meet. The rasteriser decides
+/// by corners that it has snapped to 1/256 of a pixel, so an edge may pass on the other side of a sample that it comes within
+/// 1/128 of a pixel of, and depths that tie there fall either way. A pixel is therefore a *sliver* if its colour is a mean of
+/// ids of which each is met within 1/128 of a pixel of its sample, or belongs to a polygon that is seen in the 3×3 pixels,
+/// reaches so near the sample and lies no farther there than what the sample's ray meets. It is *edge_on*, and so wrong, if
+/// such a polygon is seen nowhere around. Colours are compared to within the rounding of a mean; where all rays meet the same,
+/// exactly.
+///
+/// `traced`: by sample, in the order of drawn.samples, of the drawn size. `result` is overwritten.
+void compareSampled(const DrawnImages& drawn, std::span<const reference::Picture> traced, IdColour colourOf,
+                    Retracer& retracer, Comparison& result);
+
+} // namespace limen::check
