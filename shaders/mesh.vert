@@ -5,6 +5,7 @@
 // EXACT: triangles are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
 #extension GL_ARB_shader_draw_parameters : require
 #include "transform.glsl"
+#include "samples.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec4 inNormal;
@@ -14,9 +15,9 @@ layout(location = 4) in vec3 inFacet;
 layout(location = 5) in vec3 inRest;
 
 invariant gl_Position;
-layout(location = 0) out vec3 vEyeRelative;
-layout(location = 1) out vec3 vNormal;
-layout(location = 2) out vec2 vUv;
+layout(location = 0) SMOOTH out vec3 vEyeRelative;
+layout(location = 1) SMOOTH out vec3 vNormal;
+layout(location = 2) SMOOTH out vec2 vUv;
 layout(location = 3) flat out uint vInstance;
 layout(location = 4) flat out uint vSurface;
 layout(location = 5) flat out uint vId;

@@ -2,13 +2,10 @@
 // The clip set is tested here and not by gl_ClipDistance: clipping makes new vertices, and edges through new vertices
 // are no longer exactly the edges of the walls beside them.
 // EXACT: the opening's own edges are tested, too, as those of the walls are (outline.glsl).
-// MULTISAMPLED: each sample of the pixel is tested for itself, and the rasteriser decides the edges as it does the walls'.
 #define OWNERSHIP
 #include "transform.glsl"
 #include "ray.glsl"
-#ifdef MULTISAMPLED
 #include "samples.glsl"
-#endif
 
 layout(location = 0) flat in uint vVisit;
 layout(location = 1) flat in uvec3 vOpening;
@@ -53,19 +50,8 @@ bool passes(vec2 window) {
 
 void main() {
     opening = vOpening;
-#ifdef MULTISAMPLED
-    uint kept = 0u;
-    for (int i = 0; i < int(kSamples); ++i) {
-        kept |= passes(floor(gl_FragCoord.xy) + 0.5 + sampleOffset(i)) ? 1u << i : 0u;
-    }
-    gl_SampleMask[0] = int(kept);
-    if (kept == 0u) {
+    if (!passes(windowPlace())) {
         discard;
     }
-#else
-    if (!passes(gl_FragCoord.xy)) {
-        discard;
-    }
-#endif
     outVisit = vVisit;
 }

@@ -2,7 +2,7 @@
 #include "textures.glsl"
 #include "gate.glsl"
 
-layout(location = 0) in vec2 vUv;
+layout(location = 0) SMOOTH in vec2 vUv;
 layout(location = 1) flat in uint vInstance;
 layout(location = 2) flat in uint vMaterial;
 layout(location = kOutputBlended) out vec4 outColour;

@@ -1,12 +1,13 @@
 // Meshes of the sky, around the eye and infinitely far. In: one vertex of the arena; gl_BaseInstance: the sky instance.
 #extension GL_ARB_shader_draw_parameters : require
 #include "transform.glsl"
+#include "samples.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in uint inPolygonSurface;
 
-layout(location = 0) out vec2 vUv;
+layout(location = 0) SMOOTH out vec2 vUv;
 layout(location = 1) flat out uint vInstance;
 layout(location = 2) flat out uint vMaterial;
 

@@ -1,9 +1,8 @@
 // Every storage buffer of a frame, by the names the shaders use. Layout: SharedLayout.h.
 #include "SharedLayout.h"
 
-// EXACT: what a pixel shows is decided by the ray through its centre (outline.glsl). Not for MULTISAMPLED: one depth for
-// all samples of a pixel would flatten every edge.
-#if defined(EXACT_OUTLINES) && !defined(MULTISAMPLED)
+// EXACT: what a pixel shows, or a sample of it, is decided by the ray through its centre (outline.glsl).
+#ifdef EXACT_OUTLINES
 #define EXACT
 #endif
 

@@ -1,10 +1,7 @@
 // The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
 // a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
 // visit's entry plane and not beyond the entry plane of the next visit of the chain.
-//
-// MULTISAMPLED: the ownership target has kSamples a pixel, each the leaf visit of a ray of its own, and the test is done
-// for each. What of the pixel is kept goes into gl_SampleMask.
-#include "buffers.glsl"
+#include "samples.glsl"
 
 #ifdef MULTISAMPLED
 layout(binding = kUnitOwnership) uniform usampler2DMS ownership;
@@ -32,28 +29,17 @@ struct Keep {
     uint lightSet;
 };
 
-#ifdef MULTISAMPLED
-uint leafVisit(int at) {
-    return texelFetch(ownership, ivec2(gl_FragCoord.xy), at).r;
-}
-#else
 uint leafVisit() {
-    return texelFetch(ownership, ivec2(gl_FragCoord.xy), 0).r;
-}
-#endif
-
-// Whether anything of the pixel got outside; of a multisampled one only that is kept.
-bool keepOutside() {
 #ifdef MULTISAMPLED
-    uint kept = 0u;
-    for (int i = 0; i < int(kSamples); ++i) {
-        kept |= visits[leafVisit(i)].zone == kOutside ? 1u << i : 0u;
-    }
-    gl_SampleMask[0] = int(kept);
-    return kept != 0u;
+    return texelFetch(ownership, ivec2(gl_FragCoord.xy), gl_SampleID).r;
 #else
-    return visits[leafVisit()].zone == kOutside;
+    return texelFetch(ownership, ivec2(gl_FragCoord.xy), 0).r;
 #endif
+}
+
+// Whether the ray got outside.
+bool keepOutside() {
+    return visits[leafVisit()].zone == kOutside;
 }
 
 bool findMember(Instance instance, uint zone, out uint lightSet) {
@@ -70,10 +56,7 @@ bool findMember(Instance instance, uint zone, out uint lightSet) {
 
 // A fragment's position and how it changes from pixel to pixel.
 struct Place {
-    vec3 at; // the pixel's centre; of a multisampled one the first sample that the triangle covers
-#ifdef MULTISAMPLED
-    vec3 sampleAt[kSamples];
-#endif
+    vec3 at;
     vec3 dx;
     vec3 dy;
 };
@@ -116,9 +99,6 @@ bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
 
 const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit
 
-#ifdef MULTISAMPLED
-#include "gatesamples.glsl"
-#else
 // Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends.
 Keep walkChain(Instance instance, Place place) {
     vec4 next = kNothingBeyond;
@@ -138,7 +118,6 @@ Keep walkChain(Instance instance, Place place) {
     }
     return Keep(false, 0u, 0u);
 }
-#endif
 
 // What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
 Keep keepUngated(Instance instance, Place place) {

@@ -71,9 +71,9 @@ float depthOnPolygon(vec3 direction) {
 // The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
 // a pixel away: it may be another texel's.
 vec2 uvOnPolygon() {
-    vec2 a = acrossRay(cornerOnScreen(0u), gl_FragCoord.xy);
-    vec2 b = acrossRay(cornerOnScreen(1u), gl_FragCoord.xy);
-    vec2 c = acrossRay(cornerOnScreen(2u), gl_FragCoord.xy);
+    vec2 a = acrossRay(cornerOnScreen(0u), windowPlace());
+    vec2 b = acrossRay(cornerOnScreen(1u), windowPlace());
+    vec2 c = acrossRay(cornerOnScreen(2u), windowPlace());
     vec3 shares = vec3(b.x * c.y - c.x * b.y, c.x * a.y - a.x * c.y, a.x * b.y - b.x * a.y);
     float sum = shares.x + shares.y + shares.z;
     if (sum == 0.0) {
@@ -114,12 +114,12 @@ float beforePlane(uint kind, vec3 direction) {
 
 // Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
 bool findOnPolygon(uint kind, out vec3 at) {
-    vec3 direction = rayThrough(gl_FragCoord.xy);
+    vec3 direction = rayThrough(windowPlace());
     float depth = depthOnPolygon(direction);
     at = direction * depth;
     float tested = depth + behindNeighbours(kind == kKindShell, at, direction) - beforePlane(kind, direction);
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0);
-    return depth >= frame.nearPlane * (1.0 - kNearRounding) && isOverOutline(3u, gl_FragCoord.xy);
+    return depth >= frame.nearPlane * (1.0 - kNearRounding) && isOverOutline(3u, windowPlace());
 }
 
 #else

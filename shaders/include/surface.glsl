@@ -1,13 +1,10 @@
 // What every mesh fragment receives from mesh.vert, and its material's colour.
 #include "textures.glsl"
 #include "lighting.glsl"
-#ifdef MULTISAMPLED
-#include "samples.glsl"
-#endif
 
-layout(location = 0) in vec3 vEyeRelative;
-layout(location = 1) in vec3 vNormal;
-layout(location = 2) in vec2 vUv;
+layout(location = 0) SMOOTH in vec3 vEyeRelative;
+layout(location = 1) SMOOTH in vec3 vNormal;
+layout(location = 2) SMOOTH in vec2 vUv;
 layout(location = 3) flat in uint vInstance;
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
@@ -23,45 +20,22 @@ layout(location = 11) flat in vec3 vOutline[3];
 // False: the pixel does not show the polygon.
 bool findPlace(out Place place) {
     // Derivatives first: what follows differs from fragment to fragment.
-#ifdef MULTISAMPLED
-    vec3 samples[kSamples];
-    for (int i = 0; i < int(kSamples); ++i) {
-        samples[i] = atSample(vEyeRelative, sampleOffset(i));
-    }
-    // Of a quotient: (a' - (a / q) q') / q.
-    int first = max(findLSB(gl_SampleMaskIn[0]), 0);
-    vec3 scaled = vEyeRelative * gl_FragCoord.w;
-    vec3 at = samples[first];
-    float q = inverseDepthAt(sampleOffset(first));
-    vec3 dx = (dFdx(scaled) - at * dFdx(gl_FragCoord.w)) / q;
-    vec3 dy = (dFdy(scaled) - at * dFdy(gl_FragCoord.w)) / q;
-    place = Place(at, samples, dx, dy);
-    return true;
-#else
     vec3 dx = dFdx(vEyeRelative);
     vec3 dy = dFdy(vEyeRelative);
     vec3 at;
     bool found = findOnPolygon(instanceAt(vInstance).kind, at);
     place = Place(at, dx, dy);
     return found;
-#endif
 }
 
-// GATED: the caller discards when `kept` is false; of a multisampled pixel the samples that are not kept are masked.
+// The caller discards when `kept` is false.
 Keep keepOf(Instance instance) {
     Place place;
     if (!findPlace(place)) {
         return Keep(false, 0u, 0u);
     }
 #ifdef GATED
-#ifdef MULTISAMPLED
-    uint kept;
-    Keep keep = walkChain(instance, place, kept);
-    gl_SampleMask[0] = int(kept);
-    return keep;
-#else
     return walkChain(instance, place);
-#endif
 #else
     return keepUngated(instance, place);
 #endif

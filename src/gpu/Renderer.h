@@ -16,7 +16,7 @@ namespace limen::gpu {
 struct RendererOptions {
     TextureStoreOptions textures{};
     /// What a pixel shows is decided by the ray through its centre and not by corners that the rasteriser has snapped
-    /// (shaders/include/outline.glsl). Frames of several samples a pixel are always drawn without.
+    /// (shaders/include/outline.glsl).
     bool exactOutlines = true;
     /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
     std::vector<std::string> shaderDefines{};

@@ -47,9 +47,8 @@ Judged judge(NamedView view, const Off& off) {
     return {pictures.judge(pictures.shoot(frame)).findings(), stock};
 }
 
-/// What concerns the rasteriser's snapping shows where it decides what pixels are covered: in frames of several samples a
-/// pixel, which are drawn without exact outlines.
-Off asWithSeveralSamples() {
+/// What concerns the rasteriser's snapping shows only where it decides what pixels are covered.
+Off withoutExactOutlines() {
     Off off;
     off.options.exactOutlines = false;
     return off;
@@ -87,9 +86,9 @@ TEST(Mechanisms, ancestorClip) {
 }
 
 TEST(Mechanisms, growth) {
-    Off off = asWithSeveralSamples();
+    Off off = withoutExactOutlines();
     off.frame.growth = false;
-    expectNeeded(roundOpeningsInARow, off, 1, asWithSeveralSamples());
+    expectNeeded(roundOpeningsInARow, off, 1, withoutExactOutlines());
 }
 
 TEST(Mechanisms, eyePlaneClip) {
@@ -105,9 +104,9 @@ TEST(Mechanisms, halfPlaneRule) {
 }
 
 TEST(Mechanisms, nearOpening) {
-    Off off = asWithSeveralSamples();
+    Off off = withoutExactOutlines();
     off.frame.nearOpening = false;
-    expectNeeded(lintelOfAGate, off, 64, asWithSeveralSamples());
+    expectNeeded(lintelOfAGate, off, 64, withoutExactOutlines());
 }
 
 TEST(Mechanisms, siblingOrder) {

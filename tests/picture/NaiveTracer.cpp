@@ -174,29 +174,6 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
     std::sort(layers.begin(), layers.end());
 }
 
-NaiveTracer::Alone NaiveTracer::traceAlone(std::uint32_t instance, std::uint32_t id, const Ray& ray) const {
-    Alone alone{false, std::numeric_limits<double>::infinity()};
-    const Body& body = bodies_[instance];
-    for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
-        const Triangle& triangle = triangles_[i];
-        const Vec3 p = glm::cross(ray.direction, triangle.ac);
-        const double determinant = glm::dot(triangle.ab, p);
-        if (triangle.id != id || determinant == 0.0) {
-            continue;
-        }
-        const Vec3 s = ray.eye - triangle.a;
-        const Vec3 q = glm::cross(s, triangle.ab);
-        const double v = glm::dot(s, p) / determinant;
-        const double w = glm::dot(ray.direction, q) / determinant;
-        const double t = glm::dot(triangle.ac, q) / determinant;
-        if (t > 0.0) {
-            alone.planeT = std::min(alone.planeT, t);
-            alone.met = alone.met || (v >= -kEdge && w >= -kEdge && v + w <= 1.0 + kEdge);
-        }
-    }
-    return alone;
-}
-
 world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
                                               world::PortalIndex cameBy, double& t) const {
     world::PortalIndex nearest = world::kNone;

@@ -30,14 +30,6 @@ public:
     };
     [[nodiscard]] Answer trace(world::SpaceIndex root, const Ray& ray) const;
 
-    /// One polygon alone, from either side, in whatever space: whether the ray meets it, and where it meets the polygon's
-    /// plane (of its triangles, the nearest ahead; infinite if none is).
-    struct Alone {
-        bool met = false;
-        double planeT = 0.0;
-    };
-    [[nodiscard]] Alone traceAlone(std::uint32_t instance, std::uint32_t id, const Ray& ray) const;
-
 private:
     struct Triangle {
         Vec3 a{0.0}, ab{0.0}, ac{0.0};

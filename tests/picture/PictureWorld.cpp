@@ -1,5 +1,7 @@
 #include "picture/PictureWorld.h"
 
+#include "check/SampledComparison.h"
+#include "frame/IdColour.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
 #include "gpu/DebugOutput.h"
@@ -9,8 +11,10 @@
 #include "world/Loader.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -189,11 +193,35 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
     for (const gpu::LayerSum& layers : picture.layers) {
         drawn.layers.push_back({layers.count, layers.hash});
     }
-    reference::tracePicture(traced_->scene(), camera, 2, tracedPicture_);
     check::ViewRetracer retracer(*traced_, camera);
     check::Comparison comparison;
+    if (!picture.samples.empty()) {
+        drawn.colour = picture.colour;
+        drawn.samples = picture.samples;
+        std::vector<reference::Picture> traced(drawn.samples.size());
+        for (std::size_t s = 0; s < traced.size(); ++s) {
+            reference::tracePicture(traced_->scene(), camera, 2, traced[s], Vec2(drawn.samples[s]));
+        }
+        check::compareSampled(drawn, traced, frame::colourOfId, retracer, comparison);
+        return comparison;
+    }
+    reference::tracePicture(traced_->scene(), camera, 2, tracedPicture_);
     check::compare(drawn, tracedPicture_, retracer, comparison);
     return comparison;
+}
+
+void SampledTally::judge(PictureWorld& pictures, const frame::FrameView& frame) {
+    const Picture picture = pictures.shootSampled(frame);
+    const check::Comparison c = pictures.judge(picture);
+    EXPECT_EQ(c.findings(), 0u) << c.count(check::Verdict::EdgeOn) << " of them of hidden polygons";
+    pixels += c.verdicts.size();
+    slivers += c.count(check::Verdict::Sliver);
+    std::map<std::array<std::uint8_t, 3>, std::size_t> colours;
+    for (std::size_t i = 0; i < picture.colour.size(); i += 4) {
+        ++colours[{picture.colour[i], picture.colour[i + 1], picture.colour[i + 2]}];
+    }
+    mixed += static_cast<std::size_t>(
+        std::count_if(colours.begin(), colours.end(), [](const auto& colour) { return colour.second == 1; }));
 }
 
 Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options) {

@@ -76,7 +76,7 @@ public:
     /// Only up to the plan: no driver.
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
-    /// Holds a picture against the reference: the same judgement as `limen check`.
+    /// Holds a picture against the reference: the same judgement as `limen check`, of one by shootSampled that with --msaa.
     [[nodiscard]] check::Comparison judge(const Picture& picture);
     /// What the driver calls its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string driverVersion() const;
@@ -106,6 +106,13 @@ private:
     visibility::FloodScratch scratch_;
     struct Drawing;
     std::unique_ptr<Drawing> drawing_;
+};
+
+/// Multisampled pictures, each judged; a finding fails the test.
+struct SampledTally {
+    std::size_t pixels = 0, slivers = 0;
+    std::size_t mixed = 0; ///< colours that a single pixel of a picture has: means of several ids
+    void judge(PictureWorld& pictures, const frame::FrameView& frame);
 };
 
 } // namespace limen::test
