@@ -91,6 +91,8 @@ void Assembly::addShells(const BlockContent& block) {
                                    wholeObject(cell.id), cell.id);
         shell.firstMaterial = materials;
         shell.placedIn = spaceOf(i);
+        if (world_.zones[world_.spaces[spaceOf(i)].zone].spaceCount > 1)
+            arena_.tellNeighbours(shell.mesh);
         world_.spaces[spaceOf(i)].shell = static_cast<InstanceIndex>(world_.instances.size() - 1);
     }
 }

@@ -116,11 +116,14 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     world_.vertices.insert(world_.vertices.end(), data.vertices.begin(), data.vertices.end());
     const std::span<MeshVertex> own = std::span(world_.vertices).subspan(mesh.firstVertex);
     setFacets(own);
-    if (sourceOf(key) == MeshSource::Shell)
-        setNeighbours(own, data.polygonIds.size());
     world_.polygonIds.insert(world_.polygonIds.end(), data.polygonIds.begin(), data.polygonIds.end());
     world_.meshes.push_back(mesh);
     return static_cast<std::uint32_t>(world_.meshes.size() - 1);
+}
+
+void MeshArena::tellNeighbours(std::uint32_t shell) {
+    const Mesh& mesh = world_.meshes[shell];
+    setNeighbours(std::span(world_.vertices).subspan(mesh.firstVertex, mesh.vertexCount), mesh.polygonCount);
 }
 
 std::uint32_t MeshArena::shared(const PartMesh& part) {

@@ -12,6 +12,9 @@ public:
 
     /// Yields the mesh's index.
     std::uint32_t add(const MeshData& data, std::uint64_t contentKey);
+    /// Tells each triangle of a shell the walls beyond its edges (MeshVertex::neighbour). Needed in zones of several cells, where
+    /// depth alone decides between a wall and what another cell has behind it.
+    void tellNeighbours(std::uint32_t shell);
     /// The mesh of a GfxObj, shared by everything that uses it.
     std::uint32_t shared(const PartMesh& part);
 
@@ -26,10 +29,6 @@ enum class MeshSource : std::uint64_t { GfxObj, Shell, Terrain, Exterior, Sky, F
                                                  std::uint32_t index = 0) {
     return static_cast<std::uint64_t>(source) << 60 | static_cast<std::uint64_t>(index & 0x0FFFFFFFu) << 32 |
            record;
-}
-
-[[nodiscard]] constexpr MeshSource sourceOf(std::uint64_t contentKey) {
-    return static_cast<MeshSource>(contentKey >> 60);
 }
 
 } // namespace limen::world
