@@ -231,7 +231,8 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("FILE");
     verb->add_flag("--json", options->json, "the result as one JSON object");
     addSessionOptions(*verb, options->session);
-    verb->footer("Exit codes: 0 every pixel is right, 1 some are not, 2 it could not be done.");
+    verb->footer("With --msaa 4 pictures are drawn flat by id and judged by colour, sample by sample.\n"
+                 "Exit codes: 0 every pixel is right, 1 some are not, 2 it could not be done.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runCheckVerb(*options, console); };
     });
