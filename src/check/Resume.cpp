@@ -11,13 +11,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 Json viewJson(const View& view) {
     return {{"kind", nameOf(view.kind)}, {"eye", {view.eye.x, view.eye.y, view.eye.z}},
             {"yaw", view.yaw},           {"pitch", view.pitch},
             {"fov", view.fov},           {"size", {view.width, view.height}},
-            {"root", view.root},         {"about", view.about}};
+            {"root", view.root},         {"about", view.about},
+            {"seconds", view.seconds},   {"doors", view.doors ? Json(*view.doors) : Json(nullptr)},
+            {"rain", view.rain}};
 }
 
 View viewOf(const Json& json) {
@@ -32,6 +34,10 @@ View viewOf(const Json& json) {
     view.height = json.at("size").at(1).get<std::uint32_t>();
     view.root = json.at("root").get<dat::RecordId>();
     view.about = json.at("about").get<std::string>();
+    view.seconds = json.at("seconds").get<double>();
+    if (const Json& doors = json.at("doors"); !doors.is_null())
+        view.doors = doors.get<double>();
+    view.rain = json.at("rain").get<bool>();
     return view;
 }
 

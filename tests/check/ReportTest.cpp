@@ -110,6 +110,11 @@ TEST(Report, textNamesEveryCategoryAndTheCommands) {
 TEST(Resume, aStateComesBackAsItWas) {
     Progress progress{"this run", 3, 17, someTotals()};
     progress.totals.blocksLeftOut = 2;
+    ASSERT_FALSE(progress.totals.worst.empty());
+    View& worst = progress.totals.worst.front().view; // everything that its command names
+    worst.seconds = 12.5;
+    worst.doors = 0.25;
+    worst.rain = true;
     const auto back = parseProgress(progressJson(progress));
     ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(back->run, "this run");
@@ -119,7 +124,7 @@ TEST(Resume, aStateComesBackAsItWas) {
 }
 
 TEST(Resume, refusesWhatIsNoState) {
-    for (const char* text : {"", "{}", "[1,2]", "{\"limen_check\":1}", "{\"limen_check\":2,\"run\":\"\"}",
+    for (const char* text : {"", "{}", "[1,2]", "{\"limen_check\":1}", "{\"limen_check\":3,\"run\":\"\"}",
                              "{\"limen_check\":\"x\"}"})
         EXPECT_FALSE(parseProgress(text)) << text;
 }
