@@ -10,8 +10,8 @@
 // reference::Answer of a ray, `test` says whether an answer is what was looked for.
 namespace limen::check {
 
-/// Between the rays of the finest grid, and how many of them lie either side of the middle: it spans 1/128 of a pixel, twice
-/// what the rasteriser snaps corners to.
+/// Between the rays of the finest grid, and how many of them lie either side of the middle: it reaches 1/128 of a pixel each way,
+/// twice what the rasteriser snaps corners to.
 inline constexpr double kFinest = 1.0 / 2048.0;
 inline constexpr int kFinestReach = 16;
 /// Halvings of kFinest until two rays are 1e-13 of a pixel apart, which doubles hardly tell.
