@@ -59,12 +59,24 @@ TEST(WithoutOpenings, leavesExactlyTheRest) {
     EXPECT_TRUE(withoutOpenings(kSquare, std::vector<Polygon>{kSquare}).empty());
 }
 
+/// A cut goes through a corner that is within `kOnCut` of it, so an edge of a piece may be that far from the
+/// opening's, all along, and no farther: 1.5e-5 m2 for the seeds 6271 and 7731.
 RC_GTEST_PROP(WithoutOpenings, keepsTheAreaForRoundOpenings, (std::uint32_t seed)) {
     Random random(seed);
     const Polygon opening = roundOpening(kSquare, random);
     RC_ASSERT(opening.size() >= 3u && opening.size() <= 12u);
+    double outline = 0.0;
+    for (std::size_t i = 0; i < opening.size(); ++i) {
+        outline += glm::length(opening[(i + 1) % opening.size()] - opening[i]);
+    }
     const std::vector<Polygon> pieces = withoutOpenings(kSquare, std::vector<Polygon>{opening});
-    RC_ASSERT(std::abs(areaOfAll(pieces) + areaOf(opening) - 16.0) < 1e-6);
+    RC_ASSERT(std::abs(areaOfAll(pieces) + areaOf(opening) - 16.0) < kOnCut * outline);
+    for (const Polygon& piece : pieces) {
+        RC_ASSERT(areaOf(commonPart(piece, opening, {0, 0, 1})) < kOnCut * outline);
+        for (const Vec3& corner : piece) {
+            RC_ASSERT(edgeDistance(opening, corner) < kOnCut);
+        }
+    }
 }
 
 double volumeOf(const Solid& solid) {
