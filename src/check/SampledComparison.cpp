@@ -3,6 +3,9 @@
 #include "core/Assert.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -11,9 +14,10 @@ namespace limen::check {
 
 namespace {
 
-/// Pixels: how far from a sample the rasteriser's rounding may move an edge, and the grid of rays within that.
-constexpr double kReach = 1.0 / 128.0;
-constexpr int kSteps = 2; ///< to each side
+/// Pixels from a sample to the rays that are tried around it, ring by ring: edges are decided in floats, by corners that are
+/// rounded to some 1e-5 of a pixel, and what is seen there may be far narrower than that.
+constexpr std::array<double, 4> kRings{1e-7, 1e-6, 1e-5, 1e-4};
+constexpr int kSpokes = 16;
 /// Of 255: what rounding the mean of the samples' colours may differ by.
 constexpr int kRounding = 1;
 /// Ids tried for one sample; more than that meet in no pixel that is not noise.
@@ -46,7 +50,6 @@ public:
         if (!mayLookAgain)
             return Verdict::Disagrees;
         lookAround([&](double x, double y) { return retracer_.exact(x, y).id; });
-        lookForTies();
         if (isExplained())
             return Verdict::Sliver;
         lookAround([&](double x, double y) { return retracer_.byZone(x, y).id; });
@@ -92,28 +95,14 @@ private:
 
     template <class Trace>
     void lookAround(Trace trace) {
-        for (std::size_t s = 0; s < ids_.size(); ++s) {
-            for (int dy = -kSteps; dy <= kSteps; ++dy) {
-                for (int dx = -kSteps; dx <= kSteps; ++dx)
-                    addOnce(ids_[s], trace(x_ + double{drawn_.samples[s].x} + dx * kReach / kSteps,
-                                           y_ + double{drawn_.samples[s].y} + dy * kReach / kSteps));
+        for (const double ring : kRings) {
+            for (int i = 0; i < kSpokes; ++i) {
+                const double turn = 2.0 * std::numbers::pi * i / kSpokes;
+                for (std::size_t s = 0; s < ids_.size(); ++s)
+                    addOnce(ids_[s], trace(x_ + double{drawn_.samples[s].x} + ring * std::cos(turn),
+                                           y_ + double{drawn_.samples[s].y} + ring * std::sin(turn)));
             }
         }
-    }
-
-    /// Polygons that are seen in the 3×3 pixels.
-    void lookForTies() {
-        Ids around;
-        for (const reference::Picture& picture : traced_) {
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const std::uint32_t id = picture.at(x_ + dx, y_ + dy).id;
-                    if (id > 1 && std::find(around.begin(), around.end(), id) == around.end())
-                        around.push_back(id);
-                }
-            }
-        }
-        addTied(around);
     }
 
     /// Any polygon near the pixel's rays.

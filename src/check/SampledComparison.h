@@ -9,14 +9,11 @@ using IdColour = std::array<std::uint8_t, 3> (*)(std::uint32_t id);
 
 /// Holds a multisampled picture, shaded flat by id, against pictures traced through each of its samples.
 ///
-/// A pixel agrees if its colour is the mean of the colours of what the rays through its samples meet. Whoever draws without
-/// exact outlines lets the rasteriser decide, by corners that it has snapped to 1/256 of a pixel: an edge may then pass on the
-/// other side of a sample that it comes within 1/128 of a pixel of, and depths that tie there fall either way. So
-/// a pixel is a *sliver* if its colour is a mean of
-/// ids of which each is met within 1/128 of a pixel of its sample, or belongs to a polygon that is seen in the 3×3 pixels,
-/// reaches so near the sample and lies no farther there than what the sample's ray meets. It is *edge_on*, and so wrong, if
-/// such a polygon is seen nowhere around. Colours are compared to within the rounding of a mean; where all rays meet the same,
-/// exactly.
+/// A pixel agrees if its colour is the mean of the colours of what the rays through its samples meet. It is a *sliver* if its
+/// colour is a mean of ids of which each is met within 1e-4 of a pixel of its sample: pictures are drawn with exact outlines,
+/// whose corners are rounded by less. It is *edge_on*, and so wrong, if it takes a polygon that is met nowhere there, but
+/// passes within 1/128 of a pixel of a sample and lies no farther there than what the sample's ray meets. Colours are compared
+/// to within the rounding of a mean; where all rays meet the same, exactly.
 ///
 /// `traced`: by sample, in the order of drawn.samples, of the drawn size. `result` is overwritten.
 void compareSampled(const DrawnImages& drawn, std::span<const reference::Picture> traced, IdColour colourOf,
