@@ -1,5 +1,8 @@
 #include "picture/MechanismScenes.h"
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
 namespace limen::test {
 namespace {
 
@@ -200,6 +203,21 @@ NamedView boardsBehindAPanel() {
     view.eye = {4.512, 2.759, 1.50030269134281};
     view.yaw = 6.813;
     view.pitch = -12.839137610360035;
+    return view;
+}
+
+NamedView eavesBehindAnEdge() {
+    NamedView view;
+    TestWorld& world = view.world;
+    const auto hall = world.addBox({0, 0, 0}, {100, 120, 40}, "grey");
+    const Wall front{{{-30, 0, -7}, {30, 0, -7}, {30, 0, 0}, {-30, 0, 0}}, "pine"};
+    const Wall eaves{{{-30, 0, 0}, {-30, 6, 0}, {30, 6, 0}, {30, 0, 0}}, "oak"};
+    world.addStatic(hall, world.addModel({front, eaves}), frameAt({50, 60, 9}));
+    view.root = hall;
+    view.eye = {50, 10, 4};
+    // The edge, 50 m away and 5 m up, passes through the middles of a row of pixels, 4.5 above the middle of the picture.
+    const double perPixel = std::tan(glm::radians(view.fov / 2)) / (view.height / 2.0);
+    view.pitch = glm::degrees(std::atan(5.0 / 50.0) - std::atan(4.5 * perPixel));
     return view;
 }
 

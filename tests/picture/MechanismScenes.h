@@ -34,6 +34,8 @@ struct NamedView {
 [[nodiscard]] NamedView boardThroughAShutDoor(); ///< it pokes 0.15 mm through
 [[nodiscard]] NamedView twoWindowsOnAMeadow();   ///< a tree for each, seen through one of them only
 [[nodiscard]] NamedView boardsBehindAPanel(); ///< shelf boards at eye level, hidden by the panel before them
-[[nodiscard]] NamedView barsInAnOpening();    ///< a room's grating that stands 0.1 mm out of its opening
+[[nodiscard]] NamedView
+eavesBehindAnEdge(); ///< seen from below, hidden by the wall whose upper edge they share
+[[nodiscard]] NamedView barsInAnOpening(); ///< a room's grating that stands 0.1 mm out of its opening
 
 } // namespace limen::test

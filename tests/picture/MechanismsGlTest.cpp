@@ -143,6 +143,10 @@ TEST(Mechanisms, exactOutlines) {
     expectNeeded(boardsBehindAPanel, off, 63);
 }
 
+TEST(Mechanisms, depthInwards) {
+    expectNeeded(eavesBehindAnEdge, withoutShaderPart("LIMEN_WITHOUT_DEPTH_INWARDS"), 17);
+}
+
 TEST(Mechanisms, gateTolerance) {
     expectNeeded(barsInAnOpening, withoutShaderPart("LIMEN_WITHOUT_GATE_TOLERANCE"), 816);
 }
