@@ -99,21 +99,6 @@ bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, co
     return image.rgba[texel * 4 + 3] < 128; // 127 of 255 is the last below one half
 }
 
-void TriangleSet::findNearest(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
-                              const Stretch& stretch, Nearest& nearest) const {
-    double farthest = std::min(stretch.most, nearest.t);
-    tree_.walk(boxRay, stretch.after, farthest, [&](std::uint32_t first, std::uint32_t count) {
-        for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
-            Meeting at;
-            if (meetsFront(ray, triangle, at) && at.t > stretch.after && at.t >= stretch.least &&
-                at.t <= farthest && !isHole(world, triangle, at)) {
-                nearest.take(at.t, triangle.id);
-                farthest = std::min(farthest, nearest.t);
-            }
-        }
-    });
-}
-
 void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
                                    const Stretch& stretch, double margin, Nearest& nearest) const {
     const double farthest = std::min(stretch.most, nearest.t);
