@@ -7,6 +7,8 @@ namespace limen::reference {
 namespace {
 
 constexpr std::size_t kAxis = 4; ///< among the planes that boxes are tested with
+/// What lies less ahead than this share of its distance has no place in the tile that is good enough.
+constexpr double kAhead = 1e-3;
 constexpr double kLast = Tile::kSide - 1;
 
 double sumOf(const Vec3& v) {
@@ -27,6 +29,8 @@ Pyramid::Pyramid(const Tile& tile, const Vec3& origin)
     // Corners carry some four roundings of 2^-53 each, times at most this factor; an edge's value at a pixel is a sum of
     // six products of two of them, times at most 7. RayFrame's own roundings are fewer. 2^-42 is sixteen times all that.
     const double factor = std::max({sumOf(column_), sumOf(row_), 1.0});
+    // A corner's roundings and those of the ray's direction, through its depth, which is at least kAhead of its reach.
+    blur_ = 0x1p-48 * factor / kAhead;
     rounding_ = 0x1p-42 * factor * factor;
 
     const double lastX = firstX + kLast * stepX, lastY = firstY + kLast * stepY;
@@ -73,6 +77,33 @@ int Pyramid::meetsBoxes(const float (&sides)[2][3][4], float (&least)[4]) const 
     _mm_storeu_ps(least,
                   _mm_mul_ps(extreme(planes_[kAxis], false), _mm_set1_ps(static_cast<float>(1.0 - slack_))));
     return _mm_movemask_ps(_mm_cmpge_ps(inmost, _mm_setzero_ps()));
+}
+
+PixelMask Pyramid::pixelsOf(const Box& box) const {
+    double left = kLast, right = 0.0, top = kLast, bottom = 0.0;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const auto side = [&](std::size_t axis) {
+            return corner >> axis & 1 ? box.max[axis] : box.min[axis];
+        };
+        const Corner at = cornerOf(Vec3(side(0), side(1), side(2)));
+        if (at.z <= kAhead * at.reach)
+            return ~PixelMask{0}; // not all of it lies ahead
+        left = std::min(left, at.x / at.z);
+        right = std::max(right, at.x / at.z);
+        top = std::min(top, at.y / at.z);
+        bottom = std::max(bottom, at.y / at.z);
+    }
+    const auto first = [&](double least) { return std::max(std::ceil(least - blur_), 0.0); };
+    const auto last = [&](double most) { return std::min(std::floor(most + blur_), kLast); };
+    PixelMask pixels = 0;
+    const double begin = first(left), end = last(right);
+    if (begin > end)
+        return 0;
+    const auto row = ((PixelMask{2} << static_cast<unsigned>(end)) - 1) >>
+                     static_cast<unsigned>(begin) << static_cast<unsigned>(begin);
+    for (double y = first(top); y <= last(bottom); ++y)
+        pixels |= row << (Tile::kSide * static_cast<unsigned>(y));
+    return pixels;
 }
 
 bool Pyramid::mayMeet(std::span<const Vec3> points, double margin) const {

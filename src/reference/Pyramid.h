@@ -33,6 +33,9 @@ public:
     /// no ray meets anything in box i before it.
     [[nodiscard]] int meetsBoxes(const float (&sides)[2][3][4], float (&least)[4]) const;
 
+    /// The rays that may meet a box.
+    [[nodiscard]] PixelMask pixelsOf(const Box& box) const;
+
     /// False if no ray comes within `margin` metres of the points' convex hull.
     [[nodiscard]] bool mayMeet(std::span<const Vec3> points, double margin) const;
 
@@ -60,6 +63,7 @@ private:
     Vec3 column_, row_, forward_; ///< scalar products with them give Corner's x, y, z
     double hand_ = 1.0;           ///< -1 for a camera that sees a mirror image
     double rounding_ = 0.0;       ///< of an edge's values, for corners with a reach of 1 metre
+    double blur_ = 0.0;           ///< pixels that a point's place in the tile may be off by
     double slack_ = 0.0;          ///< share of a depth that float arithmetic may be off by
     std::array<Vec3, 4> sides_;   ///< inward normals of the planes around the rays, not of length 1
     std::array<std::array<float, 3>, 5> planes_{}; ///< the sides, and the axis, as boxes are tested

@@ -3,9 +3,15 @@
 #include "core/Assert.h"
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 
 namespace limen::reference {
 namespace {
+
+/// Rays look for their own triangles in a body that has more than this many for each pixel it may cover: to test one
+/// against the whole tile costs a third of a ray's walk.
+constexpr std::size_t kFew = 3;
 
 constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b.least; };
 
@@ -71,6 +77,17 @@ void TileSurfaces::openBody(const Pending& leaf, std::uint32_t body) {
     root.place = leaf.place;
     root.isFilling = bodies.isFilling(body);
     root.set = kind_ == Kind::Solid ? &surfaces.solid : &surfaces.blended;
+    const std::size_t triangles = root.set->triangles().size();
+    if (triangles > kFew) {
+        const PixelMask pixels = pyramid_->pixelsOf(root.set->box());
+        if (triangles > kFew * static_cast<std::size_t>(std::popcount(pixels))) {
+            if (pixels != 0)
+                add({root.least, root.isFilling, root.least, std::numeric_limits<double>::infinity(),
+                     root.set},
+                    pixels);
+            return;
+        }
+    }
     open(root.set->tree(), root);
 }
 

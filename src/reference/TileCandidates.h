@@ -19,8 +19,16 @@ public:
     /// Begins anew; keeps its capacity. `pyramid` must stay as it is.
     void begin(const SceneData& scene, const Pyramid& pyramid, world::SpaceIndex space, Kind kind);
 
-    /// Calls visit(set, triangle, isFilling) for what the ray of a pixel may meet after `after`, not beyond `farthest`,
-    /// which `visit` may lower; roughly from near to far. Fillings come first, however far.
+    /// A triangle, or a whole body's whose triangles are so small that each ray had better find its own.
+    struct Found {
+        float least = 0.0f; ///< nothing that follows is met before
+        bool isFilling = false;
+        double from = 0.0, to = 0.0; ///< it is met between these
+        const TriangleSet* set = nullptr;
+        const Triangle* triangle = nullptr; ///< null: all of the set
+    };
+    /// Calls visit(found) for what the ray of a pixel may meet after `after`, not beyond `farthest`, which `visit` may
+    /// lower; roughly from near to far. Fillings are visited however far they lie.
     template <class Visit>
     void walk(std::uint32_t pixel, double after, const double& farthest, Visit&& visit);
 
@@ -32,13 +40,6 @@ private:
         std::uint16_t place = 0;
         bool isFilling = false;
         const TriangleSet* set = nullptr; ///< null: bodies
-    };
-    struct Found {
-        float least = 0.0f; ///< nothing that follows is met before
-        bool isFilling = false;
-        double from = 0.0, to = 0.0; ///< it is met between these
-        const TriangleSet* set = nullptr;
-        const Triangle* triangle = nullptr;
     };
     struct Place {
         const Bodies* bodies = nullptr;
@@ -101,7 +102,7 @@ void TileSurfaces::walk(std::uint32_t pixel, double after, const double& farthes
             if (static_cast<double>(found.least) > farthest)
                 return;
             if (found.to >= after && (found.from <= farthest || found.isFilling))
-                visit(*found.set, *found.triangle, found.isFilling);
+                visit(found);
         }
     } while (gather(farthest));
 }

@@ -68,6 +68,9 @@ void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
         triangles_[i] = scratch.triangles[grouping.order[i]];
     boxAll();
     tree_.fit(grouping.tree, scratch.boxes);
+    box_ = {};
+    for (const Box& box : scratch.boxes)
+        box_.include(box);
     planes_.clear();
     for (const Triangle& triangle : triangles_) {
         const Vec3 corners[] = {triangle.a, triangle.b, triangle.c};

@@ -81,6 +81,7 @@ public:
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
 
+    [[nodiscard]] const Box& box() const { return box_; }
     [[nodiscard]] const Hierarchy& tree() const { return tree_; }
 
     /// Calls visit(triangle) for those that the ray may meet, as Hierarchy::walk calls its leaf.
@@ -105,6 +106,7 @@ private:
     std::vector<Plane> planes_; ///< by triangle, for findNearestGrown
     std::vector<CutOut> cutOuts_;
     Hierarchy tree_;
+    Box box_;
 };
 
 } // namespace limen::reference
