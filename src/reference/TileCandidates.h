@@ -98,7 +98,7 @@ void TileSurfaces::walk(std::uint32_t pixel, double after, const double& farthes
                 continue;
             }
             next += static_cast<std::size_t>(__builtin_ctzll(rest));
-            const Found found = found_[next++];
+            const Found& found = found_[next++];
             if (static_cast<double>(found.least) > farthest)
                 return;
             if (found.to >= after && (found.from <= farthest || found.isFilling))
