@@ -74,8 +74,8 @@ int Pyramid::meetsBoxes(const float (&sides)[2][3][4], float (&least)[4]) const 
     for (std::size_t side = 1; side < kAxis; ++side)
         inmost = _mm_min_ps(inmost, extreme(planes_[side], true));
     inmost = _mm_min_ps(inmost, extreme(planes_[kAxis], true)); // not all of it behind the eye
-    _mm_storeu_ps(least,
-                  _mm_mul_ps(extreme(planes_[kAxis], false), _mm_set1_ps(static_cast<float>(1.0 - slack_))));
+    _mm_storeu_ps(least, _mm_mul_ps(extreme(planes_[kAxis], false),
+                                    _mm_set1_ps(static_cast<float>(std::max(1.0 - slack_, 0.0)))));
     return _mm_movemask_ps(_mm_cmpge_ps(inmost, _mm_setzero_ps()));
 }
 

@@ -26,7 +26,8 @@ using PixelMask = std::uint64_t;
 /// towards "may be met": what any of the rays in double meets passes for certain, so that no answer depends on it.
 class Pyramid {
 public:
-    /// `origin` is the scene's; the camera's axes must be orthonormal to one part in a million.
+    /// `origin` is the scene's; the camera's axes must be orthonormal to one part in a million, its
+    /// tangents greater than 0.
     Pyramid(const Tile& tile, const Vec3& origin);
 
     /// Which of four boxes ([0] least, [1] greatest; by axis; by box) the rays may meet, as bits. least[i] is a bound:
