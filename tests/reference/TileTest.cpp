@@ -5,6 +5,7 @@
 
 #include "demo/Demo.h"
 #include "motion/Moments.h"
+#include "reference/MomentBuilder.h"
 #include "reference/TracedWorld.h"
 #include "world/Places.h"
 
@@ -196,6 +197,31 @@ TEST(Tile, everyAnswerIsThatOfItsRayInTheTourOfTheBuiltInWorld) {
     }
     EXPECT_GT(views, 3u);
     EXPECT_EQ(seen.wrong, 0u) << seen.first;
+}
+
+TEST(Tile, aPaneInAShutOpeningCountsThoughABoardLiesATenthOfAMillimetreBeforeIt) {
+    TwoRooms rooms;
+    rooms.world.solid("glass", 0x80FFFFFFu, dat::Surface::kTranslucent, 0.5f);
+    const auto store = rooms.world.addBox({100, 100, 10}, {110, 110, 14});
+    const std::uint32_t pane = rooms.world.addModel({panel(0.4, "glass", false)});
+    const std::uint32_t board = rooms.world.addModel({panel(0.25, "pink", false)});
+    rooms.world.addStatic(store, pane, frameAt({103, 102, 12}));
+    rooms.world.addStatic(rooms.west, board, frameAt({3.9999, 2, 11}));
+    TracedWorld traced(rooms.world);
+    const world::SpaceIndex west = traced.space(rooms.world.id(rooms.west)),
+                            east = traced.space(rooms.world.id(rooms.east));
+    MomentBuilder moment(traced.world());
+    moment.add(staticOf(traced.world(), pane), {4, 2, 11}, {west, east}, world::Kind::Filling);
+    moment.shut(traced.world().spaces[west].firstPortal);
+    const world::Moment shut = moment.build();
+    traced.scene().setMoment(shut);
+    Seen seen;
+    const Camera camera = looking(traced.origin() + Vec3(1, 2, 11), {1, 0, 0}, 0.0, 0.1, west);
+    compare(traced.scene(), traced.world(), shut, camera, Vec2(0.0), seen);
+    EXPECT_EQ(seen.wrong, 0u) << seen.first;
+    reference::Picture picture;
+    reference::tracePicture(traced.scene(), camera, 1, picture);
+    EXPECT_EQ(picture.at(21, 10).layers.count, 1u) << "where the board is";
 }
 
 TEST(Tile, everyAnswerIsThatOfItsRayInGeneratedComplexes) {
