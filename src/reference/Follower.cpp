@@ -13,69 +13,51 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 } // namespace
 
 Follower::Follower(const SceneData& scene, const Ray& ray)
-    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), boxRay_(ray_.eye, ray.direction, 0.0),
+    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), candidates_(scene, ray_),
       nearPlane_(ray.nearPlane) {}
 
-template <class Do>
-void Follower::forPlaces(world::SpaceIndex space, Do&& act) const {
-    act(scene_.fixed, scene_.fixedBySpace.at(space));
-    if (!scene_.movingBySpace.empty())
-        act(scene_.moving, scene_.movingBySpace.at(space));
-    if (scene_.options.objectsByZone) {
-        const world::ZoneIndex zone = scene_.world.spaces[space].zone;
-        act(scene_.fixed, scene_.fixedByZone.at(zone));
-        act(scene_.moving, scene_.movingByZone.at(zone));
-    }
-}
-
-template <class Meet>
-void Follower::forSolids(world::SpaceIndex space, const BoxRay& boxRay, const Stretch& stretch,
-                         Meet&& meet) const {
-    forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-        double farthest = std::min(stretch.most, nearest_.t);
-        place.solid.walk(boxRay, stretch.after, farthest, [&](std::uint32_t body) {
-            meet(bodies.surfacesOf(body).solid);
-            farthest = std::min(farthest, nearest_.t);
-        });
-    });
-}
+Follower::Follower(const SceneData& scene, const Ray& ray, TileCandidates& tile, std::uint32_t pixel)
+    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), candidates_(scene, ray_, tile, pixel),
+      nearPlane_(ray.nearPlane) {}
 
 Leaving Follower::leavingFrom(const Visit& visit) const {
     return {visit.space, visit.after, visit.cameBy, nearPlane_, scene_.shut, notAgain_};
 }
 
-Exit Follower::exitOf(const Visit& visit) const {
-    return scene_.openings.nearest(ray_, boxRay_, leavingFrom(visit));
-}
-
 void Follower::meetSurfaces(const Visit& visit, double most) {
     const Stretch stretch{visit.surfacesAfter, nearPlane_, most};
-    forSolids(visit.space, boxRay_, stretch, [&](const TriangleSet& solid) {
-        solid.findNearest(scene_.world, ray_, boxRay_, stretch, nearest_);
-    });
-    forPlaces(visit.space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-        place.blended.walk(boxRay_, stretch.after, stretch.most, [&](std::uint32_t body) {
-            meetLayers(bodies.surfacesOf(body).blended, bodies.isFilling(body), stretch);
-        });
-    });
+    double farthest = std::min(most, nearest_.t);
+    candidates_.forSolids(visit.space, stretch.after, farthest,
+                          [&](const TriangleSet& set, const Triangle& triangle) {
+                              Meeting at;
+                              if (meetsFront(ray_, triangle, at) && stretch.holds(at.t) && at.t <= farthest &&
+                                  !set.isHole(scene_.world, triangle, at)) {
+                                  nearest_.take(at.t, triangle.id);
+                                  farthest = std::min(farthest, nearest_.t);
+                              }
+                          });
+    candidates_.forBlended(visit.space, stretch.after, most, nearest_.t,
+                           [&](const Triangle& triangle, bool isFilling) {
+                               Meeting at;
+                               if (meetsFront(ray_, triangle, at) && stretch.holds(at.t))
+                                   meetLayer(triangle, isFilling, at.t);
+                           });
 }
 
 /// Of what lies in a portal's plane the filling is met first, so a pane counts from the tolerance before it on.
-void Follower::meetLayers(const TriangleSet& blended, bool isFilling, const Stretch& stretch) {
-    blended.findAll(ray_, boxRay_, stretch, [&](const Triangle& triangle, double t) {
-        if (isFilling) {
-            const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-            t -= kTolerance * glm::length(normal) / std::abs(glm::dot(normal, ray_.direction));
-        }
-        if (t > nearest_.t)
-            return;
-        const auto known =
-            std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == triangle.id; });
-        if (known == layers_.end())
-            layers_.push_back({triangle.id, t});
-        else
-            known->t = std::min(known->t, t);
-    });
+void Follower::meetLayer(const Triangle& triangle, bool isFilling, double t) {
+    if (isFilling) {
+        const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+        t -= kTolerance * glm::length(normal) / std::abs(glm::dot(normal, ray_.direction));
+    }
+    if (t > nearest_.t)
+        return;
+    const auto known =
+        std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == triangle.id; });
+    if (known == layers_.end())
+        layers_.push_back({triangle.id, t});
+    else
+        known->t = std::min(known->t, t);
 }
 
 /// A closed filling makes its whole portal a surface: its triangle that the ray meets, else the polygon of it that faces
@@ -113,8 +95,13 @@ bool Follower::closeGap(const Visit& visit, Exit& exit) {
     const BoxRay wide(ray_.eye, ray_.direction, kTolerance);
     exit = scene_.openings.nearestGrown(ray_, wide, leavingFrom(visit));
     const Stretch stretch{visit.surfacesAfter, nearPlane_, exit.found() ? exit.t : kInfinity};
-    forSolids(visit.space, wide, stretch, [&](const TriangleSet& solid) {
-        solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);
+    double farthest = stretch.most;
+    scene_.forPlaces(visit.space, [&](const Bodies& bodies, const BodyLists::Place& place) {
+        place.solid.walk(wide, stretch.after, farthest, [&](std::uint32_t body) {
+            const TriangleSet& solid = bodies.surfacesOf(body).solid;
+            solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);
+            farthest = std::min(farthest, nearest_.t);
+        });
     });
     if (nearest_.id != 0)
         exit = {};
@@ -144,7 +131,7 @@ Answer Follower::follow(world::SpaceIndex root) {
         LIMEN_ASSERT(answer.spacesVisited < limit, "a straight ray crosses every portal's plane once");
         ++answer.spacesVisited;
         answer.reachedOutside = answer.reachedOutside || visit.space == world::kOutside;
-        Exit exit = exitOf(visit);
+        Exit exit = candidates_.exitOf(leavingFrom(visit));
         meetSurfaces(visit, exit.found() ? exit.beyond : kInfinity);
         bool slipped = false;
         if (!exit.found() && nearest_.id == 0 && visit.space != world::kOutside)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/SceneData.h"
+#include "reference/Candidates.h"
 
 #include "core/SmallVec.h"
 
@@ -9,7 +9,12 @@ namespace limen::reference {
 /// Follows one ray from space to space: the ray rule itself. Made for one ray and dropped after it.
 class Follower {
 public:
+    /// A ray by itself.
     Follower(const SceneData& scene, const Ray& ray);
+    /// The ray of a tile's pixel (column + 8 · row), with what the tile has gathered. The same answer.
+    Follower(const SceneData& scene, const Ray& ray, TileCandidates& tile, std::uint32_t pixel);
+    Follower(const Follower&) = delete; // candidates_ refers to ray_
+    Follower& operator=(const Follower&) = delete;
     [[nodiscard]] Answer follow(world::SpaceIndex root);
 
 private:
@@ -24,10 +29,9 @@ private:
         double surfacesAfter = 0.0;               ///< surfaces may lie a little before the entry
         world::PortalIndex cameBy = world::kNone; ///< kNone: the root
     };
-    [[nodiscard]] Exit exitOf(const Visit& visit) const;
     [[nodiscard]] Leaving leavingFrom(const Visit& visit) const;
     void meetSurfaces(const Visit& visit, double most);
-    void meetLayers(const TriangleSet& blended, bool isFilling, const Stretch& stretch);
+    void meetLayer(const Triangle& triangle, bool isFilling, double t);
     [[nodiscard]] bool closeGap(const Visit& visit, Exit& exit);
     void meetFilling(const Exit& exit);
     [[nodiscard]] bool isShut(world::PortalIndex portal) const {
@@ -35,17 +39,9 @@ private:
     }
     [[nodiscard]] Layers layersBefore(double end) const;
 
-    /// Calls act(bodies, place) for all that a ray can meet in the space.
-    template <class Do>
-    void forPlaces(world::SpaceIndex space, Do&& act) const;
-    /// Calls meet(triangles) for those of the space's bodies that the ray may meet in the stretch, not beyond the nearest
-    /// surface, roughly from near to far.
-    template <class Meet>
-    void forSolids(world::SpaceIndex space, const BoxRay& boxRay, const Stretch& stretch, Meet&& meet) const;
-
     const SceneData& scene_;
     RayFrame ray_;
-    BoxRay boxRay_;
+    Candidates candidates_;
     double nearPlane_;
     Nearest nearest_;
     double end_ = std::numeric_limits<double>::infinity(); ///< layers at most here

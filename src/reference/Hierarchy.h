@@ -64,6 +64,19 @@ public:
     template <class Leaf>
     void walk(const BoxRay& ray, double nearest, const double& farthest, Leaf&& leaf) const;
 
+    /// One step of a walk of another kind. test(sides, least) says which of the node's four boxes count, as bits, and sets
+    /// a number for each; visit(child, count, least) is called for those that do. A count of 0: `child` is a node again,
+    /// else the first of a leaf's things. The root is node 0; there must be one.
+    template <class Test, class Visit>
+    void open(std::uint32_t node, Test&& test, Visit&& visit) const {
+        const Node& opened = nodes_[node];
+        alignas(16) float least[kWidth];
+        for (int met = test(opened.sides, least); met != 0; met &= met - 1) {
+            const auto i = static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(met)));
+            visit(opened.child[i], opened.count[i], least[i]);
+        }
+    }
+
 private:
     static constexpr std::uint32_t kWidth = 4;
     /// From this depth on ranges are halved, so that no data makes a hierarchy deeper than kMaxDepth.

@@ -1,6 +1,7 @@
 #include "reference/Openings.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "reference/Pyramid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,18 +112,12 @@ Openings::Openings(const world::World& world, const Vec3& origin) : world_(world
 }
 
 template <class Offer>
-void Openings::offerAll(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from,
-                        const double& farthest, Offer&& offer) const {
+void Openings::offerAll(const BoxRay& boxRay, const Leaving& from, const double& farthest,
+                        Offer&& offer) const {
     const SpaceOpenings& here = spaces_[from.space];
-    const world::PortalIndex back =
-        from.cameBy == world::kNone ? world::kNone : world_.portals[from.cameBy].reciprocal;
     const auto offerRun = [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const world::PortalIndex portal = order_[here.first + i];
-            const double speed = glm::dot(openings_[portal].plane.n, ray.direction);
-            if (speed < 0.0 && portal != back)
-                offer(portal, openings_[portal], speed);
-        }
+        for (const world::PortalIndex portal : std::span(order_).subspan(here.first + first, count))
+            offer(portal);
     };
     if (here.tree.empty())
         offerRun(0, here.count);
@@ -130,12 +125,38 @@ void Openings::offerAll(const RayFrame& ray, const BoxRay& boxRay, const Leaving
         here.tree.walk(boxRay, 0.0, farthest, offerRun);
 }
 
+void Openings::gather(world::SpaceIndex space, const Pyramid& pyramid,
+                      std::vector<world::PortalIndex>& portals) const {
+    const SpaceOpenings& here = spaces_[space];
+    const auto gatherRun = [&](std::uint32_t first, std::uint32_t count) {
+        for (const world::PortalIndex portal : std::span(order_).subspan(here.first + first, count)) {
+            // An eye in its plane is within the tolerance of it.
+            if (pyramid.mayMeet(cornersOf(openings_[portal]), 2.0 * kTolerance) ||
+                pyramid.mayMeet(outlineOf(openings_[portal]), 2.0 * kTolerance))
+                portals.push_back(portal);
+        }
+    };
+    const auto open = [&](std::uint32_t node, const auto& self) -> void {
+        here.tree.open(
+            node, [&](const auto& sides, auto& least) { return pyramid.meetsBoxes(sides, least); },
+            [&](std::uint32_t child, std::uint32_t count, float) {
+                count > 0 ? gatherRun(child, count) : self(child, self);
+            });
+    };
+    here.tree.empty() ? gatherRun(0, here.count) : open(0, open);
+}
+
+double Openings::speedOut(world::PortalIndex portal, const RayFrame& ray, const Leaving& from) const {
+    if (from.cameBy != world::kNone && world_.portals[from.cameBy].reciprocal == portal)
+        return 0.0;
+    return std::max(-glm::dot(openings_[portal].plane.n, ray.direction), 0.0);
+}
+
 bool Openings::isOpenAt(const Opening& opening, const RayFrame& ray) const {
     // The outline is what the walls around it end at, to the bit; the corners alone are the polygon as it was meant.
     // Either counts: where a wall reaches into the corners' polygon it lies in its plane and is met from both sides.
     return meetsConvex(ray, cornersOf(opening)) ||
-           (opening.outlineCount > 0 &&
-            meetsOutline(ray, std::span(points_).subspan(opening.firstOutline, opening.outlineCount)));
+           (opening.outlineCount > 0 && meetsOutline(ray, outlineOf(opening)));
 }
 
 bool Openings::holdsEye(const Opening& opening, const Vec3& eye, double way) const {
@@ -144,32 +165,48 @@ bool Openings::holdsEye(const Opening& opening, const Vec3& eye, double way) con
            containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
 }
 
+void Openings::offer(world::PortalIndex i, const RayFrame& ray, const Leaving& from, Exit& exit) const {
+    const double speed = speedOut(i, ray, from);
+    if (!(speed > 0.0))
+        return;
+    const Opening& opening = openings_[i];
+    const double side = opening.plane.signedDistance(ray.eye);
+    const bool shut = !from.shut.empty() && from.shut[i] != 0;
+    // Nothing leaves through a shut one, so that it cannot hold the eye either.
+    const bool inPlane =
+        from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i);
+    const double at = inPlane ? 0.0 : side / speed;
+    if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
+        return;
+    if (at > exit.t || (at == exit.t && i > exit.portal) || (!inPlane && !isOpenAt(opening, ray)))
+        return;
+    exit.portal = i;
+    exit.t = at;
+    setBand(exit, side / speed, speed);
+}
+
 Exit Openings::nearest(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const {
     Exit exit;
-    offerAll(ray, boxRay, from, exit.t, [&](world::PortalIndex i, const Opening& opening, double speed) {
-        const double side = opening.plane.signedDistance(ray.eye);
-        const bool shut = !from.shut.empty() && from.shut[i] != 0;
-        // Nothing leaves through a shut one, so that it cannot hold the eye either.
-        const bool inPlane =
-            from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i);
-        const double at = inPlane ? 0.0 : -side / speed;
-        if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
-            return;
-        if (at > exit.t || (at == exit.t && i > exit.portal) || (!inPlane && !isOpenAt(opening, ray)))
-            return;
-        exit.portal = i;
-        exit.t = at;
-        setBand(exit, -side / speed, speed);
-    });
+    offerAll(boxRay, from, exit.t, [&](world::PortalIndex portal) { offer(portal, ray, from, exit); });
+    return exit;
+}
+
+Exit Openings::nearest(std::span<const world::PortalIndex> portals, const RayFrame& ray,
+                       const Leaving& from) const {
+    Exit exit;
+    for (const world::PortalIndex portal : portals)
+        offer(portal, ray, from, exit);
     return exit;
 }
 
 Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const {
     Exit exit;
-    offerAll(ray, boxRay, from, exit.t, [&](world::PortalIndex i, const Opening& opening, double speed) {
-        if (contains(from.notAgain, i))
+    offerAll(boxRay, from, exit.t, [&](world::PortalIndex i) {
+        const double speed = speedOut(i, ray, from);
+        if (!(speed > 0.0) || contains(from.notAgain, i))
             return;
-        Exit other{i, -opening.plane.signedDistance(ray.eye) / speed, 0.0, 0.0};
+        const Opening& opening = openings_[i];
+        Exit other{i, opening.plane.signedDistance(ray.eye) / speed, 0.0, 0.0};
         setBand(other, other.t, speed);
         const bool shut = !from.shut.empty() && from.shut[i] != 0;
         // Two openings that share an edge are crossed at one parameter but for rounding: hence `beyond`.

@@ -13,6 +13,8 @@
 
 namespace limen::reference {
 
+class Pyramid;
+
 /// Metres: an eye this near to a portal's plane is in it, and a surface this near is met from both of its sides
 /// (docs/ray-rule.md). Also the widest gap that is a rounding of data: corners nearer than this are one corner to the
 /// loader (world/README.md), so what is narrower was meant to be closed.
@@ -48,6 +50,12 @@ public:
     /// The nearest portal that the ray leaves its space through. Of two at the same parameter the one with the lower
     /// index.
     [[nodiscard]] Exit nearest(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const;
+    /// The same, of these portals of the space alone.
+    [[nodiscard]] Exit nearest(std::span<const world::PortalIndex> portals, const RayFrame& ray,
+                               const Leaving& from) const;
+    /// Appends those of a space's portals that a ray of the pyramid may leave it through.
+    void gather(world::SpaceIndex space, const Pyramid& pyramid,
+                std::vector<world::PortalIndex>& portals) const;
     /// The same with openings larger by kTolerance all around, where nearest() finds none. `boxRay` must have that
     /// margin.
     [[nodiscard]] Exit nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const;
@@ -68,12 +76,19 @@ private:
         Hierarchy tree; ///< only of more than kFew
         std::uint32_t first = 0, count = 0;
     };
+    /// Calls offer(portal) for those that the ray may leave its space through, as Hierarchy::walk calls its leaf.
     template <class Offer>
-    void offerAll(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from, const double& farthest,
-                  Offer&& offer) const;
+    void offerAll(const BoxRay& boxRay, const Leaving& from, const double& farthest, Offer&& offer) const;
+    /// Metres a unit of the ray's parameter towards an opening's plane, if it can be left through with this ray; else 0.
+    [[nodiscard]] double speedOut(world::PortalIndex portal, const RayFrame& ray, const Leaving& from) const;
     [[nodiscard]] std::span<const Vec3> cornersOf(const Opening& opening) const {
         return std::span(points_).subspan(opening.firstCorner, opening.cornerCount);
     }
+    [[nodiscard]] std::span<const Vec3> outlineOf(const Opening& opening) const {
+        return std::span(points_).subspan(opening.firstOutline, opening.outlineCount);
+    }
+    /// One portal after the other lowers `exit` to the nearest.
+    void offer(world::PortalIndex portal, const RayFrame& ray, const Leaving& from, Exit& exit) const;
     [[nodiscard]] bool isOpenAt(const Opening& opening, const RayFrame& ray) const;
     /// `way`: 1 for rays out of its space, -1 for those into it.
     [[nodiscard]] bool holdsEye(const Opening& opening, const Vec3& eye, double way) const;

@@ -1,5 +1,7 @@
 #include "reference/Picture.h"
 
+#include "reference/Follower.h"
+
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -7,18 +9,19 @@
 namespace limen::reference {
 namespace {
 
-/// Pixels of one side of a task's square: near rays meet near things, which are then in the cache.
-constexpr std::uint32_t kTile = 8;
+constexpr std::uint32_t kTile = Tile::kSide;
 
-void traceTile(const Scene& scene, const Camera& camera, const Vec2& place, std::uint32_t left,
-               std::uint32_t top, Picture& out) {
+/// `left` and `top` count from the border.
+void traceTile(const SceneData& scene, TileCandidates& candidates, const Camera& camera, const Vec2& place,
+               std::uint32_t left, std::uint32_t top, Picture& out) {
     const std::uint32_t width = camera.width + 2, height = camera.height + 2;
-    for (std::uint32_t y = top; y < std::min(top + kTile, height); ++y) {
-        for (std::uint32_t x = left; x < std::min(left + kTile, width); ++x) {
-            // Row and column 0 are the border.
-            const Ray ray = rayThrough(camera, static_cast<double>(x) - 1.0 + place.x,
-                                       static_cast<double>(y) - 1.0 + place.y);
-            out.answers[static_cast<std::size_t>(y) * width + x] = scene.trace(camera.root, ray);
+    const Tile tile{camera, place, static_cast<int>(left) - 1, static_cast<int>(top) - 1};
+    candidates.begin(tile);
+    for (std::uint32_t row = 0; row < std::min(kTile, height - top); ++row) {
+        for (std::uint32_t column = 0; column < std::min(kTile, width - left); ++column) {
+            Answer& answer = out.answers[std::size_t{top + row} * width + left + column];
+            answer =
+                Follower(scene, tile.ray(column, row), candidates, row * kTile + column).follow(camera.root);
         }
     }
 }
@@ -39,8 +42,10 @@ void tracePicture(const Scene& scene, const Camera& camera, unsigned threads, Pi
     const std::uint32_t rows = (camera.height + 2 + kTile - 1) / kTile;
     std::atomic<std::uint32_t> next{0};
     const auto work = [&] {
+        TileCandidates candidates(scene.data());
         for (std::uint32_t tile = next++; tile < columns * rows; tile = next++)
-            traceTile(scene, camera, place, tile % columns * kTile, tile / columns * kTile, out);
+            traceTile(scene.data(), candidates, camera, place, tile % columns * kTile, tile / columns * kTile,
+                      out);
     };
     std::vector<std::thread> helpers;
     for (unsigned i = 1; i < threads; ++i)

@@ -19,4 +19,8 @@ Answer Scene::trace(world::SpaceIndex root, const Ray& ray) const {
     return Follower(*data_, ray).follow(root);
 }
 
+const SceneData& Scene::data() const {
+    return *data_;
+}
+
 } // namespace limen::reference

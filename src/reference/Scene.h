@@ -49,6 +49,8 @@ struct RuleOptions {
     bool objectsByZone = false;
 };
 
+struct SceneData;
+
 /// A world and one of its moments, ready for rays. May be shared by threads while nobody calls setMoment.
 class Scene {
 public:
@@ -65,6 +67,9 @@ public:
 
     /// Follows one ray from the root space. Pure.
     [[nodiscard]] Answer trace(world::SpaceIndex root, const Ray& ray) const;
+
+    /// For this room.
+    [[nodiscard]] const SceneData& data() const;
 
 private:
     struct Data;

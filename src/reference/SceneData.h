@@ -13,6 +13,19 @@ struct SceneData {
     SceneData(const world::World& of, const RuleOptions& with);
     void takeMoment(const world::Moment& moment);
 
+    /// Calls act(bodies, place) for all that a ray can meet in the space.
+    template <class Do>
+    void forPlaces(world::SpaceIndex space, Do&& act) const {
+        act(fixed, fixedBySpace.at(space));
+        if (!movingBySpace.empty())
+            act(moving, movingBySpace.at(space));
+        if (options.objectsByZone) {
+            const world::ZoneIndex zone = world.spaces[space].zone;
+            act(fixed, fixedByZone.at(zone));
+            act(moving, movingByZone.at(zone));
+        }
+    }
+
     const world::World& world;
     const RuleOptions options;
     /// All coordinates inside the scene are relative to it: the same blocks elsewhere on the map give the same numbers.

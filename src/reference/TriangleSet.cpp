@@ -68,6 +68,9 @@ void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
         triangles_[i] = scratch.triangles[grouping.order[i]];
     boxAll();
     tree_.fit(grouping.tree, scratch.boxes);
+    box_ = {};
+    for (const Box& box : scratch.boxes)
+        box_.include(box);
     planes_.clear();
     for (const Triangle& triangle : triangles_) {
         const Vec3 corners[] = {triangle.a, triangle.b, triangle.c};
@@ -97,21 +100,6 @@ bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, co
     const std::size_t texel =
         std::size_t{texelAt(uv.y, image.height, clamp)} * image.width + texelAt(uv.x, image.width, clamp);
     return image.rgba[texel * 4 + 3] < 128; // 127 of 255 is the last below one half
-}
-
-void TriangleSet::findNearest(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
-                              const Stretch& stretch, Nearest& nearest) const {
-    double farthest = std::min(stretch.most, nearest.t);
-    tree_.walk(boxRay, stretch.after, farthest, [&](std::uint32_t first, std::uint32_t count) {
-        for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
-            Meeting at;
-            if (meetsFront(ray, triangle, at) && at.t > stretch.after && at.t >= stretch.least &&
-                at.t <= farthest && !isHole(world, triangle, at)) {
-                nearest.take(at.t, triangle.id);
-                farthest = std::min(farthest, nearest.t);
-            }
-        }
-    });
 }
 
 void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,

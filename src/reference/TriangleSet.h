@@ -55,6 +55,7 @@ struct Nearest {
 /// The parameters in which surfaces are met: after `after`, at least `least`, at most `most`.
 struct Stretch {
     double after = 0.0, least = 0.0, most = std::numeric_limits<double>::infinity();
+    [[nodiscard]] bool holds(double t) const { return t > after && t >= least && t <= most; }
 };
 
 /// Triangles of one class of surface, and a hierarchy over them.
@@ -80,35 +81,32 @@ public:
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
 
-    /// Lowers `nearest` to the nearest front face in the stretch, cut-outs tested.
-    void findNearest(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
-                     const Stretch& stretch, Nearest& nearest) const;
+    [[nodiscard]] const Box& box() const { return box_; }
+    [[nodiscard]] const Hierarchy& tree() const { return tree_; }
 
-    /// Calls met(triangle, t) for every front face in the stretch, texels not asked.
-    template <class Met>
-    void findAll(const RayFrame& ray, const BoxRay& boxRay, const Stretch& stretch, Met&& met) const {
-        tree_.walk(boxRay, stretch.after, stretch.most, [&](std::uint32_t first, std::uint32_t count) {
-            for (const Triangle& triangle : std::span(triangles_).subspan(first, count)) {
-                Meeting at;
-                if (meetsFront(ray, triangle, at) && at.t > stretch.after && at.t >= stretch.least &&
-                    at.t <= stretch.most)
-                    met(triangle, at.t);
-            }
+    /// Calls visit(triangle) for those that the ray may meet, as Hierarchy::walk calls its leaf.
+    template <class Visit>
+    void walk(const BoxRay& boxRay, double nearest, const double& farthest, Visit&& visit) const {
+        tree_.walk(boxRay, nearest, farthest, [&](std::uint32_t first, std::uint32_t count) {
+            for (const Triangle& triangle : std::span(triangles_).subspan(first, count))
+                visit(triangle);
         });
     }
 
-    /// As findNearest for triangles that are larger by `margin` metres all around. `boxRay` must have that margin.
+    /// Whether a triangle of the set lets the ray through where the ray meets it: the texel there is cut out.
+    [[nodiscard]] bool isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const;
+
+    /// Lowers `nearest` to the nearest front face in the stretch, cut-outs tested, as if triangles were larger by `margin` metres all around. `boxRay` must have that margin.
     /// Slow: for the rays that would meet nothing.
     void findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
                           const Stretch& stretch, double margin, Nearest& nearest) const;
 
 private:
-    [[nodiscard]] bool isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const;
-
     std::vector<Triangle> triangles_;
     std::vector<Plane> planes_; ///< by triangle, for findNearestGrown
     std::vector<CutOut> cutOuts_;
     Hierarchy tree_;
+    Box box_;
 };
 
 } // namespace limen::reference

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "reference/TileCandidates.h"
+
+#include <optional>
+
+namespace limen::reference {
+
+/// What a ray may meet in a space: all that it does meet, and some of what lies near it. A ray by itself walks the
+/// hierarchies; one of a tile looks through what the tile has gathered. What it meets is decided by the Follower, with the
+/// same arithmetic for both, so that no answer depends on which it was.
+class Candidates {
+public:
+    /// For a ray by itself. `ray` must stay.
+    Candidates(const SceneData& scene, const RayFrame& ray) : scene_(scene), ray_(ray) {}
+    /// For the ray of a tile's pixel (column + 8 · row).
+    Candidates(const SceneData& scene, const RayFrame& ray, TileCandidates& tile, std::uint32_t pixel)
+        : scene_(scene), ray_(ray), tile_(&tile), pixel_(pixel) {}
+
+    /// The nearest portal that the ray leaves its space through.
+    [[nodiscard]] Exit exitOf(const Leaving& from) {
+        return tile_ ? scene_.openings.nearest(tile_->in(from.space).portals, ray_, from)
+                     : scene_.openings.nearest(ray_, boxRay(), from);
+    }
+
+    /// Calls visit(set, triangle) for solid triangles of a space, after `after` and not beyond `farthest`, which `visit`
+    /// may lower; roughly from near to far.
+    template <class Visit>
+    void forSolids(world::SpaceIndex space, double after, const double& farthest, Visit&& visit) {
+        const auto visitAll = [&](const TriangleSet& set) {
+            set.walk(boxRay(), after, farthest, [&](const Triangle& triangle) { visit(set, triangle); });
+        };
+        if (tile_) {
+            tile_->in(space).solid.walk(pixel_, after, farthest, [&](const TileSurfaces::Found& found) {
+                found.triangle ? visit(*found.set, *found.triangle) : visitAll(*found.set);
+            });
+            return;
+        }
+        scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
+            place.solid.walk(boxRay(), after, farthest,
+                             [&](std::uint32_t body) { visitAll(bodies.surfacesOf(body).solid); });
+        });
+    }
+
+    /// Calls visit(triangle, isFilling) for translucent triangles of a space, after `after` and not beyond `most`; all
+    /// that lie at `nearest` or before, and those of fillings wherever they lie.
+    template <class Visit>
+    void forBlended(world::SpaceIndex space, double after, double most, double nearest, Visit&& visit) {
+        const auto visitAll = [&](const TriangleSet& set, bool isFilling) {
+            set.walk(boxRay(), after, most, [&](const Triangle& triangle) { visit(triangle, isFilling); });
+        };
+        if (tile_) {
+            tile_->in(space).blended.walk(pixel_, after, std::min(most, nearest),
+                                          [&](const TileSurfaces::Found& found) {
+                                              found.triangle ? visit(*found.triangle, found.isFilling)
+                                                             : visitAll(*found.set, found.isFilling);
+                                          });
+            return;
+        }
+        scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
+            place.blended.walk(boxRay(), after, most, [&](std::uint32_t body) {
+                visitAll(bodies.surfacesOf(body).blended, bodies.isFilling(body));
+            });
+        });
+    }
+
+private:
+    [[nodiscard]] const BoxRay& boxRay() {
+        if (!boxRay_)
+            boxRay_.emplace(ray_.eye, ray_.direction, 0.0);
+        return *boxRay_;
+    }
+
+    const SceneData& scene_;
+    const RayFrame& ray_;
+    std::optional<BoxRay> boxRay_; ///< many a tile's ray needs none
+    TileCandidates* tile_ = nullptr;
+    std::uint32_t pixel_ = 0;
+};
+
+} // namespace limen::reference

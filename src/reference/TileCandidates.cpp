@@ -1,0 +1,133 @@
+#include "reference/TileCandidates.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace limen::reference {
+namespace {
+
+/// Rays look for their own triangles in a body that has more than this many for each pixel it may cover: measured; a
+/// ray's walk costs about as much as testing that many triangles against the whole tile.
+constexpr std::size_t kFew = 8;
+
+constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b.least; };
+
+} // namespace
+
+void TileSurfaces::begin(const SceneData& scene, const Pyramid& pyramid, world::SpaceIndex space, Kind kind) {
+    pyramid_ = &pyramid;
+    kind_ = kind;
+    places_.clear();
+    pending_.clear();
+    found_.clear();
+    bits_.clear();
+    scene.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
+        const BodyLists::List& list = kind == Kind::Solid ? place.solid : place.blended;
+        if (list.empty())
+            return;
+        const auto index = static_cast<std::uint16_t>(places_.size());
+        places_.push_back({&bodies, &list, kind == Kind::Blended && &bodies == &scene.moving});
+        open(list.tree, {.place = index});
+    });
+}
+
+bool TileSurfaces::gather(double farthest) {
+    const std::size_t before = found_.size();
+    while (found_.size() == before) {
+        if (pending_.empty() || static_cast<double>(pending_.front().least) > farthest)
+            return false;
+        std::pop_heap(pending_.begin(), pending_.end(), isFarther);
+        const Pending next = pending_.back();
+        pending_.pop_back();
+        if (next.set)
+            next.count > 0 ? find(next) : open(next.set->tree(), next);
+        else if (next.count == 0)
+            open(places_[next.place].list->tree, next);
+        else
+            for (std::uint32_t i = next.child; i < next.child + next.count; ++i)
+                openBody(next, places_[next.place].list->bodies[i]);
+    }
+    return true;
+}
+
+void TileSurfaces::open(const Hierarchy& tree, const Pending& node) {
+    if (tree.empty())
+        return;
+    tree.open(
+        node.child, [&](const auto& sides, auto& least) { return pyramid_->meetsBoxes(sides, least); },
+        [&](std::uint32_t child, std::uint32_t count, float least) {
+            Pending part = node;
+            part.child = child;
+            part.count = count;
+            if (!places_[node.place].isEager)
+                part.least = std::max(node.least, least); // both are bounds, and the order stays one
+            pending_.push_back(part);
+            std::push_heap(pending_.begin(), pending_.end(), isFarther);
+        });
+}
+
+void TileSurfaces::openBody(const Pending& leaf, std::uint32_t body) {
+    const Bodies& bodies = *places_[leaf.place].bodies;
+    const Surfaces& surfaces = bodies.surfacesOf(body);
+    Pending root;
+    root.least = leaf.least;
+    root.place = leaf.place;
+    root.isFilling = bodies.isFilling(body);
+    root.set = kind_ == Kind::Solid ? &surfaces.solid : &surfaces.blended;
+    const std::size_t triangles = root.set->triangles().size();
+    if (triangles > kFew) {
+        const PixelMask pixels = pyramid_->pixelsOf(root.set->box());
+        if (triangles > kFew * static_cast<std::size_t>(std::popcount(pixels))) {
+            if (pixels != 0)
+                add({root.least, root.isFilling, root.least, std::numeric_limits<double>::infinity(),
+                     root.set},
+                    pixels);
+            return;
+        }
+    }
+    open(root.set->tree(), root);
+}
+
+void TileSurfaces::find(const Pending& leaf) {
+    for (const Triangle& triangle : leaf.set->triangles().subspan(leaf.child, leaf.count)) {
+        const Pyramid::Cover cover = pyramid_->coverOf(triangle);
+        if (cover.pixels != 0)
+            add({leaf.least, leaf.isFilling, cover.least, cover.most, leaf.set, &triangle}, cover.pixels);
+    }
+}
+
+void TileSurfaces::add(const Found& found, PixelMask pixels) {
+    const std::size_t bit = found_.size() % kBlock;
+    if (bit == 0)
+        bits_.emplace_back();
+    found_.push_back(found);
+    for (; pixels != 0; pixels &= pixels - 1)
+        bits_.back()[static_cast<std::size_t>(__builtin_ctzll(pixels))] |= std::uint64_t{1} << bit;
+}
+
+void TileCandidates::begin(const Tile& tile) {
+    pyramid_.emplace(tile, scene_.origin);
+    used_ = 0;
+}
+
+TileCandidates::Space& TileCandidates::in(world::SpaceIndex space) {
+    LIMEN_ASSERT(pyramid_, "a tile has begun");
+    for (std::size_t i = 0; i < used_; ++i) {
+        if (spaces_[i]->space == space)
+            return *spaces_[i];
+    }
+    if (used_ == spaces_.size())
+        spaces_.push_back(std::make_unique<Space>());
+    Space& here = *spaces_[used_++];
+    here.space = space;
+    here.solid.begin(scene_, *pyramid_, space, TileSurfaces::Kind::Solid);
+    here.blended.begin(scene_, *pyramid_, space, TileSurfaces::Kind::Blended);
+    here.portals.clear();
+    scene_.openings.gather(space, *pyramid_, here.portals);
+    return here;
+}
+
+} // namespace limen::reference
