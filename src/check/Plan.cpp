@@ -59,7 +59,8 @@ Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive) {
         if (summary.hasBuildings)
             built.push_back(summary);
     }
-    for (const auto& [word, summary] : all) {
+    for (const auto& [word, found] : all) {
+        const BlockSummary& summary = found; // Clang 14 lets no lambda capture a structured binding
         const bool near =
             summary.hasLandscape && std::any_of(built.begin(), built.end(), [&](const auto& other) {
                 return isNeighbour(summary.block, other.block);

@@ -67,7 +67,7 @@ MeshBuilder leafMesh(double width, double height) {
 
 class FillingList {
 public:
-    FillingList(ModelSink& sink, const VillageMap& map) : sink_(sink), map_(map) {}
+    explicit FillingList(ModelSink& sink) : sink_(sink) {}
 
     void door(const DoorSpec& spec);
     /// A pane in every opening to the outside that is a window.
@@ -105,7 +105,6 @@ private:
     }
 
     ModelSink& sink_;
-    const VillageMap& map_;
     Json list_ = Json::array();
     std::map<Size, dat::RecordId> leaves_, panes_;
 };
@@ -260,7 +259,7 @@ Json buildDoors(ModelSink& sink, const VillageMap& map) {
     const auto home = [&](CottageCell c) { return map.cottageCells.at(static_cast<std::size_t>(c)); };
     const auto theirs = [&](NeighbourCell c) { return map.neighbourCells.at(static_cast<std::size_t>(c)); };
     const auto inn = [&](InnCell c) { return map.innCells.at(static_cast<std::size_t>(c)); };
-    FillingList list(sink, map);
+    FillingList list(sink);
     // The cottages' doors stand open: out of the way of whoever looks through the house.
     list.door(
         {.name = "cottage.front", .building = &map.cottage, .cell = home(CottageCell::Front), .open = 1.0});

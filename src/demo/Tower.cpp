@@ -9,7 +9,6 @@ namespace limen::demo {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoomHeight = 4.5;
 constexpr double kInnerHalf = 1.75, kOuterHalf = 2.0625;
 constexpr double kBase = -4.0; ///< where the walls end in the ground

@@ -28,7 +28,7 @@ struct Tally {
 
 class Comparer {
 public:
-    explicit Comparer(const world::World& world) : world_(world), scene_(world), naive_(world) {}
+    explicit Comparer(const world::World& world) : scene_(world), naive_(world) {}
 
     void compare(world::SpaceIndex root, const Vec3& eye, const Vec3& direction, bool atRim,
                  Tally& tally) const {
@@ -74,7 +74,6 @@ private:
         return false;
     }
 
-    const world::World& world_;
     reference::Scene scene_;
     NaiveTracer naive_;
 };
