@@ -2,18 +2,11 @@
 
 #include "reference/TracedWorld.h"
 
-#include <cstring>
-
 namespace limen::test {
 namespace {
 
 using reference::Answer;
 using reference::Camera;
-
-bool same(const Answer& a, const Answer& b) {
-    return a.id == b.id && std::memcmp(&a.t, &b.t, sizeof a.t) == 0 && a.space == b.space &&
-           a.reachedOutside == b.reachedOutside && a.spacesVisited == b.spacesVisited && a.layers == b.layers;
-}
 
 TEST(Picture, raysGoThroughPixelCentres) {
     Camera camera;

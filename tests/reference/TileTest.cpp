@@ -10,7 +10,6 @@
 #include "world/Places.h"
 
 #include <algorithm>
-#include <cstring>
 #include <random>
 
 namespace limen::test {
@@ -18,11 +17,6 @@ namespace {
 
 using reference::Answer;
 using reference::Camera;
-
-bool same(const Answer& a, const Answer& b) {
-    return a.id == b.id && std::memcmp(&a.t, &b.t, sizeof a.t) == 0 && a.space == b.space &&
-           a.reachedOutside == b.reachedOutside && a.spacesVisited == b.spacesVisited && a.layers == b.layers;
-}
 
 /// What pictures have shown so far, so that a test can tell that it has tested something.
 struct Seen {

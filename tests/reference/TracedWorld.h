@@ -4,12 +4,19 @@
 #include "support/LoadTestWorld.h"
 #include "support/TestWorld.h"
 
+#include <cstring>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
 namespace limen::test {
+
+/// To the bit.
+inline bool same(const reference::Answer& a, const reference::Answer& b) {
+    return a.id == b.id && std::memcmp(&a.t, &b.t, sizeof a.t) == 0 && a.space == b.space &&
+           a.reachedOutside == b.reachedOutside && a.spacesVisited == b.spacesVisited && a.layers == b.layers;
+}
 
 /// A world loaded from dats, and its scene. Positions are metres local to the home block.
 class TracedWorld {
