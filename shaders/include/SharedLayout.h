@@ -23,26 +23,29 @@ using uint = std::uint32_t;
 
 // Storage buffer bindings.
 LIMEN_CONST kBindFrame = 0;        // FrameConstants, one
-LIMEN_CONST kBindBlocks = 1;       // vec4 per resident block
-LIMEN_CONST kBindVisits = 2;       // Visit
-LIMEN_CONST kBindInstances = 3;    // Instance (static)
-LIMEN_CONST kBindMembers = 4;      // Member (static)
-LIMEN_CONST kBindMaterials = 5;    // Material (static)
-LIMEN_CONST kBindMaterialRefs = 6; // uint (static)
-LIMEN_CONST kBindTerrain = 7;      // TerrainCell (static)
-LIMEN_CONST kBindLightSets = 8;    // LightSet (static)
-LIMEN_CONST kBindLights = 9;       // Light (static)
-LIMEN_CONST kBindTextures = 10;    // TextureRef (static)
-LIMEN_CONST kBindOwnership = 11;   // OwnershipVertex
-LIMEN_CONST kBindClipSets = 12;    // ClipSet
-LIMEN_CONST kBindSky = 13;         // SkyInstance
-LIMEN_CONST kBindMovers = 14;      // Instance: what moves, of this frame
-LIMEN_CONST kBindMoverMembers = 15; // Member, likewise
-LIMEN_CONST kBindVertices = 16;    // Vertex: the arena that is also the vertex fetch (static)
+LIMEN_CONST kBindMaterials = 1;    // Material (static)
+LIMEN_CONST kBindMaterialRefs = 2; // uint (static)
+LIMEN_CONST kBindTerrain = 3;      // TerrainCell (static)
+LIMEN_CONST kBindLightSets = 4;    // LightSet (static)
+LIMEN_CONST kBindLights = 5;       // Light (static)
+LIMEN_CONST kBindTextures = 6;     // TextureRef (static)
+LIMEN_CONST kBindOwnership = 7;    // OwnershipVertex
+LIMEN_CONST kBindClipSets = 8;     // ClipSet
+LIMEN_CONST kBindSky = 9;          // SkyInstance
+LIMEN_CONST kBindCullTasks = 10;   // CullTask
+LIMEN_CONST kBindCommands = 11;    // DrawCommand, as words: written by the culling of triangles
+LIMEN_CONST kBindIndices = 12;     // uint (static)
+LIMEN_CONST kBindKeptIndices = 13; // uint: of the triangles that are kept, written likewise
+LIMEN_CONST kStorageBindings = 14;
 
-// Texture units: the ownership target, then the array pages (none in bindless mode).
-LIMEN_CONST kUnitOwnership = 0;
-LIMEN_CONST kUnitFirstPage = 1;
+// Texture units. Of buffers, these are read as texels of four words: software drivers read a storage buffer lane by lane, and
+// texels several times faster. Array pages come last (none in bindless mode).
+LIMEN_CONST kUnitOwnership = 0; // the ownership target
+LIMEN_CONST kUnitRing = 1;      // this frame's arrays, at the texels that FrameConstants tells
+LIMEN_CONST kUnitVertices = 2;  // Vertex: the arena that is also the vertex fetch (static)
+LIMEN_CONST kUnitInstances = 3; // Instance (static)
+LIMEN_CONST kUnitMembers = 4;   // Member, two a texel (static)
+LIMEN_CONST kUnitFirstPage = 5;
 
 // Fragment outputs. What is blended has a location of its own: blending stays switched on for that draw buffer and
 // off for the others, and no stage has to change it.
@@ -97,6 +100,10 @@ LIMEN_STRUCT(FrameConstants) {
     uint samplesX LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
     uint samplesY LIMEN_ZERO; // pixel's lower left corner in 1/256 of a pixel
     float pixel LIMEN_ZERO;   // metres that a pixel covers at a view depth of one metre; likewise
+    uint firstBlock LIMEN_ZERO; // texels of kUnitRing, filled in by gpu: vec4 per resident block: its origin from the eye's,
+    uint firstVisit LIMEN_ZERO; // Visit,
+    uint firstMover LIMEN_ZERO; // Instance: what moves,
+    uint firstMoverMember LIMEN_ZERO; // Member, likewise
     uint reserved0 LIMEN_ZERO;
     uint reserved1 LIMEN_ZERO;
     uint reserved2 LIMEN_ZERO;
@@ -189,6 +196,17 @@ LIMEN_STRUCT(OwnershipVertex) {
     vec3 rest LIMEN_ZERO;         // what `position` is short of the corner
     uint reserved0 LIMEN_ZERO;
 };
+
+// A draw command whose triangles are culled one by one. As two vectors: the fewer loads, the better for software drivers.
+LIMEN_CONST kCullThreads = 32u;         // of a work group, which culls for one task
+LIMEN_CONST kTrianglesPerThread = 32u;  // at most: a bit each
+LIMEN_CONST kTrianglesPerCommand = 1024u; // at most, of any draw command
+LIMEN_CONST kWordsPerCommand = 5u;
+LIMEN_STRUCT(CullTask) {
+    uvec4 indices LIMEN_ZERO;  // the first as they are; triangles; where those that are kept go; and kKeepsAll
+    uvec4 drawing LIMEN_ZERO;  // the draw command's number; its first vertex; its instance
+};
+LIMEN_CONST kKeepsAll = 1u; // triangles are only copied: they are not an Instance's
 
 // Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
 // Unused ones are (0,0,0,1).

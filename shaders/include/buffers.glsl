@@ -1,4 +1,4 @@
-// Every storage buffer of a frame, by the names the shaders use. Layout: SharedLayout.h.
+// What the shaders read, by the names they use. Layout: SharedLayout.h.
 #include "SharedLayout.h"
 
 // EXACT: what a pixel shows, or a sample of it, is decided by the ray through its centre (outline.glsl).
@@ -6,65 +6,99 @@
 #define EXACT
 #endif
 
-// Read by both stages.
-layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frame; };
-layout(std430, binding = kBindBlocks) readonly buffer BlockBuffer { vec4 blocks[]; };
-layout(std430, binding = kBindInstances) readonly buffer InstanceBuffer { Instance instances[]; };
-layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
-layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };
-layout(std430, binding = kBindMovers) readonly buffer MoverBuffer { Instance movers[]; };
+// Read by every stage.
+layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frameInBuffer; };
 
-// Drivers count what is declared, and some allow a stage no more than 16.
-#if defined(VERTEX_STAGE) || defined(OWNERSHIP)
-layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
-layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
+// Read once, before any branch: software drivers read a storage buffer lane by lane within one.
+FrameConstants frame = frameInBuffer;
+
+// Drivers count what is declared, and some allow a stage no more than 16, of compute 8.
+#ifdef COMPUTE_STAGE
+layout(std430, binding = kBindCullTasks) readonly buffer CullTaskBuffer { CullTask cullTasks[]; };
+layout(std430, binding = kBindCommands) writeonly buffer CommandBuffer { uint commands[]; };
+layout(std430, binding = kBindIndices) readonly buffer IndexBuffer { uint indices[]; };
+layout(std430, binding = kBindKeptIndices) writeonly buffer KeptIndexBuffer { uint keptIndices[]; };
 #else
-layout(std430, binding = kBindVisits) readonly buffer VisitBuffer { Visit visits[]; };
-layout(std430, binding = kBindMembers) readonly buffer MemberBuffer { Member members[]; };
+layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
 layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Material materials[]; };
 layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { TerrainLayer terrainLayers[]; };
 layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightSet lightSets[]; };
 layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights[]; };
 layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
-layout(std430, binding = kBindMoverMembers) readonly buffer MoverMemberBuffer { Member moverMembers[]; };
+layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
+layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
+layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };
 #endif
-// The vertex fetch's own arena (frame::gpu::Vertex), word by word.
-const uint kVertexWords = 16u;
-layout(std430, binding = kBindVertices) readonly buffer VertexBuffer { float arena[]; };
+layout(binding = kUnitRing) uniform usamplerBuffer ringTexels;
+layout(binding = kUnitVertices) uniform usamplerBuffer vertexTexels;
+layout(binding = kUnitInstances) uniform usamplerBuffer instanceTexels;
+layout(binding = kUnitMembers) uniform usamplerBuffer memberTexels;
+
+const uint kInstanceTexels = 5u;
+const uint kVertexTexels = 4u;
+const uint kVisitTexels = 2u;
+
+uvec4 ringTexel(uint texel) {
+    return texelFetch(ringTexels, int(texel));
+}
+
+Instance instanceOf(uvec4 row0, uvec4 row1, uvec4 row2, uvec4 first, uvec4 second) {
+    return Instance(uintBitsToFloat(row0), uintBitsToFloat(row1), uintBitsToFloat(row2), first.x, first.y, first.z, first.w,
+                    second.x, second.y, second.z, uintBitsToFloat(second.w));
+}
 
 // What stands still and what moves are numbered on, from one array into the other.
 Instance instanceAt(uint index) {
     if (index < frame.staticInstances) {
-        return instances[index];
+        int at = int(index * kInstanceTexels);
+        return instanceOf(texelFetch(instanceTexels, at), texelFetch(instanceTexels, at + 1),
+                          texelFetch(instanceTexels, at + 2), texelFetch(instanceTexels, at + 3),
+                          texelFetch(instanceTexels, at + 4));
     }
-    return movers[index - frame.staticInstances];
+    uint at = frame.firstMover + (index - frame.staticInstances) * kInstanceTexels;
+    return instanceOf(ringTexel(at), ringTexel(at + 1u), ringTexel(at + 2u), ringTexel(at + 3u), ringTexel(at + 4u));
+}
+
+// The origin of a resident block.
+vec3 blockOrigin(uint block) {
+    return uintBitsToFloat(ringTexel(frame.firstBlock + block).xyz);
 }
 
 #if defined(FRAGMENT_STAGE) && !defined(OWNERSHIP)
 Member memberAt(uint index) {
-    if (index < frame.staticMembers) {
-        return members[index];
-    }
-    return moverMembers[index - frame.staticMembers];
+    uvec4 pair = index < frame.staticMembers ? texelFetch(memberTexels, int(index / 2u))
+                                             : ringTexel(frame.firstMoverMember + (index - frame.staticMembers) / 2u);
+    bool isSecond = (index < frame.staticMembers ? index : index - frame.staticMembers) % 2u == 1u;
+    return isSecond ? Member(pair.z, pair.w) : Member(pair.x, pair.y);
+}
+
+Visit visitAt(uint index) {
+    uint at = frame.firstVisit + index * kVisitTexels;
+    uvec4 rest = ringTexel(at + 1u);
+    return Visit(uintBitsToFloat(ringTexel(at)), rest.x, rest.y, rest.z, rest.w);
 }
 #endif
 
+uvec4 vertexTexel(uint vertex, uint texel) {
+    return texelFetch(vertexTexels, int(vertex * kVertexTexels + texel));
+}
+
 vec3 cornerAt(uint vertex) {
-    uint at = vertex * kVertexWords;
-    return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
+    return uintBitsToFloat(vertexTexel(vertex, 0u).xyz);
 }
 
 vec3 cornerRestAt(uint vertex) {
-    uint at = vertex * kVertexWords + 13u;
-    return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
+    return uintBitsToFloat(vertexTexel(vertex, 3u).yzw);
 }
 
 vec2 uvAt(uint vertex) {
-    uint at = vertex * kVertexWords + 4u;
-    return vec2(arena[at], arena[at + 1u]);
+    return uintBitsToFloat(vertexTexel(vertex, 1u).xy);
+}
+
+vec3 facetAt(uint vertex) {
+    return uintBitsToFloat(uvec3(vertexTexel(vertex, 1u).w, vertexTexel(vertex, 2u).xy));
 }
 
 vec3 neighbourAt(uint vertex) {
-    uint at = vertex * kVertexWords + 10u;
-    return vec3(arena[at], arena[at + 1u], arena[at + 2u]);
+    return uintBitsToFloat(uvec3(vertexTexel(vertex, 2u).zw, vertexTexel(vertex, 3u).x));
 }

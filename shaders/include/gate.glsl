@@ -39,7 +39,7 @@ uint leafVisit() {
 
 // Whether the ray got outside.
 bool keepOutside() {
-    return visits[leafVisit()].zone == kOutside;
+    return visitAt(leafVisit()).zone == kOutside;
 }
 
 bool findMember(Instance instance, uint zone, out uint lightSet) {
@@ -105,7 +105,7 @@ Keep walkChain(Instance instance, Place place) {
     uint shutBy = 0u;
     uint visitIndex = leafVisit();
     while (visitIndex < frame.visitCount) {
-        Visit visit = visits[visitIndex];
+        Visit visit = visitAt(visitIndex);
         uint lightSet;
         bool beyondEntry = isBeyondEntry(visit.entryPlane, place.at, toleranceFor(visit.entryPlane.xyz, place));
         bool beforeNext = isBeforeNext(next, place.at, leavingTolerance(instance, next.xyz, shutBy, place));

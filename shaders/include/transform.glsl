@@ -16,7 +16,7 @@ vec3 blockFromModel(vec3 model, vec4 row0, vec4 row1, vec4 row2) {
 // block's origin is exact as long as the origin is zero or has no smaller exponent, as for all that lies in its block.
 // Ref: Dekker, "A floating-point technique for extending the available precision" (1971), for `lost`.
 vec3 eyeFromBlock(vec3 local, vec3 rest, uint block) {
-    vec3 origin = blocks[block].xyz;
+    vec3 origin = blockOrigin(block);
     precise vec3 offset = origin + local;
     precise vec3 lost = local - (offset - origin);
     precise vec3 high = offset - frame.eyeHigh.xyz;

@@ -34,11 +34,13 @@ struct DrawCommand {
 };
 
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 48);
+static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 64);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
-static_assert(sizeof(SkyInstance) == 80);
+static_assert(sizeof(SkyInstance) == 80 && sizeof(CullTask) == 32);
+static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
+              kTrianglesPerCommand == kCullThreads * kTrianglesPerThread);
 
 } // namespace limen::frame::gpu

@@ -12,6 +12,16 @@ namespace {
 
 using visibility::Containment;
 
+// Draws a range of a mesh, in as many commands as it takes.
+void addCommands(const world::Mesh& mesh, const world::Mesh::Range& range, std::uint32_t instance,
+                 FramePlan& plan) {
+    constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerCommand;
+    for (std::uint32_t done = 0; done < range.indexCount; done += kMost) {
+        plan.commands.push_back({std::min(range.indexCount - done, kMost), 1, range.firstIndex + done,
+                                 static_cast<std::int32_t>(mesh.firstVertex), instance});
+    }
+}
+
 void beginStage(FramePlan& plan, StageKind kind) {
     plan.stages.push_back({kind, static_cast<std::uint32_t>(plan.batches.size()), 0});
 }
@@ -190,11 +200,7 @@ void Planner::finishDrawn(const FrameView& frame, const visibility::VisibleSet& 
 void Planner::addCommand(FramePlan& plan, std::uint32_t index, world::SurfaceClass surfaces) const {
     const world::Mesh& mesh = world_.meshes[instance(index).mesh];
     const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
-    if (range.indexCount == 0) {
-        return;
-    }
-    plan.commands.push_back(
-        {range.indexCount, 1, range.firstIndex, static_cast<std::int32_t>(mesh.firstVertex), index});
+    addCommands(mesh, range, index, plan);
     plan.counts.triangles += range.indexCount / 3;
 }
 
@@ -246,10 +252,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         plan.skyInstances.push_back(out);
         const world::Mesh& mesh = world_.meshes[part.mesh];
         for (const world::Mesh::Range& range : mesh.ranges) {
-            if (range.indexCount > 0) {
-                plan.commands.push_back({range.indexCount, 1, range.firstIndex,
-                                         static_cast<std::int32_t>(mesh.firstVertex), instance});
-            }
+            addCommands(mesh, range, instance, plan);
         }
     }
     batch.commandCount = static_cast<std::uint32_t>(plan.commands.size()) - batch.firstCommand;

@@ -13,10 +13,12 @@ namespace {
 
 // The storage buffers in SharedLayout.h, and how many of them the programs of a stage read at most (16 is what some
 // drivers give a stage).
-constexpr int kStorageBindings = static_cast<int>(frame::gpu::kBindVertices) + 1;
-constexpr int kVertexBlocks = 8, kFragmentBlocks = 15;
-// The ownership target and at least one array page for each way of wrapping.
-constexpr int kLeastTextureUnits = 3;
+constexpr int kStorageBindings = static_cast<int>(frame::gpu::kStorageBindings);
+constexpr int kVertexBlocks = 10, kFragmentBlocks = 10, kComputeBlocks = 5;
+// The ownership target and the arrays that are read as textures, and at least one array page for each way of wrapping.
+constexpr int kLeastTextureUnits = static_cast<int>(frame::gpu::kUnitFirstPage) + 2;
+constexpr int kArrayTextureUnits =
+    static_cast<int>(frame::gpu::kUnitFirstPage); // of stages that read no pictures
 constexpr int kDrawBuffers = static_cast<int>(frame::gpu::kOutputBlended) + 1;
 
 GLint limitOf(GLenum name) {
@@ -39,9 +41,12 @@ DriverLimits askLimits() {
         limits.version >= 46 || epoxy_has_gl_extension("GL_ARB_shader_draw_parameters");
     limits.vertexStorageBlocks = limitOf(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
     limits.fragmentStorageBlocks = limitOf(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS);
+    limits.computeStorageBlocks = limitOf(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
     limits.combinedStorageBlocks = limitOf(GL_MAX_COMBINED_SHADER_STORAGE_BLOCKS);
     limits.storageBindings = limitOf(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
     limits.textureUnits = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS);
+    limits.vertexTextureUnits = limitOf(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS);
+    limits.computeTextureUnits = limitOf(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS);
     limits.drawBuffers = limitOf(GL_MAX_DRAW_BUFFERS);
     return limits;
 }
@@ -77,9 +82,12 @@ std::vector<std::string> missingFrom(const DriverLimits& limits) {
     };
     need(limits.vertexStorageBlocks, kVertexBlocks, "storage blocks in the vertex stage");
     need(limits.fragmentStorageBlocks, kFragmentBlocks, "storage blocks in the fragment stage");
+    need(limits.computeStorageBlocks, kComputeBlocks, "storage blocks in the compute stage");
     need(limits.combinedStorageBlocks, kVertexBlocks + kFragmentBlocks, "storage blocks in all stages");
     need(limits.storageBindings, kStorageBindings, "storage buffer bindings");
     need(limits.textureUnits, kLeastTextureUnits, "texture units");
+    need(limits.vertexTextureUnits, kArrayTextureUnits, "texture units in the vertex stage");
+    need(limits.computeTextureUnits, kArrayTextureUnits, "texture units in the compute stage");
     need(limits.drawBuffers, kDrawBuffers, "draw buffers");
     return missing;
 }
@@ -114,12 +122,14 @@ Result<Capabilities> queryCapabilities() {
     caps.maxAnisotropy = askAnisotropy();
     caps.textureUnits = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_IMAGE_UNITS));
     caps.maxTextureSize = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_SIZE));
+    caps.maxBufferTexels = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));
     caps.maxArrayLayers = static_cast<std::uint32_t>(limitOf(GL_MAX_ARRAY_TEXTURE_LAYERS));
     caps.maxSamples = static_cast<std::uint32_t>(
         std::max(1, std::min({limitOf(GL_MAX_COLOR_TEXTURE_SAMPLES), limitOf(GL_MAX_DEPTH_TEXTURE_SAMPLES),
                               limitOf(GL_MAX_INTEGER_SAMPLES)})));
     caps.storageAlignment =
-        static_cast<std::size_t>(std::max(limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT), 16));
+        static_cast<std::size_t>(std::max({limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT),
+                                           limitOf(GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT), 16}));
     return caps;
 }
 

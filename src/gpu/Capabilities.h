@@ -19,7 +19,8 @@ struct Capabilities {
     std::uint32_t textureUnits = 16; ///< of the fragment stage
     std::uint32_t maxTextureSize = 16384, maxArrayLayers = 2048;
     std::uint32_t maxSamples = 4; ///< a pixel, of colour, depth and integer images alike; 1: no multisampling
-    std::size_t storageAlignment = 256; ///< of offsets of bound storage ranges, bytes
+    std::uint32_t maxBufferTexels = 65536; ///< of a buffer that is read as a texture
+    std::size_t storageAlignment = 256;    ///< of offsets of what is bound of the ring memory, bytes
 };
 
 /// Asks the current context. Errors: Driver, with one message that names everything needed and missing, and
@@ -35,7 +36,8 @@ struct DriverLimits {
     int version = 0; ///< 45 for 4.5
     bool shaderDrawParameters = false, coreProfile = false;
     int vertexStorageBlocks = 0, fragmentStorageBlocks = 0, combinedStorageBlocks = 0, storageBindings = 0;
-    int textureUnits = 0, drawBuffers = 0;
+    int computeStorageBlocks = 0;
+    int textureUnits = 0, vertexTextureUnits = 0, computeTextureUnits = 0, drawBuffers = 0;
 };
 [[nodiscard]] std::vector<std::string> missingFrom(const DriverLimits& limits);
 

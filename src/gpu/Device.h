@@ -79,6 +79,9 @@ using ClearValue = std::variant<glm::vec4, std::uint32_t, float>;
 /// Milliseconds of GPU time per stage, of the latest frame whose results have arrived.
 using StageTimes = std::array<std::optional<double>, frame::kStageCount>;
 
+/// Frames that are under way at most.
+inline constexpr std::size_t kFramesInFlight = 3;
+
 /// Calls between beginFrame and endFrame, both included.
 class Device {
 public:
@@ -94,7 +97,12 @@ public:
     /// Immutable copy of `bytes`; may be empty.
     [[nodiscard]] virtual BufferHandle createBuffer(std::string_view label,
                                                     std::span<const std::byte> bytes) = 0;
+    /// Memory that only the GPU writes and reads.
+    [[nodiscard]] virtual BufferHandle createScratch(std::string_view label, std::size_t bytes) = 0;
     virtual void destroyBuffer(BufferHandle buffer) = 0;
+    /// A buffer as texels of four words. Destroyed as a texture, before the buffer. Errors: Unsupported, if longer than the
+    /// capabilities allow.
+    [[nodiscard]] virtual Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) = 0;
     /// Errors: Unsupported, if larger than the capabilities allow.
     [[nodiscard]] virtual Result<TextureHandle> createTexture(std::string_view label,
                                                               const TextureShape& shape) = 0;
@@ -127,8 +135,10 @@ public:
     [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target) = 0;
     /// Binds storage ranges to bindings 0, 1, ...
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
-    /// Binds the target's ownership image to unit 0 and textures to units 1, 2, ...
-    virtual void bindTextures(std::span<const TextureHandle> pages) = 0;
+    /// Binds the target's ownership image and the ring memory as texels to their units, and textures to units 2, 3, ...
+    virtual void bindTextures(std::span<const TextureHandle> textures) = 0;
+    /// Runs a compute program. What it writes, draws that follow take as commands and indices.
+    virtual void compute(ProgramHandle program, std::uint32_t groups) = 0;
     virtual void clear(TargetImage image, const ClearValue& value) = 0;
     virtual void beginStage(frame::StageKind stage) = 0;
     virtual void endStage(frame::StageKind stage) = 0;

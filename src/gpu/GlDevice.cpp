@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <fmt/format.h>
+
 namespace limen::gpu {
 namespace {
 
-constexpr std::size_t kMaxBindings = frame::gpu::kBindVertices + 1; // storage ranges, bound in one call
+constexpr std::size_t kMaxBindings = frame::gpu::kStorageBindings; // bound in one call
 constexpr std::size_t kMaxUnits = 64;
 constexpr GLuint64 kFenceTimeoutNanoseconds = 1'000'000'000;
 
@@ -74,11 +76,16 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     const std::size_t alignment = capabilities_.storageAlignment;
     const std::size_t wanted = std::max(bytes + bytes / 2, kSmallestSlot);
     const std::size_t slotSize = (wanted + alignment - 1) / alignment * alignment;
-    Result<Buffer> ring = Buffer::createMapped("frame ring", slotSize * kRingFrames);
+    if (slotSize / kBytesPerTexel > capabilities_.maxBufferTexels) {
+        return fail(ErrorCode::Unsupported, "a frame",
+                    fmt::format("takes {} bytes; {} texels of a buffer are what {} allows", bytes,
+                                capabilities_.maxBufferTexels, capabilities_.renderer));
+    }
+    Result<Buffer> ring = Buffer::createMapped("frame ring", slotSize * kFramesInFlight);
     if (!ring) {
         return tl::unexpected(ring.error());
     }
-    for (std::size_t slot = 0; slot < kRingFrames; ++slot) {
+    for (std::size_t slot = 0; slot < kFramesInFlight; ++slot) {
         waitForFence(slot, false);
         // Every slot always has a fence, so that the first frames make the same calls as all others.
         fences_[slot] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -86,6 +93,9 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     ringStalls_ += ring_.empty() ? 0 : 1;
     ring_ = std::move(*ring);
     ringSlotSize_ = slotSize;
+    for (std::size_t slot = 0; slot < kFramesInFlight; ++slot) {
+        ringTexels_[slot] = Texture::createBufferView("frame ring", ring_.id(), slot * slotSize, slotSize);
+    }
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.id());
     return {};
 }
@@ -97,7 +107,7 @@ std::span<std::byte> GlDevice::beginFrame(TargetHandle target) {
     LIMEN_ASSERT(frameTarget_ != nullptr, "the target exists");
     timers_.beginFrame();
     frameCalls_ = 0;
-    ringSlot_ = (ringSlot_ + 1) % kRingFrames;
+    ringSlot_ = (ringSlot_ + 1) % kFramesInFlight;
     waitForFence(ringSlot_, true);
     call(glViewport, 0, 0, static_cast<GLsizei>(frameTarget_->width),
          static_cast<GLsizei>(frameTarget_->height));
@@ -121,14 +131,22 @@ void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
          names.data(), offsets.data(), sizes.data());
 }
 
-void GlDevice::bindTextures(std::span<const TextureHandle> pages) {
-    LIMEN_ASSERT(pages.size() + 1 <= kMaxUnits, "as many pages as the store was allowed");
+void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
+    LIMEN_ASSERT(textures.size() + frame::gpu::kUnitVertices <= kMaxUnits,
+                 "as many pages as the store was allowed");
     std::array<GLuint, kMaxUnits> names{};
-    names[0] = frameTarget_->ownership.id();
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-        names[i + 1] = textures_[static_cast<std::size_t>(pages[i])].id();
+    names[frame::gpu::kUnitOwnership] = frameTarget_->ownership.id();
+    names[frame::gpu::kUnitRing] = ringTexels_[ringSlot_].id();
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        names[frame::gpu::kUnitVertices + i] = textures_[static_cast<std::size_t>(textures[i])].id();
     }
-    call(glBindTextures, 0u, static_cast<GLsizei>(pages.size() + 1), names.data());
+    call(glBindTextures, 0u, static_cast<GLsizei>(textures.size() + frame::gpu::kUnitVertices), names.data());
+}
+
+void GlDevice::compute(ProgramHandle program, std::uint32_t groups) {
+    setState({.program = program});
+    call(glDispatchCompute, GLuint{groups}, GLuint{1}, GLuint{1});
+    call(glMemoryBarrier, GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT});
 }
 
 void GlDevice::clear(TargetImage image, const ClearValue& value) {

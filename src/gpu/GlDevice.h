@@ -20,7 +20,9 @@ public:
     [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] BufferHandle createBuffer(std::string_view label,
                                             std::span<const std::byte> bytes) override;
+    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
+    [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
                                                       const TextureShape& shape) override;
     void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
@@ -39,7 +41,8 @@ public:
 
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
-    void bindTextures(std::span<const TextureHandle> pages) override;
+    void bindTextures(std::span<const TextureHandle> textures) override;
+    void compute(ProgramHandle program, std::uint32_t groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override { timers_.begin(stage); }
     void endStage(frame::StageKind stage) override { timers_.end(stage); }
@@ -62,7 +65,7 @@ public:
     void presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height);
 
 private:
-    static constexpr std::size_t kRingFrames = 3;
+    static constexpr std::size_t kBytesPerTexel = 16; // of buffers that are read as textures
 
     struct Target {
         std::uint32_t width = 0, height = 0;
@@ -86,6 +89,7 @@ private:
         return function(arguments...);
     }
     void waitForFence(std::size_t slot, bool counted);
+    [[nodiscard]] Result<ProgramHandle> createComputeProgram(const ProgramSource& source);
     void makeImages(Target& target, const TargetOptions& options);
     [[nodiscard]] Result<void> makePasses(Target& target);
 
@@ -100,8 +104,9 @@ private:
     StageTimers timers_;
 
     Buffer ring_;
+    std::array<Texture, kFramesInFlight> ringTexels_; // by slot
     std::size_t ringSlotSize_ = 0, ringSlot_ = 0;
-    std::array<GLsync, kRingFrames> fences_{};
+    std::array<GLsync, kFramesInFlight> fences_{};
 
     const Target* frameTarget_ = nullptr; // between beginFrame and endFrame
     std::uint32_t frameCalls_ = 0, lastFrameCalls_ = 0, ringStalls_ = 0;

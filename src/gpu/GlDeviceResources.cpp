@@ -94,6 +94,10 @@ BufferHandle GlDevice::createBuffer(std::string_view label, std::span<const std:
     return static_cast<BufferHandle>(placeNamed(buffers_, Buffer::createStatic(label, bytes)));
 }
 
+BufferHandle GlDevice::createScratch(std::string_view label, std::size_t bytes) {
+    return static_cast<BufferHandle>(placeNamed(buffers_, Buffer::createScratch(label, bytes)));
+}
+
 void GlDevice::destroyBuffer(BufferHandle buffer) {
     buffers_[static_cast<std::size_t>(buffer)] = Buffer{};
     geometry_.fill(BufferHandle::Invalid); // its number may be given again
@@ -110,6 +114,17 @@ Result<TextureHandle> GlDevice::createTexture(std::string_view label, const Text
     Texture texture = Texture::createArray(label, shape.width, shape.height, shape.layers, shape.levels,
                                            shape.clamp, anisotropy);
     return static_cast<TextureHandle>(placeNamed(textures_, std::move(texture)));
+}
+
+Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandle buffer) {
+    const Buffer& from = buffers_[static_cast<std::size_t>(buffer)];
+    if (from.size() / kBytesPerTexel > capabilities_.maxBufferTexels) {
+        return fail(ErrorCode::Unsupported, std::string(label),
+                    fmt::format("{} bytes are more than the {} texels of a buffer that {} allows",
+                                from.size(), capabilities_.maxBufferTexels, capabilities_.renderer));
+    }
+    return static_cast<TextureHandle>(
+        placeNamed(textures_, Texture::createBufferView(label, from.id(), 0, from.size())));
 }
 
 void GlDevice::writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
@@ -130,6 +145,9 @@ void GlDevice::destroyTexture(TextureHandle texture) {
 }
 
 Result<ProgramHandle> GlDevice::createProgram(const ProgramSource& source) {
+    if (!source.computeShader.empty()) {
+        return createComputeProgram(source);
+    }
     const Result<std::string> vertex = shaderText(source.vertexShader, source);
     const Result<std::string> fragment = shaderText(source.fragmentShader, source);
     if (!vertex || !fragment) {
@@ -138,6 +156,18 @@ Result<ProgramHandle> GlDevice::createProgram(const ProgramSource& source) {
     Result<Program> program =
         Program::link(source.label, {{GL_VERTEX_SHADER, source.vertexShader, *vertex},
                                      {GL_FRAGMENT_SHADER, source.fragmentShader, *fragment}});
+    if (!program) {
+        return tl::unexpected(program.error());
+    }
+    return static_cast<ProgramHandle>(placeNamed(programs_, std::move(*program)));
+}
+
+Result<ProgramHandle> GlDevice::createComputeProgram(const ProgramSource& source) {
+    const Result<std::string> text = shaderText(source.computeShader, source);
+    if (!text) {
+        return tl::unexpected(text.error());
+    }
+    Result<Program> program = Program::link(source.label, {{GL_COMPUTE_SHADER, source.computeShader, *text}});
     if (!program) {
         return tl::unexpected(program.error());
     }

@@ -94,6 +94,15 @@ Buffer Buffer::createStatic(std::string_view name, std::span<const std::byte> by
     return {id, size, {}};
 }
 
+Buffer Buffer::createScratch(std::string_view name, std::size_t size) {
+    GLuint id = 0;
+    glCreateBuffers(1, &id);
+    label(GL_BUFFER, id, name);
+    size = std::max(size, kSmallestBuffer);
+    glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), nullptr, 0);
+    return {id, size, {}};
+}
+
 Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
     GLuint id = 0;
     glCreateBuffers(1, &id);
@@ -122,6 +131,16 @@ Texture Texture::createImage(std::string_view name, GLenum format, std::uint32_t
     glTextureStorage2D(id, 1, format, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return Texture(id);
+}
+
+Texture Texture::createBufferView(std::string_view name, GLuint buffer, std::size_t offset,
+                                  std::size_t size) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+    label(GL_TEXTURE, id, name);
+    glTextureBufferRange(id, GL_RGBA32UI, buffer, static_cast<GLintptr>(offset),
+                         static_cast<GLsizeiptr>(size));
     return Texture(id);
 }
 

@@ -59,6 +59,8 @@ public:
     Buffer() = default;
     /// Holds a copy of `bytes`; at least 16 bytes long, zero-filled, so that it can always be bound.
     [[nodiscard]] static Buffer createStatic(std::string_view label, std::span<const std::byte> bytes);
+    /// `size` bytes that only the GPU writes and reads.
+    [[nodiscard]] static Buffer createScratch(std::string_view label, std::size_t size);
     /// `size` bytes, mapped for writing until destroyed, coherent. Errors: Driver, if it cannot be mapped.
     [[nodiscard]] static Result<Buffer> createMapped(std::string_view label, std::size_t size);
 
@@ -96,6 +98,10 @@ public:
     [[nodiscard]] static Texture createArray(std::string_view label, std::uint32_t width,
                                              std::uint32_t height, std::uint32_t layers, std::uint32_t levels,
                                              bool clamp, float anisotropy);
+
+    /// Bytes of a buffer as texels of four words. The buffer must outlive it; `offset` is a multiple of what the driver asks.
+    [[nodiscard]] static Texture createBufferView(std::string_view label, GLuint buffer, std::size_t offset,
+                                                  std::size_t size);
 
     /// The bindless handle, made resident on the first call. Needs ARB_bindless_texture; parameters and
     /// storage are fixed from then on. 0 if the driver refuses.

@@ -22,6 +22,12 @@ BufferHandle NullDevice::createBuffer(std::string_view, std::span<const std::byt
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
+BufferHandle NullDevice::createScratch(std::string_view, std::size_t bytes) {
+    ++liveObjects_;
+    buffers_.emplace_back(bytes);
+    return static_cast<BufferHandle>(buffers_.size() - 1);
+}
+
 void NullDevice::destroyBuffer(BufferHandle buffer) {
     --liveObjects_;
     buffers_[static_cast<std::size_t>(buffer)].clear();
@@ -34,6 +40,12 @@ Result<TextureHandle> NullDevice::createTexture(std::string_view label, const Te
     }
     ++liveObjects_;
     textures_.push_back(shape);
+    return static_cast<TextureHandle>(textures_.size() - 1);
+}
+
+Result<TextureHandle> NullDevice::createTexels(std::string_view, BufferHandle) {
+    ++liveObjects_;
+    textures_.emplace_back();
     return static_cast<TextureHandle>(textures_.size() - 1);
 }
 
@@ -56,7 +68,10 @@ void NullDevice::destroyTexture(TextureHandle) {
 }
 
 Result<ProgramHandle> NullDevice::createProgram(const ProgramSource& source) {
-    for (const std::string& name : {source.vertexShader, source.fragmentShader}) {
+    for (const std::string& name : {source.vertexShader, source.fragmentShader, source.computeShader}) {
+        if (name.empty()) {
+            continue;
+        }
         if (const Result<std::string> text = shaderText(name, source); !text) {
             return tl::unexpected(text.error());
         }
@@ -121,8 +136,13 @@ void NullDevice::bindStorage(std::span<const StorageRange> ranges) {
     record(Command::Kind::BindStorage, ranges.size(), 0, 1);
 }
 
-void NullDevice::bindTextures(std::span<const TextureHandle> pages) {
-    record(Command::Kind::BindTextures, pages.size(), 0, 1);
+void NullDevice::bindTextures(std::span<const TextureHandle> textures) {
+    record(Command::Kind::BindTextures, textures.size(), 0, 1);
+}
+
+void NullDevice::compute(ProgramHandle program, std::uint32_t groups) {
+    const std::uint32_t changes = state_.apply({.program = program}).count();
+    record(Command::Kind::Compute, static_cast<std::size_t>(program), groups, changes + 2); // and the barrier
 }
 
 void NullDevice::clear(TargetImage image, const ClearValue&) {

@@ -14,7 +14,8 @@ public:
     struct Command {
         enum class Kind : std::uint8_t {
             BindStorage,  ///< a: number of ranges
-            BindTextures, ///< a: number of pages
+            BindTextures, ///< a: number of textures
+            Compute,      ///< a: program handle, b: groups
             Clear,        ///< a: TargetImage
             BeginStage,   ///< a: StageKind
             EndStage,     ///< a: StageKind
@@ -50,7 +51,9 @@ public:
     [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] BufferHandle createBuffer(std::string_view label,
                                             std::span<const std::byte> bytes) override;
+    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
+    [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
                                                       const TextureShape& shape) override;
     void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
@@ -69,7 +72,8 @@ public:
 
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
-    void bindTextures(std::span<const TextureHandle> pages) override;
+    void bindTextures(std::span<const TextureHandle> textures) override;
+    void compute(ProgramHandle program, std::uint32_t groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override;
     void endStage(frame::StageKind stage) override;

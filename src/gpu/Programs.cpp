@@ -79,6 +79,18 @@ ProgramSource programSource(frame::Program program, ProgramVariant variant, cons
     return source;
 }
 
+bool isDrawn(frame::Program program, const RenderOptions& options) {
+    const bool isFlat = options.shading != Shading::Lit;
+    switch (program) {
+    case frame::Program::SkyObjects:
+        return !isFlat && !options.wantLayers;
+    case frame::Program::Blended:
+        return !isFlat || options.wantLayers;
+    default:
+        return true;
+    }
+}
+
 Pass passOf(frame::Program program, const RenderOptions& options) {
     switch (program) {
     case frame::Program::Ownership:

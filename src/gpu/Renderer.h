@@ -4,23 +4,17 @@
 #include "frame/SceneUpload.h"
 #include "gpu/Device.h"
 #include "gpu/FrameReport.h"
-#include "gpu/Programs.h"
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
-#include "gpu/TextureStore.h"
+#include "gpu/RendererOptions.h"
 
 #include <memory>
 
 namespace limen::gpu {
 
-struct RendererOptions {
-    TextureStoreOptions textures{};
-    /// What a pixel shows is decided by the ray through its centre and not by corners that the rasteriser has snapped
-    /// (shaders/include/outline.glsl).
-    bool exactOutlines = true;
-    /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
-    std::vector<std::string> shaderDefines{};
-};
+class FrameRing;
+class ResidentScene;
+class TriangleCulling;
 
 /// Draws frame plans on a device: one GL draw call per batch, whatever it holds. The device must outlive it.
 class Renderer {
@@ -44,24 +38,18 @@ public:
     [[nodiscard]] DriverReport driver() const;
 
 private:
-    // The static arrays on the device, in the order of their bindings.
-    struct Scene;
-    // Where this frame's arrays lie in the ring.
-    struct RingLayout;
-
-    [[nodiscard]] RingLayout layOutRing(const frame::FramePlan& plan) const;
     [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
                                                bool multisampled);
-    void bindAll(const RingLayout& layout);
+    void bindAll(const FrameRing& ring, const TriangleCulling* culling);
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
-    void drawStages(const frame::FramePlan& plan, const RingLayout& layout, const RenderOptions& options,
+    void drawStages(const frame::FramePlan& plan, std::size_t commandsOffset, const RenderOptions& options,
                     bool multisampled);
     void drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
                    bool multisampled);
 
     Device* device_;
     RendererOptions options_;
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<ResidentScene> scene_;
     FrameReport report_;
 };
 

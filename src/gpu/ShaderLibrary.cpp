@@ -28,6 +28,12 @@ std::string textureDefines(const TextureBinding& binding) {
     return text + "\n";
 }
 
+const char* stageDefine(std::string_view name) {
+    return name.ends_with(".vert")   ? "#define VERTEX_STAGE 1\n"
+           : name.ends_with(".comp") ? "#define COMPUTE_STAGE 1\n"
+                                     : "#define FRAGMENT_STAGE 1\n";
+}
+
 // A number at the start of `text`, which is advanced past it.
 std::optional<std::size_t> takeNumber(std::string_view& text) {
     std::size_t value = 0;
@@ -64,7 +70,7 @@ Result<std::string> shaderText(std::string_view name, const ProgramSource& sourc
                     "no shader of this name is built into the library");
     }
     std::string text = "#version 450 core\n" + textureDefines(source.textures);
-    text += name.ends_with(".vert") ? "#define VERTEX_STAGE 1\n" : "#define FRAGMENT_STAGE 1\n";
+    text += stageDefine(name);
     for (const std::string& define : source.defines) {
         text += "#define " + define + " 1\n";
     }

@@ -35,6 +35,7 @@ struct ProgramSource {
     std::string fragmentShader{};
     std::vector<std::string> defines{}; ///< e.g. "GATED"
     TextureBinding textures{};
+    std::string computeShader{}; ///< instead of the two
 };
 
 /// The text the driver gets for one stage: version, extensions, defines, source. NotFound for an unknown

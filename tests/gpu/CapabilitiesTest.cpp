@@ -13,7 +13,10 @@ DriverLimits goodDriver() {
             .fragmentStorageBlocks = 16,
             .combinedStorageBlocks = 80,
             .storageBindings = 80,
+            .computeStorageBlocks = 8,
             .textureUnits = 16,
+            .vertexTextureUnits = 16,
+            .computeTextureUnits = 16,
             .drawBuffers = 8};
 }
 
@@ -28,14 +31,15 @@ TEST(Capabilities, everythingMissingIsNamedAtOnce) {
     limits.vertexStorageBlocks = 0;
     EXPECT_THAT(missingFrom(limits),
                 ::testing::ElementsAre("OpenGL 4.5 (it has 3.3)", "GL_ARB_shader_draw_parameters",
-                                       "8 storage blocks in the vertex stage (it has 0)"));
+                                       "10 storage blocks in the vertex stage (it has 0)"));
 }
 
 TEST(Capabilities, eachLimitIsChecked) {
     for (int DriverLimits::*limit :
          {&DriverLimits::version, &DriverLimits::vertexStorageBlocks, &DriverLimits::fragmentStorageBlocks,
           &DriverLimits::combinedStorageBlocks, &DriverLimits::storageBindings, &DriverLimits::textureUnits,
-          &DriverLimits::drawBuffers}) {
+          &DriverLimits::computeStorageBlocks, &DriverLimits::vertexTextureUnits,
+          &DriverLimits::computeTextureUnits, &DriverLimits::drawBuffers}) {
         DriverLimits limits = goodDriver();
         limits.*limit = 2;
         EXPECT_EQ(missingFrom(limits).size(), 1u);

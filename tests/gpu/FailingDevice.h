@@ -9,7 +9,7 @@ class FailingDevice final : public Device {
 public:
     explicit FailingDevice(Device& device) : device_(device) {}
 
-    /// Textures that are still made before one fails, once; none: all are made.
+    /// Textures, of buffers too, that are still made before one fails, once; none: all are made.
     std::optional<std::uint32_t> texturesBeforeFailure;
 
     [[nodiscard]] const Capabilities& capabilities() const override { return device_.capabilities(); }
@@ -17,14 +17,18 @@ public:
                                             std::span<const std::byte> bytes) override {
         return device_.createBuffer(label, bytes);
     }
+    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override {
+        return device_.createScratch(label, bytes);
+    }
     void destroyBuffer(BufferHandle buffer) override { device_.destroyBuffer(buffer); }
+    [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override {
+        return failsNow() ? fail(ErrorCode::Driver, std::string(label), "out of memory")
+                          : device_.createTexels(label, buffer);
+    }
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
                                                       const TextureShape& shape) override {
-        if (texturesBeforeFailure && (*texturesBeforeFailure)-- == 0) {
-            texturesBeforeFailure.reset();
-            return fail(ErrorCode::Driver, std::string(label), "out of memory");
-        }
-        return device_.createTexture(label, shape);
+        return failsNow() ? fail(ErrorCode::Driver, std::string(label), "out of memory")
+                          : device_.createTexture(label, shape);
     }
     void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
                       std::uint32_t height, std::span<const std::uint8_t> rgba) override {
@@ -57,7 +61,8 @@ public:
         return device_.beginFrame(target);
     }
     void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }
-    void bindTextures(std::span<const TextureHandle> pages) override { device_.bindTextures(pages); }
+    void bindTextures(std::span<const TextureHandle> textures) override { device_.bindTextures(textures); }
+    void compute(ProgramHandle program, std::uint32_t groups) override { device_.compute(program, groups); }
     void clear(TargetImage image, const ClearValue& value) override { device_.clear(image, value); }
     void beginStage(frame::StageKind stage) override { device_.beginStage(stage); }
     void endStage(frame::StageKind stage) override { device_.endStage(stage); }
@@ -76,6 +81,14 @@ public:
     [[nodiscard]] StageTimes stageTimes() override { return device_.stageTimes(); }
 
 private:
+    bool failsNow() {
+        const bool fails = texturesBeforeFailure && (*texturesBeforeFailure)-- == 0;
+        if (fails) {
+            texturesBeforeFailure.reset();
+        }
+        return fails;
+    }
+
     Device& device_;
 };
 

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace limen::gpu::test {
@@ -28,6 +30,14 @@ protected:
             }
         }
         return found;
+    }
+    // The first of an array in the ring, by its binding.
+    template <class T, std::size_t Count>
+    std::array<T, Count> arrayAt(std::uint32_t binding) const {
+        std::array<T, Count> values;
+        std::memcpy(static_cast<void*>(values.data()),
+                    device_.ring().subspan(device_.storage()[binding].offset).data(), sizeof(values));
+        return values;
     }
 
     NullDevice device_;
@@ -63,9 +73,13 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
     };
     EXPECT_EQ(std::memcmp(at(layout::kBindFrame).data(), &scene.plan.constants,
                           offsetof(layout::FrameConstants, viewport)),
-              0) << "all but what the target adds";
-    EXPECT_EQ(
-        std::memcmp(at(layout::kBindVisits).data(), scene.plan.visits.data(), 2 * sizeof(layout::Visit)), 0);
+              0)
+        << "all but what the target adds";
+    const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
+    EXPECT_EQ(std::memcmp(device_.ring().subspan(std::size_t{16} * constants.firstVisit).data(),
+                          scene.plan.visits.data(), 2 * sizeof(layout::Visit)),
+              0)
+        << "read as texels";
     EXPECT_EQ(std::memcmp(at(layout::kBindOwnership).data(), scene.plan.ownershipVertices.data(),
                           6 * sizeof(layout::OwnershipVertex)),
               0);
@@ -77,6 +91,43 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
         EXPECT_GT(range.size, 0u);
         EXPECT_EQ(range.offset % device_.capabilities().storageAlignment, 0u);
     }
+}
+
+// One task for every draw command of the frame, each with room for all its indices behind the one before.
+TEST_F(NullDeviceTest, everyIndexedDrawIsCulled) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.addWall('A', {-1, -1}, {1, 1}, 1);
+    scene.addWall('B', {-1, -1}, {1, 1}, 1, {.program = frame::Program::Blended});
+    scene.addSky({-1, -1}, {1, 1}, 1, 0, 0.5f);
+    draw(scene);
+    const auto compute = std::find_if(device_.commands().begin(), device_.commands().end(),
+                                      [](const auto& command) { return command.kind == Kind::Compute; });
+    ASSERT_NE(compute, device_.commands().end());
+    ASSERT_EQ(compute->b, 3u);
+    const auto tasks = arrayAt<layout::CullTask, 3>(layout::kBindCullTasks);
+    std::uint32_t next = tasks[0].indices.z;
+    for (const layout::CullTask& task : tasks) {
+        const layout::DrawCommand& command = scene.plan.commands[task.drawing.x];
+        EXPECT_EQ(glm::uvec3(task.indices), glm::uvec3(command.firstIndex, 2, next));
+        EXPECT_EQ(task.drawing.z, command.baseInstance);
+        next += 6;
+    }
+    EXPECT_EQ(std::count_if(tasks.begin(), tasks.end(),
+                            [](const auto& t) { return t.indices.w == layout::kKeepsAll; }),
+              1)
+        << "the sky's";
+}
+
+TEST_F(NullDeviceTest, withoutExactOutlinesNothingIsCulled) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.addWall('A', {-1, -1}, {1, 1}, 1);
+    Renderer renderer(device_, {.exactOutlines = false});
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
+    ASSERT_TRUE(renderer.render(scene.finish(), *target));
+    EXPECT_TRUE(of(Kind::Compute).empty());
 }
 
 TEST_F(NullDeviceTest, glCallsDoNotGrowWithWhatIsDrawn) {

@@ -49,6 +49,11 @@ std::uint32_t SceneBuilder::addTexture(std::uint32_t width, std::uint32_t height
 
 std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3, 4>& corners,
                                     const QuadOptions& options) {
+    return addQuads(id, {&corners, 1}, options);
+}
+
+std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::array<glm::vec3, 4>> quads,
+                                     const QuadOptions& options) {
     layout::Instance instance;
     instance.row0 = options.rows[0];
     instance.row1 = options.rows[1];
@@ -67,16 +72,20 @@ std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3
         upload.materialRefs.push_back(options.material);
     }
     const auto baseVertex = static_cast<std::int32_t>(upload.vertices.size());
-    const glm::vec3 facet =
-        glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])); // quads are flat
-    for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
-        upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], 0, facet});
-    }
     const auto firstIndex = static_cast<std::uint32_t>(upload.indices.size());
-    upload.indices.insert(upload.indices.end(), {0, 1, 2, 3, 4, 5});
+    for (std::uint32_t polygon = 0; polygon < quads.size(); ++polygon) {
+        const std::array<glm::vec3, 4>& corners = quads[polygon];
+        const glm::vec3 facet =
+            glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])); // quads are flat
+        for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
+            upload.indices.push_back(static_cast<std::uint32_t>(upload.indices.size()) - firstIndex);
+            upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], polygon, facet});
+        }
+    }
     const auto index = static_cast<std::uint32_t>(upload.instances.size());
     upload.instances.push_back(instance);
-    instanceDraws_.push_back({6, 1, firstIndex, baseVertex, index});
+    instanceDraws_.push_back(
+        {static_cast<std::uint32_t>(6 * quads.size()), 1, firstIndex, baseVertex, index});
     drawAgain(index, options.program, options.gated);
     return index;
 }
@@ -192,7 +201,11 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     indexed(Program::SkyObjects, false);
     stage(frame::StageKind::Sky, first);
     first = plan.batches.size();
-    indexed(Program::Blended, false);
+    // One list, as a planner makes it, unless a test draws both ways.
+    const bool bothWays = !draws_[{Program::Blended, false}].empty() || !allBatches;
+    if (bothWays) {
+        indexed(Program::Blended, false);
+    }
     indexed(Program::Blended, true);
     stage(frame::StageKind::Late, first);
     stage(frame::StageKind::Overlay, plan.batches.size());

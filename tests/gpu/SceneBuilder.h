@@ -6,6 +6,7 @@
 #include <deque>
 #include <initializer_list>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ public:
     /// Yields the instance's index.
     std::uint32_t addQuad(std::uint32_t id, const std::array<glm::vec3, 4>& corners,
                           const QuadOptions& options = {});
+    /// Several as one mesh, in their order; the ids go up from `id`.
+    std::uint32_t addQuads(std::uint32_t id, std::span<const std::array<glm::vec3, 4>> quads,
+                           const QuadOptions& options = {});
     /// An upright rectangle that faces the camera (south).
     std::uint32_t addWall(std::uint32_t id, glm::vec2 min, glm::vec2 max, float y,
                           const QuadOptions& options = {});

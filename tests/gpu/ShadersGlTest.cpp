@@ -1,4 +1,5 @@
 #include "GlFixture.h"
+#include "gpu/Programs.h"
 
 namespace limen::gpu::test {
 namespace {
@@ -7,7 +8,7 @@ class ShadersGlTest : public GlTest {};
 
 TEST_F(ShadersGlTest, everyVariantBuilds) {
     std::vector<TextureBinding> bindings{
-        {false, 0}, {false, 1}, {false, device_->capabilities().textureUnits - 1}};
+        {false, 0}, {false, 1}, {false, device_->capabilities().textureUnits - frame::gpu::kUnitFirstPage}};
     if (device_->capabilities().bindless) {
         bindings.push_back({true, 0, {}});
     }

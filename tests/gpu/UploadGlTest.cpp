@@ -28,7 +28,7 @@ TEST_F(UploadGl, case21_aFailedUploadLeavesTheOldSceneAndTheNextOneIsComplete) {
     const Frame expected = render(after);
     ASSERT_TRUE(renderer.upload(before.upload));
     const Frame old = renderWith(renderer, before.finish(), 8, 8);
-    for (const std::uint32_t made : {0u, 1u}) {
+    for (const std::uint32_t made : {0u, 1u, 2u, 4u}) { // pages, then arrays
         failing.texturesBeforeFailure = made;
         const Result<void> failed = renderer.upload(after.upload);
         ASSERT_FALSE(failed) << "after " << made;
@@ -73,7 +73,7 @@ TEST(Upload, case21_aFailureLeavesNothingBehindOnTheDevice) {
     buildScene(scene, 'A', 200);
     ASSERT_TRUE(renderer.upload(scene.upload));
     const std::size_t objects = device.liveObjects();
-    for (const std::uint32_t made : {0u, 1u}) {
+    for (const std::uint32_t made : {0u, 1u, 2u, 4u}) { // pages, then arrays
         failing.texturesBeforeFailure = made;
         EXPECT_FALSE(renderer.upload(scene.upload));
         EXPECT_FALSE(failing.texturesBeforeFailure.has_value()) << "it did fail";

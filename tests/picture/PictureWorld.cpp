@@ -57,8 +57,9 @@ Driver& driver() {
 
 struct PictureWorld::Drawing {
     explicit Drawing(const PictureOptions& options)
-        : renderer(*driver().device,
-                   {.exactOutlines = options.exactOutlines, .shaderDefines = options.shaderDefines}) {}
+        : renderer(*driver().device, {.exactOutlines = options.exactOutlines,
+                                      .cullTriangles = options.cullTriangles,
+                                      .shaderDefines = options.shaderDefines}) {}
     gpu::Renderer renderer;
     std::optional<gpu::RenderTarget> target;
     frame::FramePlan plan;

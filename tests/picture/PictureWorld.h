@@ -43,6 +43,7 @@ struct PictureOptions {
     world::MovingEntries moving{};
     std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
     bool exactOutlines = true;                ///< gpu::RendererOptions
+    bool cullTriangles = true;                ///< gpu::RendererOptions
     Omissions omissions{};                    ///< in what is drawn; what it is held against stays whole
 };
 

@@ -1,0 +1,83 @@
+// Leaves out triangles that cover no pixel's centre or face away. A work group culls the triangles of one draw command, and
+// keeps the rest in their order: of what lies equally deep, what comes later is seen.
+// Only for frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a triangle whose
+// outline stays clear of all centres shows nothing, however it would be snapped.
+#include "frommodel.glsl"
+
+layout(local_size_x = kCullThreads) in;
+
+// Pixels that an outline may be from where it is computed here, with room to spare: corners are 24-bit floats.
+const float kMargin = 1.0 / 32.0;
+// Metres, and per metre of distance, that the eye must be behind a triangle's plane: mesh.vert computes it again.
+const float kBehind = 1.0e-3;
+const float kBehindSlope = 1.0e-6;
+
+bool facesAway(uint vertex, Instance instance, vec3 corner) {
+    vec4 plane = facetFromModel(facetAt(vertex), instance, corner);
+    return plane.w > kBehind + kBehindSlope * length(corner);
+}
+
+// Whether a pixel's centre lies in the rectangle around three corners on the screen.
+bool mayCoverCentre(vec3 first, vec3 second, vec3 third) {
+    vec2 most = frame.viewport.xy * 0.5;
+    vec2 a = first.xy / first.z;
+    vec2 b = second.xy / second.z;
+    vec2 c = third.xy / third.z;
+    vec2 low = max(min(min(a, b), c) - kMargin, -most) + most;
+    vec2 high = min(max(max(a, b), c) + kMargin, most) + most;
+    return all(lessThanEqual(ceil(low - 0.5), floor(high - 0.5)));
+}
+
+bool mayShow(uint vertex, Instance instance) {
+    vec3 first = eyeFromVertex(vertex, instance);
+    if (facesAway(vertex, instance, first)) {
+        return false;
+    }
+    vec3 a = screenFromEye(first);
+    vec3 b = screenFromEye(eyeFromVertex(vertex + 1u, instance));
+    vec3 c = screenFromEye(eyeFromVertex(vertex + 2u, instance));
+    bool isAhead = min(min(a.z, b.z), c.z) >= frame.nearPlane;
+    return !isAhead || mayCoverCentre(a, b, c);
+}
+
+shared uint keptBy[kCullThreads];
+
+void main() {
+    uvec4 task = cullTasks[gl_WorkGroupID.x].indices;
+    uvec4 drawing = cullTasks[gl_WorkGroupID.x].drawing;
+    bool keepsAll = task.w == kKeepsAll;
+    Instance instance = instanceAt(keepsAll ? 0u : drawing.z);
+    uint me = gl_LocalInvocationID.x;
+    uint each = (task.y + kCullThreads - 1u) / kCullThreads;
+    uint begin = min(me * each, task.y);
+    uint end = min(begin + each, task.y);
+    uint kept = 0u;
+    for (uint i = begin; i < end; ++i) {
+        uint vertex = drawing.y + indices[task.x + 3u * i];
+        kept |= keepsAll || mayShow(vertex - vertex % 3u, instance) ? 1u << (i - begin) : 0u;
+    }
+    keptBy[me] = bitCount(kept);
+    barrier();
+    uint before = 0u;
+    uint all = 0u;
+    for (uint thread = 0u; thread < kCullThreads; ++thread) {
+        before = thread == me ? all : before;
+        all += keptBy[thread];
+    }
+    uint to = task.z + 3u * before;
+    while (kept != 0u) {
+        uint i = begin + uint(findLSB(kept));
+        kept &= kept - 1u;
+        uint from = task.x + 3u * i;
+        keptIndices[to] = indices[from];
+        keptIndices[to + 1u] = indices[from + 1u];
+        keptIndices[to + 2u] = indices[from + 2u];
+        to += 3u;
+    }
+    if (me == 0u) {
+        uint command = drawing.x * kWordsPerCommand;
+        commands[command] = 3u * all;
+        commands[command + 1u] = all > 0u ? 1u : 0u;
+        commands[command + 2u] = task.z;
+    }
+}

@@ -1,0 +1,79 @@
+#include "gpu/FrameRing.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace limen::gpu {
+
+namespace layout = frame::gpu;
+
+FrameRing::FrameRing(const frame::FramePlan& plan, std::span<const layout::CullTask> tasks,
+                     std::size_t alignment)
+    : plan_(plan), tasks_(tasks) {
+    for (std::size_t i = 0; i < kArrays; ++i) {
+        const std::size_t size = bytes(static_cast<Array>(i), plan.constants).size();
+        const std::size_t offset = (size_ + alignment - 1) / alignment * alignment;
+        places_[i] = {BufferHandle::Invalid, offset, std::max(size, kSmallestRange)};
+        size_ = offset + places_[i].size;
+    }
+}
+
+std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameConstants& constants) const {
+    const auto of = [](const auto& values) { return std::as_bytes(std::span(values)); };
+    switch (array) {
+    case kConstants:
+        return std::as_bytes(std::span(&constants, 1));
+    case kBlocks:
+        return of(plan_.blocks);
+    case kVisits:
+        return of(plan_.visits);
+    case kOwnership:
+        return of(plan_.ownershipVertices);
+    case kClipSets:
+        return of(plan_.clipSets);
+    case kSky:
+        return of(plan_.skyInstances);
+    case kMovers:
+        return of(plan_.movers);
+    case kMoverMembers:
+        return of(plan_.moverMembers);
+    case kCommands:
+        return of(plan_.commands);
+    case kTasks:
+        return of(tasks_);
+    case kArrays:
+        break;
+    }
+    return {};
+}
+
+std::uint32_t FrameRing::texel(Array array) const {
+    return static_cast<std::uint32_t>(places_[array].offset / kBytesPerTexel);
+}
+
+void FrameRing::locate(layout::FrameConstants& constants) const {
+    constants.firstBlock = texel(kBlocks);
+    constants.firstVisit = texel(kVisits);
+    constants.firstMover = texel(kMovers);
+    constants.firstMoverMember = texel(kMoverMembers);
+}
+
+void FrameRing::bind(StorageBindings& storage) const {
+    storage[layout::kBindFrame] = places_[kConstants];
+    storage[layout::kBindOwnership] = places_[kOwnership];
+    storage[layout::kBindClipSets] = places_[kClipSets];
+    storage[layout::kBindSky] = places_[kSky];
+    storage[layout::kBindCommands] = places_[kCommands];
+    storage[layout::kBindCullTasks] = places_[kTasks];
+}
+
+void FrameRing::write(const layout::FrameConstants& constants, std::span<std::byte> memory) const {
+    for (std::size_t i = 0; i < kArrays; ++i) {
+        const std::span<const std::byte> array = bytes(static_cast<Array>(i), constants);
+        if (!array.empty()) {
+            std::memcpy(memory.data() + places_[i].offset, array.data(), array.size());
+        }
+    }
+}
+
+} // namespace limen::gpu

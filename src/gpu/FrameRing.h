@@ -1,0 +1,60 @@
+#pragma once
+
+#include "frame/FramePlan.h"
+#include "gpu/Device.h"
+
+#include <array>
+
+namespace limen::gpu {
+
+/// Every storage binding of a frame, by number.
+using StorageBindings = std::array<StorageRange, frame::gpu::kStorageBindings>;
+
+/// What an empty array is bound as, bytes: a range may not be empty.
+inline constexpr std::size_t kSmallestRange = 256;
+/// Of buffers that are read as textures.
+inline constexpr std::size_t kBytesPerTexel = 16;
+
+/// Where one frame's arrays lie in the ring memory: the plan's, and what culling its triangles takes.
+class FrameRing {
+public:
+    /// `alignment`: Capabilities::storageAlignment. Both arrays must outlive it.
+    FrameRing(const frame::FramePlan& plan, std::span<const frame::gpu::CullTask> tasks,
+              std::size_t alignment);
+
+    [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
+    [[nodiscard]] std::size_t commands() const { return places_[kCommands].offset; }
+
+    /// Tells the shaders where the arrays are that they read as texels.
+    void locate(frame::gpu::FrameConstants& constants) const;
+    /// Binds the arrays that shaders read as storage.
+    void bind(StorageBindings& storage) const;
+    /// Writes all arrays.
+    void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
+
+private:
+    // In the order they are written.
+    enum Array : std::size_t {
+        kConstants,
+        kBlocks,
+        kVisits,
+        kOwnership,
+        kClipSets,
+        kSky,
+        kMovers,
+        kMoverMembers,
+        kCommands,
+        kTasks,
+        kArrays
+    };
+    [[nodiscard]] std::span<const std::byte> bytes(Array array,
+                                                   const frame::gpu::FrameConstants& constants) const;
+    [[nodiscard]] std::uint32_t texel(Array array) const;
+
+    const frame::FramePlan& plan_;
+    std::span<const frame::gpu::CullTask> tasks_;
+    std::array<StorageRange, kArrays> places_{}; ///< in the ring
+    std::size_t size_ = 0;
+};
+
+} // namespace limen::gpu

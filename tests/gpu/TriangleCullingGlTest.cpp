@@ -1,0 +1,117 @@
+#include "GlFixture.h"
+
+#include <algorithm>
+#include <random>
+
+namespace limen::gpu::test {
+namespace {
+
+class TriangleCullingGlTest : public GlTest {
+protected:
+    // Draws it with every triangle, and again without those that show nothing.
+    void expectSame(SceneBuilder& scene, std::uint32_t size, const RenderOptions& options = {}) {
+        Renderer all(*device_, {.cullTriangles = false});
+        Renderer culled(*device_);
+        ASSERT_TRUE(all.upload(scene.upload));
+        ASSERT_TRUE(culled.upload(scene.upload));
+        const frame::FramePlan& plan = scene.finish(true);
+        const Frame whole = renderWith(all, plan, size, size, options);
+        const Frame less = renderWith(culled, plan, size, size, options);
+        EXPECT_EQ(whole.ids, less.ids);
+        EXPECT_EQ(whole.depth, less.depth);
+        if (options.shading != Shading::IdsOnly) { // that writes none
+            EXPECT_EQ(whole.colour, less.colour);
+        }
+        EXPECT_EQ(whole.layers, less.layers);
+        seen_ = static_cast<std::size_t>(
+            std::count_if(whole.ids.begin(), whole.ids.end(), [](std::uint32_t id) { return id >= 100; }));
+    }
+
+    std::size_t seen_ = 0; ///< pixels of quads
+};
+
+constexpr std::array<frame::Program, 3> kPrograms{frame::Program::Opaque, frame::Program::CutOut,
+                                                  frame::Program::Blended};
+
+// Quads of all sizes about the size of a pixel and far beyond, turned any way, some across the eye's plane, some mirrored.
+SceneBuilder anyQuads(std::uint32_t seed, std::uint32_t count) {
+    SceneBuilder scene;
+    scene.root(0);
+    std::mt19937 dice(seed);
+    const auto between = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(dice);
+    };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 middle(between(-4, 4), between(-1, 6), between(-4, 4));
+        const float size = std::exp(between(-6.0f, 1.5f));
+        const glm::vec3 right = size * glm::vec3(between(-1, 1), between(-1, 1), between(-1, 1));
+        const glm::vec3 up = size * glm::vec3(between(-1, 1), between(-1, 1), between(-1, 1));
+        QuadOptions options{.program = kPrograms[i % 3], .gated = i % 5 == 0};
+        if (i % 7 == 0)
+            options.rows[0] = {-1, 0, 0, 0};
+        scene.addQuad(100 + i,
+                      {middle - right - up, middle + right - up, middle + right + up, middle - right + up},
+                      options);
+    }
+    return scene;
+}
+
+TEST_F(TriangleCullingGlTest, changesNoPicture) {
+    for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+        SceneBuilder scene = anyQuads(seed, 400);
+        for (const std::uint32_t size : {7u, 32u, 131u}) {
+            expectSame(scene, size);
+            EXPECT_GT(seen_, 0u);
+            expectSame(scene, size, {.shading = Shading::IdsOnly});
+            expectSame(scene, size, {.wantLayers = true});
+        }
+    }
+}
+
+// Its rectangle on the screen just holds a pixel's centre, or just does not.
+TEST_F(TriangleCullingGlTest, aTriangleOnASinglePixelsCentreIsKept) {
+    constexpr std::uint32_t kSize = 8;
+    constexpr float kPixel = 2.0f / kSize; // metres at a distance of one
+    for (const float half : {0.02f * kPixel, 0.2f * kPixel, 0.4f * kPixel}) {
+        for (const float off : {0.0f, 0.9f, 1.1f}) {
+            SceneBuilder scene;
+            scene.root(0);
+            const glm::vec2 centre = glm::vec2(0.5f * kPixel + off * half, 0.5f * kPixel);
+            scene.addWall(100, centre - half, centre + half, 1);
+            expectSame(scene, kSize);
+            EXPECT_EQ(seen_, off < 1.0f ? 1u : 0u);
+        }
+    }
+}
+
+// What comes later in a mesh wins where both are equally deep.
+TEST_F(TriangleCullingGlTest, keepsTheOrderOfTriangles) {
+    SceneBuilder scene;
+    scene.root(0);
+    std::vector<std::array<glm::vec3, 4>> quads;
+    for (std::uint32_t i = 0; i < layout::kTrianglesPerCommand / 2; ++i) {
+        const float half =
+            i % 3 == 0 ? 0.001f : 1.0f - 0.001f * static_cast<float>(i); // some cover no centre
+        quads.push_back({glm::vec3{-half, 1, -half}, {half, 1, -half}, {half, 1, half}, {-half, 1, half}});
+    }
+    scene.addQuads(100, quads);
+    expectSame(scene, 16);
+    EXPECT_EQ(seen_, 256u);
+}
+
+TEST_F(TriangleCullingGlTest, manyTrianglesInManyFrames) {
+    Renderer renderer(*device_);
+    for (const std::uint32_t count : {10u, 30'000u, 100u}) {
+        SceneBuilder scene;
+        scene.root(0);
+        for (std::uint32_t i = 0; i < count; ++i)
+            scene.addWall(100 + i, {-9, -9}, {9, 9}, 1.0f + 0.001f * static_cast<float>(i));
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        const frame::FramePlan& plan = scene.finish();
+        for (int frame = 0; frame < 4; ++frame) // more than are under way at once
+            EXPECT_EQ(renderWith(renderer, plan, 4, 4).ids, std::vector<std::uint32_t>(16, 100));
+    }
+}
+
+} // namespace
+} // namespace limen::gpu::test
