@@ -13,10 +13,18 @@ layout(binding = kUnitOwnership) uniform usampler2D ownership;
 const float kPlaneTolerance = 0.001;
 // Per metre of distance: what float positions and interpolation lose grows with the distance from the eye.
 const float kPlaneToleranceSlope = 4.0e-7;
-// Pixels. Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the
-// pixel's centre, while its position is extended to the centre along the triangle's plane. On a surface seen edge-on
-// (the ceiling of a doorway at eye level) that moves it by far more than a millimetre, out of its own cell.
+// Pixels that a fragment's place may be beside its ray. On a surface seen edge-on (the ceiling of a doorway at eye level) that
+// moves it by far more than a millimetre, out of its own cell; too much of it, and a strip of roof seen edge-on is kept though it
+// lies metres beyond the opening by which its ray has left.
+#ifdef EXACT
+// Depth is taken up to kInward from the ray (onpolygon.glsl), and directions are floats, of which a picture 4,000 pixels wide
+// makes 0.00025 of a pixel.
+const float kSnap = 1.0 / 2048.0;
+#else
+// Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the pixel's centre,
+// while its position is extended to the centre along the triangle's plane.
 const float kSnap = 1.0 / 128.0;
+#endif
 
 // Metres. What lies no more than this before a shut opening's plane is met after its filling (docs: "Fillings"). So is
 // what lies beyond.

@@ -221,6 +221,24 @@ NamedView eavesBehindAnEdge() {
     return view;
 }
 
+NamedView landingsInAShaft() {
+    NamedView view;
+    TestWorld& world = view.world;
+    const auto shaft = world.addBox({0, 40, 0}, {12, 60, 30}, "grey");
+    for (int i = 0; i < 6; ++i) { // each ends at the same diagonal, by corners of its own
+        const double one = 1.703125 + 0.359375 * i, other = 2.296875 + 0.203125 * i,
+                     z = 19.71875 - 1.640625 * i;
+        world.walls(shaft).push_back({{{5 - one, 50 + one, z}, {5 + other, 50 - other, z}, {11, 56, z}},
+                                      i == 0   ? "pine"
+                                      : i == 1 ? "oak"
+                                               : "brown"});
+    }
+    view.root = shaft;
+    view.eye = {5.23456781, 49.76543219, 20.006579};
+    view.pitch = -90.0;
+    return view;
+}
+
 NamedView barsInAnOpening() {
     NamedView view;
     TestWorld& world = view.world;

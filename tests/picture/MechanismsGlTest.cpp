@@ -144,7 +144,15 @@ TEST(Mechanisms, exactOutlines) {
 }
 
 TEST(Mechanisms, depthInwards) {
-    expectNeeded(eavesBehindAnEdge, withoutShaderPart("LIMEN_WITHOUT_DEPTH_INWARDS"), 17);
+    // The edge lies where pixels have their centres, and is to be met.
+    const Off on = withoutShaderPart("LIMEN_WITHOUT_BESIDE");
+    Off off = on;
+    off.options.shaderDefines.emplace_back("LIMEN_WITHOUT_DEPTH_INWARDS");
+    expectNeeded(eavesBehindAnEdge, off, 17, on);
+}
+
+TEST(Mechanisms, besideCentres) {
+    expectNeeded(landingsInAShaft, withoutShaderPart("LIMEN_WITHOUT_BESIDE"), 64);
 }
 
 TEST(Mechanisms, gateTolerance) {
