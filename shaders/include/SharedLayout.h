@@ -59,6 +59,14 @@ LIMEN_CONST kMaxLights = 8u; // lamps per light set
 LIMEN_CONST kKindShell = 0u;   // Instance.kind: a cell's own walls, world::Kind::Shell
 LIMEN_CONST kKindFilling = 6u; // what stands in an opening: a door's leaf, a pane, world::Kind::Filling
 
+// Where in a pixel its ray passes, from the centre, in parts of a pixel, y upwards. Eyes stand in the planes of walls and over
+// edges, and what is built on a grid lies at angles that pixels' centres lie at, too: rays through centres then pass along edges,
+// one behind the other, and each decides for itself, by roundings, which side it is on. No such line passes here. The parts are
+// what floats of a window 4,096 pixels wide can tell apart.
+LIMEN_CONST kBesideX = 7u;
+LIMEN_CONST kBesideY = 3u;
+LIMEN_CONST kPartsOfAPixel = 4096u;
+
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
 
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;

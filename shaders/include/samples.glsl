@@ -10,13 +10,10 @@
 #endif
 
 #ifdef FRAGMENT_STAGE
-// Pixels from its centre that a pixel is asked for. Eyes stand in the planes of walls and over edges, and what is built on a grid
-// lies at angles that pixels' centres lie at, too: rays through centres then pass along edges, one behind the other, and each
-// decides for itself by roundings which side it is on. No such line passes here.
 #ifdef LIMEN_WITHOUT_BESIDE // tests show that it is needed (docs/proof.md)
 const vec2 kBeside = vec2(0.0);
 #else
-const vec2 kBeside = vec2(0.00073, 0.00031);
+const vec2 kBeside = vec2(kBesideX, kBesideY) / float(kPartsOfAPixel);
 #endif
 
 vec2 windowPlace() {

@@ -57,10 +57,4 @@ visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root
     return view;
 }
 
-Vec3 rayThroughPixel(const visibility::View& view, PixelSize size, std::uint32_t column, std::uint32_t row) {
-    const double x = 2.0 * (column + 0.5) / size.width - 1.0;
-    const double y = 1.0 - 2.0 * (row + 0.5) / size.height;
-    return view.forward + view.right * (x * view.tanHalfX) + view.up * (y * view.tanHalfY);
-}
-
 } // namespace limen::app

@@ -29,9 +29,4 @@ struct CameraBasis {
 /// The view that the flood takes. `root` is an index of the graph's spaces.
 [[nodiscard]] visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root);
 
-/// The direction of the ray through a pixel's centre: row 0 on top, centres at +0.5; w = 1 forward, not unit
-/// length.
-[[nodiscard]] Vec3 rayThroughPixel(const visibility::View& view, PixelSize size, std::uint32_t column,
-                                   std::uint32_t row);
-
 } // namespace limen::app

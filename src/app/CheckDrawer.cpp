@@ -36,7 +36,10 @@ Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord bl
 }
 
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
-    return tracedCamera(eyeOf(view, root));
+    reference::Camera camera = tracedCamera(eyeOf(view, root));
+    if (multisampled_)
+        camera.place = Vec2(0.0); // samples have places of their own
+    return camera;
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {

@@ -1,5 +1,7 @@
 #include "app/TracedFrame.h"
 
+#include "frame/GpuLayout.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,6 +71,7 @@ reference::Camera tracedCamera(const FrameEye& eye) {
     camera.width = eye.size.width;
     camera.height = eye.size.height;
     camera.root = eye.root;
+    camera.place = frame::gpu::kPixelPlace;
     return camera;
 }
 

@@ -8,6 +8,11 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 3; // views: enough to even out, few enough for memory
 
+reference::Camera throughSample(reference::Camera camera, glm::vec2 sample) {
+    camera.place = Vec2(sample);
+    return camera;
+}
+
 } // namespace
 
 Judging::Judging(TracedWorld& traced, unsigned threads, IdColour idColour, const RunEvents& events,
@@ -97,7 +102,8 @@ void Judging::judgeSamples(const DrawnView& drawn, Retracer& retracer) {
     const std::vector<glm::vec2>& samples = drawn.images.samples;
     sampled_.resize(samples.size());
     for (std::size_t s = 0; s < samples.size(); ++s)
-        reference::tracePicture(traced_.scene(), drawn.camera, threads_, sampled_[s], Vec2(samples[s]));
+        reference::tracePicture(traced_.scene(), throughSample(drawn.camera, samples[s]), threads_,
+                                sampled_[s]);
     compareSampled(drawn.images, sampled_, idColour_, retracer, comparison_);
 }
 

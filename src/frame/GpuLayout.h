@@ -33,6 +33,10 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;
 };
 
+/// Where in a pixel with one sample its ray passes: pixels from the centre, y downwards.
+inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
+                                        -double{kBesideY} / kPartsOfAPixel};
+
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
 static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 64);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);

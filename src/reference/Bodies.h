@@ -55,7 +55,7 @@ private:
     const Vec3 origin_;
     std::span<const world::Instance> instances_;
     std::size_t capacity_ = 0;
-    std::unique_ptr<Slot[]> slots_; ///< by body
+    std::unique_ptr<Slot[]> slots_;                ///< by body
     mutable std::mutex placing_;                   ///< one thread places at a time
     mutable std::vector<MeshGroupings> groupings_; ///< by mesh, as far as known; under placing_
     mutable TriangleSet::Scratch scratch_;         ///< under placing_

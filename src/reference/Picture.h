@@ -13,11 +13,11 @@ struct Camera {
     double tanHalfX = 1.0, tanHalfY = 1.0;              ///< tangents of half the field of view
     std::uint32_t width = 640, height = 360;            ///< pixels
     double nearPlane = 0.02;                            ///< metres
+    Vec2 place{0.0}; ///< where in each pixel its ray passes: pixels from the centre, y downwards
     world::SpaceIndex root = world::kOutside;
 };
 
-/// The ray through (x, y) of the picture; pixel (0, 0) is the top left one, its centre at x = 0, y = 0; beyond the
-/// border and between pixels is fine.
+/// The ray of a pixel; (0, 0) is the top left one. Beyond the border and between pixels is fine.
 [[nodiscard]] Ray rayThrough(const Camera& camera, double x, double y);
 
 /// What every pixel must show, with a border of one pixel all around.
@@ -29,9 +29,7 @@ struct Picture {
     }
 };
 
-/// Traces a whole picture on `threads` threads; `out` is overwritten. The same answers whatever their number. `place`: where
-/// in each pixel its ray passes, from the centre, y downwards.
-void tracePicture(const Scene& scene, const Camera& camera, unsigned threads, Picture& out,
-                  Vec2 place = Vec2(0.0));
+/// Traces a whole picture on `threads` threads; `out` is overwritten. The same answers whatever their number.
+void tracePicture(const Scene& scene, const Camera& camera, unsigned threads, Picture& out);
 
 } // namespace limen::reference

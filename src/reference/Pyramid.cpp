@@ -21,8 +21,8 @@ Pyramid::Pyramid(const Tile& tile, const Vec3& origin)
     : eye_(tile.camera.eye - origin), forward_(tile.camera.forward) {
     const Camera& camera = tile.camera;
     const double stepX = 2.0 * camera.tanHalfX / camera.width, stepY = 2.0 * camera.tanHalfY / camera.height;
-    const double firstX = (tile.left + tile.place.x + 0.5) * stepX - camera.tanHalfX;
-    const double firstY = (tile.top + tile.place.y + 0.5) * stepY - camera.tanHalfY; // downwards
+    const double firstX = (tile.left + camera.place.x + 0.5) * stepX - camera.tanHalfX;
+    const double firstY = (tile.top + camera.place.y + 0.5) * stepY - camera.tanHalfY; // downwards
     column_ = (camera.right - camera.forward * firstX) / stepX;
     row_ = (-camera.up - camera.forward * firstY) / stepY;
     hand_ = glm::dot(glm::cross(camera.right, camera.forward), camera.up) < 0.0 ? -1.0 : 1.0;

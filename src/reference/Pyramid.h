@@ -11,11 +11,9 @@ namespace limen::reference {
 struct Tile {
     static constexpr std::uint32_t kSide = 8, kPixels = kSide * kSide;
     const Camera& camera;
-    Vec2 place{0.0};       ///< where in each pixel its ray passes, from the centre, y downwards
     int left = 0, top = 0; ///< its first pixel; -1 is the border
     [[nodiscard]] Ray ray(std::uint32_t column, std::uint32_t row) const {
-        return rayThrough(camera, left + static_cast<double>(column) + place.x,
-                          top + static_cast<double>(row) + place.y);
+        return rayThrough(camera, left + static_cast<double>(column), top + static_cast<double>(row));
     }
 };
 

@@ -63,17 +63,6 @@ TEST(Camera, fieldOfViewIsVerticalAndWidthFollowsThePictureShape) {
     EXPECT_EQ(view.root, 7u);
 }
 
-TEST(Camera, pixelCentresAreAtHalvesWithRowZeroOnTop) {
-    Camera camera;
-    camera.fovDegrees = 90.0;
-    const visibility::View view = viewOf(camera, {2, 2}, 0);
-    expectNear(rayThroughPixel(view, {2, 2}, 0, 0), {-0.5, 1.0, 0.5});
-    expectNear(rayThroughPixel(view, {2, 2}, 1, 1), {0.5, 1.0, -0.5});
-    // The row's ray and the flood's own screen agree.
-    const Vec3 screen = view.screenFromEye() * rayThroughPixel(view, {2, 2}, 0, 0);
-    expectNear(screen, {-0.5, 0.5, 1.0});
-}
-
 TEST(FlyCamera, fliesAlongItsSightAndNoFasterSlantwise) {
     Camera camera;
     camera.heading = {90.0, 0.0};

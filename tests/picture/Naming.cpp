@@ -1,12 +1,15 @@
 #include "picture/Naming.h"
 
+#include "frame/GpuLayout.h"
+
 #include <fmt/format.h>
 
 namespace limen::test {
 
 NaiveTracer::Ray rayThrough(const frame::FrameView& frame, double x, double y) {
-    const double sx = ((x + 0.5) / frame.width * 2.0 - 1.0) * frame.view.tanHalfX;
-    const double sy = (1.0 - (y + 0.5) / frame.height * 2.0) * frame.view.tanHalfY;
+    const double sx = ((x + frame::gpu::kPixelPlace.x + 0.5) / frame.width * 2.0 - 1.0) * frame.view.tanHalfX;
+    const double sy =
+        (1.0 - (y + frame::gpu::kPixelPlace.y + 0.5) / frame.height * 2.0) * frame.view.tanHalfY;
     return {frame.view.eye, frame.view.forward + frame.view.right * sx + frame.view.up * sy, frame.nearPlane};
 }
 

@@ -182,9 +182,10 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
         traced_->setMoment(moment_);
     }
     const frame::FrameView& frame = picture.frame;
-    const reference::Camera camera{
-        frame.view.eye,      frame.view.right, frame.view.up, frame.view.forward, frame.view.tanHalfX,
-        frame.view.tanHalfY, frame.width,      frame.height,  frame.nearPlane,    frame.view.root};
+    reference::Camera camera{frame.view.eye,     frame.view.right,    frame.view.up,
+                             frame.view.forward, frame.view.tanHalfX, frame.view.tanHalfY,
+                             frame.width,        frame.height,        frame.nearPlane};
+    camera.root = frame.view.root;
     check::DrawnImages drawn;
     drawn.width = frame.width;
     drawn.height = frame.height;
@@ -194,18 +195,22 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
     for (const gpu::LayerSum& layers : picture.layers) {
         drawn.layers.push_back({layers.count, layers.hash});
     }
-    check::ViewRetracer retracer(*traced_, camera);
     check::Comparison comparison;
     if (!picture.samples.empty()) {
+        check::ViewRetracer retracer(*traced_, camera);
         drawn.colour = picture.colour;
         drawn.samples = picture.samples;
         std::vector<reference::Picture> traced(drawn.samples.size());
         for (std::size_t s = 0; s < traced.size(); ++s) {
-            reference::tracePicture(traced_->scene(), camera, 2, traced[s], Vec2(drawn.samples[s]));
+            reference::Camera throughSample = camera;
+            throughSample.place = Vec2(drawn.samples[s]);
+            reference::tracePicture(traced_->scene(), throughSample, 2, traced[s]);
         }
         check::compareSampled(drawn, traced, frame::colourOfId, retracer, comparison);
         return comparison;
     }
+    camera.place = frame::gpu::kPixelPlace;
+    check::ViewRetracer retracer(*traced_, camera);
     reference::tracePicture(traced_->scene(), camera, 2, tracedPicture_);
     check::compare(drawn, tracedPicture_, retracer, comparison);
     return comparison;

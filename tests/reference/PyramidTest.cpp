@@ -36,7 +36,8 @@ struct RandomTile {
         camera.height = static_cast<std::uint32_t>(40 + random() % 500);
         tile.left = static_cast<int>(random() % camera.width) - 1;
         tile.top = static_cast<int>(random() % camera.height) - 1;
-        tile.place = random() % 2 ? Vec2(0.0) : Vec2(between(random, -0.5, 0.5), between(random, -0.5, 0.5));
+        camera.place =
+            random() % 2 ? Vec2(0.0) : Vec2(between(random, -0.5, 0.5), between(random, -0.5, 0.5));
     }
     RandomTile(const RandomTile&) = delete;
     [[nodiscard]] Vec3 eye() const { return camera.eye - origin; }
