@@ -116,7 +116,8 @@ std::vector<float> RenderTarget::readDistances(const frame::gpu::FrameConstants&
     for (std::uint32_t y = 0; y < height_; ++y) {
         for (std::uint32_t x = 0; x < width_; ++x) {
             float& value = values[std::size_t{y} * width_ + x];
-            const glm::dvec2 ndc{(x + 0.5) / width_ * 2.0 - 1.0, 1.0 - (y + 0.5) / height_ * 2.0};
+            const glm::dvec2 at = glm::dvec2(x + 0.5, y + 0.5) + frame::gpu::kPixelPlace;
+            const glm::dvec2 ndc{at.x / width_ * 2.0 - 1.0, 1.0 - at.y / height_ * 2.0};
             const glm::dvec4 point = eyeFromClip * glm::dvec4(ndc, static_cast<double>(value), 1.0);
             value = value > 0.0f ? static_cast<float>(glm::length(glm::dvec3(point) / point.w))
                                  : std::numeric_limits<float>::infinity();

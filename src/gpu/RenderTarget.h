@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> readOwnership() const;
     /// Layers of translucent surfaces, of a frame that counted them. Requires a target made for it.
     [[nodiscard]] std::vector<LayerSum> readLayers() const;
-    /// Metres from the eye along the ray through the pixel's centre, of the frame drawn with these constants;
+    /// Metres from the eye along the ray of the pixel (frame::gpu::kPixelPlace), of the frame drawn with these constants;
     /// +inf where nothing was met.
     [[nodiscard]] std::vector<float> readDistances(const frame::gpu::FrameConstants& constants) const;
 

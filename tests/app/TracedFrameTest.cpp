@@ -15,6 +15,7 @@ TracedFrame smallFrame() {
     eye.camera.fovDegrees = 90.0;
     eye.size = {2, 2};
     frame.camera = tracedCamera(eye);
+    frame.camera.place = Vec2(0.0); // centres, for round numbers
     frame.picture.width = frame.picture.height = 2;
     frame.picture.answers.resize(16);
     const auto set = [&](std::size_t column, std::size_t row, std::uint32_t id, double t) {
