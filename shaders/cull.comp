@@ -43,8 +43,9 @@ bool mayShow(uint vertex, Instance instance) {
 shared uint keptBy[kCullThreads];
 
 void main() {
-    uvec4 task = cullTasks[gl_WorkGroupID.x].indices;
-    uvec4 drawing = cullTasks[gl_WorkGroupID.x].drawing;
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uvec4 task = cullTasks[group].indices;
+    uvec4 drawing = cullTasks[group].drawing;
     bool keepsAll = task.w == kKeepsAll;
     Instance instance = instanceAt(keepsAll ? 0u : drawing.z);
     uint me = gl_LocalInvocationID.x;

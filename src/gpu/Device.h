@@ -79,6 +79,9 @@ using ClearValue = std::variant<glm::vec4, std::uint32_t, float>;
 /// Milliseconds of GPU time per stage, of the latest frame whose results have arrived.
 using StageTimes = std::array<std::optional<double>, frame::kStageCount>;
 
+/// Work groups along either axis that every driver allows.
+inline constexpr std::uint32_t kMostGroups = 65535;
+
 /// Frames that are under way at most.
 inline constexpr std::size_t kFramesInFlight = 3;
 
@@ -137,8 +140,9 @@ public:
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
     /// Binds the target's ownership image and the ring memory as texels to their units, and textures to units 2, 3, ...
     virtual void bindTextures(std::span<const TextureHandle> textures) = 0;
-    /// Runs a compute program. What it writes, draws that follow take as commands and indices.
-    virtual void compute(ProgramHandle program, std::uint32_t groups) = 0;
+    /// Runs a compute program in columns x rows work groups, each at most kMostGroups. What it writes, draws that follow take
+    /// as commands and indices.
+    virtual void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) = 0;
     virtual void clear(TargetImage image, const ClearValue& value) = 0;
     virtual void beginStage(frame::StageKind stage) = 0;
     virtual void endStage(frame::StageKind stage) = 0;

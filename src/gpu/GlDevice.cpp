@@ -143,9 +143,9 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
     call(glBindTextures, 0u, static_cast<GLsizei>(textures.size() + frame::gpu::kUnitVertices), names.data());
 }
 
-void GlDevice::compute(ProgramHandle program, std::uint32_t groups) {
+void GlDevice::compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) {
     setState({.program = program});
-    call(glDispatchCompute, GLuint{groups}, GLuint{1}, GLuint{1});
+    call(glDispatchCompute, GLuint{columns}, GLuint{rows}, GLuint{1});
     call(glMemoryBarrier, GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT});
 }
 

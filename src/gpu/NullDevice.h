@@ -15,7 +15,7 @@ public:
         enum class Kind : std::uint8_t {
             BindStorage,  ///< a: number of ranges
             BindTextures, ///< a: number of textures
-            Compute,      ///< a: program handle, b: groups
+            Compute,      ///< a: program handle, b: groups in all
             Clear,        ///< a: TargetImage
             BeginStage,   ///< a: StageKind
             EndStage,     ///< a: StageKind
@@ -73,7 +73,7 @@ public:
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures) override;
-    void compute(ProgramHandle program, std::uint32_t groups) override;
+    void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override;
     void endStage(frame::StageKind stage) override;

@@ -38,8 +38,8 @@ Result<TriangleCulling> TriangleCulling::create(Device& device, std::span<const 
 
 TriangleCulling::TriangleCulling(TriangleCulling&& other) noexcept
     : device_(std::exchange(other.device_, nullptr)), program_(other.program_), kept_(other.kept_),
-      capacity_(other.capacity_), slot_(other.slot_), indices_(other.indices_),
-      tasks_(std::move(other.tasks_)) {}
+      capacity_(other.capacity_), slot_(other.slot_), indices_(other.indices_), columns_(other.columns_),
+      rows_(other.rows_), tasks_(std::move(other.tasks_)) {}
 
 TriangleCulling& TriangleCulling::operator=(TriangleCulling&& other) noexcept {
     std::swap(device_, other.device_);
@@ -48,6 +48,8 @@ TriangleCulling& TriangleCulling::operator=(TriangleCulling&& other) noexcept {
     std::swap(capacity_, other.capacity_);
     std::swap(slot_, other.slot_);
     std::swap(indices_, other.indices_);
+    std::swap(columns_, other.columns_);
+    std::swap(rows_, other.rows_);
     std::swap(tasks_, other.tasks_);
     return *this;
 }
@@ -87,6 +89,7 @@ bool TriangleCulling::prepare(const frame::FramePlan& plan, const RenderOptions&
             addTasks(plan, batch);
         }
     }
+    fillRows();
     return true;
 }
 
@@ -105,8 +108,18 @@ void TriangleCulling::addTasks(const frame::FramePlan& plan, const frame::Batch&
     }
 }
 
+void TriangleCulling::fillRows() {
+    const auto count = static_cast<std::uint32_t>(tasks_.size());
+    rows_ = std::max((count + kMostGroups - 1) / kMostGroups, 1u);
+    columns_ = (count + rows_ - 1) / rows_;
+    if (count > 0) {
+        tasks_.resize(std::size_t{rows_} * columns_,
+                      tasks_.back()); // once more is no harm: it writes the same
+    }
+}
+
 void TriangleCulling::run() {
-    device_->compute(program_, static_cast<std::uint32_t>(tasks_.size()));
+    device_->compute(program_, columns_, rows_);
 }
 
 } // namespace limen::gpu

@@ -19,7 +19,7 @@ public:
     /// Takes up what a frame draws by indices. False if their triangles are more than memory is kept for; the frame is then drawn
     /// as planned. Not during a frame.
     [[nodiscard]] bool prepare(const frame::FramePlan& plan, const RenderOptions& options);
-    /// What to do, one for each indexed draw.
+    /// What to do, one for each indexed draw; of very many some are there twice.
     [[nodiscard]] std::span<const frame::gpu::CullTask> tasks() const { return tasks_; }
     /// The indices that are kept; the draws read these and no others.
     [[nodiscard]] StorageRange keptIndices() const {
@@ -33,13 +33,16 @@ private:
     TriangleCulling(Device& device, ProgramHandle program) : device_(&device), program_(program) {}
     void addTasks(const frame::FramePlan& plan, const frame::Batch& batch);
     void reserve(std::size_t indices);
+    /// Lays the tasks out in rows of equal length, none longer than drivers run.
+    void fillRows();
 
     Device* device_ = nullptr;
     ProgramHandle program_ = ProgramHandle::Invalid;
     BufferHandle kept_ = BufferHandle::Invalid;
-    std::size_t capacity_ = 0;  ///< indices a frame
-    std::size_t slot_ = 0;      ///< of the frames under way
-    std::uint32_t indices_ = 0; ///< of all tasks
+    std::size_t capacity_ = 0;             ///< indices a frame
+    std::size_t slot_ = 0;                 ///< of the frames under way
+    std::uint32_t indices_ = 0;            ///< of all tasks
+    std::uint32_t columns_ = 0, rows_ = 1; ///< of the tasks
     std::vector<frame::gpu::CullTask> tasks_;
 };
 

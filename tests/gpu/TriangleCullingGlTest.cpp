@@ -99,6 +99,19 @@ TEST_F(TriangleCullingGlTest, keepsTheOrderOfTriangles) {
     EXPECT_EQ(seen_, 256u);
 }
 
+// More draws than work groups fit in a row.
+TEST_F(TriangleCullingGlTest, manyDraws) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.addWall(100, {-0.001f, -0.001f}, {0.001f, 0.001f}, 1); // covers no centre
+    scene.addWall(101, {-1, -1}, {1, 1}, 1);
+    for (std::uint32_t i = 2; i < kMostGroups + 10; ++i) {
+        scene.drawAgain(i % 2, frame::Program::Opaque, false);
+    }
+    expectSame(scene, 4);
+    EXPECT_EQ(seen_, 16u);
+}
+
 TEST_F(TriangleCullingGlTest, manyTrianglesInManyFrames) {
     Renderer renderer(*device_);
     for (const std::uint32_t count : {10u, 30'000u, 100u}) {
