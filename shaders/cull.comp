@@ -6,7 +6,8 @@
 
 layout(local_size_x = kCullThreads) in;
 
-// Pixels that an outline may be from where it is computed here, with room to spare: corners are 24-bit floats.
+// Pixels that an outline may be from where it is computed here, and a pixel's ray beside its centre (kBesideX), with room to
+// spare: corners are 24-bit floats.
 const float kMargin = 1.0 / 32.0;
 // Metres, and per metre of distance, that the eye must be behind a triangle's plane: mesh.vert computes it again.
 const float kBehind = 1.0e-3;

@@ -34,7 +34,7 @@ public:
 
     /// For the shaders, one per texture in order.
     [[nodiscard]] std::span<const frame::gpu::TextureRef> refs() const { return refs_; }
-    /// What to bind to units 1, 2, ...; empty in bindless mode.
+    /// What to bind to units from kUnitFirstPage on; empty in bindless mode.
     [[nodiscard]] std::span<const TextureHandle> pages() const;
     /// What a program that samples these textures (indices; kNoTexture is skipped) is built with.
     [[nodiscard]] TextureBinding bindingFor(std::span<const std::uint32_t> textures) const;

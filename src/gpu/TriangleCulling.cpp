@@ -10,7 +10,9 @@ namespace limen::gpu {
 namespace {
 
 constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices a frame
-constexpr std::size_t kLargestCapacity = std::size_t{1} << 26;  // 256 MiB
+// All frames under way share one storage range, and 128 MiB is the longest that every driver reads and writes
+// (the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL 4.5).
+constexpr std::size_t kLargestCapacity = (std::size_t{1} << 27) / sizeof(std::uint32_t) / kFramesInFlight;
 
 bool isIndexed(frame::Program program) {
     return program != frame::Program::Ownership && program != frame::Program::SkyPlain;

@@ -119,6 +119,21 @@ TEST_F(NullDeviceTest, everyIndexedDrawIsCulled) {
         << "the sky's";
 }
 
+TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreDrawnAsPlanned) {
+    SceneBuilder scene;
+    scene.root(0);
+    const std::array<glm::vec3, 4> quad{glm::vec3{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
+    const std::uint32_t mesh = scene.addQuads('A', std::vector(layout::kTrianglesPerCommand / 2, quad));
+    draw(scene);
+    EXPECT_EQ(of(Kind::Compute).size(), 1u);
+    for (int i = 0; i < 4000; ++i) {
+        scene.drawAgain(mesh, frame::Program::Opaque, false);
+    }
+    draw(scene);
+    EXPECT_TRUE(of(Kind::Compute).empty());
+    EXPECT_EQ(of(Kind::DrawIndirect).size(), 1u);
+}
+
 TEST_F(NullDeviceTest, withoutExactOutlinesNothingIsCulled) {
     SceneBuilder scene;
     scene.root(0);
