@@ -76,7 +76,7 @@ std::optional<BlockContent> BlockBuilder::build(dat::BlockCoord coord) {
 }
 
 void BlockBuilder::buildCells(const dat::LandBlockInfo& info, BlockContent& block) {
-    BlockGeometry geometry;
+    BakedGeometry geometry;
     std::vector<CellDraft> drafts;
     std::uint32_t missing = 0;
     const std::uint32_t count = std::min<std::uint32_t>(info.numCells, dat::kLastCell - dat::kFirstCell + 1);

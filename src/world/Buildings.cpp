@@ -11,7 +11,7 @@ std::vector<Vec3> placed(const SourcePolygon& polygon, const Placement& placemen
 }
 
 void draftPart(const dat::GfxObj& model, const Placement& placement, std::size_t portalCount,
-               BlockGeometry& geometry, BuildingDraft& draft, std::vector<Finding>& findings) {
+               BakedGeometry& geometry, BuildingDraft& draft, std::vector<Finding>& findings) {
     const std::vector<PortalPolygonRef> refs = portalRefs(model, portalCount);
     std::set<std::uint16_t> portals;
     for (const PortalPolygonRef& ref : refs)
@@ -37,7 +37,7 @@ void draftPart(const dat::GfxObj& model, const Placement& placement, std::size_t
 } // namespace
 
 BuildingDraft draftBuilding(const dat::Building& building, std::uint64_t object, Records& records,
-                            Models& models, BlockGeometry& geometry, std::vector<Finding>& findings) {
+                            Models& models, BakedGeometry& geometry, std::vector<Finding>& findings) {
     BuildingDraft draft;
     draft.object = object;
     draft.portalPolygons.resize(building.portals.size());
@@ -51,16 +51,12 @@ BuildingDraft draftBuilding(const dat::Building& building, std::uint64_t object,
     return draft;
 }
 
-void finishBuilding(const BuildingDraft& draft, const BlockGeometry& geometry, Records& records,
+void finishBuilding(const BuildingDraft& draft, const BakedGeometry& geometry, Records& records,
                     BlockContent& block) {
     for (const BuildingDraft::Part& part : draft.parts) {
         MeshBuilder builder(classesOf(part.surfaces, records));
-        for (const std::uint32_t handle : part.polygons) {
-            const SourcePolygon& source = geometry.source(handle);
-            builder.beginPolygon(source.id, source.frontSlot, source.backSlot);
-            for (const StitchLoop& loop : geometry.loops(handle))
-                builder.addLoop(loop, geometry.vertices());
-        }
+        for (const std::uint32_t handle : part.polygons)
+            builder.add(geometry, handle);
         block.exteriors.push_back({part.gfxObj, draft.object, builder.finish(), part.surfaces});
     }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "world/BlockContent.h"
-#include "world/BlockGeometry.h"
+#include "world/BakedGeometry.h"
 
 namespace limen::world {
 
@@ -10,7 +10,7 @@ struct BuildingDraft {
     struct Part {
         dat::RecordId gfxObj = 0;
         std::vector<dat::RecordId> surfaces;
-        std::vector<std::uint32_t> polygons; ///< BlockGeometry handles
+        std::vector<std::uint32_t> polygons; ///< BakedGeometry handles
     };
     std::uint64_t object = 0;
     std::vector<Part> parts;
@@ -21,11 +21,11 @@ struct BuildingDraft {
 /// Reads a building's model and adds its drawn polygons to `geometry`. Portal polygons of its drawing tree
 /// are kept aside.
 [[nodiscard]] BuildingDraft draftBuilding(const dat::Building& building, std::uint64_t object,
-                                          Records& records, Models& models, BlockGeometry& geometry,
+                                          Records& records, Models& models, BakedGeometry& geometry,
                                           std::vector<Finding>& findings);
 
 /// After baking: the building's meshes are appended to the block's exteriors.
-void finishBuilding(const BuildingDraft& draft, const BlockGeometry& geometry, Records& records,
+void finishBuilding(const BuildingDraft& draft, const BakedGeometry& geometry, Records& records,
                     BlockContent& block);
 
 } // namespace limen::world

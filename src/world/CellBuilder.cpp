@@ -83,7 +83,7 @@ std::vector<std::uint16_t> portalPolygonIds(const dat::EnvCell& cell, const dat:
 
 } // namespace
 
-std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BlockGeometry& geometry,
+std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BakedGeometry& geometry,
                                    std::vector<Finding>& findings) {
     CellDraft draft;
     draft.record = std::move(record);
@@ -118,7 +118,7 @@ std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BlockG
     return draft;
 }
 
-void finishCell(const CellDraft& draft, const BlockGeometry& geometry, Records& records,
+void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& records,
                 BlockContent& block) {
     CellContent cell;
     cell.id = draft.record.id;
@@ -130,9 +130,8 @@ void finishCell(const CellDraft& draft, const BlockGeometry& geometry, Records& 
     std::vector<Vec3> points;
     for (const std::uint32_t handle : draft.polygons) {
         const SourcePolygon& source = geometry.source(handle);
-        builder.beginPolygon(source.id, source.frontSlot, source.backSlot);
+        builder.add(geometry, handle);
         for (const StitchLoop& loop : geometry.loops(handle)) {
-            builder.addLoop(loop, geometry.vertices());
             points.clear();
             for (const StitchCorner& corner : loop)
                 points.push_back(geometry.vertices()[corner.vertex]);

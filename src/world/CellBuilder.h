@@ -1,7 +1,7 @@
 #pragma once
 
 #include "world/BlockContent.h"
-#include "world/BlockGeometry.h"
+#include "world/BakedGeometry.h"
 
 namespace limen::world {
 
@@ -9,15 +9,15 @@ namespace limen::world {
 struct CellDraft {
     dat::EnvCell record;
     const dat::CellStruct* shape = nullptr; ///< owned by Records
-    std::vector<std::uint32_t> polygons;    ///< BlockGeometry handles of what is drawn
+    std::vector<std::uint32_t> polygons;    ///< BakedGeometry handles of what is drawn
     std::vector<std::uint32_t> portals;     ///< by portal of the record; kNone: no such polygon
 };
 
 /// Reads the cell's shape and adds its polygons to `geometry`. No value, and a finding, if it has none.
 [[nodiscard]] std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records,
-                                                 BlockGeometry& geometry, std::vector<Finding>& findings);
+                                                 BakedGeometry& geometry, std::vector<Finding>& findings);
 
 /// After baking: the cell's mesh, tree and shape; its portals are appended to `block`, not yet linked.
-void finishCell(const CellDraft& draft, const BlockGeometry& geometry, Records& records, BlockContent& block);
+void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& records, BlockContent& block);
 
 } // namespace limen::world

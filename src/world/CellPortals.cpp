@@ -71,7 +71,7 @@ int sideOf(const Plane& plane, std::span<const Vec3> points) {
 }
 
 /// Fills in points and plane. Yields what is wrong with the polygon, or null.
-const char* shapePortal(PortalContent& portal, std::uint32_t handle, const BlockGeometry& geometry,
+const char* shapePortal(PortalContent& portal, std::uint32_t handle, const BakedGeometry& geometry,
                         CellClosure& closure, std::span<const Vec3> shellPoints, bool& contradicts) {
     if (handle == kNone)
         return "does not exist";
@@ -107,7 +107,7 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const Block
 } // namespace
 
 std::vector<PortalContent> cellPortals(const CellDraft& draft, std::uint32_t cell,
-                                       const BlockGeometry& geometry, CellClosure& closure,
+                                       const BakedGeometry& geometry, CellClosure& closure,
                                        std::span<const Vec3> shellPoints, std::vector<Finding>& findings) {
     std::vector<PortalContent> portals;
     for (std::size_t i = 0; i < draft.portals.size(); ++i) {

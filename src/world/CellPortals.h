@@ -10,7 +10,7 @@ namespace limen::world {
 /// flags. A record that contradicts is a finding. A polygon that is missing, without area, not flat or not
 /// convex gets no points. The portals are added to `closure`.
 [[nodiscard]] std::vector<PortalContent> cellPortals(const CellDraft& draft, std::uint32_t cell,
-                                                     const BlockGeometry& geometry, CellClosure& closure,
+                                                     const BakedGeometry& geometry, CellClosure& closure,
                                                      std::span<const Vec3> shellPoints,
                                                      std::vector<Finding>& findings);
 

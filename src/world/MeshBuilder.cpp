@@ -13,14 +13,16 @@ Vec3f unitOr(const Vec3f& v, const Vec3f& fallback) {
 
 } // namespace
 
-void MeshBuilder::beginPolygon(std::uint16_t id, std::int32_t frontSlot, std::int32_t backSlot) {
+void MeshBuilder::add(const BakedGeometry& geometry, std::uint32_t handle) {
     LIMEN_ASSERT(mesh_.polygonIds.size() < 0x10000, "polygon numbers are 16 bits wide");
-    mesh_.polygonIds.push_back(id);
-    frontSlot_ = frontSlot;
-    backSlot_ = backSlot;
+    const SourcePolygon& source = geometry.source(handle);
+    mesh_.polygonIds.push_back(source.id);
+    for (const StitchLoop& loop : geometry.loops(handle))
+        addLoop(loop, source, geometry.vertices());
 }
 
-void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Vec3> vertices) {
+void MeshBuilder::addLoop(std::span<const StitchCorner> loop, const SourcePolygon& source,
+                          std::span<const Vec3> vertices) {
     points_.clear();
     for (const StitchCorner& corner : loop)
         points_.push_back(vertices[corner.vertex]);
@@ -28,10 +30,10 @@ void MeshBuilder::addLoop(std::span<const StitchCorner> loop, std::span<const Ve
     triangulate(points_, triangles_);
     if (triangles_.empty())
         return;
-    if (frontSlot_ >= 0)
-        emitSide(loop, frontSlot_, false);
-    if (backSlot_ >= 0)
-        emitSide(loop, backSlot_, true);
+    if (source.frontSlot >= 0)
+        emitSide(loop, source.frontSlot, false);
+    if (source.backSlot >= 0)
+        emitSide(loop, source.backSlot, true);
 }
 
 void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/Stitch.h"
+#include "world/BakedGeometry.h"
 #include "world/Triangulate.h"
 #include "world/World.h"
 
@@ -22,18 +22,17 @@ public:
     /// `classes`: by surface slot.
     explicit MeshBuilder(std::vector<SurfaceClass> classes) : classes_(std::move(classes)) {}
 
-    /// Starts a polygon; the loops added next are parts of it and share its number.
-    void beginPolygon(std::uint16_t id, std::int32_t frontSlot, std::int32_t backSlot);
-    /// `vertices` are the positions that the corners index. Requires beginPolygon.
-    void addLoop(std::span<const StitchCorner> loop, std::span<const Vec3> vertices);
+    /// A polygon of baked geometry, all its loops under one number.
+    void add(const BakedGeometry& geometry, std::uint32_t handle);
     [[nodiscard]] MeshData finish() { return std::move(mesh_); }
 
 private:
+    void addLoop(std::span<const StitchCorner> loop, const SourcePolygon& source,
+                 std::span<const Vec3> vertices);
     void emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back);
 
     std::vector<SurfaceClass> classes_;
     MeshData mesh_;
-    std::int32_t frontSlot_ = -1, backSlot_ = -1;
     std::vector<Vec3> points_;
     std::vector<TriangleCorners> triangles_;
 };

@@ -117,23 +117,17 @@ std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
     std::set<std::uint16_t> portals;
     for (const PortalPolygonRef& ref : portalRefs(*record, kAnyPortalCount))
         portals.insert(ref.polygonId);
-    MeshBuilder builder(classesOf(record->surfaces, records_));
-    std::vector<Vec3> points;
-    for (const SourcePolygon& polygon :
-         readPolygons(record->vertexArray, record->polygons, record->surfaces.size(), portals, gfxObj,
-                      records_.findings())) {
-        if (!polygon.isDrawn())
-            continue;
-        points.clear();
-        StitchLoop loop;
-        for (const SourcePolygon::Corner& corner : polygon.corners) {
-            loop.push_back(
-                {static_cast<std::uint32_t>(points.size()), Vec3f(corner.normal), corner.front, corner.back});
-            points.push_back(corner.position);
-        }
-        builder.beginPolygon(polygon.id, polygon.frontSlot, polygon.backSlot);
-        builder.addLoop(loop, points);
+    BakedGeometry geometry;
+    std::vector<std::uint32_t> polygons;
+    for (SourcePolygon& polygon : readPolygons(record->vertexArray, record->polygons, record->surfaces.size(),
+                                               portals, gfxObj, records_.findings())) {
+        if (polygon.isDrawn())
+            polygons.push_back(geometry.add(std::move(polygon), {})); // readPolygons refuses what add would
     }
+    geometry.bake();
+    MeshBuilder builder(classesOf(record->surfaces, records_));
+    for (const std::uint32_t handle : polygons)
+        builder.add(geometry, handle);
     part->mesh = builder.finish();
     for (std::size_t slot = 0; slot < part->surfaces.size(); ++slot)
         part->clamp.push_back(staysWithinUnit(part->mesh, slot));

@@ -6,7 +6,7 @@
 
 namespace limen::world {
 
-/// A GfxObj as a mesh in its own space.
+/// A GfxObj as a mesh in its own space, baked: no corner lies within an edge of another polygon.
 struct PartMesh {
     dat::RecordId gfxObj = 0;
     MeshData mesh;

@@ -233,8 +233,9 @@ struct OnceWrong {
     const char* what;
     Vec3 eye;
     double yaw, pitch; // degrees
-    dat::RecordId cell;
+    dat::RecordId cell; // 0: outside
     double seconds;
+    std::uint32_t width = 160, height = 90;
 };
 const OnceWrong kOnceWrong[] = {
     {"hidden landings of the tower, along edges over one another",
@@ -250,14 +251,22 @@ const OnceWrong kOnceWrong[] = {
      -3.946814869745165,
      0,
      493.7},
+    {"the riser under two boards of a stair, where the edge of one is part of the other's",
+     {32531.806345451485, 34645.44755288002, 30.59224714374234},
+     101.31548890412202,
+     6.460317623221105,
+     0xA9B40106,
+     306.46,
+     640,
+     360},
 };
 
 TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {
     for (const OnceWrong& view : kOnceWrong) {
         SCOPED_TRACE(view.what);
         PictureWorld pictures(directory(), world::blockAt(view.eye), {GetParam(), 2, places().moving, {}});
-        pictures.width = 160;
-        pictures.height = 90;
+        pictures.width = view.width;
+        pictures.height = view.height;
         pictures.fov = 75.0;
         motion::MomentInput moment;
         moment.seconds = view.seconds;

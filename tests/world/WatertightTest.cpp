@@ -14,41 +14,51 @@ Bits bitsOf(const Vec3f& p, const Vec3f& rest) {
     return {p.x, p.y, p.z, rest.x, rest.y, rest.z};
 }
 
-/// Counts edges of a cell's triangles and portals that do not run as often one way as the other, bit for bit.
+/// How many more times each edge runs one way than the other, bit for bit.
+using Balance = std::map<std::pair<Bits, Bits>, int>;
+
+void addEdge(Balance& balance, const Bits& a, const Bits& b) {
+    if (a < b)
+        ++balance[{a, b}];
+    else
+        --balance[{b, a}];
+}
+
+void addMesh(Balance& balance, const World& world, const Mesh& mesh) {
+    const auto corner = [&](std::uint32_t index) {
+        const MeshVertex& vertex = world.vertices[mesh.firstVertex + world.indices[index]];
+        return bitsOf(vertex.position, vertex.rest);
+    };
+    for (const Mesh::Range& range : mesh.ranges) {
+        for (std::uint32_t i = 0; i < range.indexCount; ++i) {
+            const std::uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
+            addEdge(balance, corner(range.firstIndex + i), corner(range.firstIndex + next));
+        }
+    }
+}
+
+int unbalanced(const Balance& balance) {
+    return static_cast<int>(
+        std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
+}
+
+/// Counts edges of a cell's triangles and portals that do not run as often one way as the other.
 int openEdges(const World& world, SpaceIndex index) {
-    std::map<std::pair<Bits, Bits>, int> balance;
-    const auto add = [&](const Bits& a, const Bits& b) {
-        if (a < b)
-            ++balance[{a, b}];
-        else
-            --balance[{b, a}];
-    };
-    const auto ofMesh = [&](std::uint32_t vertex) {
-        return bitsOf(world.vertices[vertex].position, world.vertices[vertex].rest);
-    };
+    Balance balance;
     const auto ofPortal = [](const Vec3& local) {
         const TwoFloats parts = inTwoFloats(local);
         return bitsOf(parts.nearest, parts.rest);
     };
     const Space& space = world.spaces[index];
-    const Mesh& mesh = world.meshes[world.instances[space.shell].mesh];
-    for (const Mesh::Range& range : mesh.ranges) {
-        for (std::uint32_t i = 0; i < range.indexCount; ++i) {
-            const std::uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
-            add(ofMesh(mesh.firstVertex + world.indices[range.firstIndex + i]),
-                ofMesh(mesh.firstVertex + world.indices[range.firstIndex + next]));
-        }
-    }
+    addMesh(balance, world, world.meshes[world.instances[space.shell].mesh]);
     for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
         const auto polygon = polygonOf(world, world.portals[p]);
         const Vec3 origin = world.blocks[world.portals[p].block].origin();
         for (std::size_t i = 0; i < polygon.size(); ++i)
-            add(ofPortal(polygon[i] - origin), ofPortal(polygon[(i + 1) % polygon.size()] - origin));
+            addEdge(balance, ofPortal(polygon[i] - origin),
+                    ofPortal(polygon[(i + 1) % polygon.size()] - origin));
     }
-    int open = 0;
-    for (const auto& [edge, count] : balance)
-        open += count != 0 ? 1 : 0;
-    return open;
+    return unbalanced(balance);
 }
 
 /// Triangles without area.
@@ -114,6 +124,26 @@ TEST(Watertight, aCornerOfTheNextRoomIsStitchedIntoTheWall) {
     EXPECT_EQ(openEdges(world, 1), 0);
     EXPECT_EQ(openEdges(world, 2), 0);
     EXPECT_EQ(world.zones.size(), 2u);
+}
+
+TEST(Watertight, polygonsOfAModelMeetEdgeByEdge) {
+    // The walls of the box come in pieces that meet at T-junctions, and a pane fills the opening.
+    test::Walls walls = test::boxExterior({-1.1, -0.7, 0}, {1.3, 0.9, 2.3});
+    std::vector<Vec3> pane = test::regularPolygon({-1.1, 0.1, 1.2}, {-1, 0, 0}, 0.6, 7);
+    const Vec3 outwards = test::cutOpening(walls, pane);
+    ASSERT_NE(outwards, Vec3(0.0));
+    if (glm::dot(planeOf(pane).n, outwards) < 0.0)
+        std::reverse(pane.begin(), pane.end());
+    walls.push_back({pane});
+    TestWorld source;
+    source.addObject(source.addModel(walls), {});
+    const World world = test::loadTestWorld(source);
+    const auto mesh = std::find_if(world.meshes.begin(), world.meshes.end(),
+                                   [&](const Mesh& m) { return m.polygonCount == walls.size(); });
+    ASSERT_NE(mesh, world.meshes.end());
+    Balance balance;
+    addMesh(balance, world, *mesh);
+    EXPECT_EQ(unbalanced(balance), 0);
 }
 
 /// Four rooms in a row, turned and placed anywhere, their corners some hundredths of a millimetre apart, with

@@ -1,4 +1,4 @@
-#include "world/BlockGeometry.h"
+#include "world/BakedGeometry.h"
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ Mat3 normalMatrix(const Mat3& m) {
 
 } // namespace
 
-std::uint32_t BlockGeometry::add(SourcePolygon polygon, const Placement& placement) {
+std::uint32_t BakedGeometry::add(SourcePolygon polygon, const Placement& placement) {
     const Mat3 normals = normalMatrix(placement.linear);
     StitchLoop loop;
     for (SourcePolygon::Corner& corner : polygon.corners) {
@@ -36,7 +36,7 @@ std::uint32_t BlockGeometry::add(SourcePolygon polygon, const Placement& placeme
     return static_cast<std::uint32_t>(sources_.size() - 1);
 }
 
-void BlockGeometry::bake() {
+void BakedGeometry::bake() {
     welder_.weld();
     corners_.resize(loops_.size());
     std::vector<StitchLoop> welded;

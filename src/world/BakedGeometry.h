@@ -8,15 +8,16 @@
 
 namespace limen::world {
 
-/// Block-local from a record's space.
+/// Space of the geometry (block-local, a model's own) from a record's space.
 struct Placement {
     Mat3 linear{1.0};
     Vec3 origin{0.0};
 };
 
-/// All polygons of one block that must meet without cracks: shells, exteriors, portal polygons. They are
-/// added, then baked together: corners welded to common positions, T-junctions stitched.
-class BlockGeometry {
+/// Polygons that must meet without cracks: the shells, exteriors and portal polygons of a block, or the
+/// polygons of a model. They are added, then baked together: corners welded to common positions, T-junctions
+/// stitched.
+class BakedGeometry {
 public:
     /// Yields a handle, or kNone if the polygon comes to lie absurdly far away.
     std::uint32_t add(SourcePolygon polygon, const Placement& placement);
