@@ -76,13 +76,18 @@ private:
     std::vector<Face> faces_;
 };
 
+/// Metres. What is built at right angles is flat on any grid; on this one, floats hold every point within 1 km exactly.
+inline constexpr double kBuiltGrid = 1.0 / 8192.0;
+/// The finest grid that floats hold exactly within 256 m, which is more than a landblock. Walls at odd angles are flat to
+/// this; off it, by a tenth of a millimetre say, zones and openings are not told apart as well (docs/cases.md).
+inline constexpr double kFinestGrid = 1.0 / 65536.0;
+
 /// Adds to every face the vertices of other faces that lie on its edges, so that edges match one to one and
-/// no crack or T-junction is left. Points are first rounded to a grid of 2^-13 m, on which they are exact as
-/// floats.
-void closeSeams(std::vector<Face>& faces);
+/// no crack or T-junction is left. Points are first rounded to multiples of `grid` metres.
+void closeSeams(std::vector<Face>& faces, double grid = kBuiltGrid);
 
 /// The same between meshes that meet at openings: a vertex that one of them has on the border of a portal
-/// face is given to all. The meshes' own seams must be closed.
+/// face is given to all. The meshes' own seams must be closed, on kBuiltGrid.
 void closePortalSeams(const std::vector<std::vector<Face>*>& meshes);
 
 /// A mesh as a record stores it. Face i has polygon id i.

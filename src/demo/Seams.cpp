@@ -7,11 +7,8 @@ namespace limen::demo {
 
 namespace {
 
-/// Metres. Fine enough to be invisible, coarse enough that block-local floats hold every point exactly (24
-/// bits of mantissa reach 2^-13 up to 1024 m).
-constexpr double kGrid = 1.0 / 8192.0;
-/// A point this near (metres) to an edge lies on it: rounding moves points by up to 0.87 grid steps.
-constexpr double kOnEdge = 2.0 * kGrid;
+/// A point this near to an edge, in steps of the grid, lies on it: rounding moves points by up to 0.87 of one.
+constexpr double kStepsOnEdge = 2.0;
 constexpr double kFar = 1e9; ///< metres; farther than any point
 
 struct Less {
@@ -20,21 +17,21 @@ struct Less {
     }
 };
 
-double snap(double v) {
-    return std::round(v / kGrid) * kGrid;
+double snap(double v, double grid) {
+    return std::round(v / grid) * grid;
 }
 
 /// Where between a and b the point lies on their line, or no value (-1) if it does not lie strictly between.
-double positionOnEdge(const Vec3& a, const Vec3& b, const Vec3& p) {
+double positionOnEdge(const Vec3& a, const Vec3& b, const Vec3& p, double grid) {
     const Vec3 along = b - a;
     const double t = glm::dot(p - a, along) / glm::dot(along, along);
     if (t <= 0.0 || t >= 1.0 || p == a || p == b) {
         return -1.0;
     }
-    return glm::length(p - (a + along * t)) <= kOnEdge ? t : -1.0;
+    return glm::length(p - (a + along * t)) <= kStepsOnEdge * grid ? t : -1.0;
 }
 
-void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
+void insertVertices(Face& face, const std::set<Vec3, Less>& points, double grid) {
     Face out = face;
     out.points.clear();
     out.uvs.clear();
@@ -55,9 +52,10 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
         push(0.0, face.points[i]);
         std::vector<std::pair<double, Vec3>> between;
         const auto [west, east] = std::minmax(face.points[i].x, face.points[j].x);
-        const auto end = points.upper_bound({east + kOnEdge, kFar, kFar});
-        for (auto p = points.lower_bound({west - kOnEdge, -kFar, -kFar}); p != end; ++p) {
-            const double t = positionOnEdge(face.points[i], face.points[j], *p);
+        const double reach = kStepsOnEdge * grid;
+        const auto end = points.upper_bound({east + reach, kFar, kFar});
+        for (auto p = points.lower_bound({west - reach, -kFar, -kFar}); p != end; ++p) {
+            const double t = positionOnEdge(face.points[i], face.points[j], *p, grid);
             if (t > 0.0) {
                 between.emplace_back(t, *p);
             }
@@ -71,9 +69,9 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points) {
     face = std::move(out);
 }
 
-bool straight(const Vec3& a, const Vec3& b, const Vec3& c) {
+bool straight(const Vec3& a, const Vec3& b, const Vec3& c, double grid) {
     const Vec3 cross = glm::cross(b - a, c - b);
-    return glm::length(cross) <= kOnEdge * glm::length(c - a);
+    return glm::length(cross) <= kStepsOnEdge * grid * glm::length(c - a);
 }
 
 void rotate(Face& face, std::size_t first) {
@@ -90,13 +88,13 @@ void rotate(Face& face, std::size_t first) {
 /// Polygons are drawn as fans from their first vertex. With vertices along straight edges a badly chosen
 /// first vertex gives triangles without area, whose long side no longer has the vertices that the neighbours
 /// have. Turns the polygon to a good first vertex; false if it has none.
-bool chooseFan(Face& face) {
+bool chooseFan(Face& face, double grid) {
     const std::size_t n = face.points.size();
     const auto at = [&](std::size_t i) -> const Vec3& { return face.points[i % n]; };
     for (std::size_t first = 0; first < n; ++first) {
         bool good = true;
         for (std::size_t k = 1; good && k + 1 < n; ++k) {
-            good = !straight(at(first), at(first + k), at(first + k + 1));
+            good = !straight(at(first), at(first + k), at(first + k + 1), grid);
         }
         if (good) {
             rotate(face, first);
@@ -131,11 +129,11 @@ namespace {
 
 using Points = std::set<Vec3, Less>;
 
-void insertAndFan(std::vector<Face>& faces, const Points& points) {
+void insertAndFan(std::vector<Face>& faces, const Points& points, double grid) {
     std::vector<Face> out;
     for (Face& face : faces) {
-        insertVertices(face, points);
-        if (chooseFan(face) || face.portal) {
+        insertVertices(face, points, grid);
+        if (chooseFan(face, grid) || face.portal) {
             out.push_back(std::move(face));
         } else {
             splitAtCentre(face, out);
@@ -146,15 +144,15 @@ void insertAndFan(std::vector<Face>& faces, const Points& points) {
 
 } // namespace
 
-void closeSeams(std::vector<Face>& faces) {
+void closeSeams(std::vector<Face>& faces, double grid) {
     Points points;
     for (Face& face : faces) {
         for (Vec3& p : face.points) {
-            p = {snap(p.x), snap(p.y), snap(p.z)};
+            p = {snap(p.x, grid), snap(p.y, grid), snap(p.z, grid)};
             points.insert(p);
         }
     }
-    insertAndFan(faces, points);
+    insertAndFan(faces, points, grid);
 }
 
 void closePortalSeams(const std::vector<std::vector<Face>*>& meshes) {
@@ -167,7 +165,7 @@ void closePortalSeams(const std::vector<std::vector<Face>*>& meshes) {
         }
     }
     for (std::vector<Face>* mesh : meshes) {
-        insertAndFan(*mesh, points);
+        insertAndFan(*mesh, points, kBuiltGrid);
     }
 }
 
