@@ -62,7 +62,7 @@ bool findMember(Instance instance, uint zone, out uint lightSet) {
     return false;
 }
 
-// A fragment's position and how it changes from pixel to pixel.
+// A fragment's position, eye-relative, and how it changes from pixel to pixel.
 struct Place {
     vec3 at;
     vec3 dx;

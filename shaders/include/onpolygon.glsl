@@ -20,6 +20,8 @@ const float kPlaneRounding = 4.8e-7;
 // Pixels. Depths tie within some three steps of a float (3.6e-7 of a depth), which two planes that part at 45 degrees do within
 // 1e-4 of a pixel of a picture some 600 pixels wide.
 const float kInward = 1.0e-4;
+// Share of its products by which a corner's share may round: six roundings.
+const float kShareRounding = 3.6e-7;
 
 vec3 cornerOnScreen(uint i) {
     return vOutline[i];
@@ -70,6 +72,7 @@ vec2 stretchOver(bool isAsked, vec3 normal, vec3 direction) {
 struct Shares {
     vec3 corner;
     vec2 change[3];
+    vec3 products; // their sizes: of what the shares are the differences
 };
 
 vec2 changeAcross(vec3 from, vec3 to) {
@@ -80,23 +83,40 @@ Shares sharesAt(vec2 window) {
     vec3 a = vec3(acrossRay(cornerOnScreen(0u), window), cornerOnScreen(0u).z);
     vec3 b = vec3(acrossRay(cornerOnScreen(1u), window), cornerOnScreen(1u).z);
     vec3 c = vec3(acrossRay(cornerOnScreen(2u), window), cornerOnScreen(2u).z);
-    vec3 corner = vec3(b.x * c.y - c.x * b.y, c.x * a.y - a.x * c.y, a.x * b.y - b.x * a.y);
-    return Shares(corner, vec2[3](changeAcross(b, c), changeAcross(c, a), changeAcross(a, b)));
+    vec3 one = vec3(b.x * c.y, c.x * a.y, a.x * b.y);
+    vec3 other = vec3(c.x * b.y, a.x * c.y, b.x * a.y);
+    return Shares(one - other, vec2[3](changeAcross(b, c), changeAcross(c, a), changeAcross(a, b)),
+                  abs(one) + abs(other));
 }
+
+// A step on the window, in pixels.
+struct Step {
+    vec2 by;
+    bool isSmall; // of a ray that passes over the triangle, or beside it by no more than the fringe
+};
 
 // Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
 // floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward: there both are
-// asked at the same place, and they differ. Yields the step to it, in pixels.
-vec2 stepInwards(Shares shares) {
-    vec2 inwards = vec2(0.0);
+// asked at the same place, and they differ.
+// Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
+// them. Each is computed from corners of its own, and a ray could slip through between them. So triangles have a fringe: they are
+// met by rays beside them, too, by kInward and what rounding makes of more.
+Step stepInwards(Shares shares) {
+    Step inwards = Step(vec2(0.0), true);
 #ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
+    inwards.isSmall = false;
     return inwards;
 #endif
     for (uint i = 0u; i < 3u; ++i) {
         float perPixel = max(length(shares.change[i]), 1.0e-30);
         float within = shares.corner[i] / perPixel;
-        inwards += shares.change[i] * (clamp(kInward - within, 0.0, kInward) / perPixel);
+        float fringe = kInward + kShareRounding * shares.products[i] / perPixel;
+        inwards.by += shares.change[i] * (clamp(kInward - within, 0.0, kInward + fringe) / perPixel);
+        inwards.isSmall = inwards.isSmall && within >= -fringe;
     }
+#ifdef LIMEN_WITHOUT_FRINGE // likewise
+    inwards.isSmall = false;
+#endif
     return inwards;
 }
 
@@ -108,21 +128,28 @@ float depthOnPlane(vec3 direction, float facing) {
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
-// View depth where the ray meets the triangle. From the plane it is off by the more the flatter the plane is seen; within
-// that, what the corners' depths say counts, which is the same for all triangles that share an edge, close to that.
-float depthOnPolygon(vec3 direction) {
+// Where a ray meets a triangle, or does not.
+struct Meeting {
+    float depth;     // view depth
+    bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is no thinner than that
+};
+
+// From the plane the depth is off by the more the flatter the plane is seen; within that, what the corners' depths say
+// counts, which is the same for all triangles that share an edge, close to that.
+Meeting meetPolygon(vec3 direction) {
     Shares shares = sharesAt(windowPlace());
-    vec2 inwards = stepInwards(shares);
-    vec3 nearby = direction + frame.rayRight.xyz * inwards.x + frame.rayUp.xyz * inwards.y;
+    Step inwards = stepInwards(shares);
+    vec3 nearby = direction + frame.rayRight.xyz * inwards.by.x + frame.rayUp.xyz * inwards.by.y;
     float facing = -dot(vFacet.xyz, nearby);
     float depth = depthOnPlane(nearby, facing);
     float off = kPlaneRounding * depth / max(facing, kGrazing);
-    vec3 corner = shares.corner + vec3(dot(shares.change[0], inwards), dot(shares.change[1], inwards),
-                                       dot(shares.change[2], inwards));
+    vec3 corner = shares.corner + vec3(dot(shares.change[0], inwards.by), dot(shares.change[1], inwards.by),
+                                       dot(shares.change[2], inwards.by));
     float sum = corner.x + corner.y + corner.z;
     float first = cornerOnScreen(0u).z;
     float byCorners = first + (corner.y * (cornerOnScreen(1u).z - first) + corner.z * (cornerOnScreen(2u).z - first)) / sum;
-    return sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth;
+    bool isThere = inwards.isSmall && min(min(corner.x, corner.y), corner.z) > 0.0;
+    return Meeting(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isThere);
 }
 
 // The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
@@ -166,14 +193,22 @@ float beforePlane(uint kind, vec3 direction) {
 #endif
 }
 
-// Eye-relative; sets the fragment's depth. False: the ray through the pixel's centre does not meet the triangle's front.
-bool findOnPolygon(uint kind, out vec3 at) {
+// Eye-relative. Sets the fragment's depth. False: the ray through the pixel does not meet the triangle's front.
+bool findOnPolygon(uint kind, out Place place) {
     vec3 direction = rayThrough(windowPlace());
-    float depth = depthOnPolygon(direction);
-    at = direction * depth;
-    float tested = depth + behindNeighbours(kind == kKindShell, at, direction) - beforePlane(kind, direction);
+    Meeting met = meetPolygon(direction);
+    float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
+    // Along the plane: what the rasteriser interpolates may be infinite beside a thin triangle.
+    place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
+                  met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
+    float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction);
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0);
-    return depth >= frame.nearPlane * (1.0 - kNearRounding) && isOverOutline(3u, windowPlace());
+#ifdef TRANSLUCENT
+    bool isMet = isOverOutline(3u, windowPlace()); // of two that share an edge, a layer is counted once
+#else
+    bool isMet = met.isOnFringe || isOverOutline(3u, windowPlace());
+#endif
+    return isMet && met.depth >= frame.nearPlane * (1.0 - kNearRounding);
 }
 
 #else
@@ -182,8 +217,8 @@ vec2 uvOnPolygon() {
     return vUv;
 }
 
-bool findOnPolygon(uint kind, out vec3 at) {
-    at = vEyeRelative;
+bool findOnPolygon(uint kind, out Place place) {
+    place = Place(vEyeRelative, dFdx(vEyeRelative), dFdy(vEyeRelative));
     return true;
 }
 

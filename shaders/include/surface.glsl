@@ -17,21 +17,10 @@ layout(location = 11) flat in vec3 vOutline[3];
 
 #include "onpolygon.glsl"
 
-// False: the pixel does not show the polygon.
-bool findPlace(out Place place) {
-    // Derivatives first: what follows differs from fragment to fragment.
-    vec3 dx = dFdx(vEyeRelative);
-    vec3 dy = dFdy(vEyeRelative);
-    vec3 at;
-    bool found = findOnPolygon(instanceAt(vInstance).kind, at);
-    place = Place(at, dx, dy);
-    return found;
-}
-
 // The caller discards when `kept` is false.
 Keep keepOf(Instance instance) {
     Place place;
-    if (!findPlace(place)) {
+    if (!findOnPolygon(instance.kind, place)) {
         return Keep(false, 0u, 0u);
     }
 #ifdef GATED
