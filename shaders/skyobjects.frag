@@ -1,4 +1,4 @@
-// Sky objects, unlit, blended over the plain sky in drawing order. Out: premultiplied colour; no id, no depth.
+// Sky objects, unlit, blended over the plain sky in drawing order. Out: premultiplied colour; no id; the sky.s depth.
 #include "textures.glsl"
 #include "gate.glsl"
 
@@ -8,6 +8,7 @@ layout(location = 2) flat in uint vMaterial;
 layout(location = kOutputBlended) out vec4 outColour;
 
 void main() {
+    gl_FragDepth = kSkyDepth; // to the bit, as the plain sky: they are drawn over it and over one another
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
     if (!keepOutside()) {

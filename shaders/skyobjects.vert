@@ -1,4 +1,4 @@
-// Meshes of the sky, around the eye and infinitely far. In: one vertex of the arena; gl_BaseInstance: the sky instance.
+// Meshes of the sky, around the eye and behind everything. In: one vertex of the arena; gl_BaseInstance: the sky instance.
 #extension GL_ARB_shader_draw_parameters : require
 #include "transform.glsl"
 #include "samples.glsl"
@@ -15,7 +15,7 @@ void main() {
     uint index = uint(gl_BaseInstanceARB);
     SkyInstance object = skyInstances[index];
     vec4 clip = clipFromEye(blockFromModel(inPosition, object.row0, object.row1, object.row2));
-    gl_Position = vec4(clip.xy, 0.0, clip.w);
+    gl_Position = vec4(clip.xy, kSkyDepth * clip.w, clip.w);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     vInstance = index;
     vMaterial = materialRefs[object.firstMaterial + (inPolygonSurface >> 16)];

@@ -67,6 +67,12 @@ LIMEN_CONST kBesideX = 7u;
 LIMEN_CONST kBesideY = 3u;
 LIMEN_CONST kPartsOfAPixel = 4096u;
 
+// Depths are the near plane's share of the view depth. What lies beyond the outline of its polygon, by no more than rounding makes of
+// it, is kept where nothing else is: its depth is stored 2^-kFringeExponent of what it is. The sky covers that, and nothing more:
+// it lies at 2^-kSkyExponent, which is ten million kilometres away.
+LIMEN_CONST kFringeExponent = 40u;
+LIMEN_CONST kSkyExponent = 39u;
+
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
 
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;

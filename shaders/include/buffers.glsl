@@ -34,6 +34,8 @@ layout(binding = kUnitVertices) uniform usamplerBuffer vertexTexels;
 layout(binding = kUnitInstances) uniform usamplerBuffer instanceTexels;
 layout(binding = kUnitMembers) uniform usamplerBuffer memberTexels;
 
+const float kSkyDepth = uintBitsToFloat((127u - kSkyExponent) << 23); // 2^-kSkyExponent
+
 const uint kInstanceTexels = 5u;
 const uint kVertexTexels = 4u;
 const uint kVisitTexels = 2u;

@@ -20,6 +20,7 @@ const float kPlaneRounding = 4.8e-7;
 // Pixels. Depths tie within some three steps of a float (3.6e-7 of a depth), which two planes that part at 45 degrees do within
 // 1e-4 of a pixel of a picture some 600 pixels wide.
 const float kInward = 1.0e-4;
+const float kBehindAll = uintBitsToFloat((127u - kFringeExponent) << 23); // 2^-kFringeExponent
 // Share of its products by which a corner's share may round: six roundings.
 const float kShareRounding = 3.6e-7;
 
@@ -99,8 +100,8 @@ struct Step {
 // floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward: there both are
 // asked at the same place, and they differ.
 // Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
-// them. Each is computed from corners of its own, and a ray could slip through between them. So triangles have a fringe: they are
-// met by rays beside them, too, by kInward and what rounding makes of more.
+// them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
+// they fill what nothing covers: kInward wide, and as much as rounding may make of more.
 Step stepInwards(Shares shares) {
     Step inwards = Step(vec2(0.0), true);
 #ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
@@ -131,7 +132,7 @@ float depthOnPlane(vec3 direction, float facing) {
 // Where a ray meets a triangle, or does not.
 struct Meeting {
     float depth;     // view depth
-    bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is no thinner than that
+    bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than that
 };
 
 // From the plane the depth is off by the more the flatter the plane is seen; within that, what the corners' depths say
@@ -202,13 +203,12 @@ bool findOnPolygon(uint kind, out Place place) {
     place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
                   met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
     float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction);
-    gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0);
-#ifdef TRANSLUCENT
-    bool isMet = isOverOutline(3u, windowPlace()); // of two that share an edge, a layer is counted once
-#else
-    bool isMet = met.isOnFringe || isOverOutline(3u, windowPlace());
+    bool isOver = isOverOutline(3u, windowPlace());
+    gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
+#ifndef TRANSLUCENT // of two that share an edge, a layer is counted once
+    isOver = isOver || met.isOnFringe;
 #endif
-    return isMet && met.depth >= frame.nearPlane * (1.0 - kNearRounding);
+    return isOver && met.depth >= frame.nearPlane * (1.0 - kNearRounding);
 }
 
 #else

@@ -1,6 +1,7 @@
 #include "gpu/RenderTarget.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -58,6 +59,19 @@ std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const
     return pixels;
 }
 
+namespace {
+
+/// What the sky is and what fringes are stored as is far behind all else (SharedLayout.h).
+float depthOfStored(float stored) {
+    const float sky = std::ldexp(1.0f, -static_cast<int>(frame::gpu::kSkyExponent));
+    if (stored > sky) {
+        return stored;
+    }
+    return stored == sky ? 0.0f : std::ldexp(stored, static_cast<int>(frame::gpu::kFringeExponent));
+}
+
+} // namespace
+
 std::vector<glm::vec2> RenderTarget::samplePositions() const {
     std::vector<glm::vec2> positions = samples_;
     for (glm::vec2& position : positions) {
@@ -94,7 +108,9 @@ std::vector<std::uint32_t> RenderTarget::readIds() const {
 }
 
 std::vector<float> RenderTarget::readDepth() const {
-    return read<float>(TargetImage::Depth, 1);
+    std::vector<float> depths = read<float>(TargetImage::Depth, 1);
+    std::transform(depths.begin(), depths.end(), depths.begin(), depthOfStored);
+    return depths;
 }
 
 std::vector<std::uint32_t> RenderTarget::readOwnership() const {

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;
     /// Ids: kVoidId, kSkyId, or what the planner gave. Undefined after a frame without ids.
     [[nodiscard]] std::vector<std::uint32_t> readIds() const;
-    /// Depth as stored: near plane / view depth; 0 where nothing was met.
+    /// Near plane / view depth; 0 where nothing was met.
     [[nodiscard]] std::vector<float> readDepth() const;
     /// Number of the leaf visit.
     [[nodiscard]] std::vector<std::uint32_t> readOwnership() const;
