@@ -132,6 +132,7 @@ float depthOnPlane(vec3 direction, float facing) {
 // Where a ray meets a triangle, or does not.
 struct Meeting {
     float depth;     // view depth
+    bool isAhead;    // and not behind the eye, as far as rounding can tell: the ray's line has two ends
     bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than that
 };
 
@@ -150,7 +151,9 @@ Meeting meetPolygon(vec3 direction) {
     float first = cornerOnScreen(0u).z;
     float byCorners = first + (corner.y * (cornerOnScreen(1u).z - first) + corner.z * (cornerOnScreen(2u).z - first)) / sum;
     bool isThere = inwards.isSmall && min(min(corner.x, corner.y), corner.z) > 0.0;
-    return Meeting(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isThere);
+    float whole = shares.corner.x + shares.corner.y + shares.corner.z;
+    bool isAhead = whole > -kShareRounding * (shares.products.x + shares.products.y + shares.products.z);
+    return Meeting(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isAhead, isThere);
 }
 
 // The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
@@ -203,7 +206,7 @@ bool findOnPolygon(uint kind, out Place place) {
     place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
                   met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
     float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction);
-    bool isOver = isOverOutline(3u, windowPlace());
+    bool isOver = met.isAhead && isOverOutline(3u, windowPlace());
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
 #ifndef TRANSLUCENT // of two that share an edge, a layer is counted once
     isOver = isOver || met.isOnFringe;

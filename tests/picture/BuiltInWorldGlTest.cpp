@@ -285,6 +285,12 @@ const OnceWrong kOnceWrong[] = {
      0.0,
      0xAAB5010F,
      502.09},
+    {"a wall a fifth of a millimetre behind the eye, which only the ray's line meets",
+     {32551.75021, 34860.25, 70.890625},
+     232.20417010960466,
+     -26.511374549708997,
+     0xA9B50104,
+     574.81},
 };
 
 TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {
