@@ -239,6 +239,30 @@ NamedView landingsInAShaft() {
     return view;
 }
 
+NamedView stepFromAbove() {
+    NamedView view;
+    TestWorld& world = view.world;
+    constexpr double kStep = 8.71875, kTop = 40.0; // metres
+    const Vec3 along(0.8, -0.6, 0), across(0.6, 0.8, 0), middle(10, 50, 0);
+    // Seen from above: the corners of the hall, and of them the ends of the step.
+    const Vec3 west = middle - along * 31.7, east = middle + along * 29.3, south = middle - across * 40.0,
+               north = middle + across * 40.0;
+    const Vec3 up(0, 0, kStep), top(0, 0, kTop);
+    test::Walls walls{{{south + up, east + up, west + up}, "pine"},
+                      {{east, north, west}, "grey"},
+                      {{west, west + up, east + up, east}, "oak"},
+                      {{south + top, west + top, north + top, east + top}, "grey"},
+                      {{south + up, west + up, west + top, south + top}, "grey"},
+                      {{east + up, south + up, south + top, east + top}, "grey"},
+                      {{west + up, west, north, north + top, west + top}, "grey"},
+                      {{north, east, east + up, east + top, north + top}, "grey"}};
+    view.root = world.addCell(walls);
+    view.eye = middle + along * 5.48456789 - across * 1e-9 + Vec3(0, 0, 30.7932109); // behind the riser
+    view.yaw = glm::degrees(std::atan2(along.x, along.y)) - 45.0;
+    view.pitch = -90.0;
+    return view;
+}
+
 NamedView barsInAnOpening() {
     NamedView view;
     TestWorld& world = view.world;

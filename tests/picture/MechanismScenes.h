@@ -38,6 +38,8 @@ struct NamedView {
 eavesBehindAnEdge(); ///< seen from below, hidden by the wall whose upper edge they share
 /// Straight down along the edges of landings, one below the other, which lie on a diagonal of pixels' centres.
 [[nodiscard]] NamedView landingsInAShaft();
+[[nodiscard]] NamedView
+stepFromAbove(); ///< straight down its riser, along which both edges lie on a diagonal of centres
 [[nodiscard]] NamedView barsInAnOpening(); ///< a room's grating that stands 0.1 mm out of its opening
 
 } // namespace limen::test

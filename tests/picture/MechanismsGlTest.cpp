@@ -151,6 +151,14 @@ TEST(Mechanisms, depthInwards) {
     expectNeeded(eavesBehindAnEdge, off, 17, on);
 }
 
+TEST(Mechanisms, fringe) {
+    // The edges lie where pixels have their centres, as above.
+    const Off on = withoutShaderPart("LIMEN_WITHOUT_BESIDE");
+    Off off = on;
+    off.options.shaderDefines.emplace_back("LIMEN_WITHOUT_FRINGE");
+    expectNeeded(stepFromAbove, off, 4, on);
+}
+
 TEST(Mechanisms, besideCentres) {
     expectNeeded(landingsInAShaft, withoutShaderPart("LIMEN_WITHOUT_BESIDE"), 64);
 }
