@@ -1,0 +1,64 @@
+#include "FieldHelp.h"
+#include "TwoWays.h"
+#include "gpu/GlFixture.h"
+
+#include <set>
+
+namespace limen::bench::test {
+namespace {
+
+class ClassicPathGlTest : public gpu::test::GlTest {};
+
+/// How many boxes an id image shows.
+std::size_t boxesIn(const ObjectField& field, const std::vector<std::uint32_t>& ids) {
+    const std::set<std::uint32_t> shown(ids.begin(), ids.end());
+    std::size_t count = 0;
+    for (const world::Instance& box : boxesOf(field)) {
+        const auto first = shown.lower_bound(box.idBase);
+        count += first != shown.end() && *first < box.idBase + 6 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(ClassicPathGlTest, showsTheSameAsTheRenderer) {
+    for (const double share : {0.0, 0.1, 1.0}) {
+        ObjectField field = makeField(smallField(share));
+        const auto ways = TwoWays::create(*device_, field, 320, 180);
+        ASSERT_TRUE(ways) << ways.error().message();
+        std::set<std::vector<std::uint32_t>> pictures;
+        const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
+        for (std::uint32_t i = 0; i < views.size(); ++i) {
+            field.moveTo(10 * i);
+            ASSERT_TRUE((*ways)->drawReal(views[i]));
+            const std::vector<std::uint32_t> ids = (*ways)->target().readIds();
+            const std::vector<std::uint8_t> colour = (*ways)->target().readColour();
+            const std::vector<float> depth = (*ways)->target().readDepth();
+            ASSERT_TRUE((*ways)->drawClassic(views[i]));
+            EXPECT_EQ(ids, (*ways)->target().readIds());
+            EXPECT_EQ(colour, (*ways)->target().readColour());
+            EXPECT_EQ(depth, (*ways)->target().readDepth());
+            EXPECT_GT(boxesIn(field, ids), 20u);
+            EXPECT_EQ(device_->glCalls(), 12 + 3 * (*ways)->classic().counts().draws);
+            pictures.insert(ids);
+        }
+        EXPECT_EQ(pictures.size(), views.size()) << "every heading shows something else";
+    }
+}
+
+TEST_F(ClassicPathGlTest, whatMovesShowsElsewhere) {
+    ObjectField field = makeField(smallField(1.0));
+    const auto ways = TwoWays::create(*device_, field, 320, 180);
+    ASSERT_TRUE(ways) << ways.error().message();
+    const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
+    const auto drawn = [&](std::uint32_t frame) {
+        field.moveTo(frame);
+        EXPECT_TRUE((*ways)->drawClassic(views[0]));
+        return (*ways)->target().readIds();
+    };
+    const std::vector<std::uint32_t> before = drawn(0);
+    EXPECT_NE(before, drawn(30));
+    EXPECT_EQ(before, drawn(0));
+}
+
+} // namespace
+} // namespace limen::bench::test
