@@ -103,7 +103,6 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Mome
     counts_ = {};
     zones_.clear();
     drawGroups(sidesOf(view.view), moment);
-    write(places_.members, std::span<const layout::Member>(zones_));
     device_.setState({.program = scene_->program(frame::Program::SkyPlain)});
     device_.drawVertices(0, 3);
     device_.endFrame();
@@ -136,7 +135,11 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
 
 void ClassicPath::drawGroups(const Sides& sides, const world::Moment& moment) {
     for (const ClassicGroup& group : scene_->groups()) {
+        const std::size_t known = zones_.size();
         if (const std::uint32_t count = gather(group, sides, moment); count > 0) {
+            // A driver may begin with a draw at once: all that it reads is written before.
+            write(places_.members + known * sizeof(layout::Member),
+                  std::span<const layout::Member>(zones_).subspan(known));
             drawGroup(group, count);
         }
     }
