@@ -10,7 +10,7 @@ namespace limen::bench {
 /// `calls/tour`: from every way point and named place of the built-in world, four headings each, doors at rest, shut and open.
 /// `calls/objects`: the field of 100,000 objects of `limen bench dispatch`, 16 headings, beside the classic path.
 ///
-/// Takes some seconds; writes the built-in world to the system's temporary directory meanwhile.
+/// Takes about a minute; writes the built-in world to the system's temporary directory meanwhile.
 [[nodiscard]] std::vector<BenchRow> benchCalls(AllocationCounter counter = nullptr);
 
 } // namespace limen::bench
