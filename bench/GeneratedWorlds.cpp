@@ -1,16 +1,15 @@
 #include "GeneratedWorlds.h"
 
+#include "TemporaryDirectory.h"
+
 #include "dat/Archive.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 #include "world/Places.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fmt/format.h>
 #include <numbers>
 #include <random>
-#include <unistd.h>
 
 namespace limen::bench {
 
@@ -18,25 +17,6 @@ namespace {
 
 constexpr int kTries = 64; // for a place that will do
 constexpr double kEyeHeight = 1.7;
-
-/// A directory that is removed again.
-class TemporaryDirectory {
-public:
-    TemporaryDirectory() {
-        std::error_code error;
-        path_ = std::filesystem::temp_directory_path(error) / fmt::format("limen-bench-{}", ::getpid());
-    }
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-    ~TemporaryDirectory() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 class Dice {
 public:
@@ -94,7 +74,7 @@ const world::Portal& anyBuildingPortal(const world::World& world, Dice& dice) {
 } // namespace
 
 Result<world::World> generatedWorld(const demo::GeneratedSpec& spec) {
-    const TemporaryDirectory directory;
+    const TemporaryDirectory directory("bench");
     if (Result<void> written = demo::writeGeneratedWorld(spec, directory.path()); !written) {
         return tl::unexpected(written.error());
     }

@@ -2,7 +2,9 @@
 #include "app/BenchTable.h"
 #include "app/Verbs.h"
 
+#include "CallsBench.h"
 #include "DatBench.h"
+#include "DispatchBench.h"
 #include "FloodBench.h"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +26,10 @@ struct Bench {
 
 constexpr std::array kBenches{
     Bench{"dat", "opening a dat, looking records up, decoding geometry", &bench::benchDat},
+    Bench{"dispatch",
+          "planning and submitting frames of many objects, beside the way of binding and drawing by groups",
+          &bench::benchDispatch},
+    Bench{"calls", "GL calls a frame, along the tour and with many objects", &bench::benchCalls},
     Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
           &bench::benchFlood},
 };

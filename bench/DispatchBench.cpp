@@ -1,0 +1,141 @@
+#include "DispatchBench.h"
+
+#include "DispatchTimes.h"
+#include "ViewTimes.h"
+
+#include "gpu/GlDevice.h"
+#include "gpu/HeadlessContext.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+
+namespace limen::bench {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint32_t kHeadings = 16, kWidth = 1280, kHeight = 720;
+constexpr std::uint32_t kDriverHeadings = 4, kDriverWidth = 320, kDriverHeight = 180;
+constexpr int kDriverRepeats = 3;
+
+struct Scene {
+    const char* name;
+    FieldSpec spec;
+    int repeats;
+    double mostAtRest; ///< microseconds a frame when nothing moves
+};
+const Scene kScenes[] = {
+    {"10,000 objects in 1,662 groups", {10'000, 1662, 400.0}, 31, 60.0},
+    {"100,000 objects in 5,000 groups", {100'000, 5000, 1000.0}, 11, std::numeric_limits<double>::infinity()},
+};
+
+/// How many of the objects move, and what part of the classic path's time may be taken.
+struct Share {
+    const char* name;
+    double moving, part;
+};
+constexpr Share kShares[] = {
+    {"0 % moving", 0.0, 1.0 / 20.0}, {"1 % moving", 0.01, 1.0 / 20.0}, {"100 % moving", 1.0, 1.0 / 4.0}};
+
+/// A driver without a window.
+struct Driver {
+    gpu::HeadlessContext context;
+    std::unique_ptr<gpu::GlDevice> device;
+};
+
+std::optional<Driver> openDriver() {
+    Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
+    if (!context) {
+        return {};
+    }
+    Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
+    if (!device) {
+        return {};
+    }
+    return Driver{std::move(*context), std::move(*device)};
+}
+
+/// The allocator of glibc maps large blocks anew, page by page, until it has seen one as large freed. Software drivers
+/// take such blocks for every frame, which would double the time of whichever rows come first.
+void settleAllocator() {
+    constexpr std::size_t kLarge = std::size_t{30} << 20; // it goes up to 32 MiB
+    const auto block = std::make_unique<volatile std::byte[]>(kLarge);
+    block[kLarge / 2] = std::byte{1};
+}
+
+BenchRow rowOf(const char* bench, std::string scene, const WayTimes& times) {
+    BenchRow row{bench, std::move(scene), quantileOf(times.real, 0.5), quantileOf(times.real, 0.95), "us"};
+    row.against = {{"classic path", quantileOf(times.classic, 0.5)}};
+    row.allocations = times.allocations;
+    return row;
+}
+
+BenchRow failedRow(std::string scene, const std::string& why) {
+    BenchRow row{"dispatch/plan+submit", std::move(scene) + ": " + why, kNone, kNone, "us"};
+    row.hasTarget = true;
+    return row;
+}
+
+/// Fills in what a driver shows, and adds its rows.
+void addDriver(const std::string& scene, const Result<DriverRun>& run, const std::string& driver,
+               BenchRow& row, std::vector<BenchRow>& rows) {
+    if (!run) {
+        row = failedRow(scene, run.error().message());
+        return;
+    }
+    row.hash = run->hash;
+    if (!run->same) {
+        row.scene += ": the classic path shows other ids";
+        row.value = row.p95 = kNone;
+    }
+    rows.push_back(rowOf("dispatch/driver", fmt::format("{}, {}, calls alone", scene, driver), run->calls));
+    rows.push_back(
+        rowOf("dispatch/driver", fmt::format("{}, {}, with glFinish", scene, driver), run->finished));
+    for (std::size_t i = rows.size() - 2; i < rows.size(); ++i) {
+        rows[i].hash = run->hash;
+    }
+}
+
+BenchRow measure(const Scene& scene, const Share& share, const std::optional<Driver>& driver,
+                 AllocationCounter counter, std::vector<BenchRow>& driverRows) {
+    FieldSpec spec = scene.spec;
+    spec.movingShare = share.moving;
+    ObjectField field = makeField(spec);
+    const std::string name = fmt::format("{}, {}", scene.name, share.name);
+    const Result<WayTimes> times =
+        timeOnNullDevice(field, fieldViews(field, kHeadings, kWidth, kHeight), scene.repeats, counter);
+    if (!times) {
+        return failedRow(name, times.error().message());
+    }
+    BenchRow row = rowOf("dispatch/plan+submit", driver ? name : name + ", no GL", *times);
+    row.hasTarget = true;
+    row.target = row.against.front().second * share.part;
+    if (share.moving == 0.0) {
+        row.target = std::min(row.target, scene.mostAtRest);
+    }
+    if (driver) {
+        const std::vector<FieldView> views = fieldViews(field, kDriverHeadings, kDriverWidth, kDriverHeight);
+        addDriver(name, runOnDriver(*driver->device, field, views, kDriverRepeats),
+                  driver->device->capabilities().renderer, row, driverRows);
+    }
+    return row;
+}
+
+} // namespace
+
+std::vector<BenchRow> benchDispatch(AllocationCounter counter) {
+    settleAllocator();
+    const std::optional<Driver> driver = openDriver();
+    std::vector<BenchRow> rows, driverRows;
+    for (const Scene& scene : kScenes) {
+        for (const Share& share : kShares) {
+            rows.push_back(measure(scene, share, driver, counter, driverRows));
+        }
+    }
+    rows.insert(rows.end(), driverRows.begin(), driverRows.end());
+    return rows;
+}
+
+} // namespace limen::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ObjectField.h"
+#include "classic/ClassicPath.h"
+
+#include "frame/Planner.h"
+#include "gpu/RenderTarget.h"
+#include "gpu/Renderer.h"
+
+#include <memory>
+
+namespace limen::bench {
+
+/// A field on a device, ready to be drawn by the renderer and by the classic path, into one target, with ids. Field and device
+/// must outlive it.
+class TwoWays {
+public:
+    /// Errors: what the device and the renderer report.
+    [[nodiscard]] static Result<std::unique_ptr<TwoWays>>
+    create(gpu::Device& device, const ObjectField& field, std::uint32_t width, std::uint32_t height);
+
+    /// Plans and submits one frame the renderer's way. `view` is of the target's size.
+    [[nodiscard]] Result<void> drawReal(const FieldView& view);
+    [[nodiscard]] Result<void> drawClassic(const FieldView& view);
+
+    /// What was drawn last.
+    [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
+    [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
+    [[nodiscard]] const ClassicPath& classic() const { return *classic_; }
+
+private:
+    TwoWays(gpu::Device& device, const ObjectField& field, gpu::RenderTarget target)
+        : field_(field), planner_(field.world), renderer_(device), target_(std::move(target)) {}
+
+    const ObjectField& field_;
+    frame::Planner planner_;
+    frame::FramePlan plan_;
+    gpu::Renderer renderer_;
+    std::unique_ptr<ClassicPath> classic_;
+    gpu::RenderTarget target_;
+};
+
+} // namespace limen::bench

@@ -1,0 +1,187 @@
+#include "ClassicPath.h"
+
+#include "core/Assert.h"
+#include "frame/PackInstance.h"
+
+#include <cstring>
+
+namespace limen::bench {
+
+namespace {
+
+namespace layout = frame::gpu;
+
+constexpr std::size_t kBytesPerTexel = 16;
+/// Bindings of a group's own: the frame's constants come first, its materials next.
+constexpr std::size_t kGroupRanges = layout::kBindMaterialRefs + 1;
+static_assert(layout::kBindFrame < kGroupRanges && layout::kBindMaterials < kGroupRanges);
+
+/// What the frame's constants, and the plain sky, follow from.
+world::World withoutContent(const world::World& world) {
+    world::World bare;
+    bare.blocks = world.blocks;
+    bare.sky.desc = world.sky.desc;
+    bare.sky.time = world.sky.time;
+    bare.spaces = {world.spaces[world::kOutside]};
+    bare.spaces.front().firstInstance = bare.spaces.front().instanceCount = 0;
+    bare.zones = {world.zones[world::kOutsideZone]};
+    bare.zoneSpaces = {world::kOutside};
+    bare.lightSets = world.lightSets;
+    return bare;
+}
+
+std::uint32_t texelAt(std::size_t offset) {
+    return static_cast<std::uint32_t>(offset / kBytesPerTexel);
+}
+
+} // namespace
+
+Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, const world::World& world,
+                                                         const world::Moment& moment) {
+    LIMEN_ASSERT(world.spaces.size() == 1, "there are no cells");
+    Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, moment);
+    if (!scene) {
+        return tl::unexpected(scene.error());
+    }
+    std::unique_ptr<ClassicPath> path(new ClassicPath(device, world, std::move(*scene)));
+    path->layOut(moment);
+    return path;
+}
+
+ClassicPath::ClassicPath(gpu::Device& device, const world::World& world, std::unique_ptr<ClassicScene> scene)
+    : device_(device), world_(world), scene_(std::move(scene)), bare_(withoutContent(world)), planner_(bare_),
+      storage_(scene_->storage()), textures_(scene_->textures()) {}
+
+void ClassicPath::layOut(const world::Moment& moment) {
+    const std::size_t alignment = std::max(device_.capabilities().storageAlignment, kBytesPerTexel);
+    const auto place = [&](std::size_t bytes) {
+        const std::size_t offset = (places_.size + alignment - 1) / alignment * alignment;
+        places_.size = offset + bytes;
+        return offset;
+    };
+    places_.constants = place(sizeof(layout::FrameConstants));
+    places_.blocks = place(world_.blocks.size() * sizeof(layout::vec4));
+    places_.visit = place(sizeof(layout::Visit));
+    places_.members = place(moment.members.size() * sizeof(layout::Member));
+    places_.instances =
+        place((scene_->standing().size() + scene_->moving().size()) * sizeof(layout::Instance));
+    places_.commands = place(scene_->groups().size() * sizeof(layout::DrawCommand));
+    storage_[layout::kBindFrame] = {gpu::BufferHandle::Invalid, places_.constants,
+                                    sizeof(layout::FrameConstants)};
+    zones_.reserve(moment.members.size());
+}
+
+template <class T>
+void ClassicPath::write(std::size_t offset, std::span<const T> values) {
+    if (!values.empty()) {
+        std::memcpy(memory_.data() + offset, values.data(), values.size_bytes());
+    }
+}
+
+bool ClassicPath::Sides::sees(const Sphere& bounds) const {
+    const Vec3 centre = bounds.centre - eye;
+    return glm::dot(inwards[0], centre) >= -bounds.radius && glm::dot(inwards[1], centre) >= -bounds.radius &&
+           glm::dot(inwards[2], centre) >= -bounds.radius && glm::dot(inwards[3], centre) >= -bounds.radius;
+}
+
+ClassicPath::Sides ClassicPath::sidesOf(const visibility::View& view) {
+    const Vec3 wide = view.forward * view.tanHalfX, high = view.forward * view.tanHalfY;
+    return {view.eye,
+            {glm::normalize(wide - view.right), glm::normalize(wide + view.right),
+             glm::normalize(high - view.up), glm::normalize(high + view.up)}};
+}
+
+Result<void> ClassicPath::render(const frame::FrameView& view, const world::Moment& moment,
+                                 const visibility::VisibleSet& visible, gpu::RenderTarget& target) {
+    LIMEN_ASSERT(visible.visits.size() == 1, "all there is to see is outside");
+    LIMEN_ASSERT(moment.instances.size() == scene_->moving().size(), "as much moves as before");
+    planner_.plan(view, visible, base_);
+    if (Result<void> reserved = device_.reserveRing(places_.size); !reserved) {
+        return reserved;
+    }
+    begin(target);
+    counts_ = {};
+    zones_.clear();
+    drawGroups(sidesOf(view.view), moment);
+    device_.setState({.program = scene_->program(frame::Program::SkyPlain)});
+    device_.drawVertices(0, 3);
+    device_.endFrame();
+    return {};
+}
+
+void ClassicPath::begin(gpu::RenderTarget& target) {
+    device_.setGeometry(scene_->vertices(), scene_->indices());
+    memory_ = device_.beginFrame(target.handle());
+    layout::FrameConstants constants = base_.constants;
+    target.place(constants);
+    constants.staticInstances = 0; // all are in the frame's memory
+    constants.staticMembers = scene_->staticMembers();
+    constants.firstBlock = texelAt(places_.blocks);
+    constants.firstVisit = texelAt(places_.visit);
+    constants.firstMover = texelAt(places_.instances);
+    constants.firstMoverMember = texelAt(places_.members);
+    write(places_.constants, std::span<const layout::FrameConstants>(&constants, 1));
+    write(places_.blocks, std::span<const layout::vec4>(base_.blocks));
+    write(places_.visit, std::span<const layout::Visit>(base_.visits));
+    textures_.back() = scene_->groups().front().page;
+    device_.bindStorage(storage_);
+    device_.bindTextures(textures_);
+    device_.clear(gpu::TargetImage::Ownership, std::uint32_t{0});
+    device_.clear(gpu::TargetImage::Colour, constants.voidColour);
+    device_.clear(gpu::TargetImage::Id, std::uint32_t{layout::kVoidId});
+    device_.clear(gpu::TargetImage::Depth, 0.0f);
+    device_.beginPass(gpu::Pass::Solid);
+}
+
+void ClassicPath::drawGroups(const Sides& sides, const world::Moment& moment) {
+    for (const ClassicGroup& group : scene_->groups()) {
+        const std::size_t known = zones_.size();
+        if (const std::uint32_t count = gather(group, sides, moment); count > 0) {
+            // A driver may begin with a draw at once: all that it reads is written before.
+            write(places_.members + known * sizeof(layout::Member),
+                  std::span<const layout::Member>(zones_).subspan(known));
+            drawGroup(group, count);
+        }
+    }
+}
+
+std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
+                                  const world::Moment& moment) {
+    std::byte* const begin =
+        memory_.data() + places_.instances + std::size_t{counts_.objects} * sizeof(layout::Instance);
+    std::byte* to = begin;
+    const auto copy = [&to](const layout::Instance& packed) {
+        std::memcpy(to, &packed, sizeof packed);
+        to += sizeof packed;
+    };
+    for (const ClassicObject& object : scene_->standing().subspan(group.firstStanding, group.standingCount)) {
+        if (sides.sees(object.bounds)) {
+            copy(object.packed);
+        }
+    }
+    for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
+        const world::Instance& instance = moment.instances[index];
+        if (sides.sees(instance.bounds)) {
+            layout::Instance packed = frame::packInstance(world_, instance, moment.members, zones_);
+            packed.firstMember += scene_->staticMembers();
+            copy(packed);
+        }
+    }
+    return static_cast<std::uint32_t>(static_cast<std::size_t>(to - begin) / sizeof(layout::Instance));
+}
+
+void ClassicPath::drawGroup(const ClassicGroup& group, std::uint32_t count) {
+    const layout::DrawCommand command{group.indexCount, count, group.firstIndex, group.baseVertex,
+                                      counts_.objects};
+    const std::size_t offset = places_.commands + std::size_t{counts_.draws} * sizeof command;
+    write(offset, std::span<const layout::DrawCommand>(&command, 1));
+    textures_.back() = group.page;
+    device_.setState({.program = scene_->program(group.program)});
+    device_.bindTextures(textures_);
+    device_.bindStorage(std::span<const gpu::StorageRange>(storage_).first(kGroupRanges));
+    device_.drawIndirect(offset, 1);
+    counts_.objects += count;
+    ++counts_.draws;
+}
+
+} // namespace limen::bench

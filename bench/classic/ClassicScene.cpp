@@ -1,0 +1,210 @@
+#include "ClassicScene.h"
+
+#include "core/Assert.h"
+#include "frame/SceneBuilder.h"
+#include "gpu/Programs.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace limen::bench {
+
+namespace {
+
+namespace layout = frame::gpu;
+
+constexpr std::size_t kBytesPerTexel = 16;
+constexpr std::size_t kSmallestRange = 256; // a range may not be empty
+
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& array) {
+    return std::as_bytes(std::span(array));
+}
+
+std::uint32_t textureOf(const world::World& world, const world::Instance& instance) {
+    if (instance.kind == world::Kind::Terrain) {
+        return world.terrainCells[instance.firstMaterial].base.texture;
+    }
+    return world.materials[world.materialRefs[instance.firstMaterial]].texture;
+}
+
+/// What objects of one group have in common.
+using GroupKey = std::pair<std::uint32_t, std::uint32_t>;
+GroupKey keyOf(const world::Instance& instance) {
+    return {instance.mesh, instance.firstMaterial};
+}
+
+/// Indices of the instances of each group, in the order in which groups first occur.
+struct Sorted {
+    std::vector<world::Instance> examples; ///< by group
+    std::vector<std::vector<std::uint32_t>> standing, moving;
+};
+
+Sorted sortByGroup(const world::World& world, const world::Moment& moment) {
+    Sorted sorted;
+    std::map<GroupKey, std::size_t> numbers;
+    const auto groupFor = [&](const world::Instance& instance) {
+        const auto [entry, fresh] = numbers.try_emplace(keyOf(instance), sorted.examples.size());
+        if (fresh) {
+            sorted.examples.push_back(instance);
+            sorted.standing.emplace_back();
+            sorted.moving.emplace_back();
+        }
+        return entry->second;
+    };
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+        sorted.standing[groupFor(world.instances[i])].push_back(i);
+    }
+    for (std::uint32_t i = 0; i < moment.instances.size(); ++i) {
+        sorted.moving[groupFor(moment.instances[i])].push_back(i);
+    }
+    return sorted;
+}
+
+} // namespace
+
+Result<std::unique_ptr<ClassicScene>> ClassicScene::create(gpu::Device& device, const world::World& world,
+                                                           const world::Moment& moment) {
+    std::unique_ptr<ClassicScene> scene(new ClassicScene(device));
+    scene->programs_.fill(gpu::ProgramHandle::Invalid);
+    Result<void> made = scene->upload(world).and_then([&] { return scene->addPrograms(); });
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    scene->addGroups(world, moment);
+    return scene;
+}
+
+ClassicScene::~ClassicScene() {
+    for (gpu::ProgramHandle program : programs_) {
+        if (program != gpu::ProgramHandle::Invalid) {
+            device_.destroyProgram(program);
+        }
+    }
+    for (gpu::TextureHandle texels : texels_) {
+        device_.destroyTexture(texels);
+    }
+    for (gpu::BufferHandle buffer : owned_) {
+        device_.destroyBuffer(buffer);
+    }
+}
+
+Result<void> ClassicScene::upload(const world::World& world) {
+    const frame::SceneUpload scene = frame::buildScene(world);
+    if (Result<void> added = addPages(scene.textures); !added) {
+        return added;
+    }
+    std::vector<layout::TextureRef> refs;
+    for (const gpu::TextureStore& page : pages_) {
+        refs.push_back(page.refs().front());
+    }
+    vertices_ = add("classic vertices", bytesOf(scene.vertices));
+    indices_ = add("classic indices", bytesOf(scene.indices));
+    storage_.fill({indices_, 0, kSmallestRange}); // what no shader of this path reads
+    addStorage(layout::kBindMaterials, "classic materials", bytesOf(scene.materials));
+    addStorage(layout::kBindMaterialRefs, "classic material references", bytesOf(scene.materialRefs));
+    addStorage(layout::kBindTerrain, "classic terrain cells", bytesOf(scene.terrainCells));
+    addStorage(layout::kBindLightSets, "classic light sets", bytesOf(scene.lightSets));
+    addStorage(layout::kBindLights, "classic lights", bytesOf(scene.lights));
+    addStorage(layout::kBindTextures, "classic texture references", bytesOf(refs));
+    packed_ = scene.instances;
+    staticMembers_ = static_cast<std::uint32_t>(scene.members.size());
+    // Instances are all in the frame's memory, so that nothing reads the resident array.
+    return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
+        .and_then([&] { return addTexels(layout::kUnitInstances, "classic instances", vertices_); })
+        .and_then([&] {
+            return addTexels(layout::kUnitMembers, "classic members",
+                             add("classic members", bytesOf(scene.members)));
+        });
+}
+
+Result<void> ClassicScene::addPages(std::span<const frame::TextureUpload> textures) {
+    for (const frame::TextureUpload& texture : textures) {
+        Result<gpu::TextureStore> page = gpu::TextureStore::create(device_, std::span(&texture, 1),
+                                                                   {.mode = gpu::TextureMode::ArrayPages});
+        if (!page) {
+            return tl::unexpected(page.error());
+        }
+        pages_.push_back(std::move(*page));
+    }
+    return {};
+}
+
+Result<void> ClassicScene::addPrograms() {
+    LIMEN_ASSERT(!pages_.empty(), "every group has a texture");
+    const std::uint32_t first = 0;
+    const gpu::TextureBinding onePage = pages_.front().bindingFor(std::span(&first, 1));
+    for (const frame::Program program :
+         {frame::Program::Opaque, frame::Program::Terrain, frame::Program::SkyPlain}) {
+        gpu::ProgramSource source = gpu::programSource(program, {}, onePage);
+        source.label = "classic " + source.label;
+        source.defines.emplace_back("EXACT_OUTLINES");
+        const Result<gpu::ProgramHandle> made = device_.createProgram(source);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        programs_[static_cast<std::size_t>(program)] = *made;
+    }
+    return {};
+}
+
+ClassicGroup ClassicScene::groupOf(const world::World& world, const world::Instance& instance) const {
+    const world::Mesh& mesh = world.meshes[instance.mesh];
+    const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(world::SurfaceClass::Opaque)];
+    const bool isGround = instance.kind == world::Kind::Terrain;
+    LIMEN_ASSERT(range.indexCount == mesh.vertexCount, "all surfaces are opaque");
+    LIMEN_ASSERT(textureOf(world, instance) != world::kNone, "every group has a texture");
+    ClassicGroup group;
+    group.program = isGround ? frame::Program::Terrain : frame::Program::Opaque;
+    group.firstIndex = range.firstIndex;
+    group.indexCount = range.indexCount;
+    group.baseVertex = static_cast<std::int32_t>(mesh.firstVertex);
+    group.page = pages_[textureOf(world, instance)].pages().front();
+    return group;
+}
+
+void ClassicScene::addGroups(const world::World& world, const world::Moment& moment) {
+    const Sorted sorted = sortByGroup(world, moment);
+    for (std::size_t i = 0; i < sorted.examples.size(); ++i) {
+        ClassicGroup group = groupOf(world, sorted.examples[i]);
+        group.firstStanding = static_cast<std::uint32_t>(standing_.size());
+        group.standingCount = static_cast<std::uint32_t>(sorted.standing[i].size());
+        for (const std::uint32_t instance : sorted.standing[i]) {
+            standing_.push_back({world.instances[instance].bounds, packed_[instance]});
+        }
+        group.firstMoving = static_cast<std::uint32_t>(moving_.size());
+        group.movingCount = static_cast<std::uint32_t>(sorted.moving[i].size());
+        moving_.insert(moving_.end(), sorted.moving[i].begin(), sorted.moving[i].end());
+        groups_.push_back(group);
+    }
+    std::stable_partition(groups_.begin(), groups_.end(), [](const ClassicGroup& group) {
+        return group.program == frame::Program::Opaque;
+    }); // programs change once
+    packed_ = {};
+}
+
+gpu::BufferHandle ClassicScene::add(std::string_view label, std::span<const std::byte> bytes) {
+    std::vector<std::byte> padded(bytes.begin(), bytes.end());
+    const std::size_t texels = (bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
+    padded.resize(std::max(texels * kBytesPerTexel, kSmallestRange));
+    owned_.push_back(device_.createBuffer(label, padded));
+    return owned_.back();
+}
+
+void ClassicScene::addStorage(std::uint32_t binding, std::string_view label,
+                              std::span<const std::byte> bytes) {
+    storage_[binding] = {add(label, bytes), 0, std::max(bytes.size(), kSmallestRange)};
+}
+
+Result<void> ClassicScene::addTexels(std::uint32_t unit, std::string_view label, gpu::BufferHandle buffer) {
+    const Result<gpu::TextureHandle> texels = device_.createTexels(label, buffer);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    texels_.push_back(*texels);
+    textures_[unit - layout::kUnitVertices] = *texels;
+    return {};
+}
+
+} // namespace limen::bench

@@ -1,0 +1,86 @@
+#include "FieldHelp.h"
+#include "TwoWays.h"
+#include "gpu/GlFixture.h"
+
+#include <set>
+
+namespace limen::bench::test {
+namespace {
+
+/// Of a frame, beside those for each group: waiting for the ring's fence, viewport, shared bindings, clearing, three programs, the
+/// sky, and the fence.
+constexpr std::uint32_t kCallsBeside = 15;
+
+class ClassicPathGlTest : public gpu::test::GlTest {
+protected:
+    /// Draws a view both ways; yields its ids.
+    static std::vector<std::uint32_t> expectSame(TwoWays& ways, const FieldView& view) {
+        EXPECT_TRUE(ways.drawReal(view));
+        const std::vector<std::uint32_t> ids = ways.target().readIds();
+        const std::vector<std::uint8_t> colour = ways.target().readColour();
+        const std::vector<float> depth = ways.target().readDepth();
+        EXPECT_TRUE(ways.drawClassic(view));
+        EXPECT_TRUE(ids == ways.target().readIds()) << "ids";
+        EXPECT_TRUE(colour == ways.target().readColour()) << "colour";
+        EXPECT_TRUE(depth == ways.target().readDepth()) << "depth";
+        return ids;
+    }
+};
+
+/// How many boxes an id image shows.
+std::size_t boxesIn(const ObjectField& field, const std::vector<std::uint32_t>& ids) {
+    const std::set<std::uint32_t> shown(ids.begin(), ids.end());
+    std::size_t count = 0;
+    for (const world::Instance& box : boxesOf(field)) {
+        const auto first = shown.lower_bound(box.idBase);
+        count += first != shown.end() && *first < box.idBase + 6 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(ClassicPathGlTest, showsTheSameAsTheRenderer) {
+    for (const double share : {0.0, 0.1, 1.0}) {
+        ObjectField field = makeField(smallField(share));
+        const auto ways = TwoWays::create(*device_, field, 320, 180);
+        ASSERT_TRUE(ways) << ways.error().message();
+        std::set<std::vector<std::uint32_t>> pictures;
+        const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
+        for (std::uint32_t i = 0; i < views.size(); ++i) {
+            field.moveTo(10 * i);
+            const std::vector<std::uint32_t> ids = expectSame(**ways, views[i]);
+            EXPECT_GT(boxesIn(field, ids), 20u);
+            EXPECT_EQ(device_->glCalls(), kCallsBeside + 3 * (*ways)->classic().counts().draws);
+            pictures.insert(ids);
+        }
+        EXPECT_EQ(pictures.size(), views.size()) << "every heading shows something else";
+    }
+}
+
+TEST_F(ClassicPathGlTest, showsTheSameWhereADriverBeginsToDrawBeforeTheFrameIsWhole) {
+    const ObjectField field = makeField({.objects = 10'000, .movingShare = 1.0});
+    const auto ways = TwoWays::create(*device_, field, 320, 180);
+    ASSERT_TRUE(ways) << ways.error().message();
+    const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
+    for (std::size_t i = 0; i < gpu::kFramesInFlight; ++i) {
+        ASSERT_TRUE((*ways)->drawReal(views[0])); // leaves something else in the memory of every frame
+    }
+    EXPECT_GT(boxesIn(field, expectSame(**ways, views[1])), 300u);
+}
+
+TEST_F(ClassicPathGlTest, whatMovesShowsElsewhere) {
+    ObjectField field = makeField(smallField(1.0));
+    const auto ways = TwoWays::create(*device_, field, 320, 180);
+    ASSERT_TRUE(ways) << ways.error().message();
+    const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
+    const auto drawn = [&](std::uint32_t frame) {
+        field.moveTo(frame);
+        EXPECT_TRUE((*ways)->drawClassic(views[0]));
+        return (*ways)->target().readIds();
+    };
+    const std::vector<std::uint32_t> before = drawn(0);
+    EXPECT_NE(before, drawn(30));
+    EXPECT_EQ(before, drawn(0));
+}
+
+} // namespace
+} // namespace limen::bench::test
