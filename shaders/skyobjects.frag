@@ -1,4 +1,4 @@
-// Sky objects, unlit, blended over the plain sky in drawing order. Out: premultiplied colour; no id; the sky.s depth.
+// Sky objects, unlit, blended over the plain sky in drawing order. Out: premultiplied colour; no id; the sky's depth.
 #include "textures.glsl"
 #include "gate.glsl"
 
