@@ -3,6 +3,7 @@
 Usage: ViewWindowTest.py PROGRAM CACHE [unittest arguments]
 """
 
+import functools
 import json
 import os
 import subprocess
@@ -57,6 +58,19 @@ def png_pixels(path):
     return width, height, bytes(pixels)
 
 
+def patiently(test):
+    """Runs a test that presses keys a second time with longer waits if it fails: on a busy machine the first frames take seconds,
+    and keys that were pressed and let go meanwhile are not seen."""
+    @functools.wraps(test)
+    def run(self):
+        try:
+            test(self)
+        except AssertionError:
+            self.patience = 5
+            test(self)
+    return run
+
+
 class ViewWindow(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -68,6 +82,7 @@ class ViewWindow(unittest.TestCase):
         cls.server.wait()
 
     def setUp(self):
+        self.patience = 1
         self.work = tempfile.TemporaryDirectory()
         self.env = dict(os.environ, DISPLAY=self.display, XDG_CACHE_HOME=CACHE)
         self.env.pop("WAYLAND_DISPLAY", None)
@@ -92,9 +107,9 @@ class ViewWindow(unittest.TestCase):
         try:
             self.xdotool("search", "--sync", "--onlyvisible", "--name", "Limen")
             self.xdotool("mousemove", "440", "240")
-            time.sleep(1.5)
+            self.wait(1.5)
             steps()
-            time.sleep(0.7)
+            self.wait(0.7)
             self.xdotool("key", "Escape")
             out, err = view.communicate(timeout=60)
         finally:
@@ -104,9 +119,12 @@ class ViewWindow(unittest.TestCase):
         self.assertEqual(view.returncode, 0, err)
         return json.loads(out)
 
+    def wait(self, seconds):
+        time.sleep(seconds * self.patience)
+
     def hold(self, key, seconds):
         self.xdotool("keydown", key)
-        time.sleep(seconds)
+        self.wait(seconds)
         self.xdotool("keyup", key)
 
     def test_runs_its_frames_and_writes_the_last(self):
@@ -119,24 +137,27 @@ class ViewWindow(unittest.TestCase):
     def test_escape_leaves(self):
         self.drive(lambda: None)
 
+    @patiently
     def test_w_flies_forward_and_d_to_the_right(self):
         still = self.drive(lambda: None, "--at", "hill", "--yaw", "0", "--pitch", "0")
         moved = self.drive(lambda: (self.hold("w", 0.8), self.hold("d", 0.8)), "--at", "hill", "--yaw", "0", "--pitch", "0")
         self.assertGreater(moved["eye"][1], still["eye"][1] + 0.2)
         self.assertGreater(moved["eye"][0], still["eye"][0] + 0.2)
 
+    @patiently
     def test_e_flies_up_and_q_down(self):
         still = self.drive(lambda: None, "--at", "hill")
         self.assertGreater(self.drive(lambda: self.hold("e", 0.8), "--at", "hill")["eye"][2], still["eye"][2] + 0.2)
         self.assertLess(self.drive(lambda: self.hold("q", 0.8), "--at", "hill")["eye"][2], still["eye"][2] - 0.2)
 
+    @patiently
     def test_dragging_the_mouse_turns_the_head(self):
         def drag():
             self.xdotool("mousemove", "400", "200", "mousedown", "1")
-            time.sleep(0.5)
+            self.wait(0.5)
             for _ in range(10):
                 self.xdotool("mousemove_relative", "--", "10", "5")
-                time.sleep(0.05)
+                self.wait(0.05)
             self.xdotool("mouseup", "1")
 
         state = self.drive(drag, "--at", "hill", "--yaw", "0", "--pitch", "0")
@@ -144,15 +165,17 @@ class ViewWindow(unittest.TestCase):
         self.assertLess(state["yaw"], 90.0)
         self.assertLess(state["pitch"], -1.0)
 
+    @patiently
     def test_function_keys_switch_the_overlays(self):
         def press():
             for key in ("F1", "F2", "F3", "F4"):
                 self.xdotool("key", key)
-                time.sleep(0.4)
+                self.wait(0.4)
 
         overlays = self.drive(press)["overlays"]
         self.assertEqual(overlays, {"help": True, "ids": True, "regions": True, "panel": False})
 
+    @patiently
     def test_number_keys_go_to_places(self):
         first = self.drive(lambda: self.xdotool("key", "1"))
         second = self.drive(lambda: self.xdotool("key", "2"))
