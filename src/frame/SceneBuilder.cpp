@@ -1,6 +1,7 @@
 #include "frame/SceneBuilder.h"
 
 #include "frame/PackInstance.h"
+#include "frame/ResidentPieces.h"
 
 #include <algorithm>
 #include <bit>
@@ -49,6 +50,19 @@ gpu::Light packLight(const world::World& world, const world::Light& in) {
     const std::uint32_t block = blockFor(world, in.position);
     const Vec3f local(in.position - (world.blocks.empty() ? Vec3(0.0) : world.blocks[block].origin()));
     return {{local, in.range}, {in.colour, std::bit_cast<float>(block)}};
+}
+
+/// Those of meshes are relative to their first vertices.
+std::vector<std::uint32_t> indicesOfArena(const world::World& world) {
+    std::vector<std::uint32_t> indices = world.indices;
+    for (const world::Mesh& mesh : world.meshes) {
+        for (const world::Mesh::Range& range : mesh.ranges) {
+            for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; ++i) {
+                indices[i] = world.indices[i] + mesh.firstVertex;
+            }
+        }
+    }
+    return indices;
 }
 
 void addMaterials(const world::World& world, SceneUpload& scene) {
@@ -106,10 +120,11 @@ SceneUpload buildScene(const world::World& world) {
         scene.vertices.push_back({v.position, packNormal(v.normal), v.uv,
                                   v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour, v.rest});
     }
-    scene.indices = world.indices;
+    scene.indices = indicesOfArena(world);
     for (const world::Instance& in : world.instances) {
         scene.instances.push_back(packInstance(world, in, world.members, scene.members));
     }
+    scene.pieces = buildPieces(world, buildClusters(world)).pieces;
     addMaterials(world, scene);
     addTextures(world, scene);
     for (const world::TerrainCell& cell : world.terrainCells) {

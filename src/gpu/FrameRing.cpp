@@ -7,11 +7,11 @@ namespace limen::gpu {
 
 namespace layout = frame::gpu;
 
-FrameRing::FrameRing(const frame::FramePlan& plan, std::span<const layout::CullTask> tasks,
+FrameRing::FrameRing(const frame::FramePlan& plan, std::span<const layout::DrawSlot> slots,
                      std::size_t alignment)
-    : plan_(plan), tasks_(tasks) {
+    : plan_(plan), slots_(slots) {
     for (std::size_t i = 0; i < kArrays; ++i) {
-        const std::size_t size = bytes(static_cast<Array>(i), plan.constants).size();
+        const std::size_t size = sizeOf(static_cast<Array>(i));
         const std::size_t offset = (size_ + alignment - 1) / alignment * alignment;
         places_[i] = {BufferHandle::Invalid, offset, std::max(size, kSmallestRange)};
         size_ = offset + places_[i].size;
@@ -37,14 +37,20 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
         return of(plan_.movers);
     case kMoverMembers:
         return of(plan_.moverMembers);
+    case kPieces:
+        return of(plan_.pieces);
+    case kSlots:
+        return of(slots_);
     case kCommands:
-        return of(plan_.commands);
-    case kTasks:
-        return of(tasks_);
     case kArrays:
         break;
     }
     return {};
+}
+
+std::size_t FrameRing::sizeOf(Array array) const {
+    return array == kCommands ? slots_.size() * sizeof(layout::DrawCommand)
+                              : bytes(array, plan_.constants).size();
 }
 
 std::uint32_t FrameRing::texel(Array array) const {
@@ -56,6 +62,8 @@ void FrameRing::locate(layout::FrameConstants& constants) const {
     constants.firstVisit = texel(kVisits);
     constants.firstMover = texel(kMovers);
     constants.firstMoverMember = texel(kMoverMembers);
+    constants.firstMoverPiece = texel(kPieces);
+    constants.firstSlot = texel(kSlots);
 }
 
 void FrameRing::bind(StorageBindings& storage) const {
@@ -64,7 +72,6 @@ void FrameRing::bind(StorageBindings& storage) const {
     storage[layout::kBindClipSets] = places_[kClipSets];
     storage[layout::kBindSky] = places_[kSky];
     storage[layout::kBindCommands] = places_[kCommands];
-    storage[layout::kBindCullTasks] = places_[kTasks];
 }
 
 void FrameRing::write(const layout::FrameConstants& constants, std::span<std::byte> memory) const {

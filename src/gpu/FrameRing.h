@@ -15,11 +15,11 @@ inline constexpr std::size_t kSmallestRange = 256;
 /// Of buffers that are read as textures.
 inline constexpr std::size_t kBytesPerTexel = 16;
 
-/// Where one frame's arrays lie in the ring memory: the plan's, and what culling its triangles takes.
+/// Where one frame's arrays lie in the ring memory: the plan's, and the slots and room of its draw commands.
 class FrameRing {
 public:
     /// `alignment`: Capabilities::storageAlignment. Both arrays must outlive it.
-    FrameRing(const frame::FramePlan& plan, std::span<const frame::gpu::CullTask> tasks,
+    FrameRing(const frame::FramePlan& plan, std::span<const frame::gpu::DrawSlot> slots,
               std::size_t alignment);
 
     [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
@@ -29,7 +29,7 @@ public:
     void locate(frame::gpu::FrameConstants& constants) const;
     /// Binds the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays.
+    /// Writes all arrays but the draw commands.
     void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
 
 private:
@@ -43,16 +43,18 @@ private:
         kSky,
         kMovers,
         kMoverMembers,
-        kCommands,
-        kTasks,
+        kPieces,
+        kSlots,
+        kCommands, // written on the device
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array,
                                                    const frame::gpu::FrameConstants& constants) const;
+    [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
 
     const frame::FramePlan& plan_;
-    std::span<const frame::gpu::CullTask> tasks_;
+    std::span<const frame::gpu::DrawSlot> slots_;
     std::array<StorageRange, kArrays> places_{}; ///< in the ring
     std::size_t size_ = 0;
 };

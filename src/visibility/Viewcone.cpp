@@ -1,6 +1,7 @@
 #include "visibility/Viewcone.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace limen::visibility {
 
@@ -36,23 +37,33 @@ void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
     }
 }
 
-Containment Viewcones::classifyAlone(const Cone& cone, const Sphere& ball) const {
+SeenBall Viewcones::ballOf(const Sphere& ball) const {
     const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
     const double slack = kSlack + kSlackShare * distance;
-    const double reach = cone.entry.signedDistance(ball.centre);
-    if (reach < -ball.radius - slack) {
-        return Containment::Outside;
-    }
-    bool inside = reach > ball.radius + slack;
-    const double pixels = slack + 2.0 * pixel_ * distance;
+    return {ball.centre, ball.radius, slack, slack + 2.0 * pixel_ * distance};
+}
+
+// Where on the screen, however far.
+Containment Viewcones::classifyOnScreen(const Cone& cone, const SeenBall& ball) const {
+    const double far = ball.radius + ball.reach;
+    double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t e = cone.firstEdge; e < cone.firstEdge + cone.edgeCount; ++e) {
-        const double side = glm::dot(edges_[e], ball.centre);
-        if (side < -ball.radius - pixels) {
+        least = std::min(least, glm::dot(edges_[e], ball.centre));
+        if (least < -far) {
             return Containment::Outside;
         }
-        inside = inside && side > ball.radius + pixels;
     }
-    return inside ? Containment::Inside : Containment::Partial;
+    return least > far ? Containment::Inside : Containment::Partial;
+}
+
+Containment Viewcones::classifyAlone(const Cone& cone, const SeenBall& ball) const {
+    const double reach = cone.entry.signedDistance(ball.centre);
+    if (reach < -ball.radius - ball.slack) {
+        return Containment::Outside;
+    }
+    const Containment onScreen = classifyOnScreen(cone, ball);
+    return onScreen == Containment::Inside && reach <= ball.radius + ball.slack ? Containment::Partial
+                                                                                : onScreen;
 }
 
 bool Viewcones::descends(std::uint32_t visit, std::uint32_t ancestor) const {
@@ -62,19 +73,17 @@ bool Viewcones::descends(std::uint32_t visit, std::uint32_t ancestor) const {
     return visit == ancestor;
 }
 
-Containment Viewcones::classify(std::uint32_t visit, const Sphere& ball) const {
+Containment Viewcones::classify(std::uint32_t visit, const SeenBall& ball) const {
     const Containment alone = classifyAlone(cones_[visit], ball);
     if (alone != Containment::Inside) {
         return alone;
     }
-    const double slack = kSlack + kSlackShare * (std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius);
     for (std::uint32_t later = visit + 1; later < cones_.size(); ++later) {
-        Cone onScreen = cones_[later];
-        onScreen.entry = {Vec3(0.0), 1e30}; // where on the screen, however far
-        if (classifyAlone(onScreen, ball) == Containment::Outside) {
+        const Cone& cone = cones_[later];
+        if (classifyOnScreen(cone, ball) == Containment::Outside) {
             continue;
         }
-        const bool before = cones_[later].entry.signedDistance(ball.centre) < -ball.radius - slack;
+        const bool before = cone.entry.signedDistance(ball.centre) < -ball.radius - ball.slack;
         if (!before || !descends(later, visit)) {
             return Containment::Partial;
         }
@@ -82,17 +91,22 @@ Containment Viewcones::classify(std::uint32_t visit, const Sphere& ball) const {
     return Containment::Inside;
 }
 
-bool Viewcones::touches(const Rect& rect, const Sphere& ball) const {
-    const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
-    const double margin = ball.radius + kSlack + (kSlackShare + 2.0 * pixel_) * distance;
+RectCone Viewcones::coneOf(const Rect& rect) const {
     const Mat3 screen = view_.screenFromEye();
     const Vec3 right(screen[0][0], screen[1][0], screen[2][0]);
     const Vec3 up(screen[0][1], screen[1][1], screen[2][1]);
-    const auto behind = [&](const Vec3& n) {
-        return glm::dot(n, ball.centre) < -margin * std::sqrt(glm::dot(n, n));
-    };
-    return !(behind(right - view_.forward * rect.minX) || behind(view_.forward * rect.maxX - right) ||
-             behind(up - view_.forward * rect.minY) || behind(view_.forward * rect.maxY - up));
+    return {{glm::normalize(right - view_.forward * rect.minX),
+             glm::normalize(view_.forward * rect.maxX - right), glm::normalize(up - view_.forward * rect.minY),
+             glm::normalize(view_.forward * rect.maxY - up)}};
+}
+
+Containment Viewcones::classify(const RectCone& rect, const SeenBall& ball) {
+    const double far = ball.radius + ball.reach;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& inwards : rect.inwards) {
+        least = std::min(least, glm::dot(inwards, ball.centre));
+    }
+    return least < -far ? Containment::Outside : least > far ? Containment::Inside : Containment::Partial;
 }
 
 } // namespace limen::visibility

@@ -46,11 +46,14 @@ TEST_F(DoorView, ABallBehindTheDoorIsInsideTheSecondVisitOnlyIfWhollyFramed) {
     EXPECT_EQ(cones.classify(1, {{0, 9, 0}, 0.5}), Containment::Outside) << "it lies before the entry plane";
 }
 
-TEST_F(DoorView, TouchesFollowsTheRectangle) {
-    const Rect left{-1, -1, 0, 1};
-    EXPECT_TRUE(cones.touches(left, {{-1, 10, 0}, 0.5}));
-    EXPECT_TRUE(cones.touches(left, {{0.4, 10, 0}, 0.5}));
-    EXPECT_FALSE(cones.touches(left, {{2, 10, 0}, 0.5}));
+TEST_F(DoorView, ABallLiesToARectangleAsToARegion) {
+    const RectCone left = cones.coneOf({-1, -1, 0, 1});
+    const auto at = [&](const Vec3& centre) { return Viewcones::classify(left, cones.ballOf({centre, 0.5})); };
+    EXPECT_EQ(at({-4, 10, 0}), Containment::Inside);
+    EXPECT_EQ(at({-0.4, 10, 0}), Containment::Partial);
+    EXPECT_EQ(at({0.4, 10, 0}), Containment::Partial);
+    EXPECT_EQ(at({2, 10, 0}), Containment::Outside);
+    EXPECT_EQ(at({-4, -10, 0}), Containment::Outside);
 }
 
 } // namespace
