@@ -1,7 +1,5 @@
 #include "frame/Selection.h"
 
-#include "visibility/Region.h"
-
 #include <algorithm>
 
 namespace limen::frame {
@@ -19,9 +17,8 @@ bool isInOneZone(const world::World& world, const world::Instance& instance,
     });
 }
 
-bool holds(const visibility::Rect& outer, const visibility::Rect& inner) {
-    return outer.minX <= inner.minX && outer.minY <= inner.minY && outer.maxX >= inner.maxX &&
-           outer.maxY >= inner.maxY;
+bool isWholeScreen(const visibility::Rect& rect) {
+    return rect.minX <= -1.0 && rect.minY <= -1.0 && rect.maxX >= 1.0 && rect.maxY >= 1.0;
 }
 
 } // namespace
@@ -70,18 +67,13 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
 void Selection::gatherAsks(const visibility::VisibleSet& set) {
     asks_.clear();
     asked_.clear();
-    std::uint32_t visit = world::kNone;
-    visibility::Rect region;
     for (const visibility::SeenSpace& seen : set.seen) {
-        if (seen.visit != visit) {
-            visit = seen.visit;
-            region = visibility::boundsOf(set.region(set.visits[visit]));
-        }
         const auto number = static_cast<std::uint32_t>(asks_.size());
         const bool first = askedFrame_[seen.space] != frameNumber_;
         askedFrame_[seen.space] = frameNumber_;
-        const bool narrow = !holds(seen.rect, region);
-        asks_.push_back({seen.space, visit, world::kNone, first, narrow,
+        // The root's region is the screen: it need not be asked for twice.
+        const bool narrow = set.visits[seen.visit].depth > 0 || !isWholeScreen(seen.rect);
+        asks_.push_back({seen.space, seen.visit, world::kNone, first, narrow,
                          narrow ? cones_.coneOf(seen.rect) : visibility::RectCone()});
         if (first) {
             asked_.push_back({seen.space, number});

@@ -49,7 +49,7 @@ private:
         std::uint32_t space = 0, visit = 0;
         std::uint32_t next = world::kNone; ///< the next about the same space
         bool first = false;                ///< about its space
-        bool narrow = false;               ///< `rect` leaves out part of the visit's region
+        bool narrow = false;               ///< `rect` may leave out part of the visit's region
         visibility::RectCone rect;
     };
     /// The asks about one space.
