@@ -47,7 +47,8 @@ Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::str
 DrawCulling::DrawCulling(DrawCulling&& other) noexcept
     : device_(std::exchange(other.device_, nullptr)), program_(other.program_), leavesOut_(other.leavesOut_),
       keepsTriangles_(other.keepsTriangles_), kept_(other.kept_), capacity_(other.capacity_),
-      place_(other.place_), slots_(std::move(other.slots_)), firstSlots_(std::move(other.firstSlots_)) {}
+      place_(other.place_), slotCount_(other.slotCount_), slots_(std::move(other.slots_)),
+      firstSlots_(std::move(other.firstSlots_)) {}
 
 DrawCulling& DrawCulling::operator=(DrawCulling&& other) noexcept {
     std::swap(device_, other.device_);
@@ -57,6 +58,7 @@ DrawCulling& DrawCulling::operator=(DrawCulling&& other) noexcept {
     std::swap(kept_, other.kept_);
     std::swap(capacity_, other.capacity_);
     std::swap(place_, other.place_);
+    std::swap(slotCount_, other.slotCount_);
     std::swap(slots_, other.slots_);
     std::swap(firstSlots_, other.firstSlots_);
     return *this;
@@ -91,29 +93,33 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
     }
     place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
     auto kept = static_cast<std::uint32_t>(place_ * capacity_);
-    slots_.clear();
+    std::uint32_t slot = 0;
     firstSlots_.clear();
     for (const frame::Batch& batch : plan.batches) {
-        firstSlots_.push_back(static_cast<std::uint32_t>(slots_.size()));
+        firstSlots_.push_back(slot);
         for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
             const frame::PieceRun& run = plan.runs[i];
-            const auto slot = static_cast<std::uint32_t>(slots_.size());
-            slots_.insert(slots_.end(), run.pieceCount, {run.firstPiece - slot, kept - run.indicesBefore});
+            if (slots_.size() < slot + run.pieceCount) {
+                slots_.resize(2 * (slot + run.pieceCount));
+            }
+            const frame::gpu::DrawSlot filled{run.firstPiece - slot, kept - run.indicesBefore};
+            std::fill_n(slots_.begin() + slot, run.pieceCount, filled);
+            slot += run.pieceCount;
             kept += run.indexCount;
         }
     }
+    slotCount_ = slot;
 }
 
 void DrawCulling::describe(frame::gpu::FrameConstants& constants) const {
-    constants.slotCount = static_cast<std::uint32_t>(slots_.size());
+    constants.slotCount = slotCount_;
     constants.flags |= keepsTriangles_ ? frame::gpu::kFrameKeepsTriangles : 0;
 }
 
 void DrawCulling::run() {
     // In rows of equal length, none longer than drivers run.
-    const auto count = static_cast<std::uint32_t>(slots_.size());
-    const std::uint32_t rows = std::max((count + kMostGroups - 1) / kMostGroups, 1u);
-    device_->compute(program_, (count + rows - 1) / rows, rows);
+    const std::uint32_t rows = std::max((slotCount_ + kMostGroups - 1) / kMostGroups, 1u);
+    device_->compute(program_, (slotCount_ + rows - 1) / rows, rows);
 }
 
 } // namespace limen::gpu

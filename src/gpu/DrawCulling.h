@@ -22,7 +22,9 @@ public:
     /// is kept for. Not during a frame.
     void prepare(const frame::FramePlan& plan, const RenderOptions& options, bool keepsTriangles);
     /// One for each draw command.
-    [[nodiscard]] std::span<const frame::gpu::DrawSlot> slots() const { return slots_; }
+    [[nodiscard]] std::span<const frame::gpu::DrawSlot> slots() const {
+        return std::span(slots_).first(slotCount_);
+    }
     /// The slot of a batch's first draw command; those of the others follow.
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
     /// Whether the draws read the static indices; else they read those that are kept, and no others.
@@ -49,7 +51,8 @@ private:
     BufferHandle kept_ = BufferHandle::Invalid;
     std::size_t capacity_ = 0; ///< indices a frame
     std::size_t place_ = 0;    ///< of the frames under way
-    std::vector<frame::gpu::DrawSlot> slots_;
+    std::uint32_t slotCount_ = 0;
+    std::vector<frame::gpu::DrawSlot> slots_; ///< and room for more
     std::vector<std::uint32_t> firstSlots_; ///< by batch
 };
 

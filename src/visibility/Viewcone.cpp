@@ -5,16 +5,6 @@
 
 namespace limen::visibility {
 
-namespace {
-
-/// The ownership test's own tolerance (1 mm and a share of the distance) and float rounding on the GPU, with
-/// room to spare, in metres per metre of distance and in metres: "inside" must hold under it, "outside"
-/// beyond it.
-constexpr double kSlackShare = 2e-6;
-constexpr double kSlack = 0.004;
-
-} // namespace
-
 void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
     view_ = view;
     pixel_ = pixel;
@@ -37,14 +27,8 @@ void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
     }
 }
 
-SeenBall Viewcones::ballOf(const Sphere& ball) const {
-    const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
-    const double slack = kSlack + kSlackShare * distance;
-    return {ball.centre, ball.radius, slack, slack + 2.0 * pixel_ * distance};
-}
-
 // Where on the screen, however far.
-Containment Viewcones::classifyOnScreen(const Cone& cone, const SeenBall& ball) const {
+inline Containment Viewcones::classifyOnScreen(const Cone& cone, const SeenBall& ball) const {
     const double far = ball.radius + ball.reach;
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t e = cone.firstEdge; e < cone.firstEdge + cone.edgeCount; ++e) {
@@ -56,7 +40,7 @@ Containment Viewcones::classifyOnScreen(const Cone& cone, const SeenBall& ball) 
     return least > far ? Containment::Inside : Containment::Partial;
 }
 
-Containment Viewcones::classifyAlone(const Cone& cone, const SeenBall& ball) const {
+inline Containment Viewcones::classifyAlone(const Cone& cone, const SeenBall& ball) const {
     const double reach = cone.entry.signedDistance(ball.centre);
     if (reach < -ball.radius - ball.slack) {
         return Containment::Outside;

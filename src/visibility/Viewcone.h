@@ -3,6 +3,7 @@
 #include "visibility/VisibleSet.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace limen::visibility {
@@ -38,7 +39,11 @@ public:
     [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& ball) const {
         return classify(visit, ballOf(ball));
     }
-    [[nodiscard]] SeenBall ballOf(const Sphere& ball) const;
+    [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
+        const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
+        const double slack = kSlack + kSlackShare * distance;
+        return {ball.centre, ball.radius, slack, slack + 2.0 * pixel_ * distance};
+    }
 
     /// A rectangle (a SeenSpace's) of the screen.
     [[nodiscard]] RectCone coneOf(const Rect& rect) const;
@@ -46,6 +51,11 @@ public:
     [[nodiscard]] static Containment classify(const RectCone& rect, const SeenBall& ball);
 
 private:
+    /// The ownership test's own tolerance (1 mm and a share of the distance) and float rounding on the GPU, with
+    /// room to spare, in metres per metre of distance and in metres: "inside" must hold under it, "outside"
+    /// beyond it.
+    static constexpr double kSlackShare = 2e-6;
+    static constexpr double kSlack = 0.004;
     struct Cone {
         Plane entry;
         std::uint32_t firstEdge = 0, edgeCount = 0, parent = 0;
