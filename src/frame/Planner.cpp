@@ -170,8 +170,9 @@ void Planner::packMovers(const world::Moment& moment, FramePlan& plan) {
     for (const SelectedMover& mover : selection_.movers()) {
         const world::Instance& instance = moment.instances[mover.index];
         const std::uint32_t number = standing + static_cast<std::uint32_t>(plan.movers.size());
+        const world::Mesh& mesh = world_.meshes[instance.mesh];
         for (std::size_t c = 0; c < kDrawClasses; ++c) {
-            const world::Mesh::Range range = rangeOf(world_, instance, static_cast<DrawClass>(c));
+            const world::Mesh::Range range = rangeOf(mesh, instance.kind, static_cast<DrawClass>(c));
             if (range.indexCount > 0) {
                 moverRanges_[c][mover.gated ? 1 : 0].push_back({range, number});
             }

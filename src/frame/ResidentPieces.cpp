@@ -4,23 +4,6 @@
 
 namespace limen::frame {
 
-world::Mesh::Range rangeOf(const world::World& world, const world::Instance& instance, DrawClass drawn) {
-    using world::SurfaceClass;
-    const auto& ranges = world.meshes[instance.mesh].ranges;
-    const bool isTerrain = instance.kind == world::Kind::Terrain;
-    switch (drawn) {
-    case DrawClass::Opaque:
-        return isTerrain ? world::Mesh::Range() : ranges[static_cast<std::size_t>(SurfaceClass::Opaque)];
-    case DrawClass::CutOut:
-        return isTerrain ? world::Mesh::Range() : ranges[static_cast<std::size_t>(SurfaceClass::CutOut)];
-    case DrawClass::Terrain:
-        return isTerrain ? ranges[static_cast<std::size_t>(SurfaceClass::Opaque)] : world::Mesh::Range();
-    case DrawClass::Blended:
-        return ranges[static_cast<std::size_t>(SurfaceClass::Blended)];
-    }
-    return {};
-}
-
 void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,
                std::vector<gpu::DrawPiece>& pieces) {
     constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerPiece;
@@ -41,10 +24,10 @@ ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) 
             out.starts[position].indices[c] = indices;
         };
         for (std::size_t i = 0; i < clusters.order.size(); ++i) {
-            const std::uint32_t instance = clusters.order[i];
+            const world::Instance& instance = world.instances[clusters.order[i]];
             mark(i);
-            addPieces(rangeOf(world, world.instances[instance], static_cast<DrawClass>(c)), instance, indices,
-                      out.pieces);
+            addPieces(rangeOf(world.meshes[instance.mesh], instance.kind, static_cast<DrawClass>(c)),
+                      clusters.order[i], indices, out.pieces);
         }
         mark(clusters.order.size());
     }

@@ -12,9 +12,23 @@ namespace limen::frame {
 enum class DrawClass : std::uint8_t { Opaque, CutOut, Terrain, Blended };
 inline constexpr std::size_t kDrawClasses = 4;
 
-/// The part of an instance's mesh that a class draws; empty if there is none.
-[[nodiscard]] world::Mesh::Range rangeOf(const world::World& world, const world::Instance& instance,
-                                         DrawClass drawn);
+/// The part of a mesh that a class draws of an instance; empty if there is none.
+[[nodiscard]] inline world::Mesh::Range rangeOf(const world::Mesh& mesh, world::Kind kind, DrawClass drawn) {
+    const bool isTerrain = kind == world::Kind::Terrain;
+    switch (drawn) {
+    case DrawClass::Opaque:
+        return isTerrain ? world::Mesh::Range() : mesh.ranges[0];
+    case DrawClass::CutOut:
+        return isTerrain ? world::Mesh::Range() : mesh.ranges[1];
+    case DrawClass::Terrain:
+        return isTerrain ? mesh.ranges[0] : world::Mesh::Range();
+    case DrawClass::Blended:
+        return mesh.ranges[2];
+    }
+    return {};
+}
+static_assert(static_cast<int>(world::SurfaceClass::Opaque) == 0 && static_cast<int>(world::SurfaceClass::CutOut) == 1 &&
+              static_cast<int>(world::SurfaceClass::Blended) == 2);
 
 /// Cuts a range of a mesh into pieces of at most gpu::kTrianglesPerPiece triangles. `indices`: of all pieces before.
 void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,

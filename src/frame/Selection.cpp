@@ -74,7 +74,7 @@ void Selection::gatherAsks(const visibility::VisibleSet& set) {
         // The root's region is the screen: it need not be asked for twice.
         const bool narrow = set.visits[seen.visit].depth > 0 || !isWholeScreen(seen.rect);
         asks_.push_back({seen.space, seen.visit, world::kNone, first, narrow,
-                         narrow ? cones_.coneOf(seen.rect) : visibility::RectCone()});
+                         narrow ? cones_.edgesOf(seen.rect) : visibility::FourEdges()});
         if (first) {
             asked_.push_back({seen.space, number});
         } else if (everyAsk_) {
@@ -122,7 +122,9 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
         }
     }
     if (active_.size() > endActive) {
-        if (cluster.childCount == 0) {
+        if (cluster.childCount == 0 && !several_) {
+            draw(cluster.first, cluster.end, false);
+        } else if (cluster.childCount == 0) {
             selectLeaf(cluster, endActive);
         }
         for (std::uint32_t i = 0; i < cluster.childCount; ++i) {

@@ -50,7 +50,7 @@ private:
         std::uint32_t next = world::kNone; ///< the next about the same space
         bool first = false;                ///< about its space
         bool narrow = false;               ///< `rect` may leave out part of the visit's region
-        visibility::RectCone rect;
+        visibility::FourEdges rect;
     };
     /// The asks about one space.
     struct Asked {
