@@ -176,6 +176,10 @@ void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
         const std::uint32_t number = position - clusters_.firstShared;
         meet(ask, clusters_.bounds[position], sharedMarks_[number], number, sharedMet_);
     }
+    if (!several_) {
+        selectMoversOf(ask, moment);
+        return;
+    }
     for (const world::InstanceIndex moving : moment.instancesIn(ask.space)) {
         const world::Instance& instance = moment.instances[moving];
         if (instance.memberCount > 1) {
@@ -193,6 +197,32 @@ void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
             }
         }
     }
+}
+
+// With a single visit a space is asked about once. Half of many that move are seen, and nobody can foretell which: what is found is
+// written either way, and counts or does not.
+void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
+    const std::span<const world::InstanceIndex> members = moment.instancesIn(ask.space);
+    std::size_t end = movers_.size();
+    movers_.resize(end + members.size());
+    for (const world::InstanceIndex moving : members) {
+        const world::Instance& instance = moment.instances[moving];
+        if (instance.memberCount > 1) {
+            meet(ask, instance.bounds, moverMarks_[moving], moving, moversMet_);
+            continue;
+        }
+        const SeenBall ball = ballOf(instance.bounds);
+        bool isSeen = cones_.touches(ask.visit, ball);
+        isSeen &= !ask.narrow || visibility::Viewcones::touches(ask.rect, ball);
+        movers_[end] = {moving, false};
+        end += isSeen ? 1 : 0;
+        ++counts_.met;
+        ++counts_.boundsTested;
+    }
+    const auto seen = static_cast<std::uint32_t>(end - (movers_.size() - members.size()));
+    counts_.drawn += seen;
+    counts_.ungated += seen;
+    movers_.resize(end);
 }
 
 void Selection::drawMover(std::uint32_t index, bool inside) {

@@ -75,6 +75,7 @@ private:
     void selectLeaf(const Cluster& leaf, std::size_t firstActive);
     /// What moves, and what several spaces list.
     void selectListed(const Ask& ask, const world::Moment& moment);
+    void selectMoversOf(const Ask& ask, const world::Moment& moment);
     void meet(const Ask& ask, const Sphere& bounds, Mark& mark, std::uint32_t number,
               std::vector<std::uint32_t>& met);
     void finishListed(const world::Moment& moment);

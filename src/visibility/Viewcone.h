@@ -60,6 +60,15 @@ public:
     [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& ball) const {
         return classify(visit, ballOf(ball));
     }
+    /// Whether it is not outside. Without branches: for many balls, of which nobody can foretell how they lie.
+    [[nodiscard]] bool touches(std::uint32_t visit, const SeenBall& ball) const {
+        const Cone& cone = cones_[visit];
+        bool reaches = cone.entry.signedDistance(ball.centre) >= -ball.radius - ball.slack;
+        for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
+            reaches &= touches(edges_[e], ball);
+        }
+        return reaches;
+    }
     [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
         const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
         const double slack = kSlack + kSlackShare * distance;
@@ -69,6 +78,9 @@ public:
     /// A rectangle (a SeenSpace's) of the screen.
     [[nodiscard]] FourEdges edgesOf(const Rect& rect) const;
     /// How the ball lies to it. Outside: nothing of the ball shows within the rectangle.
+    [[nodiscard]] static bool touches(const FourEdges& rect, const SeenBall& ball) {
+        return rect.least(ball.centre) >= -(ball.radius + ball.reach);
+    }
     [[nodiscard]] static Containment classify(const FourEdges& rect, const SeenBall& ball) {
         const double far = ball.radius + ball.reach, least = rect.least(ball.centre);
         return least < -far ? Containment::Outside : least > far ? Containment::Inside : Containment::Partial;
