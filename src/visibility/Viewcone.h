@@ -57,9 +57,6 @@ public:
         const Containment alone = classifyAlone(cones_[visit], ball);
         return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
     }
-    [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& ball) const {
-        return classify(visit, ballOf(ball));
-    }
     /// Whether it is not outside. Without branches: for many balls, of which nobody can foretell how they lie.
     [[nodiscard]] bool touches(std::uint32_t visit, const SeenBall& ball) const {
         const Cone& cone = cones_[visit];
