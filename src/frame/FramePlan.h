@@ -40,7 +40,7 @@ struct Batch {
     Program program = Program::Opaque;
     bool gated = false;
     std::uint32_t first = 0, count = 0; ///< runs; for Ownership: vertices
-    std::uint32_t draws = 0;            ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
+    std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
 struct Stage {
@@ -51,7 +51,7 @@ struct Stage {
 /// What the planner saw and decided; goes to frame.json and the panel. What the device leaves out of it is not counted.
 struct PlanCounts {
     std::uint32_t visits = 0, cellsSeen = 0, ownershipTriangles = 0;
-    std::uint32_t instancesTested = 0; ///< members of spaces that are seen, each once
+    std::uint32_t instancesTested = 0;                     ///< members of spaces that are seen, each once
     std::uint32_t instancesCulled = 0, instancesDrawn = 0; ///< of these
     std::uint32_t drawsUngated = 0, triangles = 0;         ///< of what is drawn
     std::uint32_t boundsTested = 0; ///< balls that were held against a visit, of clusters and of instances
@@ -69,7 +69,7 @@ struct FramePlan {
     std::vector<gpu::SkyInstance> skyInstances;
     std::vector<gpu::Instance> movers;     ///< those drawn; numbered on from the scene's instances
     std::vector<gpu::Member> moverMembers; ///< numbered on from the scene's members
-    std::vector<gpu::DrawPiece> pieces; ///< of movers and of the sky; numbered on from the scene's pieces
+    std::vector<gpu::DrawPiece> pieces;    ///< of movers and of the sky; numbered on from the scene's pieces
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind

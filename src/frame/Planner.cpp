@@ -3,50 +3,13 @@
 #include "core/Assert.h"
 #include "frame/Ownership.h"
 #include "frame/PackInstance.h"
+#include "frame/PlanBatches.h"
 
 #include <algorithm>
 
 namespace limen::frame {
 
 namespace {
-
-void addRun(const PieceRun& run, FramePlan& plan) {
-    if (run.pieceCount == 0) {
-        return;
-    }
-    Batch& batch = plan.batches.back();
-    batch.draws += run.pieceCount;
-    PieceRun* last = batch.count > 0 ? &plan.runs.back() : nullptr;
-    if (last != nullptr && last->firstPiece + last->pieceCount == run.firstPiece &&
-        last->indicesBefore + last->indexCount == run.indicesBefore) {
-        last->pieceCount += run.pieceCount;
-        last->indexCount += run.indexCount;
-        return;
-    }
-    plan.runs.push_back(run);
-    ++batch.count;
-}
-
-// Kept when empty: a stage's calls are the same in every frame that has it.
-void beginBatch(Program program, bool gated, FramePlan& plan) {
-    plan.batches.push_back({program, gated, static_cast<std::uint32_t>(plan.runs.size()), 0, 0});
-}
-
-void countTriangles(FramePlan& plan) {
-    const Batch& batch = plan.batches.back();
-    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
-        plan.counts.triangles += plan.runs[i].indexCount / 3;
-    }
-}
-
-void beginStage(FramePlan& plan, StageKind kind) {
-    plan.stages.push_back({kind, static_cast<std::uint32_t>(plan.batches.size()), 0});
-}
-
-void endStage(FramePlan& plan) {
-    plan.stages.back().batchCount =
-        static_cast<std::uint32_t>(plan.batches.size()) - plan.stages.back().firstBatch;
-}
 
 /// Clip from eye-relative: reversed depth (1 at the near plane, 0 at infinity), no far plane.
 gpu::mat4 clipFromEye(const FrameView& frame) {
@@ -68,10 +31,6 @@ bool seesOutside(const visibility::VisibleSet& set) {
 double nearestOf(const Sphere& ball, const Vec3& eye) {
     const Vec3 offset = ball.centre - eye;
     return std::sqrt(glm::dot(offset, offset)) - ball.radius;
-}
-
-std::uint32_t trianglesOf(const gpu::DrawPiece& piece) {
-    return piece.triangles & ~gpu::kKeepsAll;
 }
 
 /// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
@@ -183,16 +142,6 @@ void Planner::packMovers(const world::Moment& moment, FramePlan& plan) {
     }
 }
 
-PieceRun Planner::addOwnPieces(const MoverRange& range, FramePlan& plan) const {
-    const auto first = static_cast<std::uint32_t>(plan.pieces.size());
-    const std::uint32_t before =
-        plan.pieces.empty() ? 0 : plan.pieces.back().indicesBefore + 3 * trianglesOf(plan.pieces.back());
-    std::uint32_t indices = before;
-    addPieces(range.range, range.instance, indices, plan.pieces);
-    return {plan.constants.staticPieces + first, static_cast<std::uint32_t>(plan.pieces.size()) - first, before,
-            indices - before};
-}
-
 void Planner::addSolid(DrawClass drawn, bool gated, FramePlan& plan) const {
     for (const SelectedRange& range : selection_.ranges()) {
         if (range.gated == gated) {
@@ -200,7 +149,7 @@ void Planner::addSolid(DrawClass drawn, bool gated, FramePlan& plan) const {
         }
     }
     for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(drawn)][gated ? 1 : 0]) {
-        addRun(addOwnPieces(range, plan), plan);
+        addRun(addOwnPieces(range.range, range.instance, plan), plan);
     }
     countTriangles(plan);
 }
@@ -241,7 +190,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         out.uvOffsetY = p.uvOffset.y;
         plan.skyInstances.push_back(out);
         for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges) {
-            addRun(addOwnPieces({range, instance}, plan), plan);
+            addRun(addOwnPieces(range, instance, plan), plan);
         }
     }
     for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i) {
@@ -254,7 +203,8 @@ void Planner::gatherLate(const Vec3& eye, const SelectedRange& range) {
     for (std::uint32_t i = all.firstPiece; i < all.firstPiece + all.pieceCount; ++i) {
         const gpu::DrawPiece& piece = pieces_.pieces[i];
         if (late_.empty() || late_.back().instance != piece.instance) {
-            late_.push_back({nearestOf(world_.instances[piece.instance].bounds, eye), piece.instance,
+            late_.push_back({nearestOf(world_.instances[piece.instance].bounds, eye),
+                             piece.instance,
                              {i, 0, piece.indicesBefore, 0}});
         }
         ++late_.back().run.pieceCount;
@@ -272,7 +222,7 @@ void Planner::planLate(const Vec3& eye, bool several, const world::Moment& momen
         for (const MoverRange& range : ranges) {
             const SelectedMover& mover = movers[range.instance - plan.constants.staticInstances];
             late_.push_back({nearestOf(moment.instances[mover.index].bounds, eye), range.instance,
-                             addOwnPieces(range, plan)});
+                             addOwnPieces(range.range, range.instance, plan)});
         }
     }
     std::sort(late_.begin(), late_.end(), [](const Late& a, const Late& b) {

@@ -48,15 +48,14 @@ private:
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan);
     void gatherLate(const Vec3& eye, const SelectedRange& range);
-    /// The plan's own pieces of a range, as a run.
-    [[nodiscard]] PieceRun addOwnPieces(const MoverRange& range, FramePlan& plan) const;
 
     const world::World& world_;
     const Clusters clusters_;
     const ResidentPieces pieces_;
     Selection selection_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
-    std::array<std::array<std::vector<MoverRange>, 2>, kDrawClasses> moverRanges_; ///< of the frame; by class, and gated
+    std::array<std::array<std::vector<MoverRange>, 2>, kDrawClasses>
+        moverRanges_; ///< of the frame; by class, and gated
     std::vector<Late> late_;
     std::vector<world::SkyPlacement> sky_;
 };

@@ -27,7 +27,8 @@ inline constexpr std::size_t kDrawClasses = 4;
     }
     return {};
 }
-static_assert(static_cast<int>(world::SurfaceClass::Opaque) == 0 && static_cast<int>(world::SurfaceClass::CutOut) == 1 &&
+static_assert(static_cast<int>(world::SurfaceClass::Opaque) == 0 &&
+              static_cast<int>(world::SurfaceClass::CutOut) == 1 &&
               static_cast<int>(world::SurfaceClass::Blended) == 2);
 
 /// Cuts a range of a mesh into pieces of at most gpu::kTrianglesPerPiece triangles. `indices`: of all pieces before.

@@ -26,8 +26,8 @@ bool isWholeScreen(const visibility::Rect& rect) {
 Selection::Selection(const world::World& world, const Clusters& clusters)
     : world_(world), clusters_(clusters), askedFrame_(world.spaces.size()), lastAsk_(world.spaces.size()) {
     for (std::size_t i = clusters.firstShared; i < clusters.order.size(); ++i) {
-        sharedInOneZone_.push_back(
-            isInOneZone(world, world.instances[clusters.order[i]], world.members) ? 1 : 0);
+        sharedInOneZone_.push_back(isInOneZone(world, world.instances[clusters.order[i]], world.members) ? 1
+                                                                                                         : 0);
     }
     sharedMarks_.resize(sharedInOneZone_.size());
 }
@@ -83,8 +83,7 @@ void Selection::gatherAsks(const visibility::VisibleSet& set) {
         lastAsk_[seen.space] = number;
     }
     // So that what is drawn is in the same order from everywhere.
-    std::sort(asked_.begin(), asked_.end(),
-              [](const Asked& a, const Asked& b) { return a.space < b.space; });
+    std::sort(asked_.begin(), asked_.end(), [](const Asked& a, const Asked& b) { return a.space < b.space; });
 }
 
 Containment Selection::askCluster(const Ask& ask, const SeenBall& ball) {
@@ -122,9 +121,7 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
         }
     }
     if (active_.size() > endActive) {
-        if (cluster.childCount == 0 && !several_) {
-            draw(cluster.first, cluster.end, false);
-        } else if (cluster.childCount == 0) {
+        if (cluster.childCount == 0) {
             selectLeaf(cluster, endActive);
         }
         for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
@@ -135,6 +132,11 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
 }
 
 void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
+    // Where only the picture's edges cut it, what lies beyond shows nothing, and to ask costs more than to draw.
+    if (!several_ && !asks_[active_[firstActive]].narrow) {
+        draw(leaf.first, leaf.end, false);
+        return;
+    }
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
         const SeenBall ball = ballOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;

@@ -23,7 +23,8 @@ struct SelectedMover {
 /// Chooses what of a world is drawn in a frame: each member of a space that is seen, if its ball may show in a visit to that
 /// space, within the part of the screen that the flood tells. One is gated unless it lies wholly within one visit, before all that
 /// may hide it (Viewcones::classify), and is a member of one zone; with a single visit none is. Instances of clusters that lie wholly
-/// within, or outside, are not asked one by one: the answer is the same.
+/// within, or outside, are not asked one by one: the answer is the same. Only where the picture's edges alone cut a cluster, with
+/// a single visit, are those of its instances drawn, too, that lie beyond: they show nothing.
 ///
 /// Reuse it: steady frames allocate nothing. World and clusters must outlive it.
 class Selection {
@@ -94,7 +95,8 @@ private:
     std::vector<Asked> asked_;
     std::vector<std::uint32_t> askedFrame_; ///< by space: the last frame that asked about it
     std::vector<std::uint32_t> lastAsk_;    ///< by space
-    std::vector<std::uint32_t> active_;     ///< a stack of asks that a cluster, and those around it, did not settle
+    std::vector<std::uint32_t>
+        active_; ///< a stack of asks that a cluster, and those around it, did not settle
     std::vector<Mark> sharedMarks_, moverMarks_;
     std::vector<std::uint32_t> sharedMet_, moversMet_;
     std::vector<SelectedRange> ranges_;

@@ -53,7 +53,7 @@ private:
     std::size_t place_ = 0;    ///< of the frames under way
     std::uint32_t slotCount_ = 0;
     std::vector<frame::gpu::DrawSlot> slots_; ///< and room for more
-    std::vector<std::uint32_t> firstSlots_; ///< by batch
+    std::vector<std::uint32_t> firstSlots_;   ///< by batch
 };
 
 } // namespace limen::gpu

@@ -33,8 +33,7 @@ public:
     [[nodiscard]] std::span<const TextureHandle> boundTextures() const { return bound_; }
 
 private:
-    ResidentScene(Device& device, TextureStore&& textures, Programs&& programs,
-                  DrawCulling&& culling)
+    ResidentScene(Device& device, TextureStore&& textures, Programs&& programs, DrawCulling&& culling)
         : device_(device), textures_(std::move(textures)), programs_(std::move(programs)),
           culling_(std::move(culling)) {}
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);

@@ -57,8 +57,9 @@ Result<void> checkPieces(const SceneUpload& scene) {
                           fmt::format("is of instance {} of {}", piece.instance, scene.instances.size()));
         }
         if (piece.indicesBefore != before) {
-            return broken("piece", i,
-                          fmt::format("counts {} indices before it; there are {}", piece.indicesBefore, before));
+            return broken(
+                "piece", i,
+                fmt::format("counts {} indices before it; there are {}", piece.indicesBefore, before));
         }
         before += 3 * piece.triangles;
     }

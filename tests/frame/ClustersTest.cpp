@@ -112,7 +112,8 @@ TEST(Clusters, doNotDependOnTheOrderOfTheLists) {
     const auto second = world.spaceInstances.begin() + world.spaces[1].firstInstance;
     std::reverse(world.spaceInstances.begin(), second);
     const Clusters after = frame::buildClusters(world);
-    EXPECT_TRUE(std::equal(before.order.begin(), before.order.begin() + before.firstShared, after.order.begin()));
+    EXPECT_TRUE(
+        std::equal(before.order.begin(), before.order.begin() + before.firstShared, after.order.begin()));
 }
 
 } // namespace

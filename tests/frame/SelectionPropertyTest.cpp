@@ -112,7 +112,8 @@ TEST(SelectionProperty, choosesWhatAskingForEachInstanceChooses) {
     const auto compareKind = [&](GeneratedKind kind, std::uint32_t size, std::uint32_t seeds, int radius) {
         for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
             const demo::test::GeneratedWorld files({kind, size, seed});
-            compareViews(files.load(files.blocks()[files.blocks().size() / 2], seed % 2 == 0, radius), seed, tally);
+            compareViews(files.load(files.blocks()[files.blocks().size() / 2], seed % 2 == 0, radius), seed,
+                         tally);
         }
     };
     compareKind(GeneratedKind::Complex, 60, 8, 0);

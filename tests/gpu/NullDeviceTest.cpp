@@ -117,7 +117,8 @@ TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
         next += 6;
     }
     const std::size_t commands = device_.storage()[layout::kBindCommands].offset;
-    EXPECT_EQ(of(Kind::DrawIndirect), (std::vector<std::size_t>{commands, commands + 2 * 20, commands + 3 * 20}))
+    EXPECT_EQ(of(Kind::DrawIndirect),
+              (std::vector<std::size_t>{commands, commands + 2 * 20, commands + 3 * 20}))
         << "a batch's commands lie in its slots";
 }
 

@@ -75,7 +75,8 @@ private:
     std::deque<std::vector<std::uint8_t>> pixels_; // what the texture uploads view
     void addBatch(frame::Program program, bool gated, bool evenEmpty);
     void addSkyBatch(bool evenEmpty);
-    std::map<std::pair<frame::Program, bool>, std::vector<std::uint32_t>> draws_; // pieces, an instance has one each
+    std::map<std::pair<frame::Program, bool>, std::vector<std::uint32_t>>
+        draws_;                                                // pieces, an instance has one each
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sky_; // pieces, and the objects they show
 };
 

@@ -60,7 +60,9 @@ TEST_F(DoorView, WhatTouchesNoVisitIsOutside) {
 
 TEST_F(DoorView, ABallLiesToARectangleAsToARegion) {
     const FourEdges left = cones.edgesOf({-1, -1, 0, 1});
-    const auto at = [&](const Vec3& centre) { return Viewcones::classify(left, cones.ballOf({centre, 0.5})); };
+    const auto at = [&](const Vec3& centre) {
+        return Viewcones::classify(left, cones.ballOf({centre, 0.5}));
+    };
     EXPECT_EQ(at({-4, 10, 0}), Containment::Inside);
     EXPECT_EQ(at({-0.4, 10, 0}), Containment::Partial);
     EXPECT_EQ(at({0.4, 10, 0}), Containment::Partial);
