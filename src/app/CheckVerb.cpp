@@ -91,8 +91,9 @@ Result<check::RunRequest> requestOf(const CheckOptions& options, const WorldSour
         return tl::unexpected(blocks.error());
     if (Result<void> left = restrictTo(options.block, *blocks); !left)
         return tl::unexpected(left.error());
+    const std::vector<check::Kind> placed = check::kindsWithPlaces(*kinds, *blocks);
     request.tasks =
-        check::planTasks(*blocks, source.file.tour, check::shareAmongKinds(options.views, *kinds));
+        check::planTasks(*blocks, source.file.tour, check::shareAmongKinds(options.views, placed));
     if (request.tasks.empty())
         return fail(ErrorCode::NotFound, "check", "this world has nothing that these kinds of view look at");
     return request;

@@ -1,9 +1,11 @@
 #include "check/Plan.h"
 
 #include "check/Views.h"
+#include "world/Loader.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -55,7 +57,8 @@ Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive) {
     if (!read)
         return tl::unexpected(read.error());
     std::vector<BlockSummary> built, blocks;
-    for (const auto& [word, summary] : all) {
+    for (auto& [word, summary] : all) {
+        summary.hasLandscape = summary.hasLandscape && !world::isDungeon(archive, summary.block);
         if (summary.hasBuildings)
             built.push_back(summary);
     }
@@ -80,6 +83,16 @@ KindCounts shareAmongKinds(std::size_t views, std::span<const Kind> kinds) {
         counts[i] = weights[i] > 0 ? std::max<std::size_t>(share, 1) : 0;
     });
     return counts;
+}
+
+std::vector<Kind> kindsWithPlaces(std::span<const Kind> kinds, std::span<const BlockSummary> blocks) {
+    std::vector<Kind> placed;
+    std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(placed), [&](Kind kind) {
+        return std::any_of(blocks.begin(), blocks.end(), [&](const BlockSummary& block) {
+            return kind == Kind::Outside ? block.hasLandscape : block.cells > 0;
+        });
+    });
+    return placed;
 }
 
 std::size_t BlockTask::total() const {

@@ -15,7 +15,7 @@ struct BlockSummary {
     dat::BlockCoord block;
     std::uint32_t cells = 0;
     bool hasBuildings = false;
-    bool hasLandscape = false; ///< a LandBlock record
+    bool hasLandscape = false; ///< a LandBlock record, and no dungeon
 };
 
 /// The blocks of an archive that hold cells or buildings, and those with landscape next to one that has buildings;
@@ -28,6 +28,10 @@ using KindCounts = std::array<std::size_t, kKindCount>;
 /// Shares a budget out among kinds: 30 parts random, 20 outside, 20 path, 28 sweep, 2 still; a wanted kind gets at least
 /// one.
 [[nodiscard]] KindCounts shareAmongKinds(std::size_t views, std::span<const Kind> kinds);
+
+/// Those of `kinds` that have somewhere to stand: outside, in a block with landscape; the others, in a cell.
+[[nodiscard]] std::vector<Kind> kindsWithPlaces(std::span<const Kind> kinds,
+                                                std::span<const BlockSummary> blocks);
 
 /// What is to be looked at from one block. Counts are what is asked for; legal eyes may be fewer.
 struct BlockTask {

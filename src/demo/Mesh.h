@@ -78,9 +78,9 @@ private:
 
 /// Metres. What is built at right angles is flat on any grid; on this one, floats hold every point within 1 km exactly.
 inline constexpr double kBuiltGrid = 1.0 / 8192.0;
-/// The finest grid that floats hold exactly within 256 m, which is more than a landblock. Walls at odd angles are flat to
+/// The finest grid on which floats hold every point of these faces, metres; a power of two. Walls at odd angles are flat to
 /// this; off it, by a tenth of a millimetre say, zones and openings are not told apart as well (docs/cases.md).
-inline constexpr double kFinestGrid = 1.0 / 65536.0;
+[[nodiscard]] double finestGrid(const std::vector<Face>& faces);
 
 /// Adds to every face the vertices of other faces that lie on its edges, so that edges match one to one and
 /// no crack or T-junction is left. Points are first rounded to multiples of `grid` metres.

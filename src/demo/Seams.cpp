@@ -1,5 +1,7 @@
 #include "demo/Mesh.h"
 
+#include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -143,6 +145,18 @@ void insertAndFan(std::vector<Face>& faces, const Points& points, double grid) {
 }
 
 } // namespace
+
+double finestGrid(const std::vector<Face>& faces) {
+    double farthest = 0.0;
+    for (const Face& face : faces) {
+        for (const Vec3& p : face.points) {
+            farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        }
+    }
+    int exponent = 0; // of the power of two that no coordinate reaches
+    (void)std::frexp(farthest, &exponent);
+    return std::ldexp(1.0, exponent - std::numeric_limits<float>::digits);
+}
 
 void closeSeams(std::vector<Face>& faces, double grid) {
     Points points;

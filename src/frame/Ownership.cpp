@@ -2,6 +2,7 @@
 
 #include "geometry/ConvexPolygon.h"
 #include "geometry/TwoFloats.h"
+#include "visibility/Graph.h"
 
 #include <algorithm>
 
@@ -41,7 +42,7 @@ public:
                 continue;
             }
             // The flood's region of these is not what their outline and their parent's region leave of it.
-            const bool byRegion = visit.split || visit.inPlane || visit.narrowed;
+            const bool byRegion = visit.split || isEdgeOn(visit) || visit.narrowed;
             if (byRegion) {
                 drawWithin(i, set_.region(visit), Cut{0.0, {0, 0, 0, 1}});
             } else if (set_.visits[visit.parent].depth > 0 && frame_.rules.ancestorClip) {
@@ -60,6 +61,13 @@ private:
         double growth = 0.0;
         gpu::vec4 plane{0, 0, 0, 1};
     };
+
+    /// Whether floats may put the eye on the wrong side of the opening, though it is in its plane or before it: the flood's
+    /// region, of doubles, is then all there is to go by. Nobody sees by how much less it shares its edges with the walls': it
+    /// is half of all directions, or so thin that it holds few pixels if any.
+    [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
+        return visit.inPlane || std::abs(visit.entryPlane.d) < visibility::kBeforePlane;
+    }
 
     void addVisit(const visibility::Visit& visit) {
         gpu::Visit out;
@@ -136,7 +144,7 @@ private:
     }
 
     void draw(std::uint32_t visit, std::uint32_t clipSet) {
-        if (set_.visits[visit].inPlane) {
+        if (isEdgeOn(set_.visits[visit])) {
             drawEverywhere(visit, clipSet);
         } else {
             drawPortal(visit, clipSet);

@@ -20,12 +20,6 @@ std::vector<dat::BlockCoord> blocksAround(dat::BlockCoord centre, int radius) {
     return blocks;
 }
 
-bool isDungeon(const dat::Archive& archive, dat::BlockCoord coord) {
-    const Result<dat::LandBlock> land = archive.load<dat::LandBlock>(dat::landBlockId(coord));
-    const Result<dat::LandBlockInfo> info = archive.load<dat::LandBlockInfo>(dat::landBlockInfoId(coord));
-    return land && info && isPureDungeon(*land, &*info);
-}
-
 /// The Region, null if the world has none. Errors: it is there and cannot be read although some block needs
 /// it.
 Result<std::unique_ptr<dat::Region>> loadRegion(const dat::Archive& archive,
@@ -44,6 +38,12 @@ Result<std::unique_ptr<dat::Region>> loadRegion(const dat::Archive& archive,
 }
 
 } // namespace
+
+bool isDungeon(const dat::Archive& archive, dat::BlockCoord coord) {
+    const Result<dat::LandBlock> land = archive.load<dat::LandBlock>(dat::landBlockId(coord));
+    const Result<dat::LandBlockInfo> info = archive.load<dat::LandBlockInfo>(dat::landBlockInfoId(coord));
+    return land && info && isPureDungeon(*land, &*info);
+}
 
 Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, const LoadOptions& options,
                         const MovingEntries& moving) {

@@ -19,6 +19,9 @@ struct LoadOptions {
 [[nodiscard]] Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre,
                                       const LoadOptions& options, const MovingEntries& moving = {});
 
+/// True for a block of cells without landscape or buildings, though it may have a LandBlock record: all its heights are 0.
+[[nodiscard]] bool isDungeon(const dat::Archive& archive, dat::BlockCoord coord);
+
 /// The space of a cell id, or kNone.
 [[nodiscard]] SpaceIndex findCell(const World& world, dat::RecordId cellId);
 

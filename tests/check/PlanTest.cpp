@@ -27,6 +27,15 @@ TEST(Plan, everyWantedKindGetsAView) {
         EXPECT_GE(count, 1u);
 }
 
+TEST(Plan, kindsWithoutAPlaceLeaveTheirShareToOthers) {
+    const BlockSummary dungeon{{1, 1}, 30, false, false}, hills{{2, 2}, 0, false, true};
+    const std::vector<Kind> below = kindsWithPlaces(kAll, std::vector{dungeon});
+    EXPECT_EQ(below, (std::vector<Kind>{Kind::Random, Kind::Path, Kind::Sweep, Kind::Still}));
+    EXPECT_EQ(sum(shareAmongKinds(50, below)), 50u);
+    EXPECT_EQ(kindsWithPlaces(kAll, std::vector{hills}), std::vector<Kind>{Kind::Outside});
+    EXPECT_EQ(kindsWithPlaces(kAll, std::vector{dungeon, hills}).size(), kAll.size());
+}
+
 TEST(Plan, blocksShareByCells) {
     const std::vector<BlockSummary> blocks{
         {{1, 1}, 30, true, true}, {{1, 2}, 0, false, true}, {{9, 9}, 10, false, false}};
@@ -80,6 +89,20 @@ TEST(Plan, findsTheBlocksOfAnArchive) {
     EXPECT_TRUE((*blocks)[0].hasBuildings);
     EXPECT_TRUE((*blocks)[0].hasLandscape);
     EXPECT_EQ((*blocks)[1].cells, 0u);
+}
+
+TEST(Plan, aDungeonHasNoLandscape) {
+    limen::test::TestWorld source;
+    source.addBox({0, 0, 0}, {4, 4, 3});
+    source.setFlatTerrain(source.home(), 0); // as the original's dungeons have it
+    const limen::test::TempDir directory;
+    ASSERT_TRUE(source.write(directory.path()));
+    const auto archive = dat::Archive::open(directory.path());
+    ASSERT_TRUE(archive);
+    const auto blocks = blocksOf(*archive);
+    ASSERT_TRUE(blocks);
+    ASSERT_EQ(blocks->size(), 1u);
+    EXPECT_FALSE((*blocks)[0].hasLandscape);
 }
 
 } // namespace

@@ -79,6 +79,21 @@ TEST(Shells, cornersCutInAWallAt45DegreesLieExactlyInIt) {
     }
 }
 
+TEST(Seams, theFinestGridIsOneThatFloatsHold) {
+    std::vector<Face> faces{
+        planarFace({{0, 0, 0}, {7.1, 0, 0}, {7.1, -15.3, 3.3}, {0, -15.3, 3.3}}, Material::Planks)};
+    EXPECT_EQ(finestGrid(faces), std::ldexp(1.0, -20));
+    const std::vector<Face> planned = faces;
+    closeSeams(faces, finestGrid(faces));
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec3& p = faces[0].points[k];
+        EXPECT_EQ(Vec3(Vec3f(p)), p);
+        EXPECT_LT(glm::length(p - planned[0].points[k]), 1e-6);
+    }
+    EXPECT_GT(finestGrid({planarFace({{0, 0, 0}, {100, 0, 0}, {100, 100, 0}}, Material::Planks)}),
+              finestGrid(planned));
+}
+
 TEST(Seams, aVertexOnANeighboursEdgeIsGivenToIt) {
     std::vector<Face> faces{planarFace({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, Material::Planks),
                             planarFace({{0, -1, 0}, {1, -1, 0}, {1, 0, 0}, {0, 0, 0}}, Material::Planks)};

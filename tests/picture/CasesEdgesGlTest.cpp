@@ -1,6 +1,8 @@
 // Hard cases 12, 16 and 31 of docs/cases.md: the edges of openings.
 #include "picture/CaseHelp.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace limen::test {
 namespace {
 
@@ -164,6 +166,66 @@ TEST_P(CasesEdges, case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
         SCOPED_TRACE(turn);
         pictures.expectClean(
             pictures.look({3.995, 3.0, 3.0}, 90 + turn, turn / 3, pictures.space(world.id(hall))));
+    }
+}
+
+/// Two openings of a wall that share an edge, and a third one in the wall beside it; nothing stands at right angles to the
+/// axes.
+struct SlantedHalves {
+    static Vec3 slanted(const Vec3& p) {
+        static const Mat3 turn(glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(Vec3(1, 2, 3))));
+        return turn * (p - Vec3(4, 3, 2));
+    }
+    static std::vector<Vec3> slanted(std::vector<Vec3> points) {
+        for (Vec3& p : points)
+            p = slanted(p);
+        return points;
+    }
+    TestWorld::Cell add(const Vec3& min, const Vec3& max, const std::string& surface) {
+        Walls walls = boxWalls(min, max, surface);
+        for (Wall& wall : walls)
+            wall.points = slanted(wall.points);
+        return world.addCell(std::move(walls));
+    }
+
+    TestWorld world;
+    TestWorld::Cell hall = add({0, 0, 0}, {4, 6, 4}, "brown");
+    TestWorld::Cell beyond = add({4, 0, 0}, {8, 6, 4}, "blue");
+    TestWorld::Cell around = add({0, -4, 0}, {4, 0, 4}, "red");
+    SlantedHalves() {
+        world.link(hall, slanted({{4, 1, 2}, {4, 1.3, 0.6}, {4, 2.9, 0.2}, {4, 4.6, 1.1}, {4, 5, 2}}),
+                   beyond);
+        world.link(hall, slanted({{4, 5, 2}, {4, 4.1, 3.3}, {4, 1.7, 3.6}, {4, 1, 2}}), beyond);
+        world.link(hall, slanted(rectangle({2, 0, 0.7}, {3.8, 0, 3.3})), around);
+    }
+};
+
+TEST_P(CasesEdges, case31_nearerToAnEdgeThanFloatsTell) {
+    SlantedHalves scene;
+    PictureWorld pictures(scene.world, options());
+    const world::SpaceIndex hall = pictures.space(scene.world.id(scene.hall));
+    const world::Portal& half = pictures.world().portals[pictures.world().spaces[hall].firstPortal];
+    const auto polygon = world::polygonOf(pictures.world(), half);
+    const Vec3 target = pictures.homeOrigin() + SlantedHalves::slanted(Vec3(3.2, 0, 2.2));
+    for (std::size_t edge = 0; edge < polygon.size(); ++edge) {
+        const Vec3 &from = polygon[edge], &to = polygon[(edge + 1) % polygon.size()];
+        const Vec3 outwards = glm::normalize(glm::cross(to - from, half.plane.n));
+        for (const double before : {1e-9, 4e-9, 1.4e-8, 6e-8, 2e-6}) {
+            for (const double beside : {1e-12, 1e-9, 1e-8, 4e-7, 2e-6}) {
+                SCOPED_TRACE(::testing::Message()
+                             << "edge " << edge << ", " << before << " m before, " << beside << " m beside");
+                for (const double along : {0.1, 0.31, 0.5, 0.64, 0.92}) {
+                    const Vec3 near = from + (to - from) * along + outwards * beside;
+                    const Vec3 eye = near + half.plane.n * (before - half.plane.signedDistance(near));
+                    const Vec3 gaze = glm::normalize(target - eye);
+                    const double yaw = glm::degrees(std::atan2(gaze.x, gaze.y));
+                    const double pitch = glm::degrees(std::asin(gaze.z));
+                    const Picture picture =
+                        pictures.expectClean(pictures.look(eye - pictures.homeOrigin(), yaw, pitch, hall));
+                    EXPECT_GT(pixelsOfRecord(pictures, picture, scene.world.id(scene.around)), 100u);
+                }
+            }
+        }
     }
 }
 

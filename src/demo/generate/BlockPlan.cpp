@@ -123,7 +123,7 @@ dat::RecordId PlanWriter::add(CellsPlan plan, const Placement& at) {
     }
     info_.numCells += static_cast<std::uint32_t>(plan.cells.size());
     if (!plan.exits.empty()) {
-        closeSeams(plan.exterior.faces(), kFinestGrid);
+        closeSeams(plan.exterior.faces(), finestGrid(plan.exterior.faces()));
         dat::Building building = buildingRecord(plan, neighbours, firstCell);
         building.model = sink_.addMesh(plan.exterior);
         building.frame = toFrame(at);

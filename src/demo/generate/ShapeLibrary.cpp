@@ -26,7 +26,7 @@ void windPortals(std::vector<Face>& faces, const std::vector<bool>& outward) {
 
 StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle,
                               const std::vector<bool>& outwardPortals) {
-    closeSeams(faces, kFinestGrid);
+    closeSeams(faces, finestGrid(faces));
     dat::CellStruct shape;
     shape.cellBsp = buildSolidCellBsp(faces, middle);
     windPortals(faces, outwardPortals);

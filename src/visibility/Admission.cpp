@@ -1,0 +1,181 @@
+#include "visibility/Admission.h"
+
+#include "geometry/ConvexPolygon.h"
+#include "visibility/Outline.h"
+#include "visibility/Region.h"
+
+#include <algorithm>
+
+namespace limen::visibility {
+
+namespace {
+
+/// A portal must reach this far beyond the plane its visit was entered by, in metres: a ray that enters
+/// through a plane does not leave through the same plane (two openings in one wall).
+constexpr double kBeyondEntry = 1e-6;
+
+/// Where openings are cut with Rules::eyePlaneClip off, metres.
+constexpr double kPretendedNear = 0.02;
+
+/// True if clipping has taken nothing away but rounding.
+bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
+    constexpr double kRounding = 1e-12; // radians
+    return std::equal(
+        before.begin(), before.end(), after.begin(), after.end(),
+        [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) <= kRounding * kRounding; });
+}
+
+} // namespace
+
+void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateList& children) {
+    const Visit& visit = set_.visits[index];
+    const Graph::Portal& portal = in_.graph.portals()[portalIndex];
+    const bool isShut = !in_.closed.empty() && in_.closed[portalIndex] != 0;
+    const bool isEnd = isShut || portal.destination == kNone;
+    if (portal.plane.n == Vec3(0.0) || isWayBack(visit, portalIndex) ||
+        (!isEnd && in_.graph.spaces()[portal.destination].zone == visit.zone)) {
+        return;
+    }
+    const double side = portal.plane.signedDistance(in_.view.eye);
+    if (side < -kInPlane) {
+        return;
+    }
+    ++set_.counts.portalsTested;
+    const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
+    if (inPlane ? isShut : side <= 0.0) {
+        return; // edge-on or from behind: no ray of this visit passes
+    }
+    if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
+        return;
+    }
+    if (coneSize(s_.region) < smallest_) {
+        ++set_.counts.visitsCut;
+        return;
+    }
+    if (isInChain(index, portalIndex)) { // asked last: few get this far
+        return;
+    }
+    ++set_.counts.portalsAdmitted;
+    Candidate c;
+    c.portal = portalIndex;
+    c.parent = index;
+    c.entryPlane = portal.plane.relativeTo(in_.view.eye).flipped();
+    c.planeOnScreen = in_.eyeFromScreenTransposed * c.entryPlane.n;
+    c.inPlane = inPlane;
+    c.shut = isShut;
+    if (isEnd) {
+        add(c, true, children);
+    } else {
+        addPair(visit, c, children);
+    }
+}
+
+/// The opening, and the hole that an inexact pair leaves around it.
+void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children) {
+    const Graph::Portal& portal = in_.graph.portals()[c.portal];
+    if (isCutByReciprocal(visit, portal)) {
+        s_.whole.assign(s_.region.begin(), s_.region.end());
+        clipByReciprocal(in_.graph.portals()[portal.reciprocal]);
+        if (!isSameRegion(s_.whole, s_.region)) {
+            s_.region.swap(s_.whole);
+            add(c, true, children);
+            s_.region.swap(s_.whole);
+            c.narrowed = true;
+        }
+    }
+    if (!s_.region.empty()) {
+        add(c, false, children);
+    }
+}
+
+/// A child with the region in s_.region.
+void Admission::add(Candidate c, bool hole, CandidateList& children) const {
+    c.hole = hole;
+    c.rect = boundsOf(s_.region);
+    children.add(c, s_.region);
+}
+
+/// True if the eye lies in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for those into it.
+bool Admission::holdsEye(const Graph::Portal& portal, double way) const {
+    const double side = way * portal.plane.signedDistance(in_.view.eye);
+    return side >= -kInPlane && side <= portal.inPlane &&
+           containsProjection(in_.graph.polygon(portal), portal.plane.n, in_.view.eye, 0.0);
+}
+
+/// True if the way back's polygon bounds the opening too. An eye inside that one is through it already.
+bool Admission::isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
+    return !portal.exact && portal.reciprocal != kNone &&
+           !(in_.rules.halfPlane && visit.inPlane && holdsEye(in_.graph.portals()[portal.reciprocal], -1.0));
+}
+
+bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {
+    return visit.portal != kNone && in_.graph.portals()[visit.portal].reciprocal == portal;
+}
+
+/// A straight ray crosses a plane once; but a polygon that is not flat reaches beyond its own plane, and rays could
+/// go round in a ring of such openings for ever.
+bool Admission::isInChain(std::uint32_t visit, std::uint32_t portal) const {
+    for (; visit != kNone; visit = set_.visits[visit].parent) {
+        if (set_.visits[visit].portal == portal) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The half of the visit's region on the far side of the portal's plane, into s_.region.
+bool Admission::halfRegion(const Visit& visit, const Graph::Portal& portal) {
+    clipByEyePlane(set_.region(visit), in_.eyeFromScreenTransposed * -portal.plane.n, s_.region);
+    tidyRegion(s_.region);
+    return !s_.region.empty();
+}
+
+/// The part of the opening that the visit's rays reach, into s_.region.
+bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
+    if (portal.outlineCount > 0) {
+        hullSeenFrom(in_.view.eye, in_.graph.outline(portal), portal.plane.n, s_.relative, s_.swap);
+    } else {
+        s_.relative.clear();
+        for (const Vec3& v : in_.graph.polygon(portal)) {
+            s_.relative.push_back(v - in_.view.eye);
+        }
+    }
+    double farthest = visit.parent == kNone ? 1.0 : 0.0;
+    for (const Vec3& v : s_.relative) {
+        farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
+    }
+    if (farthest <= kBeyondEntry) {
+        return false;
+    }
+    // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
+    // not quite in the planes of both.
+    clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
+    if (!in_.rules.eyePlaneClip) {
+        clipPolygon(s_.beyond, {in_.view.forward, -kPretendedNear}, 0.0, s_.swap);
+        s_.beyond.swap(s_.swap);
+    }
+    for (Vec3& v : s_.beyond) {
+        v = in_.screen * v;
+    }
+    clipByRegion(s_.beyond, set_.region(visit), s_.region, s_.swap);
+    return !s_.region.empty();
+}
+
+/// An inexact pair is open where both polygons are.
+void Admission::clipByReciprocal(const Graph::Portal& reciprocal) {
+    s_.relative.clear();
+    if (reciprocal.plane.n == Vec3(0.0)) {
+        s_.region.clear();
+        return;
+    }
+    for (const Vec3& v : in_.graph.polygon(reciprocal)) {
+        s_.relative.push_back(in_.screen * (v - in_.view.eye));
+    }
+    // Its winding is counter-clockwise from the other side; seen from here it must run the other way
+    // round.
+    std::reverse(s_.relative.begin(), s_.relative.end());
+    s_.beyond.assign(s_.region.begin(), s_.region.end());
+    clipByRegion(s_.beyond, s_.relative, s_.region, s_.swap);
+}
+
+} // namespace limen::visibility

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "visibility/Candidate.h"
+#include "visibility/Graph.h"
+
+#include <span>
+#include <vector>
+
+namespace limen::visibility {
+
+/// What one flood works on.
+struct FloodInput {
+    const Graph& graph;
+    std::span<const std::uint8_t> closed; ///< by portal; empty: all open
+    const View& view;
+    const Rules& rules;
+    Mat3 screen;                  ///< View::screenFromEye
+    Mat3 eyeFromScreenTransposed; ///< takes a plane's normal from eye-relative to (x, y, w)
+};
+
+/// Decides by which openings the rays of a visit leave, and which of its rays.
+class Admission {
+public:
+    /// Polygons on their way through the clips, kept for their capacity.
+    struct Scratch {
+        std::vector<Vec3> relative, beyond, region, whole, swap;
+    };
+
+    /// Openings narrower than `smallest` (coneSize) are left out, and counted. Reads the visits of `set`.
+    Admission(const FloodInput& input, double smallest, Scratch& scratch, VisibleSet& set)
+        : in_(input), smallest_(smallest), s_(scratch), set_(set) {}
+
+    /// Appends the visits that lead out of visit `index` by a portal of one of its spaces: none, one, or for an inexact
+    /// pair the hole around it as well.
+    void admit(std::uint32_t index, std::uint32_t portal, CandidateList& children);
+
+private:
+    [[nodiscard]] bool isWayBack(const Visit& visit, std::uint32_t portal) const;
+    [[nodiscard]] bool isInChain(std::uint32_t visit, std::uint32_t portal) const;
+    [[nodiscard]] bool holdsEye(const Graph::Portal& portal, double way) const;
+    [[nodiscard]] bool isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const;
+    [[nodiscard]] bool halfRegion(const Visit& visit, const Graph::Portal& portal);
+    [[nodiscard]] bool openingRegion(const Visit& visit, const Graph::Portal& portal);
+    void clipByReciprocal(const Graph::Portal& reciprocal);
+    void addPair(const Visit& visit, Candidate candidate, CandidateList& children);
+    void add(Candidate candidate, bool hole, CandidateList& children) const;
+
+    const FloodInput& in_;
+    double smallest_;
+    Scratch& s_; ///< `region`: of the opening at hand
+    VisibleSet& set_;
+};
+
+} // namespace limen::visibility
