@@ -18,15 +18,38 @@ bool facesAway(uint vertex, Instance instance, vec3 corner) {
     return plane.w > kBehind + kBehindSlope * length(corner);
 }
 
-// Whether a pixel's centre lies in the rectangle around three corners on the screen.
+// How far a point lies on the inner side of an edge, times the edge's length, with kMargin to spare. `turn`: 1 if the outline
+// runs counter-clockwise, -1 if clockwise; either for one thinner than kMargin.
+float withinEdge(vec2 from, vec2 to, vec2 point, float turn) {
+    vec2 along = to - from;
+    vec2 reach = point - from;
+    return turn * (along.x * reach.y - along.y * reach.x) + kMargin * length(along);
+}
+
+bool isNear(vec2 a, vec2 b, vec2 c, float turn, vec2 point) {
+    return min(min(withinEdge(a, b, point, turn), withinEdge(b, c, point, turn)), withinEdge(c, a, point, turn)) >= 0.0;
+}
+
+// Whether three corners on the screen may cover a pixel's centre: whether one lies in the rectangle around them, and if no
+// more than two each way do, in the triangle itself.
 bool mayCoverCentre(vec3 first, vec3 second, vec3 third) {
     vec2 most = frame.viewport.xy * 0.5;
-    vec2 a = first.xy / first.z;
-    vec2 b = second.xy / second.z;
-    vec2 c = third.xy / third.z;
-    vec2 low = max(min(min(a, b), c) - kMargin, -most) + most;
-    vec2 high = min(max(max(a, b), c) + kMargin, most) + most;
-    return all(lessThanEqual(ceil(low - 0.5), floor(high - 0.5)));
+    vec2 a = first.xy / first.z + most;
+    vec2 b = second.xy / second.z + most;
+    vec2 c = third.xy / third.z + most;
+    vec2 low = ceil(max(min(min(a, b), c) - kMargin, vec2(0.0)) - 0.5);
+    vec2 high = floor(min(max(max(a, b), c) + kMargin, frame.viewport.xy) - 0.5);
+    if (any(greaterThan(low, high))) {
+        return false;
+    }
+    if (any(greaterThan(high - low, vec2(1.0)))) {
+        return true;
+    }
+    float turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0.0 ? -1.0 : 1.0;
+    vec2 near = low + 0.5;
+    vec2 far = high + 0.5;
+    return isNear(a, b, c, turn, near) || isNear(a, b, c, turn, vec2(far.x, near.y)) ||
+           isNear(a, b, c, turn, vec2(near.x, far.y)) || isNear(a, b, c, turn, far);
 }
 
 bool mayShow(uint vertex, Instance instance) {
