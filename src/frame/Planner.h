@@ -27,6 +27,9 @@ public:
         this->plan(frame, {}, set, plan);
     }
 
+    /// The resident pieces that its plans' runs are of: what SceneBuilder uploads.
+    [[nodiscard]] const ResidentPieces& pieces() const { return pieces_; }
+
 private:
     /// A mover's range of its mesh.
     struct MoverRange {

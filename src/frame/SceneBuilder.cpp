@@ -1,7 +1,6 @@
 #include "frame/SceneBuilder.h"
 
 #include "frame/PackInstance.h"
-#include "frame/ResidentPieces.h"
 
 #include <algorithm>
 #include <bit>
@@ -114,6 +113,10 @@ void addTextures(const world::World& world, SceneUpload& scene) {
 } // namespace
 
 SceneUpload buildScene(const world::World& world) {
+    return buildScene(world, buildPieces(world, buildClusters(world)));
+}
+
+SceneUpload buildScene(const world::World& world, const ResidentPieces& pieces) {
     SceneUpload scene;
     scene.vertices.reserve(world.vertices.size());
     for (const world::MeshVertex& v : world.vertices) {
@@ -124,7 +127,7 @@ SceneUpload buildScene(const world::World& world) {
     for (const world::Instance& in : world.instances) {
         scene.instances.push_back(packInstance(world, in, world.members, scene.members));
     }
-    scene.pieces = buildPieces(world, buildClusters(world)).pieces;
+    scene.pieces = pieces.pieces;
     addMaterials(world, scene);
     addTextures(world, scene);
     for (const world::TerrainCell& cell : world.terrainCells) {
