@@ -1,5 +1,6 @@
 #include "gpu/DrawCulling.h"
 
+#include "core/Assert.h"
 #include "gpu/Programs.h"
 
 #include <algorithm>
@@ -21,12 +22,10 @@ bool isTaken(const frame::Batch& batch, const RenderOptions& options) {
     return isIndexed(batch.program) && isDrawn(batch.program, options);
 }
 
-std::size_t indicesOf(const frame::FramePlan& plan, const RenderOptions& options) {
+std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
     std::size_t sum = 0;
-    for (const frame::Batch& batch : plan.batches) {
-        for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
-            sum += plan.runs[i].indexCount;
-        }
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+        sum += plan.runs[i].indexCount;
     }
     return sum;
 }
@@ -47,8 +46,7 @@ Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::str
 DrawCulling::DrawCulling(DrawCulling&& other) noexcept
     : device_(std::exchange(other.device_, nullptr)), program_(other.program_), leavesOut_(other.leavesOut_),
       keepsTriangles_(other.keepsTriangles_), kept_(other.kept_), capacity_(other.capacity_),
-      place_(other.place_), slotCount_(other.slotCount_), slots_(std::move(other.slots_)),
-      firstSlots_(std::move(other.firstSlots_)) {}
+      place_(other.place_), slotCount_(other.slotCount_), firstSlots_(std::move(other.firstSlots_)) {}
 
 DrawCulling& DrawCulling::operator=(DrawCulling&& other) noexcept {
     std::swap(device_, other.device_);
@@ -59,7 +57,6 @@ DrawCulling& DrawCulling::operator=(DrawCulling&& other) noexcept {
     std::swap(capacity_, other.capacity_);
     std::swap(place_, other.place_);
     std::swap(slotCount_, other.slotCount_);
-    std::swap(slots_, other.slots_);
     std::swap(firstSlots_, other.firstSlots_);
     return *this;
 }
@@ -86,29 +83,37 @@ void DrawCulling::reserve(std::size_t indices) {
 }
 
 void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& options, bool keepsTriangles) {
-    const std::size_t indices = indicesOf(plan, options);
+    std::size_t indices = 0;
+    slotCount_ = 0;
+    firstSlots_.clear();
+    for (const frame::Batch& batch : plan.batches) {
+        firstSlots_.push_back(slotCount_);
+        if (isTaken(batch, options)) {
+            slotCount_ += batch.draws;
+            indices += indicesOf(plan, batch);
+        }
+    }
     keepsTriangles_ = keepsTriangles || !leavesOut_ || indices > kLargestCapacity;
     if (!keepsTriangles_) {
         reserve(indices);
     }
     place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
+}
+
+void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
+                             std::span<frame::gpu::DrawSlot> slots) const {
     auto kept = static_cast<std::uint32_t>(place_ * capacity_);
     std::uint32_t slot = 0;
-    firstSlots_.clear();
     for (const frame::Batch& batch : plan.batches) {
-        firstSlots_.push_back(slot);
         for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
             const frame::PieceRun& run = plan.runs[i];
-            if (slots_.size() < slot + run.pieceCount) {
-                slots_.resize(2 * (slot + run.pieceCount));
-            }
+            LIMEN_ASSERT(run.pieceCount <= slots.size() - slot, "a batch counts the pieces of its runs");
             const frame::gpu::DrawSlot filled{run.firstPiece - slot, kept - run.indicesBefore};
-            std::fill_n(slots_.begin() + slot, run.pieceCount, filled);
+            std::fill_n(slots.begin() + slot, run.pieceCount, filled);
             slot += run.pieceCount;
             kept += run.indexCount;
         }
     }
-    slotCount_ = slot;
 }
 
 void DrawCulling::describe(frame::gpu::FrameConstants& constants) const {

@@ -21,10 +21,11 @@ public:
     /// Takes up what a frame draws by indices. `keepsTriangles`: they are all drawn; so they are where there are more than memory
     /// is kept for. Not during a frame.
     void prepare(const frame::FramePlan& plan, const RenderOptions& options, bool keepsTriangles);
-    /// One for each draw command.
-    [[nodiscard]] std::span<const frame::gpu::DrawSlot> slots() const {
-        return std::span(slots_).first(slotCount_);
-    }
+    /// How many draw commands that makes: each has a slot.
+    [[nodiscard]] std::uint32_t slotCount() const { return slotCount_; }
+    /// Fills in all slots, straight into the frame's memory. Plan and options are those of `prepare`.
+    void writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
+                    std::span<frame::gpu::DrawSlot> slots) const;
     /// The slot of a batch's first draw command; those of the others follow.
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
     /// Whether the draws read the static indices; else they read those that are kept, and no others.
@@ -52,8 +53,7 @@ private:
     std::size_t capacity_ = 0; ///< indices a frame
     std::size_t place_ = 0;    ///< of the frames under way
     std::uint32_t slotCount_ = 0;
-    std::vector<frame::gpu::DrawSlot> slots_; ///< and room for more
-    std::vector<std::uint32_t> firstSlots_;   ///< by batch
+    std::vector<std::uint32_t> firstSlots_; ///< by batch
 };
 
 } // namespace limen::gpu

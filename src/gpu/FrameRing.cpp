@@ -7,8 +7,7 @@ namespace limen::gpu {
 
 namespace layout = frame::gpu;
 
-FrameRing::FrameRing(const frame::FramePlan& plan, std::span<const layout::DrawSlot> slots,
-                     std::size_t alignment)
+FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment)
     : plan_(plan), slots_(slots) {
     for (std::size_t i = 0; i < kArrays; ++i) {
         const std::size_t size = sizeOf(static_cast<Array>(i));
@@ -40,7 +39,6 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
     case kPieces:
         return of(plan_.pieces);
     case kSlots:
-        return of(slots_);
     case kCommands:
     case kArrays:
         break;
@@ -49,8 +47,18 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
 }
 
 std::size_t FrameRing::sizeOf(Array array) const {
-    return array == kCommands ? slots_.size() * sizeof(layout::DrawCommand)
-                              : bytes(array, plan_.constants).size();
+    switch (array) {
+    case kSlots:
+        return slots_ * sizeof(layout::DrawSlot);
+    case kCommands:
+        return slots_ * sizeof(layout::DrawCommand);
+    default:
+        return bytes(array, plan_.constants).size();
+    }
+}
+
+std::span<layout::DrawSlot> FrameRing::slots(std::span<std::byte> memory) const {
+    return {reinterpret_cast<layout::DrawSlot*>(memory.data() + places_[kSlots].offset), slots_};
 }
 
 std::uint32_t FrameRing::texel(Array array) const {

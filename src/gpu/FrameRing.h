@@ -18,18 +18,19 @@ inline constexpr std::size_t kBytesPerTexel = 16;
 /// Where one frame's arrays lie in the ring memory: the plan's, and the slots and room of its draw commands.
 class FrameRing {
 public:
-    /// `alignment`: Capabilities::storageAlignment. Both arrays must outlive it.
-    FrameRing(const frame::FramePlan& plan, std::span<const frame::gpu::DrawSlot> slots,
-              std::size_t alignment);
+    /// `slots`: one for each draw command. `alignment`: Capabilities::storageAlignment. The plan must outlive it.
+    FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment);
 
     [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
     [[nodiscard]] std::size_t commands() const { return places_[kCommands].offset; }
+
+    [[nodiscard]] std::span<frame::gpu::DrawSlot> slots(std::span<std::byte> memory) const;
 
     /// Tells the shaders where the arrays are that they read as texels.
     void locate(frame::gpu::FrameConstants& constants) const;
     /// Binds the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays but the draw commands.
+    /// Writes all arrays but slots and draw commands.
     void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
 
 private:
@@ -44,8 +45,8 @@ private:
         kMovers,
         kMoverMembers,
         kPieces,
-        kSlots,
-        kCommands, // written on the device
+        kSlots,    // written by whoever has them,
+        kCommands, // and on the device
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array,
@@ -54,7 +55,7 @@ private:
     [[nodiscard]] std::uint32_t texel(Array array) const;
 
     const frame::FramePlan& plan_;
-    std::span<const frame::gpu::DrawSlot> slots_;
+    std::size_t slots_;
     std::array<StorageRange, kArrays> places_{}; ///< in the ring
     std::size_t size_ = 0;
 };

@@ -183,7 +183,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     }
     DrawCulling& culling = scene_->culling();
     culling.prepare(plan, options, multisampled);
-    const FrameRing ring(plan, culling.slots(), device_->capabilities().storageAlignment);
+    const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved) {
         return reserved;
     }
@@ -196,6 +196,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     ring.locate(constants);
     culling.describe(constants);
     ring.write(constants, memory);
+    culling.writeSlots(plan, options, ring.slots(memory));
     bindAll(ring, culling);
     clearTarget(plan, options);
     culling.run();
