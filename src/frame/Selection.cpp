@@ -41,6 +41,8 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     sharedMet_.clear();
     moversMet_.clear();
     eye_ = frame.view.eye;
+    forward_ = frame.view.forward;
+    nearPlane_ = frame.nearPlane;
     several_ = set.visits.size() > 1;
     everyAsk_ = frame.rules.viewcone;
     moverMarks_.resize(moment.instances.size());
@@ -132,8 +134,11 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
 }
 
 void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
-    // Where only the picture's edges cut it, what lies beyond shows nothing, and to ask costs more than to draw.
-    if (!several_ && !asks_[active_[firstActive]].narrow) {
+    // Where only the picture's edges cut it, what lies beyond shows nothing, and to ask costs more than to draw. But for what reaches
+    // behind the eye: of that triangles are kept and drawn around the whole window.
+    const Vec3 offset = leaf.bounds.centre - eye_;
+    const bool isAhead = glm::dot(offset, forward_) > leaf.bounds.radius + nearPlane_;
+    if (!several_ && isAhead && !asks_[active_[firstActive]].narrow) {
         draw(leaf.first, leaf.end, false);
         return;
     }

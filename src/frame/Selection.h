@@ -23,7 +23,7 @@ struct SelectedMover {
 /// Chooses what of a world is drawn in a frame: each member of a space that is seen, if its ball may show in a visit to that
 /// space, within the part of the screen that the flood tells. One is gated unless it lies wholly within one visit, before all that
 /// may hide it (Viewcones::classify), and is a member of one zone; with a single visit none is. Instances of clusters that lie wholly
-/// within, or outside, are not asked one by one: the answer is the same. Only where the picture's edges alone cut a cluster, with
+/// within, or outside, are not asked one by one: the answer is the same. Only where the picture's edges alone cut a cluster ahead, with
 /// a single visit, are those of its instances drawn, too, that lie beyond: they show nothing.
 ///
 /// Reuse it: steady frames allocate nothing. World and clusters must outlive it.
@@ -87,7 +87,8 @@ private:
     const Clusters& clusters_;
     std::vector<std::uint8_t> sharedInOneZone_; ///< by position from Clusters::firstShared on
     visibility::Viewcones cones_;
-    Vec3 eye_{0.0};
+    Vec3 eye_{0.0}, forward_{0.0};
+    double nearPlane_ = 0.0;
     bool several_ = false;  ///< visits
     bool everyAsk_ = false; ///< Rules::viewcone
     std::uint32_t frameNumber_ = 0;
