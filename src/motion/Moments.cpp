@@ -1,5 +1,6 @@
 #include "motion/Moments.h"
 
+#include "geometry/Compass.h"
 #include "motion/Locate.h"
 #include "motion/Sprites.h"
 
@@ -11,13 +12,6 @@ namespace limen::motion {
 namespace {
 
 using world::kNone;
-
-/// Turns a model whose front is +y to a compass direction.
-Mat3 turned(double yaw) {
-    const double angle = -yaw * std::numbers::pi / 180.0;
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {Vec3(c, s, 0.0), Vec3(-s, c, 0.0), Vec3(0.0, 0.0, 1.0)};
-}
 
 double compass(const Vec3& direction) {
     return std::atan2(direction.x, direction.y) * 180.0 / std::numbers::pi;
@@ -108,6 +102,14 @@ void Moments::addBody(const world::MovingBody& body, const Pose& pose, world::Sp
     }
 }
 
+void Moments::addInPlace(const world::MovingBody& body, world::Moment& out) const {
+    for (std::uint32_t p = body.firstPart; p < body.firstPart + body.partCount; ++p) {
+        world::Instance part = world_.movingParts[p];
+        part.bounds.centre += world_.blocks[part.block].origin();
+        out.instances.push_back(part);
+    }
+}
+
 void Moments::addDoors(const MomentInput& input, world::Moment& out) {
     for (std::size_t i = 0; i < world_.doors.size(); ++i) {
         const world::Door& door = world_.doors[i];
@@ -121,9 +123,12 @@ void Moments::addDoors(const MomentInput& input, world::Moment& out) {
         };
         for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l) {
             const world::Leaf& leaf = world_.leaves[l];
-            const Pose pose{turned(leaf.yaw + leaf.swing * open), leaf.hinge};
+            const Pose pose{turnedTo(leaf.yaw + leaf.swing * open), leaf.hinge};
             const std::size_t first = out.instances.size();
-            addBody(leaf.body, pose, portal.space, out);
+            if (open == 0.0 && leaf.shut.partCount > 0)
+                addInPlace(leaf.shut, out);
+            else
+                addBody(leaf.body, pose, portal.space, out);
             bothSides();
             membership_.extend({pose.origin + pose.linear * leaf.body.bounds.centre, leaf.body.bounds.radius},
                                out.closed, reached_);
@@ -131,12 +136,10 @@ void Moments::addDoors(const MomentInput& input, world::Moment& out) {
         }
         if (out.closed[door.portal] == 0 || door.filling == kNone)
             continue;
-        world::Instance filling = world_.movingParts[door.filling];
-        filling.bounds.centre += world_.blocks[filling.block].origin();
         out.fillings[door.portal] = static_cast<world::InstanceIndex>(out.instances.size());
         if (door.reciprocal != kNone)
             out.fillings[door.reciprocal] = out.fillings[door.portal];
-        out.instances.push_back(filling);
+        addInPlace({door.filling, 1, {}}, out);
         bothSides();
         giveMembers(out.instances.size() - 1, out);
     }
@@ -166,7 +169,7 @@ Moments::Standing Moments::standing(const world::Villager& villager, double seco
 void Moments::addVillagers(double seconds, world::Moment& out) {
     for (const world::Villager& villager : world_.villagers) {
         const Standing standing = this->standing(villager, seconds);
-        const Pose pose{turned(standing.yaw), standing.position};
+        const Pose pose{turnedTo(standing.yaw), standing.position};
         const std::size_t first = out.instances.size();
         addBody(villager.body, pose, standing.space, out);
         membership_.reach(
@@ -205,7 +208,7 @@ void Moments::addSprites(const MomentInput& input, const world::Emitter& emitter
     world::SpaceIndex space = emitter.space;
     if (emitter.villager != kNone) {
         const Standing carrier = standing(world_.villagers[emitter.villager], input.seconds);
-        pose = {turned(carrier.yaw), carrier.position + turned(carrier.yaw) * emitter.position};
+        pose = {turnedTo(carrier.yaw), carrier.position + turnedTo(carrier.yaw) * emitter.position};
         space = sweep(world_, carrier.space, carrier.position, pose.origin);
     }
     membership_.reach(space, {pose.origin, emitter.reach}, out.closed, reached_);

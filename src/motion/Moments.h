@@ -45,6 +45,8 @@ private:
         Vec3 origin{0.0}; ///< global
     };
     void shut(const MomentInput& input, world::Moment& out);
+    /// What is block-local and stands as it is.
+    void addInPlace(const world::MovingBody& body, world::Moment& out) const;
     void addDoors(const MomentInput& input, world::Moment& out);
     void addVillagers(double seconds, world::Moment& out);
     void addLoose(world::Moment& out);

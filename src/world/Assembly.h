@@ -40,6 +40,7 @@ private:
     void addEmitter(const EmitterEntry& entry);
     [[nodiscard]] MovingBody addBody(dat::RecordId model, Kind kind, std::uint64_t object);
     [[nodiscard]] std::uint32_t addRoute(const RouteEntry& entry);
+    [[nodiscard]] MovingBody addShutBody(const Leaf& leaf, const Portal& portal);
     [[nodiscard]] std::uint32_t addFilling(const Door& door, std::uint64_t object);
     [[nodiscard]] std::uint32_t addSprite(std::uint32_t firstMaterial, std::uint32_t key);
     [[nodiscard]] std::uint32_t plainMaterial(const Vec4f& colour, SurfaceClass surfaces);

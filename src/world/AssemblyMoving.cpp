@@ -1,6 +1,8 @@
 #include "world/Assembly.h"
 
+#include "geometry/Compass.h"
 #include "world/Loader.h"
+#include "world/ShutPane.h"
 #include "world/Triangulate.h"
 
 #include <algorithm>
@@ -112,13 +114,41 @@ void Assembly::addDoor(const DoorEntry& entry, std::size_t index) {
     const Portal& portal = world_.portals[door.portal];
     door.reciprocal = portal.reciprocal;
     door.firstLeaf = static_cast<std::uint32_t>(world_.leaves.size());
-    for (const LeafEntry& leaf : entry.leaves)
+    for (const LeafEntry& leaf : entry.leaves) {
         world_.leaves.push_back({addBody(leaf.model, Kind::Filling, movingObject(MovingThing::Door, index)),
-                                 leaf.position, leaf.yaw, leaf.swing});
+                                 leaf.position,
+                                 leaf.yaw,
+                                 leaf.swing,
+                                 {}});
+        if (!door.opaque && portal.vertexCount >= 3)
+            world_.leaves.back().shut = addShutBody(world_.leaves.back(), portal);
+    }
     door.leafCount = static_cast<std::uint32_t>(world_.leaves.size()) - door.firstLeaf;
     if (door.opaque && portal.cornerCount >= 3)
         door.filling = addFilling(door, movingObject(MovingThing::Door, index));
     world_.doors.push_back(std::move(door));
+}
+
+MovingBody Assembly::addShutBody(const Leaf& leaf, const Portal& portal) {
+    const Vec3 block = world_.blocks[portal.block].origin();
+    std::vector<Vec3> outline;
+    for (const Vec3& p : polygonOf(world_, portal))
+        outline.push_back(p - block); // exact: they are corners of this block
+    const Mat3 turn = turnedTo(leaf.yaw);
+    MovingBody body{static_cast<std::uint32_t>(world_.movingParts.size()), leaf.body.partCount, {}};
+    for (std::uint32_t p = leaf.body.firstPart; p < leaf.body.firstPart + leaf.body.partCount; ++p) {
+        Instance part = world_.movingParts[p];
+        const Placement placement{turn * Mat3(part.linear), leaf.hinge - block + turn * Vec3(part.origin)};
+        const auto number = static_cast<std::uint32_t>(world_.movingParts.size());
+        part.mesh = arena_.add(placedBetween(outline, models_.part(part.record)->mesh, placement),
+                               contentKey(MeshSource::ShutPane, part.record, number));
+        part.bounds = world_.meshes[part.mesh].bounds;
+        part.block = portal.block;
+        part.linear = glm::mat3(1.0f);
+        part.origin = Vec3f(0.0f);
+        world_.movingParts.push_back(part);
+    }
+    return body;
 }
 
 std::uint32_t Assembly::addFilling(const Door& door, std::uint64_t object) {

@@ -8,12 +8,11 @@ namespace {
 constexpr double kFarthest = 500000.0; ///< metres; leaves the welder's grid room
 constexpr int kPasses = 4;             ///< of stitching; a second one is rare, a third has not been seen
 
-/// Takes normals along with positions under any scale: the cofactor matrix.
+} // namespace
+
 Mat3 normalMatrix(const Mat3& m) {
     return Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
 }
-
-} // namespace
 
 std::uint32_t BakedGeometry::add(SourcePolygon polygon, const Placement& placement) {
     const Mat3 normals = normalMatrix(placement.linear);

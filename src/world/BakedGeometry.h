@@ -14,6 +14,9 @@ struct Placement {
     Vec3 origin{0.0};
 };
 
+/// Takes normals along with positions under any scale: the cofactor matrix. Not unit ones.
+[[nodiscard]] Mat3 normalMatrix(const Mat3& m);
+
 /// Polygons that must meet without cracks: the shells, exteriors and portal polygons of a block, or the
 /// polygons of a model. They are added, then baked together: corners welded to common positions, T-junctions
 /// stitched.

@@ -22,6 +22,9 @@ struct Leaf {
     Vec3 hinge{0.0};    ///< global
     double yaw = 0.0;   ///< when closed
     double swing = 0.0; ///< added when open
+    /// Its parts where they stand while it is shut, block-local, edge to edge with the walls; none for leaves of opaque doors,
+    /// which a filling stands beside.
+    MovingBody shut;
 };
 
 /// The filling of one opening. An opaque one shuts it while all its leaves are exactly closed.
