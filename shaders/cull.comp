@@ -1,7 +1,7 @@
-// Leaves out triangles that cover no pixel's centre or face away. A work group culls the triangles of one draw command, and
-// keeps the rest in their order: of what lies equally deep, what comes later is seen.
-// Only for frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a triangle whose
-// outline stays clear of all centres shows nothing, however it would be snapped.
+// Makes the draw commands of a frame, a work group each, and leaves out triangles that cover no pixel's centre or face away. What
+// is kept stays in its order: of what lies equally deep, what comes later is seen. Where nothing is, nothing is drawn.
+// Triangles are only left out of frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a
+// triangle whose outline stays clear of all centres shows nothing, however it would be snapped.
 #include "frommodel.glsl"
 
 layout(local_size_x = kCullThreads) in;
@@ -67,18 +67,22 @@ bool mayShow(uint vertex, Instance instance) {
 shared uint keptBy[kCullThreads];
 
 void main() {
-    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uvec4 task = cullTasks[group].indices;
-    uvec4 drawing = cullTasks[group].drawing;
-    bool keepsAll = task.w == kKeepsAll;
-    Instance instance = instanceAt(keepsAll ? 0u : drawing.z);
+    // More groups than slots, for rows of equal length, do the last one again: they write the same.
+    uint slot = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, frame.slotCount - 1u);
+    DrawSlot place = slotAt(slot);
+    DrawPiece piece = pieceAt(slot + place.piece);
+    bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
+    bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
+    uint triangles = piece.triangles & ~kKeepsAll;
+    uint toLookAt = drawsAsIs ? 0u : triangles;
+    Instance instance = instanceAt(keepsAll ? 0u : piece.instance);
     uint me = gl_LocalInvocationID.x;
-    uint each = (task.y + kCullThreads - 1u) / kCullThreads;
-    uint begin = min(me * each, task.y);
-    uint end = min(begin + each, task.y);
+    uint each = (toLookAt + kCullThreads - 1u) / kCullThreads;
+    uint begin = min(me * each, toLookAt);
+    uint end = min(begin + each, toLookAt);
     uint kept = 0u;
     for (uint i = begin; i < end; ++i) {
-        uint vertex = drawing.y + indices[task.x + 3u * i];
+        uint vertex = indices[piece.firstIndex + 3u * i];
         kept |= keepsAll || mayShow(vertex - vertex % 3u, instance) ? 1u << (i - begin) : 0u;
     }
     keptBy[me] = bitCount(kept);
@@ -89,20 +93,23 @@ void main() {
         before = thread == me ? all : before;
         all += keptBy[thread];
     }
-    uint to = task.z + 3u * before;
+    uint first = piece.indicesBefore + place.kept;
+    uint to = first + 3u * before;
     while (kept != 0u) {
         uint i = begin + uint(findLSB(kept));
         kept &= kept - 1u;
-        uint from = task.x + 3u * i;
+        uint from = piece.firstIndex + 3u * i;
         keptIndices[to] = indices[from];
         keptIndices[to + 1u] = indices[from + 1u];
         keptIndices[to + 2u] = indices[from + 2u];
         to += 3u;
     }
     if (me == 0u) {
-        uint command = drawing.x * kWordsPerCommand;
-        commands[command] = 3u * all;
-        commands[command + 1u] = all > 0u ? 1u : 0u;
-        commands[command + 2u] = task.z;
+        uint command = slot * kWordsPerCommand;
+        commands[command] = 3u * (drawsAsIs ? triangles : all);
+        commands[command + 1u] = drawsAsIs || all > 0u ? 1u : 0u;
+        commands[command + 2u] = drawsAsIs ? piece.firstIndex : first;
+        commands[command + 3u] = 0u;
+        commands[command + 4u] = piece.instance;
     }
 }

@@ -171,8 +171,7 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
 }
 
 void ClassicPath::drawGroup(const ClassicGroup& group, std::uint32_t count) {
-    const layout::DrawCommand command{group.indexCount, count, group.firstIndex, group.baseVertex,
-                                      counts_.objects};
+    const layout::DrawCommand command{group.indexCount, count, group.firstIndex, 0, counts_.objects};
     const std::size_t offset = places_.commands + std::size_t{counts_.draws} * sizeof command;
     write(offset, std::span<const layout::DrawCommand>(&command, 1));
     textures_.back() = group.page;

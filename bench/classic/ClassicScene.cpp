@@ -110,9 +110,10 @@ Result<void> ClassicScene::upload(const world::World& world) {
     addStorage(layout::kBindTextures, "classic texture references", bytesOf(refs));
     packed_ = scene.instances;
     staticMembers_ = static_cast<std::uint32_t>(scene.members.size());
-    // Instances are all in the frame's memory, so that nothing reads the resident array.
+    // Instances are all in the frame's memory, and there are no pieces, so that nothing reads these arrays.
     return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
         .and_then([&] { return addTexels(layout::kUnitInstances, "classic instances", vertices_); })
+        .and_then([&] { return addTexels(layout::kUnitPieces, "classic pieces", vertices_); })
         .and_then([&] {
             return addTexels(layout::kUnitMembers, "classic members",
                              add("classic members", bytesOf(scene.members)));
@@ -159,7 +160,6 @@ ClassicGroup ClassicScene::groupOf(const world::World& world, const world::Insta
     group.program = isGround ? frame::Program::Terrain : frame::Program::Opaque;
     group.firstIndex = range.firstIndex;
     group.indexCount = range.indexCount;
-    group.baseVertex = static_cast<std::int32_t>(mesh.firstVertex);
     group.page = pages_[textureOf(world, instance)].pages().front();
     return group;
 }

@@ -16,8 +16,7 @@ namespace limen::bench {
 /// Objects of one mesh and one texture: one draw call of the classic path.
 struct ClassicGroup {
     frame::Program program = frame::Program::Opaque;
-    std::uint32_t firstIndex = 0, indexCount = 0; ///< of the opaque range; there is no other
-    std::int32_t baseVertex = 0;
+    std::uint32_t firstIndex = 0, indexCount = 0;          ///< of the opaque range; there is no other
     gpu::TextureHandle page = gpu::TextureHandle::Invalid; ///< its texture
     std::uint32_t firstStanding = 0, standingCount = 0;    ///< a run of ClassicScene::standing
     std::uint32_t firstMoving = 0, movingCount = 0;        ///< a run of ClassicScene::moving

@@ -32,11 +32,10 @@ LIMEN_CONST kBindTextures = 6;     // TextureRef (static)
 LIMEN_CONST kBindOwnership = 7;    // OwnershipVertex
 LIMEN_CONST kBindClipSets = 8;     // ClipSet
 LIMEN_CONST kBindSky = 9;          // SkyInstance
-LIMEN_CONST kBindCullTasks = 10;   // CullTask
-LIMEN_CONST kBindCommands = 11;    // DrawCommand, as words: written by the culling of triangles
-LIMEN_CONST kBindIndices = 12;     // uint (static)
-LIMEN_CONST kBindKeptIndices = 13; // uint: of the triangles that are kept, written likewise
-LIMEN_CONST kStorageBindings = 14;
+LIMEN_CONST kBindCommands = 10;    // DrawCommand, as words: written on the device
+LIMEN_CONST kBindIndices = 11;     // uint (static)
+LIMEN_CONST kBindKeptIndices = 12; // uint: of the triangles that are kept, written likewise
+LIMEN_CONST kStorageBindings = 13;
 
 // Texture units. Of buffers, these are read as texels of four words: software drivers read a storage buffer lane by lane, and
 // texels several times faster. Array pages come last (none in bindless mode).
@@ -45,7 +44,8 @@ LIMEN_CONST kUnitRing = 1;      // this frame's arrays, at the texels that Frame
 LIMEN_CONST kUnitVertices = 2;  // Vertex: the arena that is also the vertex fetch (static)
 LIMEN_CONST kUnitInstances = 3; // Instance (static)
 LIMEN_CONST kUnitMembers = 4;   // Member, two a texel (static)
-LIMEN_CONST kUnitFirstPage = 5;
+LIMEN_CONST kUnitPieces = 5;    // DrawPiece (static)
+LIMEN_CONST kUnitFirstPage = 6;
 
 // Fragment outputs. What is blended has a location of its own: blending stays switched on for that draw buffer and
 // off for the others, and no stage has to change it.
@@ -83,6 +83,7 @@ LIMEN_CONST kVoidId = 0u;
 
 // FrameConstants.flags
 LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs tested at mip 0, nearest texel (ids and depth)
+LIMEN_CONST kFrameKeepsTriangles = 2u; // draws read the static indices, whatever shows; filled in by gpu
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
@@ -118,6 +119,10 @@ LIMEN_STRUCT(FrameConstants) {
     uint firstVisit LIMEN_ZERO; // Visit,
     uint firstMover LIMEN_ZERO; // Instance: what moves,
     uint firstMoverMember LIMEN_ZERO; // Member, likewise
+    uint firstMoverPiece LIMEN_ZERO;  // DrawPiece, of what moves and of the sky,
+    uint firstSlot LIMEN_ZERO;        // DrawSlot, two a texel
+    uint slotCount LIMEN_ZERO;        // likewise filled in by gpu
+    uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
     uint reserved0 LIMEN_ZERO;
     uint reserved1 LIMEN_ZERO;
     uint reserved2 LIMEN_ZERO;
@@ -211,16 +216,26 @@ LIMEN_STRUCT(OwnershipVertex) {
     uint reserved0 LIMEN_ZERO;
 };
 
-// A draw command whose triangles are culled one by one. As two vectors: the fewer loads, the better for software drivers.
-LIMEN_CONST kCullThreads = 32u;         // of a work group, which culls for one task
+// Triangles of one instance that one draw command draws, and one work group culls. In one vector: the fewer loads, the better
+// for software drivers.
+LIMEN_CONST kCullThreads = 32u;         // of a work group
 LIMEN_CONST kTrianglesPerThread = 32u;  // at most: a bit each
-LIMEN_CONST kTrianglesPerCommand = 1024u; // at most, of any draw command
+LIMEN_CONST kTrianglesPerPiece = 1024u; // at most
+LIMEN_CONST kKeepsAll = 0x80000000u;    // DrawPiece.triangles: none is ever left out, for they are not an Instance's
 LIMEN_CONST kWordsPerCommand = 5u;
-LIMEN_STRUCT(CullTask) {
-    uvec4 indices LIMEN_ZERO;  // the first as they are; triangles; where those that are kept go; and kKeepsAll
-    uvec4 drawing LIMEN_ZERO;  // the draw command's number; its first vertex; its instance
+LIMEN_STRUCT(DrawPiece) {
+    uint firstIndex LIMEN_ZERO;
+    uint triangles LIMEN_ZERO;     // and kKeepsAll
+    uint instance LIMEN_ZERO;      // with kKeepsAll a SkyInstance
+    uint indicesBefore LIMEN_ZERO; // of all pieces before it in its array
 };
-LIMEN_CONST kKeepsAll = 1u; // triangles are only copied: they are not an Instance's
+
+// A frame's draw commands lie in slots, those of a run of pieces one behind the other. Both are what to add, modulo 2^32, and so
+// the same for the whole run.
+struct DrawSlot {
+    uint piece LIMEN_ZERO; // to the slot's number: the piece's
+    uint kept LIMEN_ZERO;  // to the piece's indicesBefore: where those of its indices go that are kept
+};
 
 // Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
 // Unused ones are (0,0,0,1).

@@ -14,7 +14,6 @@ FrameConstants frame = frameInBuffer;
 
 // Drivers count what is declared, and some allow a stage no more than 16, of compute 8.
 #ifdef COMPUTE_STAGE
-layout(std430, binding = kBindCullTasks) readonly buffer CullTaskBuffer { CullTask cullTasks[]; };
 layout(std430, binding = kBindCommands) writeonly buffer CommandBuffer { uint commands[]; };
 layout(std430, binding = kBindIndices) readonly buffer IndexBuffer { uint indices[]; };
 layout(std430, binding = kBindKeptIndices) writeonly buffer KeptIndexBuffer { uint keptIndices[]; };
@@ -33,6 +32,9 @@ layout(binding = kUnitRing) uniform usamplerBuffer ringTexels;
 layout(binding = kUnitVertices) uniform usamplerBuffer vertexTexels;
 layout(binding = kUnitInstances) uniform usamplerBuffer instanceTexels;
 layout(binding = kUnitMembers) uniform usamplerBuffer memberTexels;
+#ifdef COMPUTE_STAGE
+layout(binding = kUnitPieces) uniform usamplerBuffer pieceTexels;
+#endif
 
 const float kSkyDepth = uintBitsToFloat((127u - kSkyExponent) << 23); // 2^-kSkyExponent
 
@@ -60,6 +62,20 @@ Instance instanceAt(uint index) {
     uint at = frame.firstMover + (index - frame.staticInstances) * kInstanceTexels;
     return instanceOf(ringTexel(at), ringTexel(at + 1u), ringTexel(at + 2u), ringTexel(at + 3u), ringTexel(at + 4u));
 }
+
+#ifdef COMPUTE_STAGE
+DrawSlot slotAt(uint index) {
+    uvec4 pair = ringTexel(frame.firstSlot + index / 2u);
+    return index % 2u == 1u ? DrawSlot(pair.z, pair.w) : DrawSlot(pair.x, pair.y);
+}
+
+// What stands still, and the frame's own, are numbered on.
+DrawPiece pieceAt(uint index) {
+    uvec4 piece = index < frame.staticPieces ? texelFetch(pieceTexels, int(index))
+                                             : ringTexel(frame.firstMoverPiece + (index - frame.staticPieces));
+    return DrawPiece(piece.x, piece.y, piece.z, piece.w);
+}
+#endif
 
 // The origin of a resident block.
 vec3 blockOrigin(uint block) {

@@ -158,7 +158,8 @@ Result<std::shared_ptr<LoadedWorld>> Session::read(dat::BlockCoord centre) const
 }
 
 Result<void> Session::show(std::shared_ptr<LoadedWorld> world) {
-    if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->world)); !uploaded)
+    if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->world, world->planner.pieces()));
+        !uploaded)
         return uploaded;
     loaded_ = std::move(world);
     return {};

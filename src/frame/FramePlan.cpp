@@ -11,7 +11,8 @@ void FramePlan::clear() {
     skyInstances.clear();
     movers.clear();
     moverMembers.clear();
-    commands.clear();
+    pieces.clear();
+    runs.clear();
     batches.clear();
     stages.clear();
     counts = {};

@@ -28,11 +28,19 @@ enum class Program : std::uint8_t {
     Blended     ///< meshes of the late stage
 };
 
-/// A run of draw commands with one program: one GL draw call. `gated` runs the per-fragment ownership test.
+/// Pieces that follow one another, each a draw command.
+struct PieceRun {
+    std::uint32_t firstPiece = 0, pieceCount = 0; ///< the scene's, and on from there the plan's
+    std::uint32_t indicesBefore = 0;              ///< of the first of them
+    std::uint32_t indexCount = 0;                 ///< of all of them
+};
+
+/// Runs of pieces that one program draws: one GL draw call. `gated` runs the per-fragment ownership test.
 struct Batch {
     Program program = Program::Opaque;
     bool gated = false;
-    std::uint32_t firstCommand = 0, commandCount = 0; ///< for Ownership: first vertex and vertex count
+    std::uint32_t first = 0, count = 0; ///< runs; for Ownership: vertices
+    std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
 struct Stage {
@@ -40,11 +48,13 @@ struct Stage {
     std::uint32_t firstBatch = 0, batchCount = 0;
 };
 
-/// What the planner saw and decided; goes to frame.json and the panel.
+/// What the planner saw and decided; goes to frame.json and the panel. What the device leaves out of it is not counted.
 struct PlanCounts {
     std::uint32_t visits = 0, cellsSeen = 0, ownershipTriangles = 0;
-    std::uint32_t instancesTested = 0, instancesCulled = 0, instancesDrawn = 0, drawsUngated = 0,
-                  triangles = 0;
+    std::uint32_t instancesTested = 0;                     ///< members of spaces that are seen, each once
+    std::uint32_t instancesCulled = 0, instancesDrawn = 0; ///< of these
+    std::uint32_t drawsUngated = 0, triangles = 0;         ///< of what is drawn
+    std::uint32_t boundsTested = 0; ///< balls that were held against a visit, of clusters and of instances
 };
 
 /// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates
@@ -57,9 +67,10 @@ struct FramePlan {
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::SkyInstance> skyInstances;
-    std::vector<gpu::Instance> movers;     ///< numbered on from the scene's instances
+    std::vector<gpu::Instance> movers;     ///< those drawn; numbered on from the scene's instances
     std::vector<gpu::Member> moverMembers; ///< numbered on from the scene's members
-    std::vector<gpu::DrawCommand> commands;
+    std::vector<gpu::DrawPiece> pieces;    ///< of movers and of the sky; numbered on from the scene's pieces
+    std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind
     PlanCounts counts;

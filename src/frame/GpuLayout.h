@@ -24,7 +24,7 @@ struct Vertex {
     glm::vec3 rest{0.0f}; ///< what `position` is short of the corner (world::MeshVertex)
 };
 
-/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index.
+/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index. Indices are of the arena, so `baseVertex` is 0.
 struct DrawCommand {
     std::uint32_t indexCount = 0;
     std::uint32_t instanceCount = 1;
@@ -38,13 +38,13 @@ inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
                                         -double{kBesideY} / kPartsOfAPixel};
 
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 64);
+static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 80);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
-static_assert(sizeof(SkyInstance) == 80 && sizeof(CullTask) == 32);
+static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(DrawSlot) == 8);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
-              kTrianglesPerCommand == kCullThreads * kTrianglesPerThread);
+              kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
 
 } // namespace limen::frame::gpu

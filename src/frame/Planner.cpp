@@ -3,33 +3,13 @@
 #include "core/Assert.h"
 #include "frame/Ownership.h"
 #include "frame/PackInstance.h"
+#include "frame/PlanBatches.h"
 
 #include <algorithm>
 
 namespace limen::frame {
 
 namespace {
-
-using visibility::Containment;
-
-// Draws a range of a mesh, in as many commands as it takes.
-void addCommands(const world::Mesh& mesh, const world::Mesh::Range& range, std::uint32_t instance,
-                 FramePlan& plan) {
-    constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerCommand;
-    for (std::uint32_t done = 0; done < range.indexCount; done += kMost) {
-        plan.commands.push_back({std::min(range.indexCount - done, kMost), 1, range.firstIndex + done,
-                                 static_cast<std::int32_t>(mesh.firstVertex), instance});
-    }
-}
-
-void beginStage(FramePlan& plan, StageKind kind) {
-    plan.stages.push_back({kind, static_cast<std::uint32_t>(plan.batches.size()), 0});
-}
-
-void endStage(FramePlan& plan) {
-    plan.stages.back().batchCount =
-        static_cast<std::uint32_t>(plan.batches.size()) - plan.stages.back().firstBatch;
-}
 
 /// Clip from eye-relative: reversed depth (1 at the near plane, 0 at infinity), no far plane.
 gpu::mat4 clipFromEye(const FrameView& frame) {
@@ -47,51 +27,42 @@ bool seesOutside(const visibility::VisibleSet& set) {
                        [](const visibility::Visit& v) { return v.zone == world::kOutsideZone; });
 }
 
+/// From the eye to the nearest point of a ball, metres; negative within it.
+double nearestOf(const Sphere& ball, const Vec3& eye) {
+    const Vec3 offset = ball.centre - eye;
+    return std::sqrt(glm::dot(offset, offset)) - ball.radius;
+}
+
 /// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
 } // namespace
 
-Planner::Planner(const world::World& world) : world_(world) {
+Planner::Planner(const world::World& world)
+    : world_(world), clusters_(buildClusters(world)), pieces_(buildPieces(world, clusters_)),
+      selection_(world, clusters_) {
     std::vector<gpu::Member> zones;
     for (const world::Instance& in : world.instances) {
         zones.clear();
-        const std::uint32_t count = packInstance(world, in, world.members, zones).memberCount;
-        singleZone_.push_back(count == 1 ? 1 : 0);
-        staticMembers_ += count;
+        staticMembers_ += packInstance(world, in, world.members, zones).memberCount;
     }
-}
-
-void Planner::packMovers(FramePlan& plan) {
-    plan.constants.staticInstances = static_cast<std::uint32_t>(world_.instances.size());
-    plan.constants.staticMembers = staticMembers_;
-    singleZone_.resize(world_.instances.size());
-    for (const world::Instance& in : moment_->instances) {
-        gpu::Instance packed = packInstance(world_, in, moment_->members, plan.moverMembers);
-        packed.firstMember += staticMembers_;
-        singleZone_.push_back(packed.memberCount == 1 ? 1 : 0);
-        plan.movers.push_back(packed);
-    }
-    marks_.resize(singleZone_.size());
 }
 
 void Planner::plan(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set,
                    FramePlan& plan) {
     LIMEN_ASSERT(!set.visits.empty(), "a flood yields at least the root");
-    moment_ = &moment;
     plan.clear();
     fillConstants(frame, set, plan);
-    packMovers(plan);
     beginStage(plan, StageKind::Ownership);
     planOwnership(world_, moment, frame, set, plan);
     const bool several = set.visits.size() > 1;
     if (several) {
-        plan.batches.push_back(
-            {Program::Ownership, false, 0, static_cast<std::uint32_t>(plan.ownershipVertices.size())});
+        const auto vertices = static_cast<std::uint32_t>(plan.ownershipVertices.size());
+        plan.batches.push_back({Program::Ownership, false, 0, vertices, vertices > 0 ? 1u : 0u});
     }
     endStage(plan);
-    collect(frame, set, plan);
-    finishDrawn(frame, set, plan);
+    selection_.select(frame, moment, set);
+    packMovers(moment, plan);
     beginStage(plan, StageKind::Solid);
     planSolid(several, plan);
     endStage(plan);
@@ -99,12 +70,22 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
     planSky(frame, set, plan);
     endStage(plan);
     beginStage(plan, StageKind::Late);
-    planLate(several, plan);
+    planLate(frame.view.eye, several, moment, plan);
     endStage(plan);
     beginStage(plan, StageKind::Overlay);
     endStage(plan);
+    fillCounts(set, plan);
+}
+
+void Planner::fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const {
+    const Selection::Counts& selected = selection_.counts();
     plan.counts.visits = static_cast<std::uint32_t>(set.visits.size());
     plan.counts.cellsSeen = static_cast<std::uint32_t>(set.seen.size());
+    plan.counts.instancesTested = selected.met;
+    plan.counts.instancesDrawn = selected.drawn;
+    plan.counts.instancesCulled = selected.met - selected.drawn;
+    plan.counts.drawsUngated = selected.ungated;
+    plan.counts.boundsTested = selected.boundsTested;
 }
 
 void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet& set,
@@ -136,97 +117,54 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.nearPlane = static_cast<float>(frame.nearPlane);
 }
 
-void Planner::collect(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    ++frameNumber_;
-    met_.clear();
-    const double pixel =
-        2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height);
-    cones_.prepare(frame.view, set, pixel);
-    for (const visibility::SeenSpace& seen : set.seen) {
-        const world::Space& space = world_.spaces[seen.space];
-        for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
-            meet(frame, seen, world_.spaceInstances[i], plan);
+void Planner::packMovers(const world::Moment& moment, FramePlan& plan) {
+    for (auto& ranges : moverRanges_) {
+        ranges[0].clear();
+        ranges[1].clear();
+    }
+    const auto standing = static_cast<std::uint32_t>(world_.instances.size());
+    plan.constants.staticInstances = standing;
+    plan.constants.staticMembers = staticMembers_;
+    plan.constants.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
+    for (const SelectedMover& mover : selection_.movers()) {
+        const world::Instance& instance = moment.instances[mover.index];
+        const std::uint32_t number = standing + static_cast<std::uint32_t>(plan.movers.size());
+        const world::Mesh& mesh = world_.meshes[instance.mesh];
+        for (std::size_t c = 0; c < kDrawClasses; ++c) {
+            const world::Mesh::Range range = rangeOf(mesh, instance.kind, static_cast<DrawClass>(c));
+            if (range.indexCount > 0) {
+                moverRanges_[c][mover.gated ? 1 : 0].push_back({range, number});
+            }
         }
-        for (const world::InstanceIndex moving : moment_->instancesIn(seen.space)) {
-            meet(frame, seen, static_cast<std::uint32_t>(world_.instances.size()) + moving, plan);
-        }
+        gpu::Instance packed = packInstance(world_, instance, moment.members, plan.moverMembers);
+        packed.firstMember += staticMembers_;
+        plan.movers.push_back(packed);
     }
 }
 
-void Planner::meet(const FrameView& frame, const visibility::SeenSpace& seen, world::InstanceIndex index,
-                   FramePlan& plan) {
-    Mark& mark = marks_[index];
-    if (mark.frame != frameNumber_) {
-        mark = {frameNumber_, Containment::Outside, false};
-        met_.push_back(index);
-    }
-    const bool again = mark.tested;
-    mark.tested = true;
-    if (mark.seen == Containment::Inside || (again && !frame.rules.viewcone)) {
-        return;
-    }
-    ++plan.counts.instancesTested;
-    const Sphere& bounds = instance(index).bounds;
-    const Sphere ball{bounds.centre - frame.view.eye, bounds.radius};
-    const Containment here = cones_.classify(seen.visit, ball);
-    if (here == Containment::Outside || !cones_.touches(seen.rect, ball)) {
-        return;
-    }
-    mark.seen = here == Containment::Inside ? Containment::Inside : Containment::Partial;
-}
-
-void Planner::finishDrawn(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    drawn_.clear();
-    const bool several = set.visits.size() > 1;
-    for (const std::uint32_t index : met_) {
-        const Mark& mark = marks_[index];
-        if (mark.seen == Containment::Outside) {
-            ++plan.counts.instancesCulled;
-            continue;
+void Planner::addSolid(DrawClass drawn, bool gated, FramePlan& plan) const {
+    for (const SelectedRange& range : selection_.ranges()) {
+        if (range.gated == gated) {
+            addRun(pieces_.run(range.first, range.end, drawn), plan);
         }
-        const Sphere& bounds = instance(index).bounds;
-        const Vec3 offset = bounds.centre - frame.view.eye;
-        // A member of several zones is lit by the zone that keeps each fragment, so it always takes the test.
-        const bool gated = several && !(mark.seen == Containment::Inside && singleZone_[index] != 0);
-        drawn_.push_back({std::sqrt(glm::dot(offset, offset)) - bounds.radius, index, gated});
-        plan.counts.drawsUngated += gated ? 0 : 1;
     }
-    plan.counts.instancesDrawn = static_cast<std::uint32_t>(drawn_.size());
-    std::sort(drawn_.begin(), drawn_.end(), [](const Drawn& a, const Drawn& b) {
-        return a.distance != b.distance ? a.distance < b.distance : a.instance < b.instance;
-    });
-}
-
-void Planner::addCommand(FramePlan& plan, std::uint32_t index, world::SurfaceClass surfaces) const {
-    const world::Mesh& mesh = world_.meshes[instance(index).mesh];
-    const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
-    addCommands(mesh, range, index, plan);
-    plan.counts.triangles += range.indexCount / 3;
-}
-
-void Planner::addBatch(FramePlan& plan, Program program, bool gated, world::SurfaceClass surfaces,
-                       bool terrain) const {
-    Batch batch{program, gated, static_cast<std::uint32_t>(plan.commands.size()), 0};
-    const auto add = [&](const Drawn& d) {
-        const bool isTerrain = instance(d.instance).kind == world::Kind::Terrain;
-        if (d.gated == gated && isTerrain == terrain) {
-            addCommand(plan, d.instance, surfaces);
-        }
-    };
-    std::for_each(drawn_.begin(), drawn_.end(), add);
-    batch.commandCount = static_cast<std::uint32_t>(plan.commands.size()) - batch.firstCommand;
-    plan.batches.push_back(batch); // kept when empty: a stage's calls are the same in every frame that has it
+    for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(drawn)][gated ? 1 : 0]) {
+        addRun(addOwnPieces(range.range, range.instance, plan), plan);
+    }
+    countTriangles(plan);
 }
 
 void Planner::planSolid(bool several, FramePlan& plan) const {
-    using world::SurfaceClass;
     for (const bool gated : {false, true}) {
         if (gated && !several) {
             continue;
         }
-        addBatch(plan, Program::Opaque, gated, SurfaceClass::Opaque, false);
-        addBatch(plan, Program::CutOut, gated, SurfaceClass::CutOut, false);
-        addBatch(plan, Program::Terrain, gated, SurfaceClass::Opaque, true);
+        beginBatch(Program::Opaque, gated, plan);
+        addSolid(DrawClass::Opaque, gated, plan);
+        beginBatch(Program::CutOut, gated, plan);
+        addSolid(DrawClass::CutOut, gated, plan);
+        beginBatch(Program::Terrain, gated, plan);
+        addSolid(DrawClass::Terrain, gated, plan);
     }
 }
 
@@ -234,9 +172,10 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
     if (!seesOutside(set)) {
         return;
     }
-    plan.batches.push_back({Program::SkyPlain, false, 0, 1});
+    plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
     world::skyPlacements(world_.sky, frame.dayGroup, frame.timeOfDay, frame.seconds, sky_);
-    Batch batch{Program::SkyObjects, false, static_cast<std::uint32_t>(plan.commands.size()), 0};
+    beginBatch(Program::SkyObjects, false, plan);
+    const std::size_t firstPiece = plan.pieces.size();
     for (const world::SkyPlacement& p : sky_) {
         const world::SkyPart& part = world_.sky.parts[p.part];
         const auto instance = static_cast<std::uint32_t>(plan.skyInstances.size());
@@ -250,24 +189,52 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         out.uvOffsetX = p.uvOffset.x;
         out.uvOffsetY = p.uvOffset.y;
         plan.skyInstances.push_back(out);
-        const world::Mesh& mesh = world_.meshes[part.mesh];
-        for (const world::Mesh::Range& range : mesh.ranges) {
-            addCommands(mesh, range, instance, plan);
+        for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges) {
+            addRun(addOwnPieces(range, instance, plan), plan);
         }
     }
-    batch.commandCount = static_cast<std::uint32_t>(plan.commands.size()) - batch.firstCommand;
-    plan.batches.push_back(batch);
+    for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i) {
+        plan.pieces[i].triangles |= gpu::kKeepsAll;
+    }
 }
 
-void Planner::planLate(bool several, FramePlan& plan) const {
+void Planner::gatherLate(const Vec3& eye, const SelectedRange& range) {
+    const PieceRun all = pieces_.run(range.first, range.end, DrawClass::Blended);
+    for (std::uint32_t i = all.firstPiece; i < all.firstPiece + all.pieceCount; ++i) {
+        const gpu::DrawPiece& piece = pieces_.pieces[i];
+        if (late_.empty() || late_.back().instance != piece.instance) {
+            late_.push_back({nearestOf(world_.instances[piece.instance].bounds, eye),
+                             piece.instance,
+                             {i, 0, piece.indicesBefore, 0}});
+        }
+        ++late_.back().run.pieceCount;
+        late_.back().run.indexCount += 3 * piece.triangles;
+    }
+}
+
+void Planner::planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan) {
+    late_.clear();
+    for (const SelectedRange& range : selection_.ranges()) {
+        gatherLate(eye, range);
+    }
+    const std::span<const SelectedMover> movers = selection_.movers();
+    for (const auto& ranges : moverRanges_[static_cast<std::size_t>(DrawClass::Blended)]) {
+        for (const MoverRange& range : ranges) {
+            const SelectedMover& mover = movers[range.instance - plan.constants.staticInstances];
+            late_.push_back({nearestOf(moment.instances[mover.index].bounds, eye), range.instance,
+                             addOwnPieces(range.range, range.instance, plan)});
+        }
+    }
+    std::sort(late_.begin(), late_.end(), [](const Late& a, const Late& b) {
+        return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
+    });
     // One list, back to front: gated for every draw as soon as a frame has several visits, so that no two
     // batches have to be interleaved.
-    const bool gated = several;
-    Batch batch{Program::Blended, gated, static_cast<std::uint32_t>(plan.commands.size()), 0};
-    std::for_each(drawn_.rbegin(), drawn_.rend(),
-                  [&](const Drawn& d) { addCommand(plan, d.instance, world::SurfaceClass::Blended); });
-    batch.commandCount = static_cast<std::uint32_t>(plan.commands.size()) - batch.firstCommand;
-    plan.batches.push_back(batch);
+    beginBatch(Program::Blended, several, plan);
+    for (const Late& late : late_) {
+        addRun(late.run, plan);
+    }
+    countTriangles(plan);
 }
 
 } // namespace limen::frame

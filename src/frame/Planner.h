@@ -2,7 +2,8 @@
 
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
-#include "visibility/Viewcone.h"
+#include "frame/ResidentPieces.h"
+#include "frame/Selection.h"
 #include "visibility/VisibleSet.h"
 #include "world/Moment.h"
 #include "world/World.h"
@@ -14,6 +15,8 @@ namespace limen::frame {
 class Planner {
 public:
     explicit Planner(const world::World& world);
+    Planner(const Planner&) = delete;
+    Planner& operator=(const Planner&) = delete;
 
     /// Plans one frame; `plan` is overwritten. `set` must be the flood of the same world and moment from
     /// `frame.view`.
@@ -24,47 +27,40 @@ public:
         this->plan(frame, {}, set, plan);
     }
 
+    /// The resident pieces that its plans' runs are of: what SceneBuilder uploads.
+    [[nodiscard]] const ResidentPieces& pieces() const { return pieces_; }
+
 private:
-    struct Mark {
-        std::uint32_t frame = 0; ///< the last frame that met the instance
-        visibility::Containment seen = visibility::Containment::Outside;
-        bool tested = false; ///< in some visit
+    /// A mover's range of its mesh.
+    struct MoverRange {
+        world::Mesh::Range range;
+        std::uint32_t instance = 0; ///< numbered on from the scene's
     };
-    /// One instance of this frame's draw list.
-    struct Drawn {
+    /// The blended pieces of one instance.
+    struct Late {
         double distance = 0.0; ///< from the eye to the nearest point of its bounds, metres
         std::uint32_t instance = 0;
-        bool gated = false;
+        PieceRun run;
     };
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
-    void packMovers(FramePlan& plan);
-    /// Static instances, and on from there the moment's.
-    [[nodiscard]] const world::Instance& instance(std::uint32_t index) const {
-        return index < world_.instances.size() ? world_.instances[index]
-                                               : moment_->instances[index - world_.instances.size()];
-    }
-    void collect(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
-    void meet(const FrameView& frame, const visibility::SeenSpace& seen, world::InstanceIndex index,
-              FramePlan& plan);
-    void finishDrawn(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
+    void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
+    void packMovers(const world::Moment& moment, FramePlan& plan);
     void planSolid(bool several, FramePlan& plan) const;
+    void addSolid(DrawClass drawn, bool gated, FramePlan& plan) const;
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
-    void planLate(bool several, FramePlan& plan) const;
-    void addBatch(FramePlan& plan, Program program, bool gated, world::SurfaceClass surfaces,
-                  bool terrain) const;
-    void addCommand(FramePlan& plan, std::uint32_t index, world::SurfaceClass surfaces) const;
+    void planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan);
+    void gatherLate(const Vec3& eye, const SelectedRange& range);
 
     const world::World& world_;
-    const world::Moment* moment_ = nullptr; ///< of the frame being planned
-    std::uint32_t staticMembers_ = 0;       ///< zones that the scene lists for static instances
-    std::vector<std::uint8_t> singleZone_;  ///< by instance: a member of one zone only
-    std::vector<Mark> marks_;               ///< by instance
-    std::vector<std::uint32_t> met_;
-    std::vector<Drawn> drawn_;
+    const Clusters clusters_;
+    const ResidentPieces pieces_;
+    Selection selection_;
+    std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
+    std::array<std::array<std::vector<MoverRange>, 2>, kDrawClasses>
+        moverRanges_; ///< of the frame; by class, and gated
+    std::vector<Late> late_;
     std::vector<world::SkyPlacement> sky_;
-    visibility::Viewcones cones_;
-    std::uint32_t frameNumber_ = 0;
 };
 
 } // namespace limen::frame

@@ -51,6 +51,19 @@ gpu::Light packLight(const world::World& world, const world::Light& in) {
     return {{local, in.range}, {in.colour, std::bit_cast<float>(block)}};
 }
 
+/// Those of meshes are relative to their first vertices.
+std::vector<std::uint32_t> indicesOfArena(const world::World& world) {
+    std::vector<std::uint32_t> indices = world.indices;
+    for (const world::Mesh& mesh : world.meshes) {
+        for (const world::Mesh::Range& range : mesh.ranges) {
+            for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; ++i) {
+                indices[i] = world.indices[i] + mesh.firstVertex;
+            }
+        }
+    }
+    return indices;
+}
+
 void addMaterials(const world::World& world, SceneUpload& scene) {
     for (const world::Material& m : world.materials) {
         std::uint32_t flags = 0;
@@ -100,16 +113,21 @@ void addTextures(const world::World& world, SceneUpload& scene) {
 } // namespace
 
 SceneUpload buildScene(const world::World& world) {
+    return buildScene(world, buildPieces(world, buildClusters(world)));
+}
+
+SceneUpload buildScene(const world::World& world, const ResidentPieces& pieces) {
     SceneUpload scene;
     scene.vertices.reserve(world.vertices.size());
     for (const world::MeshVertex& v : world.vertices) {
         scene.vertices.push_back({v.position, packNormal(v.normal), v.uv,
                                   v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour, v.rest});
     }
-    scene.indices = world.indices;
+    scene.indices = indicesOfArena(world);
     for (const world::Instance& in : world.instances) {
         scene.instances.push_back(packInstance(world, in, world.members, scene.members));
     }
+    scene.pieces = pieces.pieces;
     addMaterials(world, scene);
     addTextures(world, scene);
     for (const world::TerrainCell& cell : world.terrainCells) {

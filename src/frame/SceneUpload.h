@@ -18,9 +18,10 @@ struct TextureUpload {
 /// into the world that it was made from and must not outlive it; the rest is owned.
 struct SceneUpload {
     std::vector<gpu::Vertex> vertices;
-    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> indices; ///< into `vertices`, of every mesh
     std::vector<gpu::Instance> instances;
     std::vector<gpu::Member> members;
+    std::vector<gpu::DrawPiece> pieces; ///< of the instances (frame/ResidentPieces.h)
     std::vector<gpu::Material> materials;
     std::vector<std::uint32_t> materialRefs;
     std::vector<gpu::TerrainCell> terrainCells;

@@ -7,11 +7,10 @@ namespace limen::gpu {
 
 namespace layout = frame::gpu;
 
-FrameRing::FrameRing(const frame::FramePlan& plan, std::span<const layout::CullTask> tasks,
-                     std::size_t alignment)
-    : plan_(plan), tasks_(tasks) {
+FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment)
+    : plan_(plan), slots_(slots) {
     for (std::size_t i = 0; i < kArrays; ++i) {
-        const std::size_t size = bytes(static_cast<Array>(i), plan.constants).size();
+        const std::size_t size = sizeOf(static_cast<Array>(i));
         const std::size_t offset = (size_ + alignment - 1) / alignment * alignment;
         places_[i] = {BufferHandle::Invalid, offset, std::max(size, kSmallestRange)};
         size_ = offset + places_[i].size;
@@ -37,14 +36,29 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
         return of(plan_.movers);
     case kMoverMembers:
         return of(plan_.moverMembers);
+    case kPieces:
+        return of(plan_.pieces);
+    case kSlots:
     case kCommands:
-        return of(plan_.commands);
-    case kTasks:
-        return of(tasks_);
     case kArrays:
         break;
     }
     return {};
+}
+
+std::size_t FrameRing::sizeOf(Array array) const {
+    switch (array) {
+    case kSlots:
+        return slots_ * sizeof(layout::DrawSlot);
+    case kCommands:
+        return slots_ * sizeof(layout::DrawCommand);
+    default:
+        return bytes(array, plan_.constants).size();
+    }
+}
+
+std::span<layout::DrawSlot> FrameRing::slots(std::span<std::byte> memory) const {
+    return {reinterpret_cast<layout::DrawSlot*>(memory.data() + places_[kSlots].offset), slots_};
 }
 
 std::uint32_t FrameRing::texel(Array array) const {
@@ -56,6 +70,8 @@ void FrameRing::locate(layout::FrameConstants& constants) const {
     constants.firstVisit = texel(kVisits);
     constants.firstMover = texel(kMovers);
     constants.firstMoverMember = texel(kMoverMembers);
+    constants.firstMoverPiece = texel(kPieces);
+    constants.firstSlot = texel(kSlots);
 }
 
 void FrameRing::bind(StorageBindings& storage) const {
@@ -64,7 +80,6 @@ void FrameRing::bind(StorageBindings& storage) const {
     storage[layout::kBindClipSets] = places_[kClipSets];
     storage[layout::kBindSky] = places_[kSky];
     storage[layout::kBindCommands] = places_[kCommands];
-    storage[layout::kBindCullTasks] = places_[kTasks];
 }
 
 void FrameRing::write(const layout::FrameConstants& constants, std::span<std::byte> memory) const {

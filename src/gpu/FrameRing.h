@@ -15,21 +15,22 @@ inline constexpr std::size_t kSmallestRange = 256;
 /// Of buffers that are read as textures.
 inline constexpr std::size_t kBytesPerTexel = 16;
 
-/// Where one frame's arrays lie in the ring memory: the plan's, and what culling its triangles takes.
+/// Where one frame's arrays lie in the ring memory: the plan's, and the slots and room of its draw commands.
 class FrameRing {
 public:
-    /// `alignment`: Capabilities::storageAlignment. Both arrays must outlive it.
-    FrameRing(const frame::FramePlan& plan, std::span<const frame::gpu::CullTask> tasks,
-              std::size_t alignment);
+    /// `slots`: one for each draw command. `alignment`: Capabilities::storageAlignment. The plan must outlive it.
+    FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment);
 
     [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
     [[nodiscard]] std::size_t commands() const { return places_[kCommands].offset; }
+
+    [[nodiscard]] std::span<frame::gpu::DrawSlot> slots(std::span<std::byte> memory) const;
 
     /// Tells the shaders where the arrays are that they read as texels.
     void locate(frame::gpu::FrameConstants& constants) const;
     /// Binds the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays.
+    /// Writes all arrays but slots and draw commands.
     void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
 
 private:
@@ -43,16 +44,18 @@ private:
         kSky,
         kMovers,
         kMoverMembers,
-        kCommands,
-        kTasks,
+        kPieces,
+        kSlots,    // written by whoever has them,
+        kCommands, // and on the device
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array,
                                                    const frame::gpu::FrameConstants& constants) const;
+    [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
 
     const frame::FramePlan& plan_;
-    std::span<const frame::gpu::CullTask> tasks_;
+    std::size_t slots_;
     std::array<StorageRange, kArrays> places_{}; ///< in the ring
     std::size_t size_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "frame/IdColour.h"
+#include "gpu/DrawCulling.h"
 #include "gpu/FrameRing.h"
 #include "gpu/ResidentScene.h"
 
@@ -15,20 +16,23 @@ namespace {
 namespace layout = frame::gpu;
 
 // A plan that breaks these would make the GPU read astray or loop.
-void assertSound(const frame::FramePlan& plan) {
+void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
     LIMEN_ASSERT(!plan.visits.empty() && plan.visits.size() == plan.constants.visitCount,
                  "the root is a visit");
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
+    LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan is made for the scene");
     for (std::size_t i = 0; i < plan.visits.size(); ++i) {
         const std::uint32_t parent = plan.visits[i].parent;
         LIMEN_ASSERT(parent == layout::kNoVisit || parent < i, "parents come before children");
     }
     for (const frame::Batch& batch : plan.batches) {
         const std::size_t size =
-            batch.program == frame::Program::Ownership ? plan.ownershipVertices.size() : plan.commands.size();
-        LIMEN_ASSERT(batch.program == frame::Program::SkyPlain ||
-                         std::uint64_t{batch.firstCommand} + batch.commandCount <= size,
-                     "a batch lies within its commands");
+            batch.program == frame::Program::Ownership ? plan.ownershipVertices.size() : plan.runs.size();
+        LIMEN_ASSERT(std::uint64_t{batch.first} + batch.count <= size, "a batch lies within its runs");
+    }
+    for (const frame::PieceRun& run : plan.runs) {
+        LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),
+                     "a run lies within the pieces");
     }
     for (const frame::Stage& stage : plan.stages) {
         LIMEN_ASSERT(std::uint64_t{stage.firstBatch} + stage.batchCount <= plan.batches.size(),
@@ -64,10 +68,6 @@ ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options
             multisampled};
 }
 
-bool isOneDraw(frame::Program program) {
-    return program == frame::Program::Ownership || program == frame::Program::SkyPlain;
-}
-
 } // namespace
 
 Renderer::Renderer(Device& device, RendererOptions options) : device_(&device), options_(options) {}
@@ -94,12 +94,12 @@ Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const Rende
     return prepared;
 }
 
-void Renderer::bindAll(const FrameRing& ring, const TriangleCulling* culling) {
+void Renderer::bindAll(const FrameRing& ring, const DrawCulling& culling) {
     StorageBindings storage = scene_->storage();
     ring.bind(storage);
-    // Without culling nobody reads it; all frames make the same calls.
+    // Where all triangles are kept nobody writes it; all frames make the same calls.
     storage[layout::kBindKeptIndices] =
-        culling != nullptr ? culling->keptIndices() : storage[layout::kBindIndices];
+        culling.keepsTriangles() ? storage[layout::kBindIndices] : culling.keptIndices();
     device_->bindStorage(storage);
     device_->bindTextures(scene_->boundTextures());
 }
@@ -128,14 +128,13 @@ void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset, 
     device_->setState(state);
     switch (batch.program) {
     case frame::Program::Ownership:
-        device_->drawVertices(batch.firstCommand, batch.commandCount);
+        device_->drawVertices(batch.first, batch.count);
         return;
     case frame::Program::SkyPlain:
-        device_->drawVertices(0, batch.commandCount > 0 ? 3 : 0);
+        device_->drawVertices(0, 3 * batch.draws);
         return;
     default:
-        device_->drawIndirect(commandsOffset + std::size_t{batch.firstCommand} * sizeof(layout::DrawCommand),
-                              batch.commandCount);
+        device_->drawIndirect(commandsOffset, batch.draws);
     }
 }
 
@@ -155,9 +154,10 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
                 device_->beginPass(pass);
                 current = pass;
             }
-            drawBatch(batch, commandsOffset, options, multisampled);
+            const std::size_t slot = scene_->culling().firstSlot(stage.firstBatch + i);
+            drawBatch(batch, commandsOffset + slot * sizeof(layout::DrawCommand), options, multisampled);
             ++report.batches;
-            report.draws += isOneDraw(batch.program) ? std::min(batch.commandCount, 1u) : batch.commandCount;
+            report.draws += batch.draws;
         }
         device_->endStage(stage.kind);
         report.cpuMs += watch.milliseconds();
@@ -172,7 +172,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     const bool multisampled = target.options().samples > 0;
     LIMEN_ASSERT(!multisampled || (!options.wantIds && !options.wantLayers),
                  "ids and layers have one sample a pixel");
-    assertSound(plan);
+    assertSound(plan, scene_->pieces());
     if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared) {
         return prepared;
     }
@@ -181,28 +181,25 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     for (std::size_t i = 0; i < report_.stages.size(); ++i) {
         report_.stages[i].kind = static_cast<frame::StageKind>(i);
     }
-    TriangleCulling* culling = multisampled ? nullptr : scene_->culling();
-    if (culling != nullptr && !culling->prepare(plan, options)) {
-        culling = nullptr;
-    }
-    const FrameRing ring(plan, culling != nullptr ? culling->tasks() : std::span<const layout::CullTask>(),
-                         device_->capabilities().storageAlignment);
+    DrawCulling& culling = scene_->culling();
+    culling.prepare(plan, options, multisampled);
+    const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved) {
         return reserved;
     }
     // Each time: another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(),
-                         culling != nullptr ? culling->keptIndices().buffer : scene_->indices());
+                         culling.keepsTriangles() ? scene_->indices() : culling.keptIndices().buffer);
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
     layout::FrameConstants constants = plan.constants;
     target.place(constants);
     ring.locate(constants);
+    culling.describe(constants);
     ring.write(constants, memory);
+    culling.writeSlots(plan, options, ring.slots(memory));
     bindAll(ring, culling);
     clearTarget(plan, options);
-    if (culling != nullptr) {
-        culling->run();
-    }
+    culling.run();
     drawStages(plan, ring.commands(), options, multisampled);
     if (multisampled) {
         device_->resolve();

@@ -12,9 +12,9 @@
 
 namespace limen::gpu {
 
+class DrawCulling;
 class FrameRing;
 class ResidentScene;
-class TriangleCulling;
 
 /// Draws frame plans on a device: one GL draw call per batch, whatever it holds. The device must outlive it.
 class Renderer {
@@ -28,7 +28,7 @@ public:
     /// programs report. On an error the scene that was there stays.
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
     /// Draws one frame. Requires an uploaded scene and a plan made for it: at least one visit, parents before
-    /// children, batches within the commands. The first frame of its kind builds its programs. Errors: Driver, if they
+    /// children, batches within the runs, runs within the pieces. The first frame of its kind builds its programs. Errors: Driver, if they
     /// do not build or memory for the frame's arrays cannot be had.
     [[nodiscard]] Result<void> render(const frame::FramePlan& plan, RenderTarget& target,
                                       const RenderOptions& options = {});
@@ -40,12 +40,12 @@ public:
 private:
     [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
                                                bool multisampled);
-    void bindAll(const FrameRing& ring, const TriangleCulling* culling);
+    void bindAll(const FrameRing& ring, const DrawCulling& culling);
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
     void drawStages(const frame::FramePlan& plan, std::size_t commandsOffset, const RenderOptions& options,
                     bool multisampled);
     void drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
-                   bool multisampled);
+                   bool multisampled); ///< `commandsOffset`: of its own
 
     Device* device_;
     RendererOptions options_;

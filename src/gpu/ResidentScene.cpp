@@ -40,15 +40,6 @@ std::vector<std::string> definesOf(const RendererOptions& options) {
     return defines;
 }
 
-Result<std::optional<TriangleCulling>> makeCulling(Device& device, const RendererOptions& options) {
-    if (!options.cullTriangles || !options.exactOutlines) {
-        return std::optional<TriangleCulling>();
-    }
-    return TriangleCulling::create(device, definesOf(options)).map([](TriangleCulling&& made) {
-        return std::make_optional(std::move(made));
-    });
-}
-
 } // namespace
 
 Result<std::unique_ptr<ResidentScene>> ResidentScene::create(Device& device, const frame::SceneUpload& upload,
@@ -64,7 +55,8 @@ Result<std::unique_ptr<ResidentScene>> ResidentScene::create(Device& device, con
     if (!programs) {
         return tl::unexpected(programs.error());
     }
-    Result<std::optional<TriangleCulling>> culling = makeCulling(device, options);
+    Result<DrawCulling> culling =
+        DrawCulling::create(device, definesOf(options), options.cullTriangles && options.exactOutlines);
     if (!culling) {
         return tl::unexpected(culling.error());
     }
@@ -98,7 +90,9 @@ Result<void> ResidentScene::upload(const frame::SceneUpload& scene) {
     Result<void> added =
         addTexels("vertices", vertices_)
             .and_then([&] { return addTexels("instances", add("instances", bytesOf(scene.instances))); })
-            .and_then([&] { return addTexels("members", add("members", bytesOf(scene.members))); });
+            .and_then([&] { return addTexels("members", add("members", bytesOf(scene.members))); })
+            .and_then([&] { return addTexels("pieces", add("pieces", bytesOf(scene.pieces))); });
+    pieces_ = static_cast<std::uint32_t>(scene.pieces.size());
     bound_ = texels_;
     bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());
     return added;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "frame/SceneUpload.h"
+#include "gpu/DrawCulling.h"
 #include "gpu/FrameRing.h"
 #include "gpu/Programs.h"
 #include "gpu/RendererOptions.h"
-#include "gpu/TriangleCulling.h"
 
 #include <memory>
-#include <optional>
 
 namespace limen::gpu {
 
@@ -24,18 +23,17 @@ public:
 
     [[nodiscard]] Programs& programs() { return programs_; }
     [[nodiscard]] const TextureStore& textures() const { return textures_; }
-    /// Null where it is not wanted.
-    [[nodiscard]] TriangleCulling* culling() { return culling_ ? &*culling_ : nullptr; }
+    [[nodiscard]] DrawCulling& culling() { return culling_; }
     [[nodiscard]] BufferHandle vertices() const { return vertices_; }
     [[nodiscard]] BufferHandle indices() const { return storage_[frame::gpu::kBindIndices].buffer; }
+    [[nodiscard]] std::uint32_t pieces() const { return pieces_; } ///< how many
     /// The static arrays by binding; the others are empty.
     [[nodiscard]] const StorageBindings& storage() const { return storage_; }
     /// What Device::bindTextures takes.
     [[nodiscard]] std::span<const TextureHandle> boundTextures() const { return bound_; }
 
 private:
-    ResidentScene(Device& device, TextureStore&& textures, Programs&& programs,
-                  std::optional<TriangleCulling>&& culling)
+    ResidentScene(Device& device, TextureStore&& textures, Programs&& programs, DrawCulling&& culling)
         : device_(device), textures_(std::move(textures)), programs_(std::move(programs)),
           culling_(std::move(culling)) {}
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
@@ -46,12 +44,13 @@ private:
     Device& device_;
     TextureStore textures_;
     Programs programs_;
-    std::optional<TriangleCulling> culling_;
+    DrawCulling culling_;
     std::vector<BufferHandle> owned_;
     std::vector<TextureHandle> texels_; ///< buffers read as textures, in the order of their units
     std::vector<TextureHandle> bound_;  ///< these, and the textures' pages
     StorageBindings storage_{};
     BufferHandle vertices_ = BufferHandle::Invalid;
+    std::uint32_t pieces_ = 0;
 };
 
 } // namespace limen::gpu

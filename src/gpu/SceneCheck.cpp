@@ -32,6 +32,40 @@ Result<void> checkInstances(const SceneUpload& scene) {
     return {};
 }
 
+Result<void> checkIndices(const SceneUpload& scene) {
+    for (std::size_t i = 0; i < scene.indices.size(); ++i) {
+        if (scene.indices[i] >= scene.vertices.size()) {
+            return broken("index", i,
+                          fmt::format("is to vertex {} of {}", scene.indices[i], scene.vertices.size()));
+        }
+    }
+    return {};
+}
+
+Result<void> checkPieces(const SceneUpload& scene) {
+    std::uint32_t before = 0;
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+        const layout::DrawPiece& piece = scene.pieces[i];
+        const std::uint64_t end = piece.firstIndex + std::uint64_t{3} * piece.triangles;
+        if (piece.triangles > layout::kTrianglesPerPiece || end > scene.indices.size()) {
+            return broken("piece", i,
+                          fmt::format("has indices {} to {} of {}, and may have {}", piece.firstIndex, end,
+                                      scene.indices.size(), 3 * layout::kTrianglesPerPiece));
+        }
+        if (piece.instance >= scene.instances.size()) {
+            return broken("piece", i,
+                          fmt::format("is of instance {} of {}", piece.instance, scene.instances.size()));
+        }
+        if (piece.indicesBefore != before) {
+            return broken(
+                "piece", i,
+                fmt::format("counts {} indices before it; there are {}", piece.indicesBefore, before));
+        }
+        before += 3 * piece.triangles;
+    }
+    return {};
+}
+
 Result<void> checkMaterials(const SceneUpload& scene) {
     for (std::size_t i = 0; i < scene.materialRefs.size(); ++i) {
         if (scene.materialRefs[i] >= scene.materials.size()) {
@@ -103,6 +137,8 @@ Result<void> checkTextures(const SceneUpload& scene) {
 
 Result<void> checkScene(const SceneUpload& scene) {
     return checkInstances(scene)
+        .and_then([&] { return checkIndices(scene); })
+        .and_then([&] { return checkPieces(scene); })
         .and_then([&] { return checkMaterials(scene); })
         .and_then([&] { return checkTerrain(scene); })
         .and_then([&] { return checkLights(scene); })

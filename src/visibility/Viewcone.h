@@ -2,11 +2,44 @@
 
 #include "visibility/VisibleSet.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace limen::visibility {
 
 enum class Containment : std::uint8_t { Outside, Partial, Inside };
+
+/// A ball, eye-relative, with how far it is taken to reach beyond its surface; made by Viewcones::ballOf.
+struct SeenBall {
+    Vec3 centre{0.0};
+    double radius = 0.0;
+    double slack = 0.0; ///< metres, at entry planes
+    double reach = 0.0; ///< metres, at planes through the eye: two pixels more
+};
+
+/// Four planes through the eye: unit normals, positive inside. Side by side, for they are all asked at once.
+class FourEdges {
+public:
+    void set(std::size_t i, const Vec3& inwards) {
+        x_[i] = inwards.x;
+        y_[i] = inwards.y;
+        z_[i] = inwards.z;
+    }
+    /// From a point to the plane that it lies farthest outside of, or least far inside.
+    [[nodiscard]] double least(const Vec3& point) const {
+        const double a = side(0, point), b = side(1, point), c = side(2, point), d = side(3, point);
+        const double ab = a < b ? a : b, cd = c < d ? c : d; // values, not references: no branches
+        return ab < cd ? ab : cd;
+    }
+
+private:
+    [[nodiscard]] double side(std::size_t i, const Vec3& point) const {
+        return x_[i] * point.x + y_[i] * point.y + z_[i] * point.z;
+    }
+    std::array<double, 4> x_{}, y_{}, z_{};
+};
 
 /// The visits of one flood as planes, for asking what of a ball can be seen in them. Reuse it: steady frames
 /// allocate nothing.
@@ -20,20 +53,71 @@ public:
     /// shows in a pixel of another owner in front of it, i.e. it lies wholly within the visit, before the
     /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
     /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
-    [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& ball) const;
+    [[nodiscard]] Containment classify(std::uint32_t visit, const SeenBall& ball) const {
+        const Containment alone = classifyAlone(cones_[visit], ball);
+        return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
+    }
+    /// Whether it is not outside. Without branches: for many balls, of which nobody can foretell how they lie.
+    [[nodiscard]] bool touches(std::uint32_t visit, const SeenBall& ball) const {
+        const Cone& cone = cones_[visit];
+        bool reaches = cone.entry.signedDistance(ball.centre) >= -ball.radius - ball.slack;
+        for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
+            reaches &= touches(edges_[e], ball);
+        }
+        return reaches;
+    }
+    [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
+        const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
+        const double slack = kSlack + kSlackShare * distance;
+        return {ball.centre, ball.radius, slack, slack + 2.0 * pixel_ * distance};
+    }
 
-    /// True if the ball may show within the rectangle (a SeenSpace's) of the screen.
-    [[nodiscard]] bool touches(const Rect& rect, const Sphere& ball) const;
+    /// A rectangle (a SeenSpace's) of the screen.
+    [[nodiscard]] FourEdges edgesOf(const Rect& rect) const;
+    /// How the ball lies to it. Outside: nothing of the ball shows within the rectangle.
+    [[nodiscard]] static bool touches(const FourEdges& rect, const SeenBall& ball) {
+        return rect.least(ball.centre) >= -(ball.radius + ball.reach);
+    }
+    [[nodiscard]] static Containment classify(const FourEdges& rect, const SeenBall& ball) {
+        const double far = ball.radius + ball.reach, least = rect.least(ball.centre);
+        return least < -far ? Containment::Outside : least > far ? Containment::Inside : Containment::Partial;
+    }
 
 private:
+    /// The ownership test's own tolerance (1 mm and a share of the distance) and float rounding on the GPU, with
+    /// room to spare, in metres per metre of distance and in metres: "inside" must hold under it, "outside"
+    /// beyond it.
+    static constexpr double kSlackShare = 2e-6;
+    static constexpr double kSlack = 0.004;
     struct Cone {
         Plane entry;
-        std::uint32_t firstEdge = 0, edgeCount = 0, parent = 0;
+        std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;
     };
-    [[nodiscard]] Containment classifyAlone(const Cone& cone, const Sphere& ball) const;
+    /// Where on the screen, however far.
+    [[nodiscard]] Containment classifyOnScreen(const Cone& cone, const SeenBall& ball) const {
+        Containment found = Containment::Inside;
+        for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
+            found = std::min(found, classify(edges_[e], ball));
+            if (found == Containment::Outside) {
+                break;
+            }
+        }
+        return found;
+    }
+    [[nodiscard]] Containment classifyAlone(const Cone& cone, const SeenBall& ball) const {
+        const double beyond = cone.entry.signedDistance(ball.centre);
+        if (beyond < -ball.radius - ball.slack) {
+            return Containment::Outside;
+        }
+        const Containment onScreen = classifyOnScreen(cone, ball);
+        return onScreen == Containment::Inside && beyond <= ball.radius + ball.slack ? Containment::Partial
+                                                                                     : onScreen;
+    }
+    /// Of a ball that lies within a visit: whether a part of it may show in another's pixels.
+    [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenBall& ball) const;
     [[nodiscard]] bool descends(std::uint32_t visit, std::uint32_t ancestor) const;
     std::vector<Cone> cones_;
-    std::vector<Vec3> edges_; ///< unit normals of planes through the eye, positive inside
+    std::vector<FourEdges> edges_; ///< of regions; what is left of the last four repeats the last edge
     View view_;
     double pixel_ = 0.0;
 };

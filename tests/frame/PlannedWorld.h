@@ -4,6 +4,7 @@
 #include "support/TestWorld.h"
 
 #include "frame/Planner.h"
+#include "frame/ResidentPieces.h"
 #include "frame/WorldGraph.h"
 #include "visibility/Flood.h"
 
@@ -32,7 +33,8 @@ struct Rooms {
 struct PlannedWorld {
     explicit PlannedWorld(TestWorld& source, bool mergeZones = false)
         : world(loadTestWorld(source, {1, mergeZones})), graph(*frame::visibilityGraph(world)),
-          planner(world), origin(toGlobal(source, Vec3(0.0))) {}
+          planner(world), pieces(frame::buildPieces(world, frame::buildClusters(world)).pieces),
+          origin(toGlobal(source, Vec3(0.0))) {}
 
     const frame::FramePlan& planFrom(const Vec3& local, double yaw, world::SpaceIndex root) {
         view = frame::makeView(origin + local, yaw, 0.0, 75.0, 320, 200, root);
@@ -41,9 +43,22 @@ struct PlannedWorld {
         return plan;
     }
 
+    /// The pieces that a batch draws, in order.
+    [[nodiscard]] std::vector<frame::gpu::DrawPiece> piecesOf(const frame::Batch& batch) const {
+        std::vector<frame::gpu::DrawPiece> drawn;
+        for (std::uint32_t r = batch.first; r < batch.first + batch.count; ++r) {
+            const frame::PieceRun& run = plan.runs[r];
+            for (std::uint32_t p = run.firstPiece; p < run.firstPiece + run.pieceCount; ++p) {
+                drawn.push_back(p < pieces.size() ? pieces[p] : plan.pieces[p - pieces.size()]);
+            }
+        }
+        return drawn;
+    }
+
     world::World world;
     visibility::Graph graph;
     frame::Planner planner;
+    std::vector<frame::gpu::DrawPiece> pieces; ///< resident
     Vec3 origin;
     visibility::FloodScratch scratch;
     visibility::VisibleSet visible;

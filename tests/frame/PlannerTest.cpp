@@ -10,22 +10,24 @@ namespace {
 using frame::Program;
 using frame::StageKind;
 
-/// How often each instance is drawn by the batches of one program.
-std::map<std::uint32_t, int> drawsOf(const frame::FramePlan& plan, Program program) {
-    std::map<std::uint32_t, int> draws;
-    for (const frame::Batch& batch : plan.batches) {
-        for (std::uint32_t c = 0; batch.program == program && c < batch.commandCount; ++c) {
-            ++draws[plan.commands[batch.firstCommand + c].baseInstance];
-        }
-    }
-    return draws;
-}
-
 struct PlannerTest : ::testing::Test {
     Rooms rooms;
     PlannedWorld planned{rooms.world};
     world::SpaceIndex first = world::findCell(planned.world, rooms.world.id(rooms.first));
     world::SpaceIndex second = world::findCell(planned.world, rooms.world.id(rooms.second));
+
+    /// How often each instance is drawn by the batches of one program.
+    [[nodiscard]] std::map<std::uint32_t, int> drawsOf(const frame::FramePlan& plan, Program program) const {
+        std::map<std::uint32_t, int> draws;
+        for (const frame::Batch& batch : plan.batches) {
+            if (batch.program == program) {
+                for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
+                    ++draws[piece.instance];
+                }
+            }
+        }
+        return draws;
+    }
 };
 
 TEST_F(PlannerTest, hasEveryStageOnceInOrder) {
@@ -70,13 +72,42 @@ TEST_F(PlannerTest, leavesOutWhatNoVisitSees) {
 
 TEST_F(PlannerTest, gatesMembersOfSeveralZonesWhereThereAreSeveralVisits) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    std::size_t ungated = 0;
     for (const frame::Batch& batch : plan.batches) {
-        for (std::uint32_t c = 0; !batch.gated && batch.program == Program::Opaque && c < batch.commandCount;
-             ++c) {
-            const auto& instance =
-                planned.world.instances[plan.commands[batch.firstCommand + c].baseInstance];
-            EXPECT_EQ(instance.memberCount, 1u);
+        if (!batch.gated && batch.program == Program::Opaque) {
+            for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
+                EXPECT_EQ(planned.world.instances[piece.instance].memberCount, 1u);
+                ++ungated;
+            }
         }
+    }
+    EXPECT_GT(ungated, 0u);
+}
+
+TEST_F(PlannerTest, aBatchsRunsAddUp) {
+    for (const Vec3& eye : {Vec3(92, 91, 1.5), Vec3(92, 104, 1.5)}) {
+        const auto& plan = planned.planFrom(eye, 180, eye.y < 98 ? first : world::kOutside);
+        std::uint32_t triangles = 0;
+        for (const frame::Batch& batch : plan.batches) {
+            if (batch.program == Program::Ownership || batch.program == Program::SkyPlain) {
+                continue;
+            }
+            const auto pieces = planned.piecesOf(batch);
+            EXPECT_EQ(pieces.size(), batch.draws);
+            std::uint32_t indices = 0;
+            for (std::uint32_t r = batch.first; r < batch.first + batch.count; ++r) {
+                indices += plan.runs[r].indexCount;
+                EXPECT_GT(plan.runs[r].pieceCount, 0u);
+                EXPECT_EQ(plan.runs[r].indicesBefore, planned.pieces[plan.runs[r].firstPiece].indicesBefore);
+            }
+            for (const frame::gpu::DrawPiece& piece : pieces) {
+                indices -= 3 * piece.triangles;
+                triangles += piece.triangles;
+            }
+            EXPECT_EQ(indices, 0u);
+        }
+        EXPECT_EQ(triangles, plan.counts.triangles);
+        EXPECT_EQ(plan.counts.instancesTested, plan.counts.instancesDrawn + plan.counts.instancesCulled);
     }
 }
 

@@ -83,66 +83,79 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
     EXPECT_EQ(std::memcmp(at(layout::kBindOwnership).data(), scene.plan.ownershipVertices.data(),
                           6 * sizeof(layout::OwnershipVertex)),
               0);
-    const std::size_t commands = of(Kind::DrawIndirect).front();
-    EXPECT_EQ(std::memcmp(device_.ring().data() + commands, scene.plan.commands.data(),
-                          sizeof(layout::DrawCommand)),
-              0);
     for (const StorageRange& range : device_.storage()) {
         EXPECT_GT(range.size, 0u);
         EXPECT_EQ(range.offset % device_.capabilities().storageAlignment, 0u);
     }
 }
 
-// One task for every draw command of the frame, each with room for all its indices behind the one before.
-TEST_F(NullDeviceTest, everyIndexedDrawIsCulled) {
+// One slot for every draw command, each with its piece and room for all its indices behind the one before.
+TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
     SceneBuilder scene;
     scene.root(0);
     scene.addWall('A', {-1, -1}, {1, 1}, 1);
-    scene.addWall('B', {-1, -1}, {1, 1}, 1, {.program = frame::Program::Blended});
+    scene.addWall('B', {-1, -1}, {1, 1}, 1);
+    scene.addWall('C', {-1, -1}, {1, 1}, 1, {.program = frame::Program::Blended});
     scene.addSky({-1, -1}, {1, 1}, 1, 0, 0.5f);
     draw(scene);
     const auto compute = std::find_if(device_.commands().begin(), device_.commands().end(),
                                       [](const auto& command) { return command.kind == Kind::Compute; });
     ASSERT_NE(compute, device_.commands().end());
-    ASSERT_EQ(compute->b, 3u);
-    const auto tasks = arrayAt<layout::CullTask, 3>(layout::kBindCullTasks);
-    std::uint32_t next = tasks[0].indices.z;
-    for (const layout::CullTask& task : tasks) {
-        const layout::DrawCommand& command = scene.plan.commands[task.drawing.x];
-        EXPECT_EQ(glm::uvec3(task.indices), glm::uvec3(command.firstIndex, 2, next));
-        EXPECT_EQ(task.drawing.z, command.baseInstance);
+    ASSERT_EQ(compute->b, 4u);
+    const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
+    EXPECT_EQ(constants.slotCount, 4u);
+    EXPECT_EQ(constants.flags & layout::kFrameKeepsTriangles, 0u);
+    std::array<layout::DrawSlot, 4> slots;
+    std::memcpy(slots.data(), device_.ring().subspan(std::size_t{16} * constants.firstSlot).data(),
+                sizeof slots);
+    const std::array<std::uint32_t, 4> pieces{0, 1, 4, 2}; // as batches follow; the sky's is the plan's first
+    std::uint32_t next = slots[0].kept;
+    for (std::uint32_t slot = 0; slot < 4; ++slot) {
+        const std::uint32_t piece = slot + slots[slot].piece;
+        EXPECT_EQ(piece, pieces[slot]);
+        EXPECT_EQ(slots[slot].kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
         next += 6;
     }
-    EXPECT_EQ(std::count_if(tasks.begin(), tasks.end(),
-                            [](const auto& t) { return t.indices.w == layout::kKeepsAll; }),
-              1)
-        << "the sky's";
+    const std::size_t commands = device_.storage()[layout::kBindCommands].offset;
+    EXPECT_EQ(of(Kind::DrawIndirect),
+              (std::vector<std::size_t>{commands, commands + 2 * 20, commands + 3 * 20}))
+        << "a batch's commands lie in its slots";
 }
 
-TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreDrawnAsPlanned) {
+TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
     SceneBuilder scene;
     scene.root(0);
     const std::array<glm::vec3, 4> quad{glm::vec3{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
-    const std::uint32_t mesh = scene.addQuads('A', std::vector(layout::kTrianglesPerCommand / 2, quad));
+    const std::uint32_t mesh = scene.addQuads('A', std::vector(layout::kTrianglesPerPiece / 2, quad));
+    const auto keepsTriangles = [&] {
+        const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
+        return (constants.flags & layout::kFrameKeepsTriangles) != 0;
+    };
     draw(scene);
-    EXPECT_EQ(of(Kind::Compute).size(), 1u);
+    EXPECT_FALSE(keepsTriangles());
     for (int i = 0; i < 4000; ++i) {
         scene.drawAgain(mesh, frame::Program::Opaque, false);
     }
     draw(scene);
-    EXPECT_TRUE(of(Kind::Compute).empty());
+    EXPECT_TRUE(keepsTriangles());
+    EXPECT_EQ(of(Kind::Compute).size(), 1u) << "commands are made in any case";
     EXPECT_EQ(of(Kind::DrawIndirect).size(), 1u);
 }
 
-TEST_F(NullDeviceTest, withoutExactOutlinesNothingIsCulled) {
+TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
     SceneBuilder scene;
     scene.root(0);
     scene.addWall('A', {-1, -1}, {1, 1}, 1);
-    Renderer renderer(device_, {.exactOutlines = false});
-    ASSERT_TRUE(renderer.upload(scene.upload));
-    Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
-    ASSERT_TRUE(renderer.render(scene.finish(), *target));
-    EXPECT_TRUE(of(Kind::Compute).empty());
+    for (const RendererOptions& options :
+         {RendererOptions{.exactOutlines = false}, RendererOptions{.cullTriangles = false}}) {
+        Renderer renderer(device_, options);
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
+        ASSERT_TRUE(renderer.render(scene.finish(), *target));
+        const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
+        EXPECT_NE(constants.flags & layout::kFrameKeepsTriangles, 0u);
+        EXPECT_EQ(of(Kind::Compute).size(), 1u);
+    }
 }
 
 TEST_F(NullDeviceTest, glCallsDoNotGrowWithWhatIsDrawn) {

@@ -71,21 +71,20 @@ std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::arra
         instance.firstMaterial = static_cast<std::uint32_t>(upload.materialRefs.size());
         upload.materialRefs.push_back(options.material);
     }
-    const auto baseVertex = static_cast<std::int32_t>(upload.vertices.size());
     const auto firstIndex = static_cast<std::uint32_t>(upload.indices.size());
     for (std::uint32_t polygon = 0; polygon < quads.size(); ++polygon) {
         const std::array<glm::vec3, 4>& corners = quads[polygon];
         const glm::vec3 facet =
             glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])); // quads are flat
         for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
-            upload.indices.push_back(static_cast<std::uint32_t>(upload.indices.size()) - firstIndex);
+            upload.indices.push_back(static_cast<std::uint32_t>(upload.vertices.size()));
             upload.vertices.push_back({corners[i], kNormalSouth, options.uv[i], polygon, facet});
         }
     }
     const auto index = static_cast<std::uint32_t>(upload.instances.size());
     upload.instances.push_back(instance);
-    instanceDraws_.push_back(
-        {static_cast<std::uint32_t>(6 * quads.size()), 1, firstIndex, baseVertex, index});
+    const auto triangles = static_cast<std::uint32_t>(2 * quads.size());
+    upload.pieces.push_back({firstIndex, triangles, index, firstIndex});
     drawAgain(index, options.program, options.gated);
     return index;
 }
@@ -105,10 +104,9 @@ void SceneBuilder::addWallWithOpening(std::uint32_t id, float outer, float half,
 }
 
 void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity) {
-    QuadOptions options;
-    options.material = material;
-    options.program = frame::Program::SkyObjects;
-    addWall(0, min, max, y, options);
+    const std::uint32_t piece = addWall(0, min, max, y, {.material = material});
+    draws_[{frame::Program::Opaque, false}].pop_back();
+    sky_.emplace_back(piece, static_cast<std::uint32_t>(plan.skyInstances.size()));
     layout::SkyInstance object;
     object.row0 = {1, 0, 0, 0};
     object.row1 = {0, 1, 0, 0};
@@ -116,13 +114,11 @@ void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t m
     object.firstMaterial = upload.instances.back().firstMaterial;
     object.opacity = opacity;
     object.luminosity = 1.0f;
-    draws_[{frame::Program::SkyObjects, false}].back().baseInstance =
-        static_cast<std::uint32_t>(plan.skyInstances.size());
     plan.skyInstances.push_back(object);
 }
 
 void SceneBuilder::drawAgain(std::uint32_t instance, frame::Program program, bool gated) {
-    draws_[{program, gated}].push_back(instanceDraws_[instance]);
+    draws_[{program, gated}].push_back(instance);
 }
 
 void SceneBuilder::root(std::uint32_t zone) {
@@ -167,28 +163,61 @@ void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t 
     }
 }
 
+// As a planner does, with one run for pieces that follow one another.
+void SceneBuilder::addBatch(frame::Program program, bool gated, bool evenEmpty) {
+    const std::vector<std::uint32_t>& draws = draws_[{program, gated}];
+    if (draws.empty() && !evenEmpty) {
+        return;
+    }
+    frame::Batch batch{program, gated, static_cast<std::uint32_t>(plan.runs.size()), 0,
+                       static_cast<std::uint32_t>(draws.size())};
+    for (const std::uint32_t number : draws) {
+        const layout::DrawPiece& piece = upload.pieces[number];
+        if (batch.count > 0 && plan.runs.back().firstPiece + plan.runs.back().pieceCount == number) {
+            ++plan.runs.back().pieceCount;
+            plan.runs.back().indexCount += 3 * piece.triangles;
+        } else {
+            plan.runs.push_back({number, 1, piece.indicesBefore, 3 * piece.triangles});
+            ++batch.count;
+        }
+    }
+    plan.batches.push_back(batch);
+}
+
+void SceneBuilder::addSkyBatch(bool evenEmpty) {
+    if (sky_.empty() && !evenEmpty) {
+        return;
+    }
+    frame::Batch batch{frame::Program::SkyObjects, false, static_cast<std::uint32_t>(plan.runs.size()), 0, 0};
+    std::uint32_t before = 0;
+    for (const auto& [number, object] : sky_) {
+        layout::DrawPiece piece = upload.pieces[number];
+        plan.runs.push_back({plan.constants.staticPieces + batch.draws, 1, before, 3 * piece.triangles});
+        plan.pieces.push_back({piece.firstIndex, piece.triangles | layout::kKeepsAll, object, before});
+        before += 3 * piece.triangles;
+        ++batch.draws;
+        ++batch.count;
+    }
+    plan.batches.push_back(batch);
+}
+
 const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     using frame::Program;
     plan.constants.visitCount = static_cast<std::uint32_t>(plan.visits.size());
     plan.constants.staticInstances = static_cast<std::uint32_t>(upload.instances.size());
     plan.constants.staticMembers = static_cast<std::uint32_t>(upload.members.size());
-    plan.commands.clear();
+    plan.constants.staticPieces = static_cast<std::uint32_t>(upload.pieces.size());
+    plan.pieces.clear();
+    plan.runs.clear();
     plan.batches.clear();
     plan.stages.clear();
-    const auto indexed = [&](Program program, bool gated) {
-        const std::vector<layout::DrawCommand>& draws = draws_[{program, gated}];
-        if (!draws.empty() || allBatches) {
-            plan.batches.push_back({program, gated, static_cast<std::uint32_t>(plan.commands.size()),
-                                    static_cast<std::uint32_t>(draws.size())});
-            plan.commands.insert(plan.commands.end(), draws.begin(), draws.end());
-        }
-    };
+    const auto indexed = [&](Program program, bool gated) { addBatch(program, gated, allBatches); };
     const auto stage = [&](frame::StageKind kind, std::size_t firstBatch) {
         plan.stages.push_back({kind, static_cast<std::uint32_t>(firstBatch),
                                static_cast<std::uint32_t>(plan.batches.size() - firstBatch)});
     };
-    plan.batches.push_back(
-        {Program::Ownership, false, 0, static_cast<std::uint32_t>(plan.ownershipVertices.size())});
+    const auto vertices = static_cast<std::uint32_t>(plan.ownershipVertices.size());
+    plan.batches.push_back({Program::Ownership, false, 0, vertices, vertices > 0 ? 1u : 0u});
     stage(frame::StageKind::Ownership, 0);
     std::size_t first = plan.batches.size();
     for (const Program program : {Program::Terrain, Program::Opaque, Program::CutOut}) {
@@ -197,8 +226,8 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     }
     stage(frame::StageKind::Solid, first);
     first = plan.batches.size();
-    plan.batches.push_back({Program::SkyPlain, false, 0, 1});
-    indexed(Program::SkyObjects, false);
+    plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
+    addSkyBatch(allBatches);
     stage(frame::StageKind::Sky, first);
     first = plan.batches.size();
     // One list, as a planner makes it, unless a test draws both ways.

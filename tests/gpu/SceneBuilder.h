@@ -73,8 +73,11 @@ public:
 
 private:
     std::deque<std::vector<std::uint8_t>> pixels_; // what the texture uploads view
-    std::map<std::pair<frame::Program, bool>, std::vector<layout::DrawCommand>> draws_;
-    std::vector<layout::DrawCommand> instanceDraws_;
+    void addBatch(frame::Program program, bool gated, bool evenEmpty);
+    void addSkyBatch(bool evenEmpty);
+    std::map<std::pair<frame::Program, bool>, std::vector<std::uint32_t>>
+        draws_;                                                // pieces, an instance has one each
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sky_; // pieces, and the objects they show
 };
 
 /// The id image as text, top row first: '.' void, '~' sky, else the id as a character.

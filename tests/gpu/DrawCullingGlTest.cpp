@@ -6,7 +6,7 @@
 namespace limen::gpu::test {
 namespace {
 
-class TriangleCullingGlTest : public GlTest {
+class DrawCullingGlTest : public GlTest {
 protected:
     // Draws it with every triangle, and again without those that show nothing.
     void expectSame(SceneBuilder& scene, std::uint32_t size, const RenderOptions& options = {}) {
@@ -56,7 +56,7 @@ SceneBuilder anyQuads(std::uint32_t seed, std::uint32_t count) {
     return scene;
 }
 
-TEST_F(TriangleCullingGlTest, changesNoPicture) {
+TEST_F(DrawCullingGlTest, changesNoPicture) {
     for (std::uint32_t seed = 1; seed <= 8; ++seed) {
         SceneBuilder scene = anyQuads(seed, 400);
         for (const std::uint32_t size : {7u, 32u, 131u}) {
@@ -69,7 +69,7 @@ TEST_F(TriangleCullingGlTest, changesNoPicture) {
 }
 
 // Its rectangle on the screen just holds a pixel's centre, or just does not.
-TEST_F(TriangleCullingGlTest, aTriangleOnASinglePixelsCentreIsKept) {
+TEST_F(DrawCullingGlTest, aTriangleOnASinglePixelsCentreIsKept) {
     constexpr std::uint32_t kSize = 8;
     constexpr float kPixel = 2.0f / kSize; // metres at a distance of one
     for (const float half : {0.02f * kPixel, 0.2f * kPixel, 0.4f * kPixel}) {
@@ -85,11 +85,11 @@ TEST_F(TriangleCullingGlTest, aTriangleOnASinglePixelsCentreIsKept) {
 }
 
 // What comes later in a mesh wins where both are equally deep.
-TEST_F(TriangleCullingGlTest, keepsTheOrderOfTriangles) {
+TEST_F(DrawCullingGlTest, keepsTheOrderOfTriangles) {
     SceneBuilder scene;
     scene.root(0);
     std::vector<std::array<glm::vec3, 4>> quads;
-    for (std::uint32_t i = 0; i < layout::kTrianglesPerCommand / 2; ++i) {
+    for (std::uint32_t i = 0; i < layout::kTrianglesPerPiece / 2; ++i) {
         const float half =
             i % 3 == 0 ? 0.001f : 1.0f - 0.001f * static_cast<float>(i); // some cover no centre
         quads.push_back({glm::vec3{-half, 1, -half}, {half, 1, -half}, {half, 1, half}, {-half, 1, half}});
@@ -100,7 +100,7 @@ TEST_F(TriangleCullingGlTest, keepsTheOrderOfTriangles) {
 }
 
 // More draws than work groups fit in a row.
-TEST_F(TriangleCullingGlTest, manyDraws) {
+TEST_F(DrawCullingGlTest, manyDraws) {
     SceneBuilder scene;
     scene.root(0);
     scene.addWall(100, {-0.001f, -0.001f}, {0.001f, 0.001f}, 1); // covers no centre
@@ -112,7 +112,24 @@ TEST_F(TriangleCullingGlTest, manyDraws) {
     EXPECT_EQ(seen_, 16u);
 }
 
-TEST_F(TriangleCullingGlTest, manyTrianglesInManyFrames) {
+// The frame's own pieces, as of what moves, are drawn like those that are resident.
+TEST_F(DrawCullingGlTest, aPlansOwnPiecesShowTheSame) {
+    SceneBuilder scene = anyQuads(3, 300);
+    Renderer renderer(*device_);
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    frame::FramePlan plan = scene.finish(true);
+    const Frame resident = renderWith(renderer, plan, 64, 64, {.wantLayers = true});
+    plan.pieces = scene.upload.pieces; // there is no sky
+    for (frame::PieceRun& run : plan.runs)
+        run.firstPiece += plan.constants.staticPieces;
+    const Frame own = renderWith(renderer, plan, 64, 64, {.wantLayers = true});
+    EXPECT_GT(std::count_if(own.ids.begin(), own.ids.end(), [](std::uint32_t id) { return id >= 100; }), 500);
+    EXPECT_EQ(resident.ids, own.ids);
+    EXPECT_EQ(resident.depth, own.depth);
+    EXPECT_EQ(resident.layers, own.layers);
+}
+
+TEST_F(DrawCullingGlTest, manyTrianglesInManyFrames) {
     Renderer renderer(*device_);
     for (const std::uint32_t count : {10u, 30'000u, 100u}) {
         SceneBuilder scene;

@@ -1,0 +1,37 @@
+#include "frame/ResidentPieces.h"
+
+#include <algorithm>
+
+namespace limen::frame {
+
+void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,
+               std::vector<gpu::DrawPiece>& pieces) {
+    constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerPiece;
+    for (std::uint32_t done = 0; done < range.indexCount; done += kMost) {
+        const std::uint32_t count = std::min(range.indexCount - done, kMost);
+        pieces.push_back({range.firstIndex + done, count / 3, instance, indices});
+        indices += count;
+    }
+}
+
+ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) {
+    ResidentPieces out;
+    out.starts.resize(clusters.order.size() + 1);
+    std::uint32_t indices = 0;
+    for (std::size_t c = 0; c < kDrawClasses; ++c) {
+        const auto mark = [&](std::size_t position) {
+            out.starts[position].piece[c] = static_cast<std::uint32_t>(out.pieces.size());
+            out.starts[position].indices[c] = indices;
+        };
+        for (std::size_t i = 0; i < clusters.order.size(); ++i) {
+            const world::Instance& instance = world.instances[clusters.order[i]];
+            mark(i);
+            addPieces(rangeOf(world.meshes[instance.mesh], instance.kind, static_cast<DrawClass>(c)),
+                      clusters.order[i], indices, out.pieces);
+        }
+        mark(clusters.order.size());
+    }
+    return out;
+}
+
+} // namespace limen::frame

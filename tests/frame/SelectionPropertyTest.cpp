@@ -1,0 +1,131 @@
+// Clusters spare questions and change no answer: against asking for each instance, over generated worlds with things that move.
+#include "NaiveSelection.h"
+#include "demo/GeneratedWorlds.h"
+
+#include "frame/Selection.h"
+#include "frame/WorldGraph.h"
+#include "visibility/Flood.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace limen::test {
+namespace {
+
+using demo::GeneratedKind;
+
+/// Things that move: copies of what stands still, elsewhere, each a member of one to three spaces that follow one another.
+world::Moment movedCopies(const world::World& world, std::uint32_t count, std::mt19937& random) {
+    world::Moment moment;
+    std::vector<std::vector<world::InstanceIndex>> lists(world.spaces.size());
+    std::uniform_real_distribution<double> offset(-3.0, 3.0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        world::Instance instance = world.instances[random() % world.instances.size()];
+        instance.bounds.centre += Vec3(offset(random), offset(random), offset(random));
+        instance.firstMember = static_cast<std::uint32_t>(moment.members.size());
+        instance.memberCount =
+            static_cast<std::uint32_t>(std::min<std::size_t>(1 + random() % 3, world.spaces.size()));
+        auto space = static_cast<world::SpaceIndex>(random() % world.spaces.size());
+        for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
+            moment.members.push_back(space);
+            lists[space].push_back(i);
+            space = static_cast<world::SpaceIndex>((space + 1) % world.spaces.size());
+        }
+        moment.instances.push_back(instance);
+    }
+    for (const auto& list : lists) {
+        moment.firstInSpace.push_back(static_cast<std::uint32_t>(moment.spaceInstances.size()));
+        moment.spaceInstances.insert(moment.spaceInstances.end(), list.begin(), list.end());
+    }
+    moment.firstInSpace.push_back(static_cast<std::uint32_t>(moment.spaceInstances.size()));
+    return moment;
+}
+
+/// A view from some point near something, in its space or outside.
+frame::FrameView anyView(const world::World& world, std::mt19937& random) {
+    std::uniform_real_distribution<double> part(-0.5, 0.5), unit(0.0, 1.0);
+    const world::Instance& near = world.instances[random() % world.instances.size()];
+    const Vec3 eye = near.bounds.centre +
+                     Vec3(part(random), part(random), part(random)) * std::min(near.bounds.radius, 30.0);
+    return frame::makeView(eye, 360.0 * unit(random), 60.0 * unit(random) - 30.0, 75.0, 320, 200,
+                           random() % 4 == 0 ? world::kOutside : near.placedIn);
+}
+
+std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clusters& clusters,
+                                     const frame::Selection& selection) {
+    std::map<std::uint32_t, bool> drawn;
+    std::uint32_t end = 0;
+    for (const frame::SelectedRange& range : selection.ranges()) {
+        EXPECT_GE(range.first, end) << "in order";
+        EXPECT_LT(range.first, range.end);
+        end = range.end;
+        for (std::uint32_t p = range.first; p < range.end; ++p)
+            drawn[clusters.order[p]] = range.gated;
+    }
+    std::uint32_t next = 0;
+    for (const frame::SelectedMover& mover : selection.movers()) {
+        EXPECT_GE(mover.index, next) << "in order, once";
+        next = mover.index + 1;
+        drawn[static_cast<std::uint32_t>(world.instances.size()) + mover.index] = mover.gated;
+    }
+    EXPECT_EQ(drawn.size(), selection.counts().drawn);
+    return drawn;
+}
+
+struct Tally {
+    std::size_t views = 0, several = 0, drawn = 0, ungated = 0, more = 0, met = 0, asked = 0;
+};
+
+void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
+    const auto graph = frame::visibilityGraph(world);
+    ASSERT_TRUE(graph);
+    const frame::Clusters clusters = frame::buildClusters(world);
+    frame::Selection selection(world, clusters);
+    visibility::FloodScratch scratch;
+    visibility::VisibleSet set;
+    std::mt19937 random(seed);
+    for (int view = 0; view < 40; ++view) {
+        const world::Moment moment = movedCopies(world, view % 2 * 50u, random);
+        const frame::FrameView frame = anyView(world, random);
+        visibility::flood(*graph, {}, frame.view, {}, scratch, set);
+        selection.select(frame, moment, set);
+        const auto drawn = chosen(world, clusters, selection);
+        const auto expected = selectOneByOne(world, moment, frame, set);
+        if (set.visits.size() > 1) {
+            ASSERT_EQ(drawn, expected) << "seed " << seed << ", view " << view;
+        } else { // clusters that reach out of the picture are drawn whole
+            ASSERT_TRUE(std::includes(drawn.begin(), drawn.end(), expected.begin(), expected.end()));
+            tally.more += drawn.size() - expected.size();
+        }
+        ++tally.views;
+        tally.several += set.visits.size() > 1 ? 1 : 0;
+        tally.drawn += drawn.size();
+        tally.ungated += selection.counts().ungated;
+        tally.met += selection.counts().met;
+        tally.asked += selection.counts().boundsTested;
+    }
+}
+
+TEST(SelectionProperty, choosesWhatAskingForEachInstanceChooses) {
+    Tally tally;
+    const auto compareKind = [&](GeneratedKind kind, std::uint32_t size, std::uint32_t seeds, int radius) {
+        for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+            const demo::test::GeneratedWorld files({kind, size, seed});
+            compareViews(files.load(files.blocks()[files.blocks().size() / 2], seed % 2 == 0, radius), seed,
+                         tally);
+        }
+    };
+    compareKind(GeneratedKind::Complex, 60, 8, 0);
+    compareKind(GeneratedKind::Dungeon, 120, 8, 0);
+    compareKind(GeneratedKind::Town, 40, 6, 1);
+    compareKind(GeneratedKind::Terrain, 12, 6, 1);
+    EXPECT_GT(tally.several, tally.views / 3);
+    EXPECT_LT(tally.several, tally.views) << "and some with a single visit";
+    EXPECT_GT(tally.drawn, 10 * tally.views);
+    EXPECT_GT(tally.ungated, tally.drawn / 20);
+    EXPECT_LT(tally.more, tally.drawn / 5);
+}
+
+} // namespace
+} // namespace limen::test
