@@ -6,7 +6,13 @@ namespace limen::check {
 
 namespace {
 
-constexpr std::size_t kMostWaiting = 3; // views: enough to even out, few enough for memory
+/// Some hundred small views, or 18 of 640×360; 100 MiB. Hundreds in a row, about one opening, may take longer to trace than to
+/// draw, and the next hundreds the other way.
+constexpr std::size_t kMostWaiting = std::size_t{1} << 22; // pixels
+
+std::size_t pixelsOf(const DrawnView& view) {
+    return std::size_t{view.images.width} * view.images.height;
+}
 
 reference::Camera throughSample(reference::Camera camera, glm::vec2 sample) {
     camera.place = Vec2(sample);
@@ -32,7 +38,8 @@ Judging::~Judging() {
 void Judging::add(DrawnView view) {
     {
         std::unique_lock guard(lock_);
-        changed_.wait(guard, [this] { return waiting_.size() < kMostWaiting; });
+        changed_.wait(guard, [this] { return waitingPixels_ < kMostWaiting; });
+        waitingPixels_ += pixelsOf(view);
         waiting_.push_back(std::move(view));
     }
     changed_.notify_all();
@@ -59,6 +66,7 @@ void Judging::work() {
                 return;
             next = std::move(waiting_.front());
             waiting_.pop_front();
+            waitingPixels_ -= pixelsOf(next);
             busy_ = true;
         }
         changed_.notify_all();

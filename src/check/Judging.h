@@ -30,7 +30,7 @@ public:
     Judging(const Judging&) = delete;
     Judging& operator=(const Judging&) = delete;
 
-    /// Hands a view over; waits while several wait already.
+    /// Hands a view over; waits while very many wait already.
     void add(DrawnView view);
     /// Waits until all are judged. Errors: what writing a picture met.
     [[nodiscard]] Result<void> finish();
@@ -50,6 +50,7 @@ private:
     std::condition_variable changed_;
     Progress& progress_;                      // under lock_
     std::deque<DrawnView> waiting_;           // under lock_
+    std::size_t waitingPixels_ = 0;           // of waiting_, under lock_
     bool busy_ = false, ending_ = false;      // under lock_
     Result<void> failure_;                    // under lock_
     reference::Picture picture_;              // the thread's
