@@ -36,8 +36,8 @@ std::array<Vec3, 4> squareAround(const reference::Camera& camera, double x, doub
     return {at(-1, 1), at(1, 1), at(1, -1), at(-1, -1)};
 }
 
-/// True if any part of the triangle before the eye lies within the pyramid over the square.
-bool reaches(const Seen& seen, const std::array<Vec3, 4>& square) {
+/// The part of the triangle before the eye that lies within the pyramid over the square, relative to the eye.
+std::vector<Vec3> partWithin(const Seen& seen, const std::array<Vec3, 4>& square) {
     std::vector<Vec3> part{seen.a, seen.a + seen.ab, seen.a + seen.ac}, clipped;
     for (std::size_t i = 0; i < square.size(); ++i) {
         const Vec3 inward = glm::normalize(glm::cross(square[(i + 1) % square.size()], square[i]));
@@ -45,7 +45,20 @@ bool reaches(const Seen& seen, const std::array<Vec3, 4>& square) {
         clipPolygon(part, {glm::dot(inward, middle) > 0.0 ? inward : -inward, 0.0}, 0.0, clipped);
         part.swap(clipped);
     }
-    return !part.empty(); // four planes through the eye leave only what is ahead
+    return part; // four planes through the eye leave only what is ahead
+}
+
+bool reaches(const Seen& seen, const std::array<Vec3, 4>& square) {
+    return !partWithin(seen, square).empty();
+}
+
+double farthestCorner(const Seen& seen) {
+    return std::max({glm::length(seen.a), glm::length(seen.a + seen.ab), glm::length(seen.a + seen.ac)});
+}
+
+/// Metres by which floats may move any of the triangle across the eye's rays.
+double transformRounding(const Seen& seen) {
+    return kTransformShare * farthestCorner(seen);
 }
 
 /// The range of n·d over some directions.
@@ -81,10 +94,8 @@ bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int
     const Range facing = over(seen, square);
     // On the plane n·d = offset / t: all terms in units of n.
     const double wanted = seen.offset / drawn;
-    const double reach =
-        std::max({glm::length(seen.a), glm::length(seen.a + seen.ab), glm::length(seen.a + seen.ac)});
     const double slack = kDepthShare * std::abs(wanted) +
-                         glm::length(seen.n) * (kTransformShare * reach + kBlockFloat) / drawn +
+                         glm::length(seen.n) * (transformRounding(seen) + kBlockFloat) / drawn +
                          kStoredRounding * overPicture(seen, camera).farthest();
     if (!(wanted >= facing.low - slack && wanted <= facing.high + slack))
         return false;
@@ -108,6 +119,21 @@ bool coversEdgeOn(std::span<const Triangle> polygon, const reference::Camera& ca
             nearest = std::min(nearest, std::abs(seen.offset) / steepest);
     }
     return covered && (nearest <= shown || !std::isfinite(shown));
+}
+
+double outlineRounding(std::span<const Triangle> polygon, const reference::Camera& camera, double x,
+                       double y) {
+    const std::array<Vec3, 4> square = squareAround(camera, x, y);
+    const double pixel = 2.0 * std::min(camera.tanHalfX / camera.width, camera.tanHalfY / camera.height);
+    double most = 0.0;
+    for (const Triangle& triangle : polygon) {
+        const Seen seen(triangle, camera.eye);
+        for (const Vec3& corner : partWithin(seen, square)) {
+            const double pixelThere = pixel * glm::dot(corner, camera.forward);
+            most = std::max(most, transformRounding(seen) / std::max(pixelThere, transformRounding(seen)));
+        }
+    }
+    return std::min(most, kSnap);
 }
 
 bool mayHaveDepth(std::span<const Triangle> polygon, const reference::Camera& camera, int x, int y,

@@ -25,6 +25,8 @@ public:
     /// True if the polygon `id` covers the place but for the rasteriser's rounding, and its plane there lies before depth
     /// `shown` (check/LonePolygon.h).
     [[nodiscard]] virtual bool isEdgeOn(double x, double y, std::uint32_t id, double shown) = 0;
+    /// Pixels by which floats may move the outline of polygon `id` at the place, 1/128 at most (check/LonePolygon.h).
+    [[nodiscard]] virtual double outlineRounding(double x, double y, std::uint32_t id) = 0;
     /// The ids of all polygons that the ray comes near, whichever space they are in. `ids` is overwritten. Slow.
     virtual void polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) = 0;
     /// True if view depth `drawn` is one that the rasteriser may give polygon `id` at the pixel's centre

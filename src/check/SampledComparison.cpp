@@ -55,7 +55,12 @@ public:
         lookAround([&](double x, double y) { return retracer_.byZone(x, y).id; });
         if (isExplained())
             return Verdict::ByZone;
-        lookForHidden();
+        Ids near;
+        retracer_.polygonsAlong(x_, y_, near);
+        lookAsFarAsRounded(near);
+        if (isExplained())
+            return Verdict::Sliver;
+        addTied(near);
         return isExplained() ? Verdict::EdgeOn : Verdict::Disagrees;
     }
 
@@ -96,31 +101,45 @@ private:
     template <class Trace>
     void lookAround(Trace trace) {
         for (const double ring : kRings) {
-            for (int i = 0; i < kSpokes; ++i) {
-                const double turn = 2.0 * std::numbers::pi * i / kSpokes;
-                for (std::size_t s = 0; s < ids_.size(); ++s)
-                    addOnce(ids_[s], trace(x_ + double{drawn_.samples[s].x} + ring * std::cos(turn),
-                                           y_ + double{drawn_.samples[s].y} + ring * std::sin(turn)));
+            for (std::size_t s = 0; s < ids_.size(); ++s)
+                lookAround(s, ring, trace);
+        }
+    }
+
+    template <class Trace>
+    void lookAround(std::size_t sample, double ring, Trace trace) {
+        for (int i = 0; i < kSpokes; ++i) {
+            const double turn = 2.0 * std::numbers::pi * i / kSpokes;
+            addOnce(ids_[sample],
+                    trace(sampleX(sample) + ring * std::cos(turn), sampleY(sample) + ring * std::sin(turn)));
+        }
+    }
+
+    /// Outlines of what is near the eye are rounded by more than the rings.
+    void lookAsFarAsRounded(const Ids& near) {
+        for (std::size_t s = 0; s < ids_.size(); ++s) {
+            double reach = 0.0;
+            for (const std::uint32_t id : near)
+                reach = std::max(reach, retracer_.outlineRounding(sampleX(s), sampleY(s), id));
+            for (double ring = kRings.back(); ring < reach;) {
+                ring = std::min(4.0 * ring, reach);
+                lookAround(s, ring, [&](double x, double y) { return retracer_.exact(x, y).id; });
             }
         }
     }
 
-    /// Any polygon near the pixel's rays.
-    void lookForHidden() {
-        Ids near;
-        retracer_.polygonsAlong(x_, y_, near);
-        addTied(near);
-    }
-
+    /// Polygons that are met nowhere near a sample, but may have been drawn there.
     void addTied(const Ids& candidates) {
         for (const std::uint32_t id : candidates) {
             for (std::size_t s = 0; s < ids_.size(); ++s) {
-                if (retracer_.isEdgeOn(x_ + double{drawn_.samples[s].x}, y_ + double{drawn_.samples[s].y}, id,
-                                       traced_[s].at(x_, y_).t))
+                if (retracer_.isEdgeOn(sampleX(s), sampleY(s), id, traced_[s].at(x_, y_).t))
                     addOnce(ids_[s], id);
             }
         }
     }
+
+    [[nodiscard]] double sampleX(std::size_t s) const { return x_ + double{drawn_.samples[s].x}; }
+    [[nodiscard]] double sampleY(std::size_t s) const { return y_ + double{drawn_.samples[s].y}; }
 
     const DrawnImages& drawn_;
     std::span<const reference::Picture> traced_;

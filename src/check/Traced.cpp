@@ -66,6 +66,10 @@ bool ViewRetracer::isEdgeOn(double x, double y, std::uint32_t id, double shown) 
     return coversEdgeOn(trianglesOf(id), camera_, x, y, shown);
 }
 
+double ViewRetracer::outlineRounding(double x, double y, std::uint32_t id) {
+    return check::outlineRounding(trianglesOf(id), camera_, x, y);
+}
+
 void ViewRetracer::polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) {
     const reference::Ray ray = rayThrough(camera_, x, y);
     traced_.polygons().polygonsAlong(ray.eye, ray.direction, ids);

@@ -43,6 +43,7 @@ public:
     bool isCutByNearPlane(double x, double y) override;
     bool leadsIntoTheRoot(double x, double y) override;
     bool isEdgeOn(double x, double y, std::uint32_t id, double shown) override;
+    double outlineRounding(double x, double y, std::uint32_t id) override;
     void polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) override;
     bool mayHaveDepth(int x, int y, std::uint32_t id, double drawn) override;
 

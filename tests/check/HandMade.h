@@ -46,6 +46,7 @@ struct HandMadeRetracer final : Retracer {
     std::function<std::uint32_t(double, double)> exactId, byZoneId;
     std::function<bool(double, double)> cut, into;
     std::function<bool(std::uint32_t)> edgeOn, depth;
+    std::function<double(std::uint32_t)> rounding;
     std::vector<std::uint32_t> near;
     std::size_t finerRays = 0;
 
@@ -57,6 +58,9 @@ struct HandMadeRetracer final : Retracer {
     bool isCutByNearPlane(double x, double y) override { return cut && cut(x, y); }
     bool leadsIntoTheRoot(double x, double y) override { return !into || into(x, y); }
     bool isEdgeOn(double, double, std::uint32_t id, double) override { return edgeOn && edgeOn(id); }
+    double outlineRounding(double, double, std::uint32_t id) override {
+        return rounding ? rounding(id) : 0.0;
+    }
     void polygonsAlong(double, double, std::vector<std::uint32_t>& ids) override { ids = near; }
     bool mayHaveDepth(int, int, std::uint32_t id, double) override { return depth && depth(id); }
 };

@@ -85,5 +85,24 @@ TEST(LonePolygon, doesNotCoverEdgeOnWhatLiesBeforeItsPlane) {
     EXPECT_TRUE(coversEdgeOn(kWall, north(), 30, 30, std::numeric_limits<double>::infinity()));
 }
 
+TEST(LonePolygon, itsOutlineIsRoundedTheMoreTheNearerItIs) {
+    // A pixel is 1/32 m wide at 1 m. The centre ray of pixel (31, 31) runs at -1/64 east and +1/64 up a metre; each pole has its edge
+    // there, and a foot 2 m below.
+    const auto pole = [](double away) {
+        const double edge = -away / 64;
+        return std::vector<Triangle>{triangle({edge, away, -2}, {edge + 0.1, away, -2}, {edge, away, away})};
+    };
+    const auto expected = [](double away) {
+        return 4e-7 * glm::length(Vec3(0.1 - away / 64, away, -2)) * 32 / away;
+    };
+    EXPECT_NEAR(outlineRounding(pole(0.02), north(), 31, 31), expected(0.02), 1e-6);
+    EXPECT_NEAR(outlineRounding(pole(0.5), north(), 31, 31), expected(0.5), 1e-7);
+    EXPECT_NEAR(outlineRounding(pole(8.0), north(), 31, 31),
+                4e-7 * 32 * glm::length(Vec3(1.0, 1.0, 1.0 / 64)), 1e-7);
+    EXPECT_EQ(outlineRounding(pole(0.001), north(), 31, 31), 1.0 / 128) << "never more";
+    EXPECT_EQ(outlineRounding(pole(8.0), north(), 5, 5), 0.0) << "it is elsewhere";
+    EXPECT_EQ(outlineRounding({}, north(), 31, 31), 0.0);
+}
+
 } // namespace
 } // namespace limen::check

@@ -72,6 +72,20 @@ TEST(SampledComparison, anEdgeThatPassesBesideASampleMakesASliver) {
     EXPECT_EQ(pixel.verdict(), Verdict::Disagrees) << "farther off than corners are rounded";
 }
 
+/// A villager's arm, a hand's breadth before the eye.
+TEST(SampledComparison, anOutlineNearTheEyeIsRoundedByMore) {
+    Sampled pixel;
+    pixel.draw((3 * 100 + 140) / 4);
+    pixel.retracer.exactId = [](double x, double) { return x > 2.376 && x < 2.4 ? kFloor : kWall; };
+    pixel.retracer.near = {kFloor};
+    pixel.retracer.rounding = [](std::uint32_t id) { return id == kFloor ? 5e-4 : 0.0; };
+    EXPECT_EQ(pixel.verdict(), Verdict::Disagrees) << "it would have to be moved by 1e-3 of a pixel";
+    pixel.retracer.rounding = [](std::uint32_t id) { return id == kFloor ? 2e-3 : 0.0; };
+    EXPECT_EQ(pixel.verdict(), Verdict::Sliver);
+    pixel.retracer.near = {};
+    EXPECT_EQ(pixel.verdict(), Verdict::Disagrees) << "nothing that is rounded so passes there";
+}
+
 /// A trunk far away whose side is a thousandth of a pixel wide, seen by a sample of the tour.
 TEST(SampledComparison, aStripNarrowerThanAnyGridMakesASliver) {
     Sampled pixel;
