@@ -2,6 +2,7 @@
 
 #include "app/RegionOverlay.h"
 #include "app/TracedFrame.h"
+#include "core/Assert.h"
 
 namespace limen::app {
 
@@ -15,6 +16,46 @@ FrameEye eyeOf(const check::View& view, world::SpaceIndex root) {
     eye.doors = view.doors;
     eye.weather = view.rain ? Weather::Rain : Weather::Clear;
     return eye;
+}
+
+namespace {
+
+/// Draws with a context of its own what another session has loaded.
+class HelpingDrawer final : public check::Drawer {
+public:
+    HelpingDrawer(const Session& helped, HeadlessSession headless, bool outlines, bool multisampled)
+        : helped_(helped), headless_(std::move(headless)),
+          drawer_(*headless_.session, outlines, multisampled) {}
+
+    Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override {
+        const std::shared_ptr<const LoadedWorld> there = helped_.shareLoaded();
+        LIMEN_ASSERT(there && there->centre == block, "what is to be drawn is loaded");
+        if (Result<void> shown = headless_.session->show(std::make_shared<LoadedWorld>(*there)); !shown)
+            return tl::unexpected(shown.error());
+        return std::shared_ptr<const world::World>(there, &there->world);
+    }
+    reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override {
+        return drawer_.cameraOf(view, root);
+    }
+    Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override {
+        return drawer_.draw(view, root, colour);
+    }
+    check::IdColour idColour() const override { return drawer_.idColour(); }
+    const world::Moment& moment() const override { return drawer_.moment(); }
+
+private:
+    const Session& helped_;
+    HeadlessSession headless_;
+    CheckDrawer drawer_;
+};
+
+} // namespace
+
+Result<std::unique_ptr<check::Drawer>> CheckDrawer::makeHelper() {
+    Result<HeadlessSession> headless = openHeadless(session_.shareSource(), session_.options());
+    if (!headless)
+        return tl::unexpected(headless.error());
+    return std::make_unique<HelpingDrawer>(session_, std::move(*headless), outlines_, multisampled_);
 }
 
 void CheckDrawer::expect(dat::BlockCoord block) {

@@ -25,6 +25,7 @@ public:
     Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
     check::IdColour idColour() const override { return &frame::colourOfId; }
     const world::Moment& moment() const override { return session_.moment(); }
+    Result<std::unique_ptr<check::Drawer>> makeHelper() override;
 
 private:
     using Reading = std::future<Result<std::shared_ptr<LoadedWorld>>>;

@@ -183,7 +183,8 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     Result<check::Progress> progress = progressOf(options, nameOfRun(options, context.worldOptions));
     if (!progress)
         return tl::unexpected(progress.error());
-    Result<HeadlessSession> headless = openHeadless(std::move(*source), options.session);
+    Result<HeadlessSession> headless =
+        openHeadless(std::make_shared<const WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     const Result<check::RunRequest> request = requestOf(options, headless->session->source());

@@ -109,7 +109,8 @@ Result<std::unique_ptr<LoadedWorld>> LoadedWorld::load(const dat::Archive& archi
     Result<visibility::Graph> graph = frame::visibilityGraph(*world);
     if (!graph)
         return tl::unexpected(graph.error());
-    return std::unique_ptr<LoadedWorld>(new LoadedWorld(std::move(*world), std::move(*graph), centre));
+    return std::unique_ptr<LoadedWorld>(
+        new LoadedWorld(std::make_shared<const Contents>(std::move(*world), std::move(*graph), centre)));
 }
 
 Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size) {
@@ -134,7 +135,8 @@ Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, Pi
     return eye;
 }
 
-Session::Session(WorldSource source, const SessionOptions& options, gpu::GlDevice& device)
+Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options,
+                 gpu::GlDevice& device)
     : source_(std::move(source)), options_(options), device_(device),
       renderer_(device, {.textures = {.mode = options.textures}}) {}
 
@@ -151,7 +153,7 @@ Result<void> Session::load(dat::BlockCoord centre) {
 
 Result<std::shared_ptr<LoadedWorld>> Session::read(dat::BlockCoord centre) const {
     Result<std::unique_ptr<LoadedWorld>> loaded =
-        LoadedWorld::load(source_.archive, centre, options_.load, source_.file.moving);
+        LoadedWorld::load(source_->archive, centre, options_.load, source_->file.moving);
     if (!loaded)
         return tl::unexpected(loaded.error());
     return std::shared_ptr<LoadedWorld>(std::move(*loaded));
@@ -241,7 +243,8 @@ std::string Session::driver() const {
     return fmt::format("{}, OpenGL {}", report.renderer, report.version);
 }
 
-Result<HeadlessSession> openHeadless(WorldSource source, const SessionOptions& options) {
+Result<HeadlessSession> openHeadless(std::shared_ptr<const WorldSource> source,
+                                     const SessionOptions& options) {
     Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
     if (!context)
         return tl::unexpected(context.error());

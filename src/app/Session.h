@@ -28,29 +28,41 @@ struct SessionOptions {
 };
 void addSessionOptions(CLI::App& command, SessionOptions& options);
 
-/// A part of a world in memory, ready to be flooded and planned. Never moves: the planner and the table refer
-/// to it.
+/// A part of a world in memory, ready to be flooded and planned. Never moves: the planner refers to it.
 class LoadedWorld {
+    /// What never changes.
+    struct Contents {
+        Contents(world::World loaded, visibility::Graph made, dat::BlockCoord around)
+            : world(std::move(loaded)), graph(std::move(made)), ids(world), centre(around) {}
+        const world::World world;
+        const visibility::Graph graph;
+        const IdTable ids; ///< refers to world
+        const dat::BlockCoord centre;
+    };
+
 public:
     /// Errors: the loader's; portals that the graph refuses.
     [[nodiscard]] static Result<std::unique_ptr<LoadedWorld>> load(const dat::Archive& archive,
                                                                    dat::BlockCoord centre,
                                                                    const world::LoadOptions& options,
                                                                    const world::MovingEntries& moving = {});
-    LoadedWorld(const LoadedWorld&) = delete;
+    /// The same part, to be planned by another thread.
+    explicit LoadedWorld(const LoadedWorld& other) : LoadedWorld(other.contents_) {}
     LoadedWorld& operator=(const LoadedWorld&) = delete;
 
-    const world::World world;
-    const visibility::Graph graph;
-    const IdTable ids;
+private:
+    explicit LoadedWorld(std::shared_ptr<const Contents> contents)
+        : contents_(std::move(contents)), world(contents_->world), graph(contents_->graph),
+          ids(contents_->ids), centre(contents_->centre), planner(world), moments(world) {}
+    const std::shared_ptr<const Contents> contents_; // first: the others refer to it
+
+public:
+    const world::World& world;
+    const visibility::Graph& graph;
+    const IdTable& ids;
     const dat::BlockCoord centre;
     frame::Planner planner;
     motion::Moments moments;
-
-private:
-    LoadedWorld(world::World loaded, visibility::Graph made, dat::BlockCoord around)
-        : world(std::move(loaded)), graph(std::move(made)), ids(world), centre(around), planner(world),
-          moments(world) {}
 };
 
 /// Eye, root and height of the ground of a standpoint, found in a loaded world. Errors: a root cell that is
@@ -68,7 +80,7 @@ struct DrawOptions {
 /// through here. The device must outlive it.
 class Session {
 public:
-    Session(WorldSource source, const SessionOptions& options, gpu::GlDevice& device);
+    Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options, gpu::GlDevice& device);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -86,7 +98,9 @@ public:
     /// Floods, plans and draws one frame. Requires a loaded world.
     [[nodiscard]] Result<void> draw(const FrameEye& eye, const DrawOptions& options);
 
-    [[nodiscard]] const WorldSource& source() const { return source_; }
+    [[nodiscard]] const WorldSource& source() const { return *source_; }
+    [[nodiscard]] const std::shared_ptr<const WorldSource>& shareSource() const { return source_; }
+    [[nodiscard]] const SessionOptions& options() const { return options_; }
     [[nodiscard]] const LoadedWorld& loaded() const { return *loaded_; }
     /// The same, for who needs it longer than until the next load.
     [[nodiscard]] std::shared_ptr<const LoadedWorld> shareLoaded() const { return loaded_; }
@@ -104,7 +118,7 @@ private:
     /// Makes the target that such a frame is drawn into fit, and yields it.
     [[nodiscard]] Result<gpu::RenderTarget*> fitTarget(PixelSize size, const DrawOptions& options);
 
-    WorldSource source_;
+    std::shared_ptr<const WorldSource> source_;
     SessionOptions options_;
     gpu::GlDevice& device_;
     gpu::Renderer renderer_;
@@ -128,7 +142,8 @@ struct HeadlessSession {
     HeadlessSession& operator=(HeadlessSession&&) noexcept = default;
 };
 /// Errors: Driver; the world's.
-[[nodiscard]] Result<HeadlessSession> openHeadless(WorldSource source, const SessionOptions& options);
+[[nodiscard]] Result<HeadlessSession> openHeadless(std::shared_ptr<const WorldSource> source,
+                                                   const SessionOptions& options);
 
 /// What a person should know of a world's data, in one line; empty if there is nothing.
 [[nodiscard]] std::string findingsLine(const world::World& world);

@@ -243,7 +243,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     }
     if (options.reference)
         return runTraced(*source, options, *views, stands, console);
-    Result<HeadlessSession> headless = openHeadless(std::move(*source), options.session);
+    Result<HeadlessSession> headless =
+        openHeadless(std::make_shared<const WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     Session& session = *headless->session;

@@ -212,7 +212,8 @@ Result<OpenTour> openTour(const TourOptions& options) {
     Result<std::vector<Standpoint>> points = wayPointsOf(options, source->file);
     if (!points)
         return tl::unexpected(points.error());
-    Result<HeadlessSession> headless = openHeadless(std::move(*source), options.session);
+    Result<HeadlessSession> headless =
+        openHeadless(std::make_shared<const WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     if (Result<void> loaded = headless->session->load(points->front().centre); !loaded)

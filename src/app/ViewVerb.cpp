@@ -247,7 +247,7 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
     if (!device)
         return tl::unexpected(device.error());
-    Session session(std::move(*source), options.session, **device);
+    Session session(std::make_shared<const WorldSource>(std::move(*source)), options.session, **device);
     if (Result<void> loaded = session.load(opening->stand.centre); !loaded)
         return tl::unexpected(loaded.error());
     Result<FrameEye> start = placeEye(session.loaded(), opening->stand, opening->view.size);

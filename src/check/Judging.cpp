@@ -21,10 +21,10 @@ reference::Camera throughSample(reference::Camera camera, glm::vec2 sample) {
 
 } // namespace
 
-Judging::Judging(TracedWorld& traced, unsigned threads, IdColour idColour, const RunEvents& events,
-                 Progress& progress)
+Judging::Judging(TracedWorld& traced, std::size_t first, unsigned threads, IdColour idColour,
+                 const RunEvents& events, Progress& progress)
     : traced_(traced), threads_(threads), idColour_(idColour), events_(events), progress_(progress),
-      thread_([this] { work(); }) {}
+      next_(first), thread_([this] { work(); }) {}
 
 Judging::~Judging() {
     {
@@ -35,19 +35,28 @@ Judging::~Judging() {
     thread_.join();
 }
 
-void Judging::add(DrawnView view) {
+void Judging::add(std::size_t index, DrawnView view) {
     {
         std::unique_lock guard(lock_);
-        changed_.wait(guard, [this] { return waitingPixels_ < kMostWaiting; });
+        // The one that is judged next never waits: those behind it wait for it.
+        changed_.wait(guard, [&] { return waitingPixels_ < kMostWaiting || index == next_ || gaveUp_; });
         waitingPixels_ += pixelsOf(view);
-        waiting_.push_back(std::move(view));
+        waiting_.emplace(index, std::move(view));
+    }
+    changed_.notify_all();
+}
+
+void Judging::giveUp() {
+    {
+        const std::lock_guard guard(lock_);
+        gaveUp_ = true;
     }
     changed_.notify_all();
 }
 
 Result<void> Judging::finish() {
     std::unique_lock guard(lock_);
-    changed_.wait(guard, [this] { return waiting_.empty() && !busy_; });
+    changed_.wait(guard, [this] { return !isNextThere() && !busy_; });
     return failure_;
 }
 
@@ -61,12 +70,13 @@ void Judging::work() {
         DrawnView next;
         {
             std::unique_lock guard(lock_);
-            changed_.wait(guard, [this] { return !waiting_.empty() || ending_; });
-            if (waiting_.empty())
+            changed_.wait(guard, [this] { return isNextThere() || ending_; });
+            if (!isNextThere())
                 return;
-            next = std::move(waiting_.front());
-            waiting_.pop_front();
+            next = std::move(waiting_.begin()->second);
+            waiting_.erase(waiting_.begin());
             waitingPixels_ -= pixelsOf(next);
+            ++next_;
             busy_ = true;
         }
         changed_.notify_all();

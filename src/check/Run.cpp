@@ -1,10 +1,8 @@
 #include "check/Run.h"
 
 #include "check/Dice.h"
-#include "check/Judging.h"
+#include "check/DrawingHelper.h"
 #include "check/Views.h"
-#include "core/Assert.h"
-#include "world/Loader.h"
 
 #include <chrono>
 #include <numeric>
@@ -16,13 +14,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kBetweenSaves = std::chrono::seconds(5);
+/// Views of a block from which on a helper is asked: it takes over what is loaded first, which takes as long as some dozens.
+constexpr std::size_t kWorthHelp = 100;
 
 std::size_t askedOf(const RunRequest& request, const BlockTask& task) {
     return task.total() + tourPointsIn(request.tour, task.tourViews, task.block);
-}
-
-world::SpaceIndex rootOf(const world::World& world, const View& view) {
-    return view.root == 0 ? world::kOutside : world::findCell(world, view.root);
 }
 
 /// One run on its way.
@@ -75,25 +71,25 @@ private:
             return {};
         }
         block_ = std::move(next);
-        return drawViews(views);
+        return drawViews(task.block, views);
     }
 
-    Result<void> drawViews(const std::vector<View>& views) {
+    Result<void> drawViews(dat::BlockCoord block, const std::vector<View>& views) {
         const std::size_t first = progress_.views;
-        Judging& judging =
-            block_->judging.emplace(block_->traced, request_.threads, drawer_.idColour(), events_, progress_);
-        for (std::size_t v = first; v < views.size(); ++v) {
-            Result<DrawnView> drawn = draw(*block_->world, views[v]);
-            if (!drawn)
-                return tl::unexpected(drawn.error());
-            judging.add(std::move(*drawn));
-            step(v + 1);
-            if (Clock::now() - saved_ > kBetweenSaves) {
-                if (Result<void> kept = save(judging.progress()); !kept)
-                    return kept;
-            }
-        }
-        return {};
+        Judging& judging = block_->judging.emplace(block_->traced, first, request_.threads,
+                                                   drawer_.idColour(), events_, progress_);
+        ViewQueue queue(*block_->world, views, first);
+        const bool helped = views.size() >= first + kWorthHelp;
+        if (helped && !helper_)
+            helper_.emplace(drawer_);
+        if (helped)
+            helper_->start(block, queue, judging);
+        Result<void> drawn = drawAll(queue, drawer_, judging, [&](std::size_t index) -> Result<void> {
+            step(index + 1);
+            return Clock::now() - saved_ > kBetweenSaves ? save(judging.progress()) : Result<void>{};
+        });
+        Result<void> helpersDrawn = helped ? helper_->finish() : Result<void>{};
+        return drawn ? std::move(helpersDrawn) : std::move(drawn);
     }
 
     /// Waits until the block's views are judged, and lets go of it.
@@ -110,29 +106,6 @@ private:
     void endTask() {
         ++progress_.tasks;
         progress_.views = 0;
-    }
-
-    Result<DrawnView> draw(const world::World& world, const View& view) {
-        DrawnView drawn;
-        drawn.view = view;
-        const world::SpaceIndex root = rootOf(world, view);
-        LIMEN_ASSERT(root != world::kNone, "views have roots that are loaded");
-        drawn.camera = drawer_.cameraOf(view, root);
-        const bool still = view.kind == Kind::Still;
-        const Clock::time_point start = Clock::now();
-        Result<DrawnImages> images = drawer_.draw(view, root, still);
-        if (!images)
-            return tl::unexpected(images.error());
-        drawn.images = std::move(*images);
-        drawn.moment = drawer_.moment();
-        if (still) {
-            const Result<DrawnImages> again = drawer_.draw(view, root, true);
-            if (!again)
-                return tl::unexpected(again.error());
-            drawn.moved = pixelsThatMoved(drawn.images, *again);
-        }
-        drawn.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        return drawn;
     }
 
     void step(std::size_t inTask) const {
@@ -159,6 +132,7 @@ private:
     Clock::time_point saved_ = start_;
     std::size_t asked_ = 0;        ///< by the tasks that are done
     std::unique_ptr<Block> block_; ///< whose views are drawn or judged
+    std::optional<DrawingHelper> helper_;
 };
 
 } // namespace

@@ -1,36 +1,15 @@
 #pragma once
 
+#include "check/Drawer.h"
 #include "check/Plan.h"
 #include "check/Report.h"
-#include "check/SampledComparison.h"
 #include "check/Traced.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 // The run itself, whoever draws.
 namespace limen::check {
-
-/// What draws the views of a run: the renderer, or a test's stand-in. Called from one thread.
-class Drawer {
-public:
-    virtual ~Drawer() = default;
-
-    /// Yields what was loaded; it stays as it is for as long as somebody holds it.
-    [[nodiscard]] virtual Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) = 0;
-    /// Says what will be loaded next, so that it may be read while views of the block before are drawn.
-    virtual void expect(dat::BlockCoord) {}
-    /// The view's axes, as they are drawn.
-    [[nodiscard]] virtual reference::Camera cameraOf(const View& view, world::SpaceIndex root) = 0;
-    /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour. Or, all views alike, a multisampled
-    /// picture: colour, flat by id, and where its samples lie.
-    [[nodiscard]] virtual Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) = 0;
-    /// What an id's colour is in a flat picture; for drawers of multisampled ones.
-    [[nodiscard]] virtual IdColour idColour() const { return nullptr; }
-    /// Where everything was in the picture drawn last.
-    [[nodiscard]] virtual const world::Moment& moment() const = 0;
-};
 
 struct RunRequest {
     std::vector<BlockTask> tasks;
@@ -68,8 +47,8 @@ struct RunEvents {
 [[nodiscard]] std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task,
                                         const world::World& world, const reference::Scene& scene);
 
-/// Draws and judges all views from `progress` on, the next one being drawn while one is traced, across blocks too;
-/// `progress` is brought up to date. Errors: the drawer's and the events'; what was judged until then is in `progress`.
+/// Draws and judges all views from `progress` on, the next ones being drawn while one is traced, across blocks too; the drawer's
+/// helper, if it has one, draws every view that the drawer is too busy for. `progress` is brought up to date. Errors: the drawer's and the events'; what was judged until then is in `progress`.
 [[nodiscard]] Result<void> runCheck(const RunRequest& request, Drawer& drawer, const RunEvents& events,
                                     Progress& progress);
 

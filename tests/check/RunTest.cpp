@@ -3,7 +3,10 @@
 #include "app/Camera.h"
 #include "check/House.h"
 
+#include <atomic>
+#include <chrono>
 #include <functional>
+#include <thread>
 
 namespace limen::check {
 namespace {
@@ -16,6 +19,7 @@ struct TracingDrawer final : Drawer {
     std::function<void(const View&, std::size_t shot, DrawnImages&)> breakIt;
     std::size_t shots = 0, failAfter = 1u << 30;
     bool loads = true;
+    std::function<std::unique_ptr<TracingDrawer>()> helps;
 
     explicit TracingDrawer(const House& h) : house(h) {}
 
@@ -41,6 +45,9 @@ struct TracingDrawer final : Drawer {
         camera.height = view.height;
         camera.root = root;
         return camera;
+    }
+    Result<std::unique_ptr<Drawer>> makeHelper() override {
+        return helps ? std::unique_ptr<Drawer>(helps()) : nullptr;
     }
     Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) override {
         if (shots++ >= failAfter)
@@ -206,6 +213,72 @@ TEST(Run, blocksFollowEachOtherInOrderAndAreLetGo) {
     EXPECT_EQ(twice.drawer.expected, std::vector{twice.house.source.home()});
     for (const auto& world : twice.drawer.given)
         EXPECT_TRUE(world.expired());
+}
+
+/// A run with a helper. The drawer's third view and all after it wait until the helper has drawn.
+struct HelpedRun : SmallRun {
+    std::atomic<std::size_t> helpersShots{0};
+    std::size_t helperFailsAfter = 1u << 30;
+    bool helperLoads = true;
+
+    HelpedRun() : SmallRun(400) {
+        drawer.helps = [this] {
+            auto helper = std::make_unique<TracingDrawer>(house);
+            helper->failAfter = helperFailsAfter;
+            helper->loads = helperLoads;
+            helper->breakIt = [this](const View& view, std::size_t, DrawnImages& images) {
+                ++helpersShots;
+                breakSome(view, images);
+            };
+            return helper;
+        };
+        drawer.breakIt = [this](const View& view, std::size_t shot, DrawnImages& images) {
+            breakSome(view, images);
+            for (int i = 0; i < 5000 && shot > 2 && waits && helpersShots == 0; ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        };
+    }
+    static void breakSome(const View& view, DrawnImages& images) {
+        if (view.kind == Kind::Sweep)
+            images.ids[3] = 0xFFFFFF;
+    }
+    bool waits = true;
+};
+
+std::string reportOf(Totals totals) {
+    totals.seconds = totals.drawSeconds = totals.traceSeconds = 1.0;
+    return reportJson(totals, {});
+}
+
+TEST(Run, whatAHelperDrawsCountsAsIfOneHadDrawnAll) {
+    HelpedRun alone, helped;
+    alone.drawer.helps = nullptr;
+    alone.waits = false;
+    const std::string expected = reportOf(alone.run());
+    EXPECT_EQ(reportOf(helped.run()), expected);
+    EXPECT_GT(helped.helpersShots, 0u);
+    EXPECT_EQ(helped.drawer.shots + helped.helpersShots, alone.drawer.shots);
+    EXPECT_GT(helped.progress.totals.sum().disagreeing(), 0u);
+}
+
+TEST(Run, whatAHelperCannotDrawFailsTheRunWhichCanBeContinued) {
+    HelpedRun alone, helped;
+    alone.drawer.helps = nullptr;
+    alone.waits = false;
+    helped.helperFailsAfter = 20;
+    EXPECT_FALSE(runCheck(helped.request, helped.drawer, {}, helped.progress));
+    EXPECT_LT(helped.progress.views, 400u);
+    helped.drawer.helps = nullptr;
+    EXPECT_EQ(reportOf(helped.run()), reportOf(alone.run())) << "nothing is left out, nothing done twice";
+}
+
+TEST(Run, withoutAHelpersWorldTheDrawerDrawsAll) {
+    HelpedRun alone, helped;
+    alone.drawer.helps = nullptr;
+    alone.waits = helped.waits = false;
+    helped.helperLoads = false;
+    EXPECT_EQ(reportOf(helped.run()), reportOf(alone.run()));
+    EXPECT_EQ(helped.helpersShots, 0u);
 }
 
 TEST(Run, savesItsStateAtTheEnd) {
