@@ -25,6 +25,12 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
+#ifdef LIMEN_DEVELOPMENT
+constexpr bool kIsDevelopment = true;
+#else
+constexpr bool kIsDevelopment = false;
+#endif
+
 /// Blocks that an eye may go from the loaded centre before the next part is loaded, as a share of the radius.
 int leashOf(int radius) {
     return std::max(1, radius / 2);
@@ -138,9 +144,16 @@ Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, Pi
 Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options,
                  gpu::GlDevice& device)
     : source_(std::move(source)), options_(options), device_(device),
-      renderer_(device, {.textures = {.mode = options.textures}}) {}
+      checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
+      renderer_(drawnOn(), {.textures = {.mode = options.textures}}) {}
 
 Session::~Session() = default;
+
+gpu::Device& Session::drawnOn() {
+    if (checked_)
+        return *checked_;
+    return device_;
+}
 
 Result<void> Session::load(dat::BlockCoord centre) {
     if (loaded_ && loaded_->centre == centre)
@@ -193,8 +206,9 @@ Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions&
         return &*target;
     shown_ = nullptr;
     target.reset(); // room for the new one
-    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(
-        device_, size.width, size.height, {.layers = layers, .samples = multisampled ? options_.samples : 0});
+    Result<gpu::RenderTarget> made =
+        gpu::RenderTarget::create(drawnOn(), size.width, size.height,
+                                  {.layers = layers, .samples = multisampled ? options_.samples : 0});
     if (!made)
         return tl::unexpected(made.error());
     target.emplace(std::move(*made));
@@ -215,8 +229,10 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     const Stopwatch planning;
     loaded_->planner.plan(view, moment_, visible_, plan_);
     planMs_ = planning.ms();
-    return renderer_.render(
+    Result<void> rendered = renderer_.render(
         plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
+    LIMEN_ASSERT(!checked_ || checked_->faults().empty(), checked_->faults().front().c_str());
+    return rendered;
 }
 
 FrameFigures Session::figures() const {

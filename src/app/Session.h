@@ -4,6 +4,7 @@
 #include "app/MomentInput.h"
 #include "app/WorldSource.h"
 #include "frame/Planner.h"
+#include "gpu/CheckedDevice.h"
 #include "gpu/GlDevice.h"
 #include "gpu/HeadlessContext.h"
 #include "gpu/Renderer.h"
@@ -115,12 +116,14 @@ public:
     [[nodiscard]] std::string driver() const;
 
 private:
+    [[nodiscard]] gpu::Device& drawnOn();
     /// Makes the target that such a frame is drawn into fit, and yields it.
     [[nodiscard]] Result<gpu::RenderTarget*> fitTarget(PixelSize size, const DrawOptions& options);
 
     std::shared_ptr<const WorldSource> source_;
     SessionOptions options_;
     gpu::GlDevice& device_;
+    std::optional<gpu::CheckedDevice> checked_; ///< in development builds
     gpu::Renderer renderer_;
     std::optional<gpu::RenderTarget> target_, sampledTarget_; ///< one sample a pixel, and several
     gpu::RenderTarget* shown_ = nullptr;                      ///< that of the last frame

@@ -113,8 +113,10 @@ public:
     virtual void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
                               std::uint32_t width, std::uint32_t height,
                               std::span<const std::uint8_t> rgba) = 0;
-    /// The texture's bindless handle, resident until it is destroyed. Requires capabilities().bindless.
+    /// The texture's bindless handle, resident until it is released. Requires capabilities().bindless.
     [[nodiscard]] virtual std::uint64_t residentHandle(TextureHandle texture) = 0;
+    /// Nobody samples it by its handle any more, frames under way included (finishFrames). Before it is destroyed.
+    virtual void releaseHandle(TextureHandle texture) = 0;
     virtual void destroyTexture(TextureHandle texture) = 0;
     [[nodiscard]] virtual Result<ProgramHandle> createProgram(const ProgramSource& source) = 0;
     virtual void destroyProgram(ProgramHandle program) = 0;
@@ -126,6 +128,8 @@ public:
     /// Reads an image that the target has, bottom row first, bytesPerPixel each (R,G,B,A; uint32; float; two floats).
     /// Waits for the GPU.
     virtual void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) = 0;
+    /// Waits until the GPU is done with all frames.
+    virtual void finishFrames() = 0;
     /// The vertex and index arena that indexed draws use from now on. Free if it is the one set last.
     virtual void setGeometry(BufferHandle vertices, BufferHandle indices) = 0;
     /// Makes room for `bytes` of ring memory a frame; waits for frames in flight when it has to grow.

@@ -67,6 +67,15 @@ void GlDevice::waitForFence(std::size_t slot, bool counted) {
     }
 }
 
+void GlDevice::finishFrames() {
+    LIMEN_ASSERT(frameTarget_ == nullptr, "a frame that is being made is not done");
+    for (GLsync fence : fences_) {
+        while (fence != nullptr && glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT,
+                                                    kFenceTimeoutNanoseconds) == GL_TIMEOUT_EXPIRED) {
+        }
+    }
+}
+
 Result<void> GlDevice::reserveRing(std::size_t bytes) {
     LIMEN_ASSERT(frameTarget_ == nullptr, "the ring grows between frames only");
     if (bytes <= ringSlotSize_) {

@@ -140,6 +140,10 @@ std::uint64_t GlDevice::residentHandle(TextureHandle texture) {
     return textures_[static_cast<std::size_t>(texture)].residentHandle();
 }
 
+void GlDevice::releaseHandle(TextureHandle texture) {
+    textures_[static_cast<std::size_t>(texture)].releaseHandle();
+}
+
 void GlDevice::destroyTexture(TextureHandle texture) {
     textures_[static_cast<std::size_t>(texture)] = Texture{};
 }

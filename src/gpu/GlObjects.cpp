@@ -118,9 +118,7 @@ Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
 }
 
 Texture::~Texture() {
-    if (handle_ != 0) {
-        glMakeTextureHandleNonResidentARB(handle_);
-    }
+    releaseHandle();
 }
 
 Texture Texture::createImage(std::string_view name, GLenum format, std::uint32_t width,
@@ -180,6 +178,13 @@ std::uint64_t Texture::residentHandle() {
         }
     }
     return handle_;
+}
+
+void Texture::releaseHandle() {
+    if (handle_ != 0) {
+        glMakeTextureHandleNonResidentARB(handle_);
+        handle_ = 0;
+    }
 }
 
 Result<Program> Program::link(std::string_view name, std::initializer_list<ShaderStage> stages) {

@@ -106,6 +106,8 @@ public:
     /// The bindless handle, made resident on the first call. Needs ARB_bindless_texture; parameters and
     /// storage are fixed from then on. 0 if the driver refuses.
     [[nodiscard]] std::uint64_t residentHandle();
+    /// Makes it non-resident, if there is one.
+    void releaseHandle();
 
 private:
     explicit Texture(GLuint id) : GlName(id) {}

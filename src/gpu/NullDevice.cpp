@@ -63,6 +63,10 @@ std::uint64_t NullDevice::residentHandle(TextureHandle texture) {
     return static_cast<std::uint64_t>(texture) + 1;
 }
 
+void NullDevice::releaseHandle(TextureHandle) {
+    LIMEN_ASSERT(capabilities_.bindless, "handles need ARB_bindless_texture");
+}
+
 void NullDevice::destroyTexture(TextureHandle) {
     --liveObjects_;
 }

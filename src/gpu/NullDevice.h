@@ -59,6 +59,7 @@ public:
     void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
                       std::uint32_t height, std::span<const std::uint8_t> rgba) override;
     [[nodiscard]] std::uint64_t residentHandle(TextureHandle texture) override;
+    void releaseHandle(TextureHandle texture) override;
     void destroyTexture(TextureHandle texture) override;
     [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override;
     void destroyProgram(ProgramHandle program) override;
@@ -67,6 +68,7 @@ public:
     [[nodiscard]] std::vector<glm::vec2> samplePositions(TargetHandle target) override;
     void destroyTarget(TargetHandle target) override;
     void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
+    void finishFrames() override {} // it is never behind
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override;
 

@@ -51,7 +51,7 @@ Result<TextureStore> TextureStore::create(Device& device, std::span<const frame:
 
 TextureStore::TextureStore(TextureStore&& other) noexcept
     : device_(other.device_), bindless_(other.bindless_), textures_(std::exchange(other.textures_, {})),
-      refs_(std::move(other.refs_)), resampled_(other.resampled_) {}
+      refs_(std::exchange(other.refs_, {})), resampled_(other.resampled_) {}
 
 TextureStore& TextureStore::operator=(TextureStore&& other) noexcept {
     std::swap(device_, other.device_);
@@ -63,6 +63,12 @@ TextureStore& TextureStore::operator=(TextureStore&& other) noexcept {
 }
 
 TextureStore::~TextureStore() {
+    if (bindless_ && !refs_.empty()) {
+        device_->finishFrames();
+        for (std::size_t i = 0; i < refs_.size(); ++i) { // the last texture may have got none
+            device_->releaseHandle(textures_[i]);
+        }
+    }
     for (TextureHandle texture : textures_) {
         device_->destroyTexture(texture);
     }

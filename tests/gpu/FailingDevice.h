@@ -1,86 +1,26 @@
 #pragma once
 
-#include "gpu/Device.h"
+#include "gpu/ForwardingDevice.h"
 
 namespace limen::gpu::test {
 
 /// Another device whose next requests for textures fail when told to: a driver short of memory for a moment.
-class FailingDevice final : public Device {
+class FailingDevice final : public ForwardingDevice {
 public:
-    explicit FailingDevice(Device& device) : device_(device) {}
+    using ForwardingDevice::ForwardingDevice;
 
     /// Textures, of buffers too, that are still made before one fails, once; none: all are made.
     std::optional<std::uint32_t> texturesBeforeFailure;
 
-    [[nodiscard]] const Capabilities& capabilities() const override { return device_.capabilities(); }
-    [[nodiscard]] BufferHandle createBuffer(std::string_view label,
-                                            std::span<const std::byte> bytes) override {
-        return device_.createBuffer(label, bytes);
-    }
-    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override {
-        return device_.createScratch(label, bytes);
-    }
-    void destroyBuffer(BufferHandle buffer) override { device_.destroyBuffer(buffer); }
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override {
         return failsNow() ? fail(ErrorCode::Driver, std::string(label), "out of memory")
-                          : device_.createTexels(label, buffer);
+                          : device().createTexels(label, buffer);
     }
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
                                                       const TextureShape& shape) override {
         return failsNow() ? fail(ErrorCode::Driver, std::string(label), "out of memory")
-                          : device_.createTexture(label, shape);
+                          : device().createTexture(label, shape);
     }
-    void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
-                      std::uint32_t height, std::span<const std::uint8_t> rgba) override {
-        device_.writeTexture(texture, layer, level, width, height, rgba);
-    }
-    [[nodiscard]] std::uint64_t residentHandle(TextureHandle texture) override {
-        return device_.residentHandle(texture);
-    }
-    void destroyTexture(TextureHandle texture) override { device_.destroyTexture(texture); }
-    [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override {
-        return device_.createProgram(source);
-    }
-    void destroyProgram(ProgramHandle program) override { device_.destroyProgram(program); }
-    [[nodiscard]] Result<TargetHandle> createTarget(std::uint32_t width, std::uint32_t height,
-                                                    const TargetOptions& options) override {
-        return device_.createTarget(width, height, options);
-    }
-    [[nodiscard]] std::vector<glm::vec2> samplePositions(TargetHandle target) override {
-        return device_.samplePositions(target);
-    }
-    void destroyTarget(TargetHandle target) override { device_.destroyTarget(target); }
-    void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override {
-        device_.readTarget(target, image, out);
-    }
-    void setGeometry(BufferHandle vertices, BufferHandle indices) override {
-        device_.setGeometry(vertices, indices);
-    }
-    [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override { return device_.reserveRing(bytes); }
-    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override {
-        return device_.beginFrame(target);
-    }
-    void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }
-    void bindTextures(std::span<const TextureHandle> textures) override { device_.bindTextures(textures); }
-    void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) override {
-        device_.compute(program, columns, rows);
-    }
-    void clear(TargetImage image, const ClearValue& value) override { device_.clear(image, value); }
-    void beginStage(frame::StageKind stage) override { device_.beginStage(stage); }
-    void endStage(frame::StageKind stage) override { device_.endStage(stage); }
-    void beginPass(Pass pass) override { device_.beginPass(pass); }
-    void setState(const DrawState& state) override { device_.setState(state); }
-    void drawVertices(std::uint32_t first, std::uint32_t count) override {
-        device_.drawVertices(first, count);
-    }
-    void drawIndirect(std::size_t offset, std::uint32_t count) override {
-        device_.drawIndirect(offset, count);
-    }
-    void resolve() override { device_.resolve(); }
-    void endFrame() override { device_.endFrame(); }
-    [[nodiscard]] std::uint32_t glCalls() const override { return device_.glCalls(); }
-    [[nodiscard]] std::uint32_t ringStalls() const override { return device_.ringStalls(); }
-    [[nodiscard]] StageTimes stageTimes() override { return device_.stageTimes(); }
 
 private:
     bool failsNow() {
@@ -90,8 +30,6 @@ private:
         }
         return fails;
     }
-
-    Device& device_;
 };
 
 } // namespace limen::gpu::test

@@ -4,6 +4,7 @@
 #include "frame/IdColour.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
+#include "gpu/CheckedDevice.h"
 #include "gpu/DebugOutput.h"
 #include "gpu/GlDevice.h"
 #include "gpu/HeadlessContext.h"
@@ -56,11 +57,18 @@ Driver& driver() {
 } // namespace
 
 struct PictureWorld::Drawing {
-    explicit Drawing(const PictureOptions& options)
-        : renderer(*driver().device, {.exactOutlines = options.exactOutlines,
-                                      .cullTriangles = options.cullTriangles,
-                                      .shaderDefines = options.shaderDefines}) {}
-    gpu::Renderer renderer;
+    explicit Drawing(const PictureOptions& options) {
+        renderer.emplace(device, gpu::RendererOptions{.exactOutlines = options.exactOutlines,
+                                                      .cullTriangles = options.cullTriangles,
+                                                      .shaderDefines = options.shaderDefines});
+    }
+    ~Drawing() {
+        target.reset();
+        renderer.reset();
+        EXPECT_TRUE(device.faults().empty()) << device.faults().front();
+    }
+    gpu::CheckedDevice device{*driver().device};
+    std::optional<gpu::Renderer> renderer;
     std::optional<gpu::RenderTarget> target;
     frame::FramePlan plan;
 };
@@ -145,18 +153,18 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
                             const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>(options_);
-        require(drawing_->renderer.upload(frame::buildScene(drawnWorld())));
+        require(drawing_->renderer->upload(frame::buildScene(drawnWorld())));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||
         target->options() != targetOptions) {
         target.emplace(
-            valueOf(gpu::RenderTarget::create(*driver().device, frame.width, frame.height, targetOptions)));
+            valueOf(gpu::RenderTarget::create(drawing_->device, frame.width, frame.height, targetOptions)));
     }
     Picture picture;
     picture.frame = frame;
     plan(frame, picture.visible, drawing_->plan);
-    require(drawing_->renderer.render(drawing_->plan, *target, options));
+    require(drawing_->renderer->render(drawing_->plan, *target, options));
     if (targetOptions.samples > 0) {
         picture.samples = target->samplePositions();
     } else {
@@ -168,11 +176,12 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
         picture.layers = target->readLayers();
     }
     picture.counts = drawing_->plan.counts;
-    picture.glCalls = drawing_->renderer.report().glCalls;
+    picture.glCalls = drawing_->renderer->report().glCalls;
     for (const frame::Stage& stage : drawing_->plan.stages) {
         picture.stages.push_back(stage.batchCount);
     }
     EXPECT_TRUE(driver().debug.faults().empty()) << driver().debug.faults().front();
+    EXPECT_TRUE(drawing_->device.faults().empty()) << drawing_->device.faults().front();
     return picture;
 }
 
