@@ -1,6 +1,6 @@
 #include "app/BuiltInWorld.h"
 
-#include "app/TemporaryDirectory.h"
+#include "support/TemporaryDirectory.h"
 
 #include <atomic>
 #include <thread>

@@ -1,6 +1,6 @@
 #include "app/OutputFile.h"
 
-#include "app/TemporaryDirectory.h"
+#include "support/TemporaryDirectory.h"
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/TemporaryDirectory.h"
+#include "support/TemporaryDirectory.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,6 +1,6 @@
 #include "app/ShotRequest.h"
 
-#include "app/TemporaryDirectory.h"
+#include "support/TemporaryDirectory.h"
 
 #include <gmock/gmock.h>
 

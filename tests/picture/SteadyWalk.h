@@ -1,0 +1,99 @@
+#pragma once
+
+#include "support/TemporaryDirectory.h"
+
+#include "dat/Archive.h"
+#include "demo/Demo.h"
+#include "frame/Planner.h"
+#include "frame/SceneBuilder.h"
+#include "frame/WorldGraph.h"
+#include "gpu/Renderer.h"
+#include "motion/Moments.h"
+#include "visibility/Flood.h"
+#include "world/Loader.h"
+#include "world/Places.h"
+
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+namespace limen::test {
+
+/// The tour of the built-in world, every `step`th place, and the part of the world around its first.
+struct Tour {
+    std::vector<world::Place> way;
+    std::optional<world::World> world;
+
+    explicit Tour(std::size_t step) {
+        const TemporaryDirectory directory;
+        EXPECT_TRUE(demo::writeBuiltInWorld(directory.path()));
+        const auto archive = dat::Archive::open(directory.path());
+        const auto file = world::loadWorldFile(directory.path());
+        EXPECT_TRUE(archive && file && !file->tour.empty());
+        for (std::size_t i = 0; i < file->tour.size(); i += step)
+            way.push_back(file->tour[i]);
+        auto loaded = world::loadWorld(*archive, world::blockAt(way.front().eye), {}, file->moving);
+        EXPECT_TRUE(loaded) << loaded.error().message();
+        world.emplace(std::move(*loaded));
+    }
+};
+
+/// The built-in world around its first place, drawn on some device as every verb draws it.
+class SteadyWalk {
+public:
+    /// Pictures of `width` × `height` pixels.
+    SteadyWalk(world::World world, gpu::Device& device, std::uint32_t width, std::uint32_t height)
+        : world_(std::move(world)), graph_(*frame::visibilityGraph(world_)), moments_(world_),
+          planner_(world_), renderer_(device), target_(*gpu::RenderTarget::create(device, width, height)) {
+        EXPECT_TRUE(renderer_.upload(frame::buildScene(world_, planner_.pieces())));
+    }
+
+    /// Draws what is seen on the way while doors move, people walk, and it rains; each frame with ids and without.
+    void go(std::span<const world::Place> way) {
+        double seconds = 100.0;
+        for (const world::Place& place : way) {
+            const world::SpaceIndex root =
+                place.cell == 0 ? world::kOutside : world::findCell(world_, place.cell);
+            if (root == world::kNone)
+                continue; // not loaded from here
+            seconds += 0.37;
+            draw(frame::makeView(place.eye, place.yaw, place.pitch, 75.0, target_.width(), target_.height(),
+                                 root),
+                 seconds);
+            ++frames_;
+        }
+    }
+    [[nodiscard]] std::size_t frames() const { return frames_; }
+
+private:
+    void draw(const frame::FrameView& view, double seconds) {
+        motion::MomentInput input;
+        input.seconds = seconds;
+        input.allDoors = 0.5 + 0.5 * std::sin(seconds);
+        input.rain = view.view.root == world::kOutside;
+        input.eye = view.view.eye;
+        input.right = view.view.right;
+        input.up = view.view.up;
+        input.forward = view.view.forward;
+        moments_.at(input, moment_);
+        visibility::flood(graph_, moment_.closed, view.view, {}, scratch_, visible_);
+        planner_.plan(view, moment_, visible_, plan_);
+        for (const bool ids : {false, true})
+            EXPECT_TRUE(renderer_.render(plan_, target_, {.wantIds = ids}));
+    }
+
+    const world::World world_;
+    const visibility::Graph graph_;
+    motion::Moments moments_;
+    world::Moment moment_;
+    visibility::FloodScratch scratch_;
+    visibility::VisibleSet visible_;
+    frame::Planner planner_;
+    frame::FramePlan plan_;
+    gpu::Renderer renderer_;
+    gpu::RenderTarget target_;
+    std::size_t frames_ = 0;
+};
+
+} // namespace limen::test
