@@ -1,17 +1,13 @@
 #include "CallsBench.h"
 
 #include "CallList.h"
+#include "DrawnPart.h"
 #include "TemporaryDirectory.h"
 #include "TwoWays.h"
 
 #include "dat/Archive.h"
 #include "demo/Demo.h"
-#include "frame/SceneBuilder.h"
-#include "frame/WorldGraph.h"
 #include "gpu/NullDevice.h"
-#include "motion/Moments.h"
-#include "visibility/Flood.h"
-#include "world/Loader.h"
 #include "world/Places.h"
 
 #include <algorithm>
@@ -40,109 +36,34 @@ BenchRow failedRow(const char* bench, const Error& error) {
     return rowOf(bench, error.message(), {});
 }
 
-/// A part of the built-in world, ready to be drawn.
-class Part {
-public:
-    /// Errors: what the renderer reports.
-    [[nodiscard]] static Result<std::unique_ptr<Part>> create(world::World world) {
-        Result<visibility::Graph> graph = frame::visibilityGraph(world);
-        if (!graph) {
-            return tl::unexpected(graph.error());
-        }
-        std::unique_ptr<Part> part(new Part(std::move(world), std::move(*graph)));
-        Result<gpu::RenderTarget> target = gpu::RenderTarget::create(part->device_, kWidth, kHeight);
-        if (!target) {
-            return tl::unexpected(target.error());
-        }
-        part->target_.emplace(std::move(*target));
-        if (Result<void> uploaded = part->renderer_.upload(frame::buildScene(part->world_)); !uploaded) {
-            return tl::unexpected(uploaded.error());
-        }
-        return part;
-    }
-
-    /// Whether a place's space is loaded.
-    [[nodiscard]] bool holds(const world::Place& place) const {
-        return place.cell != 0 ? world::findCell(world_, place.cell) != world::kNone
-                               : world::findBlock(world_, world::blockAt(place.eye)) != nullptr;
-    }
-
-    /// Draws from a place, four headings, and adds what it takes.
-    [[nodiscard]] Result<void> addCalls(const world::Place& place, CallList& calls) {
-        const world::SpaceIndex root =
-            place.cell != 0 ? world::findCell(world_, place.cell) : world::kOutside;
-        for (const std::optional<double> doors :
-             {std::optional<double>(), std::optional(0.0), std::optional(1.0)}) {
-            for (const double turn : {0.0, 90.0, 180.0, 270.0}) {
-                const frame::FrameView view =
-                    frame::makeView(place.eye, place.yaw + turn, place.pitch, 75.0, kWidth, kHeight, root);
-                if (Result<void> drawn = draw(view, doors); !drawn) {
-                    return drawn;
-                }
-                calls.add(plan_, renderer_.report().glCalls);
+/// Draws from a place, four headings, with doors at rest, shut and open, and adds what it takes.
+Result<void> addCalls(DrawnPart& part, const world::Place& place, CallList& calls) {
+    for (const std::optional<double> doors :
+         {std::optional<double>(), std::optional(0.0), std::optional(1.0)}) {
+        for (const double turn : {0.0, 90.0, 180.0, 270.0}) {
+            const frame::FrameView view = part.viewFrom(place, turn);
+            part.move(view, doors);
+            part.flood(view);
+            part.plan(view);
+            if (Result<void> drawn = part.submit(); !drawn) {
+                return drawn;
             }
+            calls.add(part.plan(), part.renderer().report().glCalls);
         }
-        return {};
     }
-
-private:
-    Part(world::World world, visibility::Graph graph)
-        : world_(std::move(world)), graph_(std::move(graph)), moments_(world_), planner_(world_),
-          renderer_(device_) {}
-
-    [[nodiscard]] Result<void> draw(const frame::FrameView& view, std::optional<double> doors) {
-        motion::MomentInput input;
-        input.allDoors = doors;
-        input.eye = view.view.eye;
-        input.right = view.view.right;
-        input.up = view.view.up;
-        input.forward = view.view.forward;
-        moments_.at(input, moment_);
-        visibility::flood(graph_, moment_.closed, view.view, {}, scratch_, visible_);
-        planner_.plan(view, moment_, visible_, plan_);
-        return renderer_.render(plan_, *target_);
-    }
-
-    world::World world_;
-    visibility::Graph graph_;
-    motion::Moments moments_;
-    world::Moment moment_;
-    visibility::FloodScratch scratch_;
-    visibility::VisibleSet visible_;
-    frame::Planner planner_;
-    frame::FramePlan plan_;
-    gpu::NullDevice device_;
-    gpu::Renderer renderer_;
-    std::optional<gpu::RenderTarget> target_;
-};
-
-Result<std::unique_ptr<Part>> loadAround(const dat::Archive& archive, const world::WorldFile& file,
-                                         const world::Place& place) {
-    const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
-    Result<world::World> world = world::loadWorld(archive, centre, {}, file.moving);
-    if (!world) {
-        return tl::unexpected(world.error());
-    }
-    return Part::create(std::move(*world)).and_then([&](std::unique_ptr<Part> part) {
-        return part->holds(place) ? Result<std::unique_ptr<Part>>(std::move(part))
-                                  : fail(ErrorCode::NotFound, place.name, "is not where the world file says");
-    });
+    return {};
 }
 
 Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& file) {
     std::vector<world::Place> places = file.tour;
     places.insert(places.end(), file.places.begin(), file.places.end());
     CallList calls;
-    std::unique_ptr<Part> part;
+    gpu::NullDevice device;
+    PartOfTour part(archive, file, device, kWidth, kHeight);
     for (const world::Place& place : places) {
-        if (!part || !part->holds(place)) {
-            Result<std::unique_ptr<Part>> loaded = loadAround(archive, file, place);
-            if (!loaded) {
-                return tl::unexpected(loaded.error());
-            }
-            part = std::move(*loaded);
-        }
-        if (Result<void> added = part->addCalls(place, calls); !added) {
+        Result<void> added =
+            part.at(place).and_then([&](DrawnPart* there) { return addCalls(*there, place, calls); });
+        if (!added) {
             return tl::unexpected(added.error());
         }
     }

@@ -1,10 +1,8 @@
 #include "DispatchBench.h"
 
 #include "DispatchTimes.h"
+#include "HeadlessDriver.h"
 #include "ViewTimes.h"
-
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,24 +36,6 @@ struct Share {
 };
 constexpr Share kShares[] = {
     {"0 % moving", 0.0, 1.0 / 20.0}, {"1 % moving", 0.01, 1.0 / 20.0}, {"100 % moving", 1.0, 1.0 / 4.0}};
-
-/// A driver without a window.
-struct Driver {
-    gpu::HeadlessContext context;
-    std::unique_ptr<gpu::GlDevice> device;
-};
-
-std::optional<Driver> openDriver() {
-    Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
-    if (!context) {
-        return {};
-    }
-    Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
-    if (!device) {
-        return {};
-    }
-    return Driver{std::move(*context), std::move(*device)};
-}
 
 /// The allocator of glibc maps large blocks anew, page by page, until it has seen one as large freed. Software drivers
 /// take such blocks for every frame, which would double the time of whichever rows come first.
@@ -98,7 +78,7 @@ void addDriver(const std::string& scene, const Result<DriverRun>& run, const std
     }
 }
 
-BenchRow measure(const Scene& scene, const Share& share, const std::optional<Driver>& driver,
+BenchRow measure(const Scene& scene, const Share& share, const std::optional<HeadlessDriver>& driver,
                  AllocationCounter counter, std::vector<BenchRow>& driverRows) {
     FieldSpec spec = scene.spec;
     spec.movingShare = share.moving;
@@ -127,7 +107,7 @@ BenchRow measure(const Scene& scene, const Share& share, const std::optional<Dri
 
 std::vector<BenchRow> benchDispatch(AllocationCounter counter) {
     settleAllocator();
-    const std::optional<Driver> driver = openDriver();
+    const std::optional<HeadlessDriver> driver = openDriver();
     std::vector<BenchRow> rows, driverRows;
     for (const Scene& scene : kScenes) {
         for (const Share& share : kShares) {

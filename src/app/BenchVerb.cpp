@@ -6,6 +6,7 @@
 #include "DatBench.h"
 #include "DispatchBench.h"
 #include "FloodBench.h"
+#include "FrameBench.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,6 +30,8 @@ constexpr std::array kBenches{
     Bench{"dispatch",
           "planning and submitting frames of many objects, beside the way of binding and drawing by groups",
           &bench::benchDispatch},
+    Bench{"frame", "whole frames along the tour, beside frames without visibility and without ownership",
+          &bench::benchFrame},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &bench::benchCalls},
     Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
           &bench::benchFlood},

@@ -22,6 +22,7 @@ TEST(SteadyFrameGl, allocatesNothing) {
     walk.go(tour.way);
     EXPECT_EQ(allocations(), before);
     EXPECT_GT(walk.frames(), 20u) << "the way is as long as it was";
+    EXPECT_GT(walk.inside(), 8u);
 }
 
 } // namespace

@@ -44,6 +44,7 @@ TEST(SteadyFrame, allocatesNothingFromTheMomentToTheDriver) {
     walk.go(tour.way);
     EXPECT_EQ(allocations(), before);
     EXPECT_GT(walk.frames(), 400u) << "the way is as long as it was";
+    EXPECT_GT(walk.inside(), 100u);
 }
 
 } // namespace

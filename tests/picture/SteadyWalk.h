@@ -8,6 +8,7 @@
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
 #include "gpu/Renderer.h"
+#include "motion/Locate.h"
 #include "motion/Moments.h"
 #include "visibility/Flood.h"
 #include "world/Loader.h"
@@ -53,10 +54,10 @@ public:
     void go(std::span<const world::Place> way) {
         double seconds = 100.0;
         for (const world::Place& place : way) {
-            const world::SpaceIndex root =
-                place.cell == 0 ? world::kOutside : world::findCell(world_, place.cell);
-            if (root == world::kNone)
+            if (world::findBlock(world_, world::blockAt(place.eye)) == nullptr)
                 continue; // not loaded from here
+            const world::SpaceIndex root = motion::locate(world_, place.eye).space;
+            inside_ += root != world::kOutside ? 1 : 0;
             seconds += 0.37;
             draw(frame::makeView(place.eye, place.yaw, place.pitch, 75.0, target_.width(), target_.height(),
                                  root),
@@ -65,6 +66,8 @@ public:
         }
     }
     [[nodiscard]] std::size_t frames() const { return frames_; }
+    /// Those of them from within cells.
+    [[nodiscard]] std::size_t inside() const { return inside_; }
 
 private:
     void draw(const frame::FrameView& view, double seconds) {
@@ -93,7 +96,7 @@ private:
     frame::FramePlan plan_;
     gpu::Renderer renderer_;
     gpu::RenderTarget target_;
-    std::size_t frames_ = 0;
+    std::size_t frames_ = 0, inside_ = 0;
 };
 
 } // namespace limen::test

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "dat/Archive.h"
+#include "frame/Planner.h"
+#include "gpu/RenderTarget.h"
+#include "gpu/Renderer.h"
+#include "motion/Moments.h"
+#include "visibility/Flood.h"
+#include "world/Places.h"
+
+#include <memory>
+#include <optional>
+
+namespace limen::bench {
+
+/// The blocks of a world around a place, ready to be drawn on a device, step by step. The device must outlive it.
+class DrawnPart {
+public:
+    /// Errors: the loader's, the renderer's; NotFound if the place's space is not where the world file says.
+    [[nodiscard]] static Result<std::unique_ptr<DrawnPart>>
+    around(const dat::Archive& archive, const world::WorldFile& file, const world::Place& place,
+           gpu::Device& device, std::uint32_t width, std::uint32_t height);
+
+    /// Whether a place's space is loaded.
+    [[nodiscard]] bool holds(const world::Place& place) const;
+    /// A view from a place, turned by so many degrees, as large as the target. Its root is looked for where the place names none.
+    [[nodiscard]] frame::FrameView viewFrom(const world::Place& place, double turn = 0.0) const;
+
+    /// Where everything is; doors as they rest unless said.
+    void move(const frame::FrameView& view, std::optional<double> doors = {});
+    /// What the eye sees.
+    void flood(const frame::FrameView& view);
+    /// What a renderer without visibility takes it to see: every space within the picture's edges, and nothing before another.
+    void takeAll(const frame::FrameView& view);
+    void plan(const frame::FrameView& view) { planner_.plan(view, moment_, visible_, plan_); }
+    /// Makes the plan one whose fragments are kept wherever they are: no ownership, no tests for it.
+    void leaveOutOwnership();
+    [[nodiscard]] Result<void> submit(const gpu::RenderOptions& options = {}) {
+        return renderer_.render(plan_, target_, options);
+    }
+
+    [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
+    [[nodiscard]] const gpu::Renderer& renderer() const { return renderer_; }
+    [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
+
+private:
+    DrawnPart(world::World world, visibility::Graph graph, gpu::Device& device, gpu::RenderTarget target)
+        : world_(std::move(world)), graph_(std::move(graph)), moments_(world_), planner_(world_),
+          renderer_(device), target_(std::move(target)) {}
+
+    const world::World world_;
+    const visibility::Graph graph_;
+    motion::Moments moments_;
+    world::Moment moment_;
+    visibility::FloodScratch scratch_;
+    visibility::VisibleSet visible_;
+    frame::Planner planner_;
+    frame::FramePlan plan_;
+    gpu::Renderer renderer_;
+    gpu::RenderTarget target_;
+};
+
+/// The part that is loaded while places are visited one after another. Its device must outlive it.
+class PartOfTour {
+public:
+    PartOfTour(const dat::Archive& archive, const world::WorldFile& file, gpu::Device& device,
+               std::uint32_t width, std::uint32_t height)
+        : archive_(archive), file_(file), device_(device), width_(width), height_(height) {}
+
+    /// Loads the blocks around a place, unless its space is there. Errors: as DrawnPart::around.
+    [[nodiscard]] Result<DrawnPart*> at(const world::Place& place);
+
+private:
+    const dat::Archive& archive_;
+    const world::WorldFile& file_;
+    gpu::Device& device_;
+    std::uint32_t width_, height_;
+    std::unique_ptr<DrawnPart> part_;
+};
+
+} // namespace limen::bench
