@@ -50,6 +50,9 @@ void tidyRegion(std::vector<Vec3>& region) {
 
 void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, std::vector<Vec3>& out,
                   std::vector<Vec3>& swap) {
+    // Each edge adds a vertex at most. Either may end up with the result: both must have grown when the same is asked again.
+    out.reserve(polygon.size() + region.size());
+    swap.reserve(polygon.size() + region.size());
     out.assign(polygon.begin(), polygon.end());
     for (std::size_t i = 0; i < region.size() && !out.empty(); ++i) {
         clipByEyePlane(out, glm::cross(region[i], region[i + 1 == region.size() ? 0 : i + 1]), swap);
