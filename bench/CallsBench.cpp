@@ -1,14 +1,11 @@
 #include "CallsBench.h"
 
+#include "BuiltInFiles.h"
 #include "CallList.h"
 #include "DrawnPart.h"
-#include "TemporaryDirectory.h"
 #include "TwoWays.h"
 
-#include "dat/Archive.h"
-#include "demo/Demo.h"
 #include "gpu/NullDevice.h"
-#include "world/Places.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -72,25 +69,17 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
 
 BenchRow tourRow() {
     constexpr const char* kBench = "calls/tour";
-    const TemporaryDirectory directory("bench-calls");
-    if (Result<void> written = demo::writeBuiltInWorld(directory.path()); !written) {
-        return failedRow(kBench, written.error());
+    BuiltInFiles files;
+    if (Result<void> opened = files.open(); !opened) {
+        return failedRow(kBench, opened.error());
     }
-    const Result<dat::Archive> archive = dat::Archive::open(directory.path());
-    if (!archive) {
-        return failedRow(kBench, archive.error());
-    }
-    const Result<world::WorldFile> file = world::loadWorldFile(directory.path());
-    if (!file) {
-        return failedRow(kBench, file.error());
-    }
-    const Result<CallList> calls = tourCalls(*archive, *file);
+    const Result<CallList> calls = tourCalls(*files.archive, files.world);
     if (!calls) {
         return failedRow(kBench, calls.error());
     }
     return rowOf(kBench,
-                 fmt::format("{} way points, {} places, {} frames", file->tour.size(), file->places.size(),
-                             calls->frames().size()),
+                 fmt::format("{} way points, {} places, {} frames", files.world.tour.size(),
+                             files.world.places.size(), calls->frames().size()),
                  *calls);
 }
 

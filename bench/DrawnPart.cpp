@@ -3,7 +3,6 @@
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
 #include "motion/Locate.h"
-#include "world/Loader.h"
 
 #include <algorithm>
 
@@ -18,9 +17,10 @@ constexpr double kFieldOfView = 75.0; // degrees
 Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive,
                                                      const world::WorldFile& file, const world::Place& place,
                                                      gpu::Device& device, std::uint32_t width,
-                                                     std::uint32_t height) {
+                                                     std::uint32_t height,
+                                                     const world::LoadOptions& options) {
     const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
-    Result<world::World> world = world::loadWorld(archive, centre, {}, file.moving);
+    Result<world::World> world = world::loadWorld(archive, centre, options, file.moving);
     if (!world) {
         return tl::unexpected(world.error());
     }

@@ -6,6 +6,7 @@
 #include "gpu/Renderer.h"
 #include "motion/Moments.h"
 #include "visibility/Flood.h"
+#include "world/Loader.h"
 #include "world/Places.h"
 
 #include <memory>
@@ -19,7 +20,8 @@ public:
     /// Errors: the loader's, the renderer's; NotFound if the place's space is not where the world file says.
     [[nodiscard]] static Result<std::unique_ptr<DrawnPart>>
     around(const dat::Archive& archive, const world::WorldFile& file, const world::Place& place,
-           gpu::Device& device, std::uint32_t width, std::uint32_t height);
+           gpu::Device& device, std::uint32_t width, std::uint32_t height,
+           const world::LoadOptions& options = {});
 
     /// Whether a place's space is loaded.
     [[nodiscard]] bool holds(const world::Place& place) const;

@@ -1,12 +1,11 @@
 #include "FrameBench.h"
 
+#include "BuiltInFiles.h"
 #include "DrawnPart.h"
 #include "HeadlessDriver.h"
 #include "Stopwatch.h"
-#include "TemporaryDirectory.h"
 #include "ViewTimes.h"
 
-#include "demo/Demo.h"
 #include "gpu/NullDevice.h"
 
 #include <epoxy/gl.h>
@@ -45,23 +44,6 @@ Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without wi
     return part.submit({.wantIds = false});
 }
 
-/// The built-in world's files.
-struct World {
-    TemporaryDirectory directory{"bench-frame"};
-    std::optional<dat::Archive> archive;
-    world::WorldFile file;
-
-    [[nodiscard]] Result<void> open() {
-        return demo::writeBuiltInWorld(directory.path())
-            .and_then([&] { return dat::Archive::open(directory.path()); })
-            .and_then([&](dat::Archive opened) {
-                archive.emplace(std::move(opened));
-                return world::loadWorldFile(directory.path());
-            })
-            .map([&](world::WorldFile read) { file = std::move(read); });
-    }
-};
-
 /// Microseconds of processor time, by way point: medians over the repeats.
 struct CpuTimes {
     std::vector<double> flooded, all;
@@ -93,11 +75,11 @@ Result<double> cpuMicroseconds(DrawnPart& part, const frame::FrameView& view, Wi
     return medianOf(repeats);
 }
 
-Result<CpuTimes> timeOnNullDevice(const World& world, AllocationCounter counter) {
+Result<CpuTimes> timeOnNullDevice(const BuiltInFiles& files, AllocationCounter counter) {
     CpuTimes times;
     gpu::NullDevice device;
-    PartOfTour tour(*world.archive, world.file, device, kWidth, kHeight);
-    for (const world::Place& place : world.file.tour) {
+    PartOfTour tour(*files.archive, files.world, device, kWidth, kHeight);
+    for (const world::Place& place : files.world.tour) {
         const Result<DrawnPart*> part = tour.at(place);
         if (!part) {
             return tl::unexpected(part.error());
@@ -119,8 +101,8 @@ Result<CpuTimes> timeOnNullDevice(const World& world, AllocationCounter counter)
     return times;
 }
 
-BenchRow cpuRow(const World& world, const Result<CpuTimes>& times) {
-    BenchRow row{"frame/cpu", fmt::format("the tour, {} way points, null device", world.file.tour.size()),
+BenchRow cpuRow(const BuiltInFiles& files, const Result<CpuTimes>& times) {
+    BenchRow row{"frame/cpu", fmt::format("the tour, {} way points, null device", files.world.tour.size()),
                  kNone, kNone, "us"};
     row.target = kMostCpu;
     row.hasTarget = true;
@@ -197,10 +179,10 @@ Result<void> timePlace(DrawnPart& part, const world::Place& place, DriverTimes& 
     return {};
 }
 
-Result<DriverTimes> timeOnDriver(const World& world, gpu::Device& device,
+Result<DriverTimes> timeOnDriver(const BuiltInFiles& files, gpu::Device& device,
                                  std::span<const world::Place> places) {
     DriverTimes times;
-    PartOfTour tour(*world.archive, world.file, device, kWidth, kHeight);
+    PartOfTour tour(*files.archive, files.world, device, kWidth, kHeight);
     for (const world::Place& place : places) {
         Result<void> timed =
             tour.at(place).and_then([&](DrawnPart* part) { return timePlace(*part, place, times); });
@@ -245,16 +227,17 @@ BenchRow ownershipRow(const std::string& scene, std::span<const Result<DriverTim
     return row;
 }
 
-void addDriverRows(const World& world, const std::vector<bool>& isIndoors, std::vector<BenchRow>& rows) {
+void addDriverRows(const BuiltInFiles& files, const std::vector<bool>& isIndoors,
+                   std::vector<BenchRow>& rows) {
     const std::optional<HeadlessDriver> driver = openDriver();
     if (!driver) {
         return;
     }
     const std::string name = driver->device->capabilities().renderer;
-    const std::vector<world::Place> rooms = someOf(world.file.tour, isIndoors, true),
-                                    streets = someOf(world.file.tour, isIndoors, false);
-    const Result<DriverTimes> indoors = timeOnDriver(world, *driver->device, rooms),
-                              town = timeOnDriver(world, *driver->device, streets);
+    const std::vector<world::Place> rooms = someOf(files.world.tour, isIndoors, true),
+                                    streets = someOf(files.world.tour, isIndoors, false);
+    const Result<DriverTimes> indoors = timeOnDriver(files, *driver->device, rooms),
+                              town = timeOnDriver(files, *driver->device, streets);
     rows.push_back(driverRow("frame/indoors", fmt::format("{} way points in cells, {}", rooms.size(), name),
                              indoors, kFasterIndoors));
     rows.push_back(driverRow("frame/town", fmt::format("{} way points outside, {}", streets.size(), name),
@@ -266,17 +249,17 @@ void addDriverRows(const World& world, const std::vector<bool>& isIndoors, std::
 } // namespace
 
 std::vector<BenchRow> benchFrame(AllocationCounter counter) {
-    World world;
-    if (Result<void> opened = world.open(); !opened) {
+    BuiltInFiles files;
+    if (Result<void> opened = files.open(); !opened) {
         BenchRow row{"frame/cpu", opened.error().message(), kNone, kNone, "us"};
         row.target = kMostCpu;
         row.hasTarget = true;
         return {row};
     }
-    const Result<CpuTimes> cpu = timeOnNullDevice(world, counter);
-    std::vector<BenchRow> rows{cpuRow(world, cpu)};
+    const Result<CpuTimes> cpu = timeOnNullDevice(files, counter);
+    std::vector<BenchRow> rows{cpuRow(files, cpu)};
     if (cpu) {
-        addDriverRows(world, cpu->indoors, rows);
+        addDriverRows(files, cpu->indoors, rows);
     }
     return rows;
 }

@@ -7,6 +7,7 @@
 #include "DispatchBench.h"
 #include "FloodBench.h"
 #include "FrameBench.h"
+#include "SoakBench.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -32,6 +33,7 @@ constexpr std::array kBenches{
           &bench::benchDispatch},
     Bench{"frame", "whole frames along the tour, beside frames without visibility and without ownership",
           &bench::benchFrame},
+    Bench{"soak", "memory and device objects over an hour of walking", &bench::benchSoak},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &bench::benchCalls},
     Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
           &bench::benchFlood},

@@ -83,6 +83,16 @@ Json figuresJson(const FrameFigures& figures) {
     return stages;
 }
 
+Json residentJson(const gpu::DeviceObjects& resident) {
+    return {{"buffers", resident.buffers},
+            {"buffer_bytes", resident.bufferBytes},
+            {"ring_bytes", resident.ringBytes},
+            {"textures", resident.textures},
+            {"texture_handles", resident.residentHandles},
+            {"programs", resident.programs},
+            {"targets", resident.targets}};
+}
+
 } // namespace
 
 std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible, const visibility::Visit& visit) {
@@ -137,7 +147,10 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
                   {"submit_ms", number(figures.submitMs)},
                   {"gpu_ms", number(figures.gpuMs)}}},
                 {"driver", figures.driver},
-                {"textures", figures.textures}};
+                {"textures", figures.textures},
+                {"bytes_written", figures.bytesWritten},
+                {"ring_stalls", figures.ringStalls},
+                {"resident", residentJson(figures.resident)}};
     if (!ids.empty()) {
         report["void_pixels"] = voids;
         report["ids"] = idsJson(table, moment, ids);

@@ -3,6 +3,7 @@
 #include "app/Camera.h"
 #include "app/IdTable.h"
 #include "frame/FramePlan.h"
+#include "gpu/Device.h"
 #include "visibility/VisibleSet.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,6 +27,9 @@ struct FrameFigures {
     std::string textures; ///< "bindless" or "array pages"
     std::vector<StageFigures> stages;
     std::uint32_t glCalls = 0;
+    std::uint32_t ringStalls = 0; ///< frames that waited for the GPU, and times the ring grew, so far
+    std::size_t bytesWritten = 0; ///< by the frame
+    gpu::DeviceObjects resident;
     double floodMs = 0.0, planMs = 0.0, submitMs = 0.0, gpuMs = 0.0;
 };
 

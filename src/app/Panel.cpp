@@ -71,6 +71,12 @@ void drawFigures(const PanelFacts& facts) {
                      facts.plan.counts.instancesCulled, facts.plan.counts.triangles));
     line(fmt::format("flood {:.3f} ms, plan {:.3f} ms, {} GL calls", facts.figures.floodMs,
                      facts.figures.planMs, facts.figures.glCalls));
+    const gpu::DeviceObjects& resident = facts.figures.resident;
+    line(fmt::format("{} textures, {} handles, {:.0f} MiB of buffers", resident.textures,
+                     resident.residentHandles, static_cast<double>(resident.bufferBytes) / (1 << 20)));
+    line(fmt::format("ring {:.1f} MiB, {} stalls, {:.1f} KiB this frame",
+                     static_cast<double>(resident.ringBytes) / (1 << 20), facts.figures.ringStalls,
+                     static_cast<double>(facts.figures.bytesWritten) / 1024.0));
     if (ImGui::BeginTable("stages", 4)) {
         for (const char* heading : {"stage", "draws", "CPU ms", "GPU ms"})
             ImGui::TableSetupColumn(heading);

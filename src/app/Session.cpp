@@ -242,6 +242,9 @@ FrameFigures Session::figures() const {
     figures.driver = driver();
     figures.textures = renderer_.driver().textureMode;
     figures.glCalls = report.glCalls;
+    figures.ringStalls = report.ringStalls;
+    figures.bytesWritten = report.bytesWritten;
+    figures.resident = device_.objects();
     figures.floodMs = floodMs_;
     figures.planMs = planMs_;
     figures.submitMs = report.cpuMs;

@@ -79,6 +79,14 @@ using ClearValue = std::variant<glm::vec4, std::uint32_t, float>;
 /// Milliseconds of GPU time per stage, of the latest frame whose results have arrived.
 using StageTimes = std::array<std::optional<double>, frame::kStageCount>;
 
+/// What a device holds. Buffers and textures are those that were asked for, not the ring's or the targets' own.
+struct DeviceObjects {
+    std::uint32_t buffers = 0, textures = 0, programs = 0, targets = 0;
+    std::uint32_t residentHandles = 0; ///< bindless textures
+    std::size_t bufferBytes = 0, ringBytes = 0;
+    friend bool operator==(const DeviceObjects&, const DeviceObjects&) = default;
+};
+
 /// Work groups along either axis that every driver allows.
 inline constexpr std::uint32_t kMostGroups = 65535;
 
@@ -168,6 +176,8 @@ public:
     [[nodiscard]] virtual std::uint32_t ringStalls() const = 0;
     /// Never waits.
     [[nodiscard]] virtual StageTimes stageTimes() = 0;
+    /// Cost: linear in what there is.
+    [[nodiscard]] virtual DeviceObjects objects() const = 0;
 };
 
 /// Compares pipeline descriptions, so that only what differs is set. Knows nothing of GL.

@@ -79,6 +79,7 @@ public:
     [[nodiscard]] std::uint32_t glCalls() const override { return device_.glCalls(); }
     [[nodiscard]] std::uint32_t ringStalls() const override { return device_.ringStalls(); }
     [[nodiscard]] StageTimes stageTimes() override { return device_.stageTimes(); }
+    [[nodiscard]] DeviceObjects objects() const override { return device_.objects(); }
 
 protected:
     [[nodiscard]] Device& device() { return device_; }

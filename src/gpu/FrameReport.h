@@ -23,6 +23,7 @@ struct FrameReport {
     double cpuMs = 0.0;        ///< the whole of Renderer::render
     std::array<StageReport, frame::kStageCount> stages;
     std::uint32_t ringStalls = 0; ///< since the device was made
+    std::size_t bytesWritten = 0; ///< ring memory that the frame took
 };
 
 /// What the renderer runs on.

@@ -58,6 +58,7 @@ public:
     [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }
     [[nodiscard]] std::uint32_t ringStalls() const override { return ringStalls_; }
     [[nodiscard]] StageTimes stageTimes() override { return timers_.poll(); }
+    [[nodiscard]] DeviceObjects objects() const override;
 
     /// Sets everything again that the device relies on. Call after code that is not ours has used the context
     /// (the panel), outside a frame.

@@ -311,6 +311,24 @@ void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
     glBindVertexArray(vertexArray_.id());
 }
 
+DeviceObjects GlDevice::objects() const {
+    const auto countOf = [](const auto& table, auto&& counts) {
+        return static_cast<std::uint32_t>(std::count_if(table.begin(), table.end(), counts));
+    };
+    const auto exists = [](const auto& object) { return !object.empty(); };
+    DeviceObjects objects;
+    objects.buffers = countOf(buffers_, exists);
+    objects.textures = countOf(textures_, exists);
+    objects.programs = countOf(programs_, exists);
+    objects.targets = countOf(targets_, [](const auto& target) { return target != nullptr; });
+    objects.residentHandles = countOf(textures_, [](const Texture& texture) { return texture.isResident(); });
+    for (const Buffer& buffer : buffers_) {
+        objects.bufferBytes += buffer.empty() ? 0 : buffer.size();
+    }
+    objects.ringBytes = ring_.size();
+    return objects;
+}
+
 void GlDevice::presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height) {
     const Target& from = *targets_[static_cast<std::size_t>(target)];
     const auto size = [](std::uint32_t pixels) { return static_cast<GLint>(pixels); };

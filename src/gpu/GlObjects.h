@@ -106,6 +106,7 @@ public:
     /// The bindless handle, made resident on the first call. Needs ARB_bindless_texture; parameters and
     /// storage are fixed from then on. 0 if the driver refuses.
     [[nodiscard]] std::uint64_t residentHandle();
+    [[nodiscard]] bool isResident() const { return handle_ != 0; }
     /// Makes it non-resident, if there is one.
     void releaseHandle();
 

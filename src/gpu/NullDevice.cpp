@@ -17,20 +17,24 @@ Capabilities NullDevice::defaultCapabilities() {
 }
 
 BufferHandle NullDevice::createBuffer(std::string_view, std::span<const std::byte> bytes) {
-    ++liveObjects_;
+    ++objects_.buffers;
+    objects_.bufferBytes += bytes.size();
     buffers_.emplace_back(bytes.begin(), bytes.end());
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
 BufferHandle NullDevice::createScratch(std::string_view, std::size_t bytes) {
-    ++liveObjects_;
+    ++objects_.buffers;
+    objects_.bufferBytes += bytes;
     buffers_.emplace_back(bytes);
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
 void NullDevice::destroyBuffer(BufferHandle buffer) {
-    --liveObjects_;
-    buffers_[static_cast<std::size_t>(buffer)].clear();
+    std::vector<std::byte>& bytes = buffers_[static_cast<std::size_t>(buffer)];
+    --objects_.buffers;
+    objects_.bufferBytes -= bytes.size();
+    bytes = {};
 }
 
 Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {
@@ -38,13 +42,13 @@ Result<TextureHandle> NullDevice::createTexture(std::string_view label, const Te
         shape.layers > capabilities_.maxArrayLayers) {
         return fail(ErrorCode::Unsupported, std::string(label), "larger than this device allows");
     }
-    ++liveObjects_;
+    ++objects_.textures;
     textures_.push_back(shape);
     return static_cast<TextureHandle>(textures_.size() - 1);
 }
 
 Result<TextureHandle> NullDevice::createTexels(std::string_view, BufferHandle) {
-    ++liveObjects_;
+    ++objects_.textures;
     textures_.emplace_back();
     return static_cast<TextureHandle>(textures_.size() - 1);
 }
@@ -60,15 +64,17 @@ void NullDevice::writeTexture(TextureHandle texture, std::uint32_t layer, std::u
 
 std::uint64_t NullDevice::residentHandle(TextureHandle texture) {
     LIMEN_ASSERT(capabilities_.bindless, "handles need ARB_bindless_texture");
+    ++objects_.residentHandles;
     return static_cast<std::uint64_t>(texture) + 1;
 }
 
 void NullDevice::releaseHandle(TextureHandle) {
     LIMEN_ASSERT(capabilities_.bindless, "handles need ARB_bindless_texture");
+    --objects_.residentHandles;
 }
 
 void NullDevice::destroyTexture(TextureHandle) {
-    --liveObjects_;
+    --objects_.textures;
 }
 
 Result<ProgramHandle> NullDevice::createProgram(const ProgramSource& source) {
@@ -80,13 +86,13 @@ Result<ProgramHandle> NullDevice::createProgram(const ProgramSource& source) {
             return tl::unexpected(text.error());
         }
     }
-    ++liveObjects_;
+    ++objects_.programs;
     programs_.push_back(source);
     return static_cast<ProgramHandle>(programs_.size() - 1);
 }
 
 void NullDevice::destroyProgram(ProgramHandle) {
-    --liveObjects_;
+    --objects_.programs;
     state_.forgetProgram();
 }
 
@@ -99,7 +105,7 @@ Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked) {
         return tl::unexpected(checked.error());
     }
-    ++liveObjects_;
+    ++objects_.targets;
     return static_cast<TargetHandle>(targets_++);
 }
 
@@ -108,7 +114,7 @@ std::vector<glm::vec2> NullDevice::samplePositions(TargetHandle) {
 }
 
 void NullDevice::destroyTarget(TargetHandle) {
-    --liveObjects_;
+    --objects_.targets;
 }
 
 void NullDevice::readTarget(TargetHandle, TargetImage, std::span<std::byte> out) {
@@ -120,6 +126,7 @@ void NullDevice::setGeometry(BufferHandle, BufferHandle) {}
 Result<void> NullDevice::reserveRing(std::size_t bytes) {
     if (bytes > ring_.size()) {
         ring_.resize(bytes + bytes / 2);
+        objects_.ringBytes = ring_.size();
     }
     return {};
 }

@@ -46,7 +46,9 @@ public:
     }
     /// Every texture made so far, destroyed ones included.
     [[nodiscard]] std::span<const TextureShape> textures() const { return textures_; }
-    [[nodiscard]] std::size_t liveObjects() const { return liveObjects_; }
+    [[nodiscard]] std::size_t liveObjects() const {
+        return objects_.buffers + objects_.textures + objects_.programs + objects_.targets;
+    }
 
     [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] BufferHandle createBuffer(std::string_view label,
@@ -89,6 +91,7 @@ public:
     [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }
     [[nodiscard]] std::uint32_t ringStalls() const override { return 0; }
     [[nodiscard]] StageTimes stageTimes() override { return {}; }
+    [[nodiscard]] DeviceObjects objects() const override { return objects_; }
 
 private:
     // Records a command that GlDevice carries out with so many GL calls.
@@ -98,7 +101,8 @@ private:
     std::vector<std::vector<std::byte>> buffers_;
     std::vector<TextureShape> textures_;
     std::vector<ProgramSource> programs_;
-    std::size_t targets_ = 0, liveObjects_ = 0;
+    std::size_t targets_ = 0; // made so far
+    DeviceObjects objects_;
     std::vector<std::byte> ring_;
     std::vector<Command> commands_;
     std::vector<StorageRange> storage_;

@@ -206,6 +206,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     }
     device_->endFrame();
     report_.cpuMs = watch.milliseconds();
+    report_.bytesWritten = ring.size();
     return {};
 }
 

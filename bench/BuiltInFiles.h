@@ -1,0 +1,31 @@
+#pragma once
+
+#include "TemporaryDirectory.h"
+
+#include "dat/Archive.h"
+#include "demo/Demo.h"
+#include "world/Places.h"
+
+#include <optional>
+
+namespace limen::bench {
+
+/// The built-in world's files, in a directory of their own.
+struct BuiltInFiles {
+    TemporaryDirectory directory{"bench-world"};
+    std::optional<dat::Archive> archive; ///< once opened
+    world::WorldFile world;
+
+    /// Writes them. Errors: as writing and reading them.
+    [[nodiscard]] Result<void> open() {
+        return demo::writeBuiltInWorld(directory.path())
+            .and_then([&] { return dat::Archive::open(directory.path()); })
+            .and_then([&](dat::Archive opened) {
+                archive.emplace(std::move(opened));
+                return world::loadWorldFile(directory.path());
+            })
+            .map([&](world::WorldFile read) { world = std::move(read); });
+    }
+};
+
+} // namespace limen::bench
