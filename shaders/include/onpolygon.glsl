@@ -17,9 +17,12 @@ const float kGrazing = 1.0e-4;
 // Share of its distance by which a place on a plane is off, seen straight on: eight roundings, of the corners, the plane's
 // normal and height, and of the ray.
 const float kPlaneRounding = 4.8e-7;
-// Pixels. Depths tie within some three steps of a float (3.6e-7 of a depth), which two planes that part at 45 degrees do within
-// 1e-4 of a pixel of a picture some 600 pixels wide.
+// Pixels that a triangle's fringe is wide, and depth is taken inwards at most.
 const float kInward = 1.0e-4;
+// The same as an angle. Depths tie within some three steps of a float (3.6e-7 of a depth), which two planes that part at 45 degrees
+// do within as many radians. What is seen flat changes its depth by much within it: by more than a metre, for a leaf half a
+// kilometre away, in 1e-4 of a pixel of a coarse picture. So it is no more than a pixel of a fine one gives: 640 x 360, 90 degrees high.
+const float kInwardRadians = 5.56e-7;
 const float kBehindAll = uintBitsToFloat((127u - kFringeExponent) << 23); // 2^-kFringeExponent
 // Share of its products by which a corner's share may round: six roundings.
 const float kShareRounding = 3.6e-7;
@@ -97,13 +100,14 @@ struct Step {
 };
 
 // Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
-// floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward: there both are
-// asked at the same place, and they differ.
+// floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward, or kInwardRadians: there
+// both are asked at the same place, and they differ.
 // Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
 // them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
 // they fill what nothing covers: kInward wide, and as much as rounding may make of more.
 Step stepInwards(Shares shares) {
     Step inwards = Step(vec2(0.0), true);
+    float most = min(kInward, kInwardRadians / frame.pixel);
 #ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
     inwards.isSmall = false;
     return inwards;
@@ -112,7 +116,7 @@ Step stepInwards(Shares shares) {
         float perPixel = max(length(shares.change[i]), 1.0e-30);
         float within = shares.corner[i] / perPixel;
         float fringe = kInward + kShareRounding * shares.products[i] / perPixel;
-        inwards.by += shares.change[i] * (clamp(kInward - within, 0.0, kInward + fringe) / perPixel);
+        inwards.by += shares.change[i] * (clamp(most - within, 0.0, most + fringe) / perPixel);
         inwards.isSmall = inwards.isSmall && within >= -fringe;
     }
 #ifdef LIMEN_WITHOUT_FRINGE // likewise
