@@ -1,12 +1,15 @@
 #include "app/Panel.h"
 
 #include "app/RegionOverlay.h"
+#include "app/VisitTree.h"
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 namespace limen::app {
@@ -50,7 +53,9 @@ void drawHelp() {
                      ImGuiWindowFlags_NoCollapse);
     for (const char* text :
          {"W A S D, arrows   fly", "E or space        up", "Q or control      down", "shift             fast",
-          "drag the mouse    look around", "1 .. 9            go to a place", "F1                this help",
+          "drag the mouse    look around", "1 .. 9            go to a place",
+          "O                 open or shut all doors", "R                 rain",
+          "T                 an hour later", "F1                this help",
           "F2                ids as colours", "F3                regions of the visits",
           "F4                the panel", "Esc               leave"})
         ImGui::TextUnformatted(text);
@@ -93,6 +98,70 @@ void drawFigures(const PanelFacts& facts) {
     }
 }
 
+void drawControls(PanelChoice& choice) {
+    if (!ImGui::CollapsingHeader("World", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    float hours = static_cast<float>(choice.time * 24.0);
+    if (ImGui::SliderFloat("time", &hours, 0.0f, 24.0f, "%.1f h"))
+        choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
+    bool rain = choice.weather == Weather::Rain;
+    if (ImGui::Checkbox("rain", &rain))
+        choice.weather = rain ? Weather::Rain : Weather::Clear;
+    int doors = choice.doors ? 1 : 0;
+    ImGui::RadioButton("doors at rest", &doors, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("all", &doors, 1);
+    if (doors == 0) {
+        choice.doors.reset();
+        return;
+    }
+    float open = static_cast<float>(100.0 * choice.doors.value_or(0.0));
+    ImGui::SliderFloat("open", &open, 0.0f, 100.0f, "%.0f %%");
+    choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
+}
+
+/// Draws a visit and all it leads to. Yields the first visit after them; `hovered` becomes the one under the mouse.
+std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isShown, int& hovered) {
+    bool isOpen = false;
+    if (isShown) {
+        // The number is the identity: the rest of the label changes from frame to frame.
+        isOpen = ImGui::TreeNodeEx(reinterpret_cast<const void*>(std::uintptr_t{visit}),
+                                   ImGuiTreeNodeFlags_DefaultOpen, "%s",
+                                   visitLabel(facts.world, facts.visible, visit).c_str());
+        if (ImGui::IsItemHovered())
+            hovered = static_cast<int>(visit);
+    }
+    if (isOpen) {
+        const std::vector<std::string> besides = seenBesides(facts.world, facts.visible, visit);
+        if (!besides.empty())
+            ImGui::TextDisabled("%s", fmt::format("and {}", fmt::join(besides, ", ")).c_str());
+    }
+    std::uint32_t next = visit + 1;
+    const std::vector<visibility::Visit>& visits = facts.visible.visits;
+    while (next < visits.size() && visits[next].depth > visits[visit].depth) // depth-first
+        next = drawVisit(facts, next, isOpen, hovered);
+    if (isOpen)
+        ImGui::TreePop();
+    return next;
+}
+
+/// The tree of visits: why each room is drawn. The region of the one under the mouse is filled.
+void drawVisits(const PanelFacts& facts) {
+    if (facts.visible.visits.empty() || !ImGui::CollapsingHeader("Visits", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    int hovered = -1;
+    drawVisit(facts, 0, true, hovered);
+    if (hovered < 0)
+        return;
+    std::vector<ImVec2> points;
+    for (const Vec2& corner :
+         regionNdc(facts.visible, facts.visible.visits[static_cast<std::size_t>(hovered)]))
+        points.push_back(screenPoint(corner));
+    if (points.size() > 2)
+        ImGui::GetBackgroundDrawList()->AddConvexPolyFilled(points.data(), static_cast<int>(points.size()),
+                                                            IM_COL32(255, 220, 80, 90));
+}
+
 int drawPlaces(std::span<const world::Place> places) {
     int clicked = -1;
     if (!places.empty() && ImGui::CollapsingHeader("Places")) {
@@ -106,16 +175,24 @@ int drawPlaces(std::span<const world::Place> places) {
     return clicked;
 }
 
-int drawPanel(const PanelFacts& facts) {
+PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
     ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({330.0f, 0.0f}, ImGuiCond_FirstUseEver);
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSizeConstraints({330.0f, 0.0f},
+                                        {room.x - 16.0f, room.y - 16.0f}); // the rest is scrolled
     ImGui::SetNextWindowBgAlpha(0.75f);
-    ImGui::Begin("Limen (F1 for help)", nullptr, ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin("Limen (F1 for help)", nullptr,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    drawControls(choice);
     drawFigures(facts);
-    const int clicked = drawPlaces(facts.places);
-    ImGui::TextWrapped("%s, %s", facts.figures.driver.c_str(), facts.figures.textures.c_str());
+    drawVisits(facts);
+    choice.place = drawPlaces(facts.places);
+    if (ImGui::CollapsingHeader("Driver")) {
+        line(facts.figures.driver);
+        line(facts.figures.textures);
+    }
     ImGui::End();
-    return clicked;
+    return choice;
 }
 
 } // namespace
@@ -170,7 +247,7 @@ void Panel::drawIds(const PanelFacts& facts) {
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(idTexture_->name)), {0, 0}, size);
 }
 
-int Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches) {
+PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -178,12 +255,14 @@ int Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches) {
         drawIds(facts);
     if (switches.regions)
         drawRegionOutlines(facts.visible);
-    const int clicked = switches.panel ? drawPanel(facts) : -1;
+    PanelChoice choice{-1, facts.eye.time, facts.eye.weather, facts.eye.doors};
+    if (switches.panel)
+        choice = drawPanel(facts, choice);
     if (switches.help)
         drawHelp();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return clicked;
+    return choice;
 }
 
 } // namespace limen::app

@@ -26,6 +26,14 @@ struct PanelFacts {
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
 };
 
+/// What was chosen in the panel: as it was, where nothing was.
+struct PanelChoice {
+    int place = -1; ///< that was clicked; -1: none
+    double time = 0.5;
+    Weather weather = Weather::Clear;
+    std::optional<double> doors; ///< as in FrameEye
+};
+
 /// The overlay stage of the window: panel, help, places, outlines. Owns the Dear ImGui context and its GL
 /// objects.
 class Panel {
@@ -37,8 +45,8 @@ public:
 
     /// True while the mouse is over the panel.
     [[nodiscard]] bool takesMouse() const;
-    /// Draws into the bound framebuffer. Yields the place that was clicked, or -1.
-    int draw(const PanelFacts& facts, const OverlaySwitches& switches);
+    /// Draws into the bound framebuffer.
+    PanelChoice draw(const PanelFacts& facts, const OverlaySwitches& switches);
 
 private:
     void drawIds(const PanelFacts& facts);

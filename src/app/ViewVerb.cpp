@@ -8,6 +8,8 @@
 #include "app/Window.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,6 +47,7 @@ public:
         for (const Key key : window_.pressed())
             press(key);
         moveEye(elapsed);
+        moveDoors(elapsed);
         eye_.size = window_.size();
         eye_.seconds += elapsed;
         if (Result<void> drawn = session_.draw(eye_, {.ids = switches_.ids}); !drawn)
@@ -72,12 +75,48 @@ private:
         case Key::Panel:
             switches_.panel = !switches_.panel;
             return;
+        case Key::Doors:
+            swingDoors();
+            return;
+        case Key::Rain:
+            eye_.weather = eye_.weather == Weather::Rain ? Weather::Clear : Weather::Rain;
+            return;
+        case Key::Later:
+            eye_.time = std::fmod(eye_.time + 1.0 / 24.0, 1.0);
+            return;
         case Key::Leave:
             leaving_ = true;
             return;
         default:
             goTo(static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::Place1));
         }
+    }
+
+    /// All doors open, or shut if they are open or opening. They take a second.
+    void swingDoors() {
+        const double towards = doorsTowards_.value_or(eye_.doors.value_or(0.0));
+        doorsTowards_ = towards < 0.5 ? 1.0 : 0.0;
+        if (!eye_.doors)
+            eye_.doors = 1.0 - *doorsTowards_;
+    }
+
+    void moveDoors(double seconds) {
+        if (!doorsTowards_ || !eye_.doors)
+            return;
+        const double way = *doorsTowards_ - *eye_.doors;
+        eye_.doors = *eye_.doors + std::clamp(way, -seconds, seconds);
+        if (*eye_.doors == *doorsTowards_)
+            doorsTowards_.reset();
+    }
+
+    void take(const PanelChoice& choice) {
+        eye_.time = choice.time;
+        eye_.weather = choice.weather;
+        if (choice.doors != eye_.doors)
+            doorsTowards_.reset(); // a hand is on them
+        eye_.doors = choice.doors;
+        if (choice.place >= 0)
+            goTo(static_cast<std::size_t>(choice.place));
     }
 
     void goTo(std::size_t place) {
@@ -132,10 +171,9 @@ private:
                                frameSeconds_ > 0.0 ? 1.0 / frameSeconds_ : 0.0,
                                session_.source().file.places,
                                ids};
-        const int clicked = panel_.draw(facts, switches_);
+        const PanelChoice choice = panel_.draw(facts, switches_);
         device_.restoreState();
-        if (clicked >= 0)
-            goTo(static_cast<std::size_t>(clicked));
+        take(choice);
     }
 
     Window& window_;
@@ -145,6 +183,7 @@ private:
     FrameEye eye_;
     RootTracker tracker_;
     OverlaySwitches switches_;
+    std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< running mean
     std::uint64_t frames_ = 0;
@@ -188,18 +227,22 @@ Result<std::size_t> frameLimit(const ViewOptions& options) {
 
 std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
     const FrameEye& eye = viewer.eye();
-    const nlohmann::ordered_json json{{"frames", frames},
-                                      {"eye", {eye.camera.eye.x, eye.camera.eye.y, eye.camera.eye.z}},
-                                      {"yaw", eye.camera.heading.yaw},
-                                      {"pitch", eye.camera.heading.pitch},
-                                      {"root", spaceName(session.loaded().world, eye.root)},
-                                      {"visits", session.visible().visits.size()},
-                                      {"overlays",
-                                       {{"help", viewer.switches().help},
-                                        {"ids", viewer.switches().ids},
-                                        {"regions", viewer.switches().regions},
-                                        {"panel", viewer.switches().panel}}},
-                                      {"gl_calls", session.figures().glCalls}};
+    const nlohmann::ordered_json json{
+        {"frames", frames},
+        {"eye", {eye.camera.eye.x, eye.camera.eye.y, eye.camera.eye.z}},
+        {"yaw", eye.camera.heading.yaw},
+        {"pitch", eye.camera.heading.pitch},
+        {"root", spaceName(session.loaded().world, eye.root)},
+        {"time", eye.time},
+        {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
+        {"doors", eye.doors ? nlohmann::ordered_json(*eye.doors) : nlohmann::ordered_json(nullptr)},
+        {"visits", session.visible().visits.size()},
+        {"overlays",
+         {{"help", viewer.switches().help},
+          {"ids", viewer.switches().ids},
+          {"regions", viewer.switches().regions},
+          {"panel", viewer.switches().panel}}},
+        {"gl_calls", session.figures().glCalls}};
     return json.dump() + "\n";
 }
 

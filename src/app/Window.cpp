@@ -29,6 +29,12 @@ std::optional<Key> keyOf(int key) {
         return Key::Regions;
     case GLFW_KEY_F4:
         return Key::Panel;
+    case GLFW_KEY_O:
+        return Key::Doors;
+    case GLFW_KEY_R:
+        return Key::Rain;
+    case GLFW_KEY_T:
+        return Key::Later;
     case GLFW_KEY_ESCAPE:
         return Key::Leave;
     default:

@@ -176,6 +176,20 @@ class ViewWindow(unittest.TestCase):
         self.assertEqual(overlays, {"help": True, "ids": True, "regions": True, "panel": False})
 
     @patiently
+    def test_o_opens_the_doors_r_makes_rain_and_t_makes_it_later(self):
+        def press():
+            for key in ("o", "r", "t"):
+                self.xdotool("key", key)
+                self.wait(0.4)
+            self.wait(1.0)
+
+        still, changed = self.drive(lambda: None), self.drive(press)
+        self.assertEqual((still["doors"], still["weather"]), (None, "clear"))
+        self.assertGreater(changed["doors"], 0.0)
+        self.assertEqual(changed["weather"], "rain")
+        self.assertAlmostEqual(changed["time"], still["time"] + 1.0 / 24.0)
+
+    @patiently
     def test_number_keys_go_to_places(self):
         first = self.drive(lambda: self.xdotool("key", "1"))
         second = self.drive(lambda: self.xdotool("key", "2"))
