@@ -23,6 +23,8 @@ const float kInward = 1.0e-4;
 // do within as many radians. What is seen flat changes its depth by much within it: by more than a metre, for a leaf half a
 // kilometre away, in 1e-4 of a pixel of a coarse picture. So it is no more than a pixel of a fine one gives: 640 x 360, 90 degrees high.
 const float kInwardRadians = 5.56e-7;
+// Share of its depth by which what is seen flat may be off, from which on it is taken for as far as it may be: see behindRounding.
+const float kFlat = 2.0e-4;
 const float kBehindAll = uintBitsToFloat((127u - kFringeExponent) << 23); // 2^-kFringeExponent
 // Share of its products by which a corner's share may round: six roundings.
 const float kShareRounding = 3.6e-7;
@@ -105,9 +107,13 @@ struct Step {
 // Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
 // them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
 // they fill what nothing covers: kInward wide, and as much as rounding may make of more.
+float inwardRadians() {
+    return min(kInward * frame.pixel, kInwardRadians);
+}
+
 Step stepInwards(Shares shares) {
     Step inwards = Step(vec2(0.0), true);
-    float most = min(kInward, kInwardRadians / frame.pixel);
+    float most = inwardRadians() / frame.pixel;
 #ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
     inwards.isSmall = false;
     return inwards;
@@ -201,6 +207,19 @@ float beforePlane(uint kind, vec3 direction) {
 #endif
 }
 
+// Of a plane seen flat enough floats do not tell the depth: of a leaf half a kilometre away seen at an angle of 0.0005, not to a
+// metre, where it is a ten-thousandth of a pixel wide. Then it is put as far as it may be. What is behind it by less and shows
+// instead is what pixels around it show; what it would hide by being put too near is not. Yields how much farther; that is
+// a millionth of its distance, square to it.
+float behindRounding(vec3 direction, float depth) {
+#ifdef TRANSLUCENT // writes no depth: it hides nothing
+    return 0.0;
+#endif
+    float facing = max(-dot(vFacet.xyz, direction), kGrazing * 1.0e-1);
+    float share = (kPlaneRounding + inwardRadians()) / facing;
+    return depth * max(share - kFlat, 0.0);
+}
+
 // Eye-relative. Sets the fragment's depth. False: the ray through the pixel does not meet the triangle's front.
 bool findOnPolygon(uint kind, out Place place) {
     vec3 direction = rayThrough(windowPlace());
@@ -209,7 +228,8 @@ bool findOnPolygon(uint kind, out Place place) {
     // Along the plane: what the rasteriser interpolates may be infinite beside a thin triangle.
     place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
                   met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
-    float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction);
+    float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction) +
+                   behindRounding(direction, met.depth);
     bool isOver = met.isAhead && isOverOutline(3u, windowPlace());
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
 #ifndef TRANSLUCENT // of two that share an edge, a layer is counted once
