@@ -62,9 +62,34 @@ void drawHelp() {
     ImGui::End();
 }
 
+/// Median and p95, or a dash.
+std::string windowText(const TimeWindow& window) {
+    return window.count() == 0 ? std::string("-")
+                               : fmt::format("{:.3f} {:.3f}", window.median(), window.p95());
+}
+
+void drawStages(const PanelFacts& facts) {
+    if (!ImGui::BeginTable("stages", 4))
+        return;
+    for (const char* heading : {"stage", "draws", "CPU ms, p95", "GPU ms, p95"})
+        ImGui::TableSetupColumn(heading);
+    ImGui::TableHeadersRow();
+    const std::vector<StageFigures>& stages = facts.figures.stages;
+    for (std::size_t i = 0; i < stages.size() && i < facts.times.stages.size(); ++i) {
+        const StageWindows& times = facts.times.stages[i];
+        for (const std::string& text : {stages[i].name, fmt::format("{}", stages[i].draws),
+                                        windowText(times.cpu), windowText(times.gpu)}) {
+            ImGui::TableNextColumn();
+            line(text);
+        }
+    }
+    ImGui::EndTable();
+}
+
 void drawFigures(const PanelFacts& facts) {
     const Camera& camera = facts.eye.camera;
-    line(fmt::format("{:.0f} frames a second", facts.framesPerSecond));
+    const TimeWindow& frame = facts.times.frame;
+    line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
     line(fmt::format("root {}", spaceName(facts.world, facts.eye.root)));
     line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
     line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));
@@ -82,20 +107,7 @@ void drawFigures(const PanelFacts& facts) {
     line(fmt::format("ring {:.1f} MiB, {} stalls, {:.1f} KiB this frame",
                      static_cast<double>(resident.ringBytes) / (1 << 20), facts.figures.ringStalls,
                      static_cast<double>(facts.figures.bytesWritten) / 1024.0));
-    if (ImGui::BeginTable("stages", 4)) {
-        for (const char* heading : {"stage", "draws", "CPU ms", "GPU ms"})
-            ImGui::TableSetupColumn(heading);
-        ImGui::TableHeadersRow();
-        for (const StageFigures& stage : facts.figures.stages) {
-            for (const std::string& text :
-                 {stage.name, fmt::format("{}", stage.draws), fmt::format("{:.3f}", stage.cpuMs),
-                  std::isfinite(stage.gpuMs) ? fmt::format("{:.3f}", stage.gpuMs) : std::string("-")}) {
-                ImGui::TableNextColumn();
-                line(text);
-            }
-        }
-        ImGui::EndTable();
-    }
+    drawStages(facts);
 }
 
 void drawControls(PanelChoice& choice) {
@@ -196,6 +208,15 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
 }
 
 } // namespace
+
+void FrameWindows::add(double now, double frameMs, const FrameFigures& figures) {
+    frame.add(now, frameMs);
+    stages.resize(figures.stages.size());
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        stages[i].cpu.add(now, figures.stages[i].cpuMs);
+        stages[i].gpu.add(now, figures.stages[i].gpuMs);
+    }
+}
 
 /// The id image as a texture of the panel's own.
 struct Panel::IdTexture {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/FrameReport.h"
+#include "app/TimeWindow.h"
 #include "app/Window.h"
 #include "world/Places.h"
 
@@ -14,6 +15,17 @@ struct OverlaySwitches {
     bool help = false, ids = false, regions = false, panel = true;
 };
 
+/// Milliseconds, over the last five seconds.
+struct StageWindows {
+    TimeWindow cpu, gpu;
+};
+struct FrameWindows {
+    TimeWindow frame;                 ///< from one to the next
+    std::vector<StageWindows> stages; ///< as FrameFigures::stages
+
+    void add(double now, double frameMs, const FrameFigures& figures);
+};
+
 /// What the panel tells of a frame.
 struct PanelFacts {
     const world::World& world;
@@ -21,7 +33,7 @@ struct PanelFacts {
     const visibility::VisibleSet& visible;
     const frame::FramePlan& plan;
     FrameFigures figures;
-    double framesPerSecond = 0.0;
+    const FrameWindows& times;
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
 };

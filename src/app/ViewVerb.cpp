@@ -41,9 +41,7 @@ public:
         const double real = now - lastSeconds_;
         const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : real;
         lastSeconds_ = now;
-        // Times are averaged, not rates: one short frame must not outweigh a hundred long ones. The first is no frame.
-        if (frames_++ > 0)
-            frameSeconds_ = frameSeconds_ > 0.0 ? frameSeconds_ + (real - frameSeconds_) * 0.1 : real;
+        frameSeconds_ = real;
         for (const Key key : window_.pressed())
             press(key);
         moveEye(elapsed);
@@ -163,14 +161,12 @@ private:
         const std::vector<std::uint32_t> ids =
             switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
         device_.presentToWindow(session_.target().handle(), eye_.size.width, eye_.size.height);
-        const PanelFacts facts{session_.loaded().world,
-                               eye_,
-                               session_.visible(),
-                               session_.plan(),
-                               session_.figures(),
-                               frameSeconds_ > 0.0 ? 1.0 / frameSeconds_ : 0.0,
-                               session_.source().file.places,
-                               ids};
+        const FrameFigures figures = session_.figures();
+        if (frames_++ > 0) // the first is no frame: it began when the window opened
+            times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
+        const PanelFacts facts{
+            session_.loaded().world,       eye_, session_.visible(), session_.plan(), figures, times_,
+            session_.source().file.places, ids};
         const PanelChoice choice = panel_.draw(facts, switches_);
         device_.restoreState();
         take(choice);
@@ -185,7 +181,8 @@ private:
     OverlaySwitches switches_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     double lastSeconds_ = 0.0;
-    double frameSeconds_ = 0.0; ///< running mean
+    double frameSeconds_ = 0.0; ///< since the last frame
+    FrameWindows times_;
     std::uint64_t frames_ = 0;
     bool leaving_ = false;
 };
