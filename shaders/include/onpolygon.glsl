@@ -101,16 +101,16 @@ struct Step {
     bool isSmall; // of a ray that passes over the triangle, or beside it by no more than the fringe
 };
 
+float inwardRadians() {
+    return min(kInward * frame.pixel, kInwardRadians);
+}
+
 // Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
 // floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward, or kInwardRadians: there
 // both are asked at the same place, and they differ.
 // Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
 // them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
 // they fill what nothing covers: kInward wide, and as much as rounding may make of more.
-float inwardRadians() {
-    return min(kInward * frame.pixel, kInwardRadians);
-}
-
 Step stepInwards(Shares shares) {
     Step inwards = Step(vec2(0.0), true);
     float most = inwardRadians() / frame.pixel;
