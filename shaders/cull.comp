@@ -110,6 +110,6 @@ void main() {
         commands[command + 1u] = drawsAsIs || all > 0u ? 1u : 0u;
         commands[command + 2u] = drawsAsIs ? piece.firstIndex : first;
         commands[command + 3u] = 0u;
-        commands[command + 4u] = piece.instance;
+        commands[command + 4u] = keepsAll ? piece.instance : recordOf(piece.instance);
     }
 }

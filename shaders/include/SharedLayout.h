@@ -123,9 +123,9 @@ LIMEN_STRUCT(FrameConstants) {
     uint firstSlot LIMEN_ZERO;        // DrawSlot, two a texel
     uint slotCount LIMEN_ZERO;        // likewise filled in by gpu
     uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
-    uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
-    uint reserved2 LIMEN_ZERO;
+    uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
+    uint replacementCount LIMEN_ZERO;
+    uint reserved LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {
@@ -241,6 +241,12 @@ struct DrawSlot {
 // Unused ones are (0,0,0,1).
 LIMEN_STRUCT(ClipSet) {
     vec4 planes[8] LIMEN_ZERO;
+};
+
+// An instance of the scene that a frame draws by a record of its own, numbered as movers are.
+struct Replacement {
+    uint instance LIMEN_ZERO;
+    uint by LIMEN_ZERO;
 };
 
 // A sky object of this frame.

@@ -69,6 +69,18 @@ DrawSlot slotAt(uint index) {
     return index % 2u == 1u ? DrawSlot(pair.z, pair.w) : DrawSlot(pair.x, pair.y);
 }
 
+// The number of the record that an instance is drawn by in this frame.
+uint recordOf(uint instance) {
+    for (uint i = 0u; i < frame.replacementCount; ++i) {
+        uvec4 pair = ringTexel(frame.firstReplacement + i / 2u);
+        uvec2 replaced = i % 2u == 1u ? pair.zw : pair.xy;
+        if (replaced.x == instance) {
+            return replaced.y;
+        }
+    }
+    return instance;
+}
+
 // What stands still, and the frame's own, are numbered on.
 DrawPiece pieceAt(uint index) {
     uvec4 piece = index < frame.staticPieces ? texelFetch(pieceTexels, int(index))

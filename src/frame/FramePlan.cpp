@@ -11,6 +11,7 @@ void FramePlan::clear() {
     skyInstances.clear();
     movers.clear();
     moverMembers.clear();
+    replacements.clear();
     pieces.clear();
     runs.clear();
     batches.clear();

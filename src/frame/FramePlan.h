@@ -67,9 +67,11 @@ struct FramePlan {
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::SkyInstance> skyInstances;
-    std::vector<gpu::Instance> movers;     ///< those drawn; numbered on from the scene's instances
-    std::vector<gpu::Member> moverMembers; ///< numbered on from the scene's members
-    std::vector<gpu::DrawPiece> pieces;    ///< of movers and of the sky; numbered on from the scene's pieces
+    std::vector<gpu::Instance>
+        movers; ///< those drawn, and other records of the frame's own; numbered on from the scene's instances
+    std::vector<gpu::Member> moverMembers;      ///< numbered on from the scene's members
+    std::vector<gpu::Replacement> replacements; ///< of the scene's instances by some of `movers`
+    std::vector<gpu::DrawPiece> pieces; ///< of movers and of the sky; numbered on from the scene's pieces
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind

@@ -4,10 +4,17 @@
 #include "visibility/View.h"
 
 #include <cstdint>
+#include <span>
 
 namespace limen::frame {
 
 enum class Weather : std::uint8_t { Clear, Rain };
+
+/// An object in another colour: one that is selected, say.
+struct Highlight {
+    std::uint64_t object = 0; ///< world::Instance::object; all its parts
+    std::uint32_t colour = 0; ///< bytes R, G, B and strength, R lowest: what the lit colour is mixed with
+};
 
 /// One frame to plan: the eye and what is not the world's. Positions are global (world/World.h).
 struct FrameView {
@@ -21,6 +28,8 @@ struct FrameView {
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shows where the world has a hole
     Rules rules;
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
+    /// A few: what stands still is looked up in them on the device, for every draw. Read while the frame is planned.
+    std::span<const Highlight> highlights{};
 };
 
 /// A FrameView at `eye` looking along compass direction `yaw` (degrees, 0 = north, +y; 90 = east, +x) and

@@ -43,7 +43,8 @@ static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) ==
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
-static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(DrawSlot) == 8);
+static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(DrawSlot) == 8 &&
+              sizeof(Replacement) == 8);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
               kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
 

@@ -40,7 +40,7 @@ constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
 Planner::Planner(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), pieces_(buildPieces(world, clusters_)),
-      selection_(world, clusters_) {
+      highlights_(world), selection_(world, clusters_) {
     std::vector<gpu::Member> zones;
     for (const world::Instance& in : world.instances) {
         zones.clear();
@@ -62,7 +62,8 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
     }
     endStage(plan);
     selection_.select(frame, moment, set);
-    packMovers(moment, plan);
+    packMovers(frame, moment, plan);
+    highlights_.replace(frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
     planSolid(several, plan);
     endStage(plan);
@@ -117,7 +118,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.nearPlane = static_cast<float>(frame.nearPlane);
 }
 
-void Planner::packMovers(const world::Moment& moment, FramePlan& plan) {
+void Planner::packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
     for (auto& ranges : moverRanges_) {
         ranges[0].clear();
         ranges[1].clear();
@@ -138,6 +139,7 @@ void Planner::packMovers(const world::Moment& moment, FramePlan& plan) {
         }
         gpu::Instance packed = packInstance(world_, instance, moment.members, plan.moverMembers);
         packed.firstMember += staticMembers_;
+        packed.highlight = colourOf(frame.highlights, instance.object);
         plan.movers.push_back(packed);
     }
 }

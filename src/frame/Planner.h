@@ -2,6 +2,7 @@
 
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
+#include "frame/Highlights.h"
 #include "frame/ResidentPieces.h"
 #include "frame/Selection.h"
 #include "visibility/VisibleSet.h"
@@ -45,7 +46,7 @@ private:
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
-    void packMovers(const world::Moment& moment, FramePlan& plan);
+    void packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
     void planSolid(bool several, FramePlan& plan) const;
     void addSolid(DrawClass drawn, bool gated, FramePlan& plan) const;
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
@@ -55,6 +56,7 @@ private:
     const world::World& world_;
     const Clusters clusters_;
     const ResidentPieces pieces_;
+    const Highlights highlights_;
     Selection selection_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
     std::array<std::array<std::vector<MoverRange>, 2>, kDrawClasses>

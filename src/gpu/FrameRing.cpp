@@ -36,6 +36,8 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
         return of(plan_.movers);
     case kMoverMembers:
         return of(plan_.moverMembers);
+    case kReplacements:
+        return of(plan_.replacements);
     case kPieces:
         return of(plan_.pieces);
     case kSlots:
@@ -70,6 +72,7 @@ void FrameRing::locate(layout::FrameConstants& constants) const {
     constants.firstVisit = texel(kVisits);
     constants.firstMover = texel(kMovers);
     constants.firstMoverMember = texel(kMoverMembers);
+    constants.firstReplacement = texel(kReplacements);
     constants.firstMoverPiece = texel(kPieces);
     constants.firstSlot = texel(kSlots);
 }

@@ -44,6 +44,7 @@ private:
         kSky,
         kMovers,
         kMoverMembers,
+        kReplacements,
         kPieces,
         kSlots,    // written by whoever has them,
         kCommands, // and on the device
