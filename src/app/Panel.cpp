@@ -53,9 +53,9 @@ void drawHelp() {
                      ImGuiWindowFlags_NoCollapse);
     for (const char* text :
          {"W A S D, arrows   fly", "E or space        up", "Q or control      down", "shift             fast",
-          "drag the mouse    look around", "1 .. 9            go to a place",
-          "O                 open or shut all doors", "R                 rain",
-          "T                 an hour later", "F1                this help",
+          "drag the mouse    look around", "click             tell what is there",
+          "1 .. 9            go to a place", "O                 open or shut all doors",
+          "R                 rain", "T                 an hour later", "F1                this help",
           "F2                ids as colours", "F3                regions of the visits",
           "F4                the panel", "Esc               leave"})
         ImGui::TextUnformatted(text);
@@ -174,6 +174,13 @@ void drawVisits(const PanelFacts& facts) {
                                                             IM_COL32(255, 220, 80, 90));
 }
 
+void drawPicked(const Picked* picked) {
+    if (picked == nullptr || !ImGui::CollapsingHeader("Picked", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    for (const std::string& text : pickedLines(*picked))
+        line(text);
+}
+
 int drawPlaces(std::span<const world::Place> places) {
     int clicked = -1;
     if (!places.empty() && ImGui::CollapsingHeader("Places")) {
@@ -197,6 +204,7 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     drawControls(choice);
     drawFigures(facts);
+    drawPicked(facts.picked);
     drawVisits(facts);
     choice.place = drawPlaces(facts.places);
     if (ImGui::CollapsingHeader("Driver")) {

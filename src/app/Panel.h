@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/FrameReport.h"
+#include "app/Picked.h"
 #include "app/TimeWindow.h"
 #include "app/Window.h"
 #include "world/Places.h"
@@ -34,6 +35,7 @@ struct PanelFacts {
     const frame::FramePlan& plan;
     FrameFigures figures;
     const FrameWindows& times;
+    const Picked* picked; ///< null: nothing is
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
 };

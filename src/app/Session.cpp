@@ -60,6 +60,7 @@ frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
     view.timeOfDay = eye.time;
     view.seconds = eye.seconds;
     view.weather = eye.weather;
+    view.highlights = options.highlights;
     view.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit;
     return view;
 }
@@ -233,6 +234,15 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
         plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
     LIMEN_ASSERT(!checked_ || checked_->faults().empty(), checked_->faults().front().c_str());
     return rendered;
+}
+
+Result<Picked> Session::pick(const FrameEye& eye, std::uint32_t x, std::uint32_t y) {
+    LIMEN_ASSERT(x < eye.size.width && y < eye.size.height, "a pixel of the picture");
+    if (Result<void> drawn = draw(eye, {.ids = true, .shading = gpu::Shading::IdsOnly}); !drawn)
+        return tl::unexpected(drawn.error());
+    const std::size_t pixel = std::size_t{y} * eye.size.width + x;
+    return pickedPixel(loaded_->world, loaded_->ids, moment_, visible_, shown_->readIds()[pixel],
+                       shown_->readOwnership()[pixel], shown_->readDistances(plan_.constants)[pixel]);
 }
 
 FrameFigures Session::figures() const {

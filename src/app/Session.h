@@ -2,6 +2,7 @@
 
 #include "app/FrameReport.h"
 #include "app/MomentInput.h"
+#include "app/Picked.h"
 #include "app/WorldSource.h"
 #include "frame/Planner.h"
 #include "gpu/CheckedDevice.h"
@@ -75,6 +76,7 @@ struct DrawOptions {
     bool ids = false;                         ///< write the id image, cut-outs tested exactly
     gpu::Shading shading = gpu::Shading::Lit; ///< of FlatIds, with --msaa: the mean of the samples' colours
     bool layers = false; ///< count the layers of translucent surfaces instead of painting them
+    std::span<const frame::Highlight> highlights{};
 };
 
 /// One world on one graphics device: archive, loaded part, flood, plan, renderer. Every verb that draws goes
@@ -98,6 +100,9 @@ public:
     bool follow(const Vec3& eye, world::SpaceIndex& root);
     /// Floods, plans and draws one frame. Requires a loaded world.
     [[nodiscard]] Result<void> draw(const FrameEye& eye, const DrawOptions& options);
+    /// What a pixel (from the upper left corner) shows. Draws a frame of ids for it: draw the one to show again. Requires a
+    /// loaded world.
+    [[nodiscard]] Result<Picked> pick(const FrameEye& eye, std::uint32_t x, std::uint32_t y);
 
     [[nodiscard]] const WorldSource& source() const { return *source_; }
     [[nodiscard]] const std::shared_ptr<const WorldSource>& shareSource() const { return source_; }

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace limen::app {
 namespace {
@@ -48,7 +49,15 @@ public:
         moveDoors(elapsed);
         eye_.size = window_.size();
         eye_.seconds += elapsed;
-        if (Result<void> drawn = session_.draw(eye_, {.ids = switches_.ids}); !drawn)
+        if (const std::optional<PixelPlace> clicked = window_.clicked()) {
+            if (Result<void> picked = pick(*clicked); !picked)
+                return picked;
+        }
+        const std::optional<frame::Highlight> pulse = selectionPulse();
+        DrawOptions options{.ids = switches_.ids};
+        if (pulse)
+            options.highlights = std::span(&*pulse, 1);
+        if (Result<void> drawn = session_.draw(eye_, options); !drawn)
             return drawn;
         overlay();
         return {};
@@ -57,6 +66,7 @@ public:
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
     [[nodiscard]] const FrameEye& eye() const { return eye_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
+    [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
 
 private:
     void press(Key key) {
@@ -88,6 +98,31 @@ private:
         default:
             goTo(static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::Place1));
         }
+    }
+
+    /// What is there is told in the panel; the same thing again, or the void: nothing is any more.
+    Result<void> pick(const PixelPlace& place) {
+        if (place.x >= eye_.size.width || place.y >= eye_.size.height)
+            return {}; // the window has shrunk since
+        Result<Picked> picked = session_.pick(eye_, place.x, place.y);
+        if (!picked)
+            return tl::unexpected(picked.error());
+        const bool isSame = picked_ && picked->object != 0 && picked->object == picked_->object &&
+                            picked->meaning.polygon == picked_->meaning.polygon;
+        picked_ =
+            isSame || picked->meaning.kind == "void" ? std::nullopt : std::make_optional(std::move(*picked));
+        return {};
+    }
+
+    /// The picked object comes and goes in yellow. Not the landscape: one object is a block of it, and half the window.
+    [[nodiscard]] std::optional<frame::Highlight> selectionPulse() const {
+        constexpr double kPulse = 1.2; // seconds
+        constexpr std::uint32_t kYellow = 0x0040D0FFu;
+        if (!picked_ || picked_->object == 0 || picked_->isLandscape)
+            return {};
+        const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye_.seconds / kPulse);
+        const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
+        return frame::Highlight{picked_->object, kYellow | strength << 24};
     }
 
     /// All doors open, or shut if they are open or opening. They take a second.
@@ -164,9 +199,15 @@ private:
         const FrameFigures figures = session_.figures();
         if (frames_++ > 0) // the first is no frame: it began when the window opened
             times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
-        const PanelFacts facts{
-            session_.loaded().world,       eye_, session_.visible(), session_.plan(), figures, times_,
-            session_.source().file.places, ids};
+        const PanelFacts facts{.world = session_.loaded().world,
+                               .eye = eye_,
+                               .visible = session_.visible(),
+                               .plan = session_.plan(),
+                               .figures = figures,
+                               .times = times_,
+                               .picked = picked_ ? &*picked_ : nullptr,
+                               .places = session_.source().file.places,
+                               .ids = ids};
         const PanelChoice choice = panel_.draw(facts, switches_);
         device_.restoreState();
         take(choice);
@@ -179,6 +220,7 @@ private:
     FrameEye eye_;
     RootTracker tracker_;
     OverlaySwitches switches_;
+    std::optional<Picked> picked_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
@@ -222,6 +264,14 @@ Result<std::size_t> frameLimit(const ViewOptions& options) {
     return static_cast<std::size_t>(*frames);
 }
 
+nlohmann::ordered_json pickedJson(const std::optional<Picked>& picked) {
+    if (!picked)
+        return nullptr;
+    const IdMeaning& meaning = picked->meaning;
+    return {{"kind", meaning.kind},       {"record", meaning.record}, {"object", meaning.object},
+            {"polygon", meaning.polygon}, {"space", meaning.space},   {"chain", picked->chain}};
+}
+
 std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
     const FrameEye& eye = viewer.eye();
     const nlohmann::ordered_json json{
@@ -239,6 +289,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
           {"ids", viewer.switches().ids},
           {"regions", viewer.switches().regions},
           {"panel", viewer.switches().panel}}},
+        {"picked", pickedJson(viewer.picked())},
         {"gl_calls", session.figures().glCalls}};
     return json.dump() + "\n";
 }
@@ -314,7 +365,8 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->group("Scripts");
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->footer("Keys: W A S D fly, E Q up and down, shift fast, drag to look, 1..9 places, F1 help, F2 "
+    verb->footer("Keys: W A S D fly, E Q up and down, shift fast, drag to look, click to "
+                 "ask, 1..9 places, F1 help, F2 "
                  "ids, F3 regions, F4 panel, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };

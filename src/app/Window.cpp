@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -74,7 +75,16 @@ Window::Window(GLFWwindow* window) : window_(window) {
         if (action == GLFW_PRESS)
             static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveKey(key);
     });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+        if (button == GLFW_MOUSE_BUTTON_LEFT)
+            static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveButton(action == GLFW_PRESS);
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveCursor(x, y);
+    });
     glfwGetCursorPos(window_, &mouseX_, &mouseY_);
+    cursorX_ = mouseX_;
+    cursorY_ = mouseY_;
 }
 
 Window::~Window() {
@@ -87,8 +97,39 @@ void Window::receiveKey(int key) {
         pending_.push_back(*known);
 }
 
+void Window::receiveButton(bool isDown) {
+    constexpr double kStill = 3.0; // a hand is never quite still
+    if (isDown) {
+        glfwGetCursorPos(window_, &cursorX_, &cursorY_); // the end of a drag moves it untold
+        press_ = mouseIsTaken_ ? std::nullopt : std::make_optional<Press>({cursorX_, cursorY_, 0.0});
+        return;
+    }
+    if (press_ && press_->wandered <= kStill)
+        clicked_ = pixelAt(press_->x, press_->y);
+    press_.reset();
+}
+
+void Window::receiveCursor(double x, double y) {
+    if (press_)
+        press_->wandered += std::hypot(x - cursorX_, y - cursorY_);
+    cursorX_ = x;
+    cursorY_ = y;
+}
+
+std::optional<PixelPlace> Window::pixelAt(double x, double y) const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    if (x < 0.0 || y < 0.0 || x >= width || y >= height)
+        return {};
+    const PixelSize pixels = size();
+    return PixelPlace{static_cast<std::uint32_t>(x * pixels.width / width),
+                      static_cast<std::uint32_t>(y * pixels.height / height)};
+}
+
 void Window::poll(bool mouseIsTaken) {
     pending_.clear();
+    clicked_.reset();
+    mouseIsTaken_ = mouseIsTaken;
     glfwPollEvents();
     pressed_ = pending_;
     const auto down = [this](auto... keys) { return ((glfwGetKey(window_, keys) == GLFW_PRESS) || ...); };

@@ -4,6 +4,7 @@
 #include "app/Picture.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 struct GLFWwindow;
@@ -37,6 +38,11 @@ struct HeldInput {
     double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
 };
 
+/// A pixel, from the window's upper left corner.
+struct PixelPlace {
+    std::uint32_t x = 0, y = 0;
+};
+
 /// A window with an OpenGL 4.5 context that is current while it lives.
 class Window {
 public:
@@ -50,6 +56,8 @@ public:
     void poll(bool mouseIsTaken);
     [[nodiscard]] const std::vector<Key>& pressed() const { return pressed_; } ///< since the last poll
     [[nodiscard]] const HeldInput& held() const { return held_; }
+    /// Where the left button was pressed and let go at one place, since the last poll; the last such place.
+    [[nodiscard]] std::optional<PixelPlace> clicked() const { return clicked_; }
     [[nodiscard]] bool wantsToClose() const;
     /// Size in pixels; 1x1 at least (a window made small as an icon has none).
     [[nodiscard]] PixelSize size() const;
@@ -61,14 +69,26 @@ public:
 
     /// Called by the library.
     void receiveKey(int key);
+    void receiveButton(bool isDown);
+    void receiveCursor(double x, double y);
 
 private:
     explicit Window(GLFWwindow* window);
+    [[nodiscard]] std::optional<PixelPlace> pixelAt(double x, double y) const;
     GLFWwindow* window_;
     std::vector<Key> pending_, pressed_;
     HeldInput held_;
     double mouseX_ = 0.0, mouseY_ = 0.0;
     bool dragging_ = false;
+    bool mouseIsTaken_ = false;
+    /// The left button, held down: where that began, and how far the cursor has come since, in the library's units.
+    struct Press {
+        double x = 0.0, y = 0.0;
+        double wandered = 0.0;
+    };
+    std::optional<Press> press_;
+    double cursorX_ = 0.0, cursorY_ = 0.0; ///< as last received
+    std::optional<PixelPlace> clicked_;
 };
 
 } // namespace limen::app

@@ -166,6 +166,27 @@ class ViewWindow(unittest.TestCase):
         self.assertLess(state["pitch"], -1.0)
 
     @patiently
+    def test_a_click_tells_what_is_there_and_a_drag_does_not(self):
+        def click():
+            self.xdotool("mousemove", "430", "135", "click", "1")
+            self.wait(0.5)
+
+        def drag():
+            self.xdotool("mousemove", "430", "135", "mousedown", "1")
+            self.wait(0.5)
+            self.xdotool("mousemove_relative", "--", "30", "0")
+            self.wait(0.5)
+            self.xdotool("mouseup", "1")
+
+        view = ("--at", "cottage.room", "--yaw", "0", "--pitch", "0")
+        picked = self.drive(click, *view)["picked"]
+        self.assertNotIn(picked["kind"], ("void", "unknown"))
+        self.assertRegex(picked["record"], "^0x[0-9A-F]{8}$")
+        self.assertIn("the eye's", picked["chain"][0])
+        self.assertIsNone(self.drive(drag, *view)["picked"])
+        self.assertIsNone(self.drive(lambda: (click(), click()), *view)["picked"], "the same again lets go of it")
+
+    @patiently
     def test_function_keys_switch_the_overlays(self):
         def press():
             for key in ("F1", "F2", "F3", "F4"):
