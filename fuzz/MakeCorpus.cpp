@@ -1,5 +1,6 @@
 #include "dat/File.h"
 #include "dat/RandomRecords.h"
+#include "dat/RecordTypes.h"
 #include "dat/Writer.h"
 
 #include <cstdio>
@@ -62,13 +63,10 @@ int main(int argc, char** argv) {
     std::error_code error;
     fs::create_directories(container, error);
     fs::create_directories(records, error);
-    const bool good = saveFiles(container) && saveRecords<GfxObj>(records, 0) &&
-                      saveRecords<Setup>(records, 1) && saveRecords<Environment>(records, 2) &&
-                      saveRecords<EnvCell>(records, 3) && saveRecords<LandBlock>(records, 4) &&
-                      saveRecords<LandBlockInfo>(records, 5) && saveRecords<Region>(records, 6) &&
-                      saveRecords<Scene>(records, 7) && saveRecords<SurfaceTexture>(records, 8) &&
-                      saveRecords<RenderSurface>(records, 9) && saveRecords<Surface>(records, 10) &&
-                      saveRecords<Palette>(records, 11);
+    bool good = saveFiles(container);
+    RecordTypes::forEach([&]<class Record>(std::type_identity<Record>) {
+        good = saveRecords<Record>(records, static_cast<std::uint8_t>(kKindOf<Record>)) && good;
+    });
     if (!good)
         std::fprintf(stderr, "fuzz_make_corpus: cannot write to %s\n", argv[1]);
     return good ? 0 : 2;

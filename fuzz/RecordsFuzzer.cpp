@@ -1,6 +1,7 @@
 #include "Check.h"
 
 #include "dat/Describe.h"
+#include "dat/RecordTypes.h"
 
 #include <cstring>
 
@@ -31,13 +32,11 @@ void check(ByteView payload) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using Check = void (*)(ByteView);
-    constexpr Check kChecks[] = {check<GfxObj>,        check<Setup>,     check<Environment>,
-                                 check<EnvCell>,       check<LandBlock>, check<LandBlockInfo>,
-                                 check<Region>,        check<Scene>,     check<SurfaceTexture>,
-                                 check<RenderSurface>, check<Surface>,   check<Palette>};
     if (size == 0)
         return 0;
-    kChecks[data[0] % std::size(kChecks)]({reinterpret_cast<const std::byte*>(data) + 1, size - 1});
+    const auto kind = static_cast<RecordKind>(data[0] % RecordTypes::kSize);
+    visitKind(kind, [&]<class Record>(std::type_identity<Record>) {
+        check<Record>({reinterpret_cast<const std::byte*>(data) + 1, size - 1});
+    });
     return 0;
 }

@@ -21,6 +21,10 @@ void main() {
     }
     float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * instance.opacity;
+    // A little of both: two programs do not compute the same to the bit, and what is nearly opaque hides itself.
+    if (isSplit(material) && (alpha >= kSolidAlpha + 1.0 / 512.0 || alpha < kLeastAlpha)) {
+        discard;
+    }
     vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, vEyeRelative, vNormal);
     colour = highlighted(colour, instance.highlight) * alpha;
     float covered = (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha;

@@ -40,7 +40,14 @@ void main() {
     if (isExact()) {
         alpha = exactAlpha(material, uvOnPolygon());
     }
-    if (!keep.kept || alpha < kAlphaThreshold) {
+    float least = kAlphaThreshold;
+    bool isHere = true;
+    if ((material.flags & kMaterialSplit) != 0u) {
+        isHere = isSplit(material);
+        least = kSolidAlpha;
+        alpha *= instance.opacity;
+    }
+    if (!keep.kept || !isHere || alpha < least) {
         discard;
     }
 #ifdef FLAT

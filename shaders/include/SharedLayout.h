@@ -84,12 +84,14 @@ LIMEN_CONST kVoidId = 0u;
 // FrameConstants.flags
 LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs tested at mip 0, nearest texel (ids and depth)
 LIMEN_CONST kFrameKeepsTriangles = 2u; // draws read the static indices, whatever shows; filled in by gpu
+LIMEN_CONST kFrameSplits = 4u; // surfaces with kMaterialSplit are drawn as cut-outs where they are nearly opaque; likewise
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
 LIMEN_CONST kMaterialAdditive = 2u;
 LIMEN_CONST kMaterialInvAlpha = 4u;
 LIMEN_CONST kMaterialAlpha = 8u;
+LIMEN_CONST kMaterialSplit = 16u; // drawn as a cut-out, too: see surface.glsl
 
 LIMEN_STRUCT(FrameConstants) {
     mat4 clipFromEye LIMEN_ZERO;   // clip from eye-relative; reversed depth, infinite far plane

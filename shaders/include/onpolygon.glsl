@@ -210,14 +210,15 @@ float beforePlane(uint kind, vec3 direction) {
 // Of a plane seen flat enough floats do not tell the depth: of a leaf half a kilometre away seen at an angle of 0.0005, not to a
 // metre, where it is a ten-thousandth of a pixel wide. Then it is put as far as it may be. What is behind it by less and shows
 // instead is what pixels around it show; what it would hide by being put too near is not. Yields how much farther; that is
-// a millionth of its distance, square to it.
-float behindRounding(vec3 direction, float depth) {
+// a millionth of its distance, square to it. Not so for shells: right behind a cell's wall may be another cell of its zone, that no
+// ray reaches through it.
+float behindRounding(uint kind, vec3 direction, float depth) {
 #ifdef TRANSLUCENT // writes no depth: it hides nothing
     return 0.0;
 #endif
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * 1.0e-1);
     float share = (kPlaneRounding + inwardRadians()) / facing;
-    return depth * max(share - kFlat, 0.0);
+    return kind == kKindShell ? 0.0 : depth * max(share - kFlat, 0.0);
 }
 
 // Eye-relative. Sets the fragment's depth. False: the ray through the pixel does not meet the triangle's front.
@@ -229,7 +230,7 @@ bool findOnPolygon(uint kind, out Place place) {
     place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
                   met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
     float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction) +
-                   behindRounding(direction, met.depth);
+                   behindRounding(kind, direction, met.depth);
     bool isOver = met.isAhead && isOverOutline(3u, windowPlace());
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
 #ifndef TRANSLUCENT // of two that share an edge, a layer is counted once

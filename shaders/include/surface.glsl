@@ -17,6 +17,17 @@ layout(location = 11) flat in vec3 vOutline[3];
 
 #include "onpolygon.glsl"
 
+// Pictures with alpha of all strengths (foliage, banners) are drawn in two parts: with what is solid, and with its depth, where they
+// are nearly opaque; back to front where they are not, and not at all where next to nothing is. Two that reach through each other, or
+// are sorted badly, then look right but for their seams. Only in frames that are painted and nothing else: such surfaces have no id and no
+// depth, whatever their alpha.
+const float kSolidAlpha = 0.95;
+const float kLeastAlpha = 0.05;
+
+bool isSplit(Material material) {
+    return (material.flags & kMaterialSplit) != 0u && (frame.flags & kFrameSplits) != 0u;
+}
+
 // The caller discards when `kept` is false.
 Keep keepOf(Instance instance) {
     Place place;

@@ -1,5 +1,7 @@
 #include "dat/Archive.h"
 
+#include "dat/RecordTypes.h"
+
 #include <system_error>
 
 #include <fmt/format.h>
@@ -35,33 +37,6 @@ Result<File> openAs(const std::filesystem::path& path, FileRole role) {
     }
     return file;
 }
-
-template <class Record>
-constexpr RecordKind kKind = RecordKind::Other;
-template <>
-constexpr RecordKind kKind<GfxObj> = RecordKind::GfxObj;
-template <>
-constexpr RecordKind kKind<Setup> = RecordKind::Setup;
-template <>
-constexpr RecordKind kKind<Palette> = RecordKind::Palette;
-template <>
-constexpr RecordKind kKind<SurfaceTexture> = RecordKind::SurfaceTexture;
-template <>
-constexpr RecordKind kKind<RenderSurface> = RecordKind::RenderSurface;
-template <>
-constexpr RecordKind kKind<Surface> = RecordKind::Surface;
-template <>
-constexpr RecordKind kKind<Environment> = RecordKind::Environment;
-template <>
-constexpr RecordKind kKind<Scene> = RecordKind::Scene;
-template <>
-constexpr RecordKind kKind<Region> = RecordKind::Region;
-template <>
-constexpr RecordKind kKind<LandBlock> = RecordKind::LandBlock;
-template <>
-constexpr RecordKind kKind<LandBlockInfo> = RecordKind::LandBlockInfo;
-template <>
-constexpr RecordKind kKind<EnvCell> = RecordKind::EnvCell;
 
 bool isOfCells(RecordKind kind) {
     return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
@@ -127,7 +102,7 @@ const File* Archive::holderOf(RecordKind kind, RecordId id) const {
 
 template <class Record>
 Result<Record> Archive::load(RecordId id) const {
-    constexpr RecordKind kind = kKind<Record>;
+    constexpr RecordKind kind = kKindOf<Record>;
     const File& file = *holderOf(kind, id);
     if (kindOf(file.role(), id) != kind) {
         return fail(ErrorCode::NotFound, file.name(),
@@ -145,7 +120,7 @@ Result<Record> Archive::load(RecordId id) const {
 
 template <class Record>
 bool Archive::contains(RecordId id) const {
-    constexpr RecordKind kind = kKind<Record>;
+    constexpr RecordKind kind = kKindOf<Record>;
     const File& file = *holderOf(kind, id);
     return kindOf(file.role(), id) == kind && has(file, id);
 }
@@ -165,13 +140,21 @@ Result<RecordId> Archive::imageOf(const SurfaceTexture& texture) const {
     template bool Archive::contains<Record>(RecordId) const;
 LIMEN_DAT_RECORD(GfxObj)
 LIMEN_DAT_RECORD(Setup)
+LIMEN_DAT_RECORD(Animation)
 LIMEN_DAT_RECORD(Palette)
 LIMEN_DAT_RECORD(SurfaceTexture)
 LIMEN_DAT_RECORD(RenderSurface)
 LIMEN_DAT_RECORD(Surface)
+LIMEN_DAT_RECORD(MotionTable)
 LIMEN_DAT_RECORD(Environment)
+LIMEN_DAT_RECORD(PaletteSet)
+LIMEN_DAT_RECORD(ClothingTable)
+LIMEN_DAT_RECORD(DegradeInfo)
 LIMEN_DAT_RECORD(Scene)
 LIMEN_DAT_RECORD(Region)
+LIMEN_DAT_RECORD(ParticleEmitter)
+LIMEN_DAT_RECORD(PhysicsScript)
+LIMEN_DAT_RECORD(PhysicsScriptTable)
 LIMEN_DAT_RECORD(LandBlock)
 LIMEN_DAT_RECORD(LandBlockInfo)
 LIMEN_DAT_RECORD(EnvCell)

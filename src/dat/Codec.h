@@ -2,9 +2,12 @@
 
 #include "core/Error.h"
 #include "dat/Ids.h"
+#include "dat/records/Appearance.h"
 #include "dat/records/Cells.h"
+#include "dat/records/Effects.h"
 #include "dat/records/Landscape.h"
 #include "dat/records/Models.h"
+#include "dat/records/Motion.h"
 #include "dat/records/Textures.h"
 
 #include <cstddef>
@@ -18,7 +21,7 @@ namespace limen::dat {
 using Bytes = std::vector<std::byte>;
 using ByteView = std::span<const std::byte>;
 
-/// Decodes the payload of record `id`. Defined for the twelve record types of `records/`. Errors name the id,
+/// Decodes the payload of record `id`. Defined for all RecordTypes (RecordTypes.h). Errors name the id,
 /// the offset in the payload and what was expected there.
 template <class Record>
 [[nodiscard]] Result<Record> decode(RecordId id, ByteView payload);
@@ -28,6 +31,12 @@ template <class Record>
 [[nodiscard]] Bytes encode(const Record& record);
 
 template <>
+Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
+template <>
+Result<Setup> decode<Setup>(RecordId, ByteView);
+template <>
+Result<Animation> decode<Animation>(RecordId, ByteView);
+template <>
 Result<Palette> decode<Palette>(RecordId, ByteView);
 template <>
 Result<SurfaceTexture> decode<SurfaceTexture>(RecordId, ByteView);
@@ -36,22 +45,38 @@ Result<RenderSurface> decode<RenderSurface>(RecordId, ByteView);
 template <>
 Result<Surface> decode<Surface>(RecordId, ByteView);
 template <>
-Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
-template <>
-Result<Setup> decode<Setup>(RecordId, ByteView);
+Result<MotionTable> decode<MotionTable>(RecordId, ByteView);
 template <>
 Result<Environment> decode<Environment>(RecordId, ByteView);
 template <>
-Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
+Result<PaletteSet> decode<PaletteSet>(RecordId, ByteView);
+template <>
+Result<ClothingTable> decode<ClothingTable>(RecordId, ByteView);
+template <>
+Result<DegradeInfo> decode<DegradeInfo>(RecordId, ByteView);
+template <>
+Result<Scene> decode<Scene>(RecordId, ByteView);
+template <>
+Result<Region> decode<Region>(RecordId, ByteView);
+template <>
+Result<ParticleEmitter> decode<ParticleEmitter>(RecordId, ByteView);
+template <>
+Result<PhysicsScript> decode<PhysicsScript>(RecordId, ByteView);
+template <>
+Result<PhysicsScriptTable> decode<PhysicsScriptTable>(RecordId, ByteView);
 template <>
 Result<LandBlock> decode<LandBlock>(RecordId, ByteView);
 template <>
 Result<LandBlockInfo> decode<LandBlockInfo>(RecordId, ByteView);
 template <>
-Result<Region> decode<Region>(RecordId, ByteView);
-template <>
-Result<Scene> decode<Scene>(RecordId, ByteView);
+Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
 
+template <>
+Bytes encode<GfxObj>(const GfxObj&);
+template <>
+Bytes encode<Setup>(const Setup&);
+template <>
+Bytes encode<Animation>(const Animation&);
 template <>
 Bytes encode<Palette>(const Palette&);
 template <>
@@ -61,20 +86,30 @@ Bytes encode<RenderSurface>(const RenderSurface&);
 template <>
 Bytes encode<Surface>(const Surface&);
 template <>
-Bytes encode<GfxObj>(const GfxObj&);
-template <>
-Bytes encode<Setup>(const Setup&);
+Bytes encode<MotionTable>(const MotionTable&);
 template <>
 Bytes encode<Environment>(const Environment&);
 template <>
-Bytes encode<EnvCell>(const EnvCell&);
+Bytes encode<PaletteSet>(const PaletteSet&);
+template <>
+Bytes encode<ClothingTable>(const ClothingTable&);
+template <>
+Bytes encode<DegradeInfo>(const DegradeInfo&);
+template <>
+Bytes encode<Scene>(const Scene&);
+template <>
+Bytes encode<Region>(const Region&);
+template <>
+Bytes encode<ParticleEmitter>(const ParticleEmitter&);
+template <>
+Bytes encode<PhysicsScript>(const PhysicsScript&);
+template <>
+Bytes encode<PhysicsScriptTable>(const PhysicsScriptTable&);
 template <>
 Bytes encode<LandBlock>(const LandBlock&);
 template <>
 Bytes encode<LandBlockInfo>(const LandBlockInfo&);
 template <>
-Bytes encode<Region>(const Region&);
-template <>
-Bytes encode<Scene>(const Scene&);
+Bytes encode<EnvCell>(const EnvCell&);
 
 } // namespace limen::dat

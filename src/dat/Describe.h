@@ -8,18 +8,26 @@
 // strings), short lists on one line. Pixels are left out; their number is told.
 namespace limen::dat {
 
+[[nodiscard]] std::string describe(const GfxObj& record);
+[[nodiscard]] std::string describe(const Setup& record);
+[[nodiscard]] std::string describe(const Animation& record);
 [[nodiscard]] std::string describe(const Palette& record);
 [[nodiscard]] std::string describe(const SurfaceTexture& record);
 [[nodiscard]] std::string describe(const RenderSurface& record);
 [[nodiscard]] std::string describe(const Surface& record);
-[[nodiscard]] std::string describe(const GfxObj& record);
-[[nodiscard]] std::string describe(const Setup& record);
+[[nodiscard]] std::string describe(const MotionTable& record);
 [[nodiscard]] std::string describe(const Environment& record);
-[[nodiscard]] std::string describe(const EnvCell& record);
+[[nodiscard]] std::string describe(const PaletteSet& record);
+[[nodiscard]] std::string describe(const ClothingTable& record);
+[[nodiscard]] std::string describe(const DegradeInfo& record);
+[[nodiscard]] std::string describe(const Scene& record);
+[[nodiscard]] std::string describe(const Region& record);
+[[nodiscard]] std::string describe(const ParticleEmitter& record);
+[[nodiscard]] std::string describe(const PhysicsScript& record);
+[[nodiscard]] std::string describe(const PhysicsScriptTable& record);
 [[nodiscard]] std::string describe(const LandBlock& record);
 [[nodiscard]] std::string describe(const LandBlockInfo& record);
-[[nodiscard]] std::string describe(const Region& record);
-[[nodiscard]] std::string describe(const Scene& record);
+[[nodiscard]] std::string describe(const EnvCell& record);
 
 /// Decodes and describes a payload by what its id stands for in a file of that role. A kind that Limen does
 /// not decode is told by its size and first bytes. Errors: those of decode.

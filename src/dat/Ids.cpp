@@ -25,16 +25,32 @@ RecordKind portalKind(RecordId id) {
         return RecordKind::GfxObj;
     case 0x02:
         return RecordKind::Setup;
+    case 0x03:
+        return RecordKind::Animation;
     case 0x04:
         return RecordKind::Palette;
     case 0x08:
         return RecordKind::Surface;
+    case 0x09:
+        return RecordKind::MotionTable;
     case 0x0D:
         return RecordKind::Environment;
+    case 0x0F:
+        return RecordKind::PaletteSet;
+    case 0x10:
+        return RecordKind::ClothingTable;
+    case 0x11:
+        return RecordKind::DegradeInfo;
     case 0x12:
         return RecordKind::Scene;
     case 0x13:
         return RecordKind::Region;
+    case 0x32:
+        return RecordKind::ParticleEmitter;
+    case 0x33:
+        return RecordKind::PhysicsScript;
+    case 0x34:
+        return RecordKind::PhysicsScriptTable;
     default:
         return RecordKind::Other;
     }
@@ -63,6 +79,8 @@ const char* nameOf(RecordKind kind) {
         return "GfxObj";
     case RecordKind::Setup:
         return "Setup";
+    case RecordKind::Animation:
+        return "Animation";
     case RecordKind::Palette:
         return "Palette";
     case RecordKind::SurfaceTexture:
@@ -71,12 +89,26 @@ const char* nameOf(RecordKind kind) {
         return "RenderSurface";
     case RecordKind::Surface:
         return "Surface";
+    case RecordKind::MotionTable:
+        return "MotionTable";
     case RecordKind::Environment:
         return "Environment";
+    case RecordKind::PaletteSet:
+        return "PaletteSet";
+    case RecordKind::ClothingTable:
+        return "ClothingTable";
+    case RecordKind::DegradeInfo:
+        return "DegradeInfo";
     case RecordKind::Scene:
         return "Scene";
     case RecordKind::Region:
         return "Region";
+    case RecordKind::ParticleEmitter:
+        return "ParticleEmitter";
+    case RecordKind::PhysicsScript:
+        return "PhysicsScript";
+    case RecordKind::PhysicsScriptTable:
+        return "PhysicsScriptTable";
     case RecordKind::LandBlock:
         return "LandBlock";
     case RecordKind::LandBlockInfo:

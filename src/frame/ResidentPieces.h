@@ -12,14 +12,17 @@ namespace limen::frame {
 enum class DrawClass : std::uint8_t { Opaque, CutOut, Terrain, Blended };
 inline constexpr std::size_t kDrawClasses = 4;
 
-/// The part of a mesh that a class draws of an instance; empty if there is none.
+/// The part of a mesh that a class draws of an instance; empty if there is none. Surfaces that are split are of two: as cut-outs
+/// they show where they are nearly opaque, blended where they are not.
 [[nodiscard]] inline world::Mesh::Range rangeOf(const world::Mesh& mesh, world::Kind kind, DrawClass drawn) {
     const bool isTerrain = kind == world::Kind::Terrain;
     switch (drawn) {
     case DrawClass::Opaque:
         return isTerrain ? world::Mesh::Range() : mesh.ranges[0];
     case DrawClass::CutOut:
-        return isTerrain ? world::Mesh::Range() : mesh.ranges[1];
+        return isTerrain ? world::Mesh::Range()
+                         : world::Mesh::Range{mesh.ranges[1].firstIndex,
+                                              mesh.ranges[1].indexCount + mesh.splitIndexCount};
     case DrawClass::Terrain:
         return isTerrain ? mesh.ranges[0] : world::Mesh::Range();
     case DrawClass::Blended:

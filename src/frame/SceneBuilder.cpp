@@ -71,6 +71,7 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
         flags |= (m.flags & world::Material::kAdditive) != 0 ? gpu::kMaterialAdditive : 0;
         flags |= (m.flags & world::Material::kInvAlpha) != 0 ? gpu::kMaterialInvAlpha : 0;
         flags |= (m.flags & world::Material::kAlpha) != 0 ? gpu::kMaterialAlpha : 0;
+        flags |= (m.flags & world::Material::kSplit) != 0 ? gpu::kMaterialSplit : 0;
         scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, m.diffuse});
     }
     scene.materialRefs = world.materialRefs;

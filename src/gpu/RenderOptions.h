@@ -5,8 +5,8 @@
 namespace limen::gpu {
 
 /// How solid surfaces and the plain sky are coloured. Flat frames read no texture but for the alpha of cut-outs, have no
-/// light, and leave out what has no id: sky objects and translucent surfaces. Ids and depth are the same with all, bit
-/// for bit.
+/// light, and leave out what has no id: sky objects and translucent surfaces. Of frames with ids, ids and depth are the same with
+/// all, bit for bit; lit ones without have the depth of nearly opaque texels, too (shaders/include/surface.glsl).
 enum class Shading : std::uint8_t {
     Lit,
     FlatIds, ///< every surface in the colour of its id (frame/IdColour.h), void in that of kVoidId

@@ -55,6 +55,11 @@ bool isFlat(const RenderOptions& options) {
     return options.shading != Shading::Lit;
 }
 
+/// A surface's nearly opaque texels would give depth to what has none.
+bool splitsSurfaces(const RenderOptions& options) {
+    return options.shading == Shading::Lit && !options.wantIds && !options.wantLayers;
+}
+
 glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options) {
     if (!isFlat(options)) {
         return plan.constants.voidColour;
@@ -195,6 +200,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     target.place(constants);
     ring.locate(constants);
     culling.describe(constants);
+    constants.flags |= splitsSurfaces(options) ? layout::kFrameSplits : 0;
     ring.write(constants, memory);
     culling.writeSlots(plan, options, ring.slots(memory));
     bindAll(ring, culling);

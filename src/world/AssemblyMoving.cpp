@@ -28,7 +28,7 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
     std::vector<TriangleCorners> triangles;
     triangulate(points, triangles);
     MeshData mesh;
-    std::vector<std::uint32_t>& indices = mesh.indices[static_cast<std::size_t>(SurfaceClass::Opaque)];
+    std::vector<std::uint32_t>& indices = mesh.indicesOf(SurfaceList::Opaque);
     for (std::uint16_t side = 0; side < 2; ++side) {
         const Vec3f normal = Vec3f(portal.plane.n) * (side == 0 ? 1.0f : -1.0f);
         for (TriangleCorners t : triangles) {
@@ -48,13 +48,12 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
 }
 
 /// A unit square about the origin that faces -y, u to the right and v downwards as seen from there.
-MeshData spriteMesh(SurfaceClass surfaces) {
+MeshData spriteMesh(SurfaceList surfaces) {
     MeshData mesh;
     const std::array<Vec2f, 4> corners{Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)};
     for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
         const Vec2f& corner = corners[i];
-        mesh.indices[static_cast<std::size_t>(surfaces)].push_back(
-            static_cast<std::uint32_t>(mesh.vertices.size()));
+        mesh.indicesOf(surfaces).push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
         mesh.vertices.push_back({Vec3f(corner.x - 0.5f, 0.0f, 0.5f - corner.y), Vec3f(0.0f, -1.0f, 0.0f),
                                  corner, 0, 0, Vec3f(0.0f)});
     }
@@ -230,7 +229,8 @@ std::uint32_t Assembly::addRoute(const RouteEntry& entry) {
 }
 
 std::uint32_t Assembly::addSprite(std::uint32_t firstMaterial, std::uint32_t key) {
-    const SurfaceClass surfaces = world_.materials[world_.materialRefs[firstMaterial]].surfaceClass;
+    const Material& material = world_.materials[world_.materialRefs[firstMaterial]];
+    const SurfaceList surfaces = listOf(material.surfaceClass, (material.flags & Material::kSplit) != 0);
     Instance sprite;
     sprite.kind = Kind::Dynamic;
     sprite.mesh = arena_.add(spriteMesh(surfaces), contentKey(MeshSource::Sprite, key));

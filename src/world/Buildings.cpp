@@ -54,7 +54,7 @@ BuildingDraft draftBuilding(const dat::Building& building, std::uint64_t object,
 void finishBuilding(const BuildingDraft& draft, const BakedGeometry& geometry, Records& records,
                     BlockContent& block) {
     for (const BuildingDraft::Part& part : draft.parts) {
-        MeshBuilder builder(classesOf(part.surfaces, records));
+        MeshBuilder builder(listsOf(part.surfaces, records));
         for (const std::uint32_t handle : part.polygons)
             builder.add(geometry, handle);
         block.exteriors.push_back({part.gfxObj, draft.object, builder.finish(), part.surfaces});

@@ -125,7 +125,7 @@ void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& 
     cell.seenOutside = (draft.record.flags & dat::EnvCell::kSeenOutside) != 0;
     for (const std::uint16_t surface : draft.record.surfaces)
         cell.surfaces.push_back(0x08000000u | surface);
-    MeshBuilder builder(classesOf(cell.surfaces, records));
+    MeshBuilder builder(listsOf(cell.surfaces, records));
     CellClosure closure(geometry.vertices());
     std::vector<Vec3> points;
     for (const std::uint32_t handle : draft.polygons) {

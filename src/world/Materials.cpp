@@ -14,18 +14,12 @@ float fraction(float value) {
     return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.0f;
 }
 
-/// 1 - translucency where the surface is translucent at all.
-float alphaOf(const dat::Surface& surface) {
-    const bool translucent = (surface.type & dat::Surface::kTranslucent) != 0 ||
-                             (surface.translucency > 0.0f && surface.translucency < 1.0f);
-    return translucent ? 1.0f - fraction(surface.translucency) : 1.0f;
-}
-
 std::uint32_t flagsOf(const dat::Surface& surface, bool clamp) {
     std::uint32_t flags = clamp ? Material::kClamp : 0;
     flags |= (surface.type & dat::Surface::kAdditive) != 0 ? Material::kAdditive : 0;
     flags |= (surface.type & dat::Surface::kInvAlpha) != 0 ? Material::kInvAlpha : 0;
     flags |= (surface.type & dat::Surface::kAlpha) != 0 ? Material::kAlpha : 0;
+    flags |= isSplit(surface) ? Material::kSplit : 0;
     return flags;
 }
 

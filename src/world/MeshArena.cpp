@@ -103,10 +103,18 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     mesh.vertexCount = static_cast<std::uint32_t>(data.vertices.size());
     mesh.polygonCount = static_cast<std::uint32_t>(data.polygonIds.size());
     mesh.firstPolygonInfo = static_cast<std::uint32_t>(world_.polygonIds.size());
-    for (std::size_t i = 0; i < data.indices.size(); ++i) {
-        mesh.ranges[i].firstIndex = static_cast<std::uint32_t>(world_.indices.size());
-        mesh.ranges[i].indexCount = static_cast<std::uint32_t>(data.indices[i].size());
-        world_.indices.insert(world_.indices.end(), data.indices[i].begin(), data.indices[i].end());
+    auto firstIndex = static_cast<std::uint32_t>(world_.indices.size());
+    for (const std::vector<std::uint32_t>& list : data.indices)
+        world_.indices.insert(world_.indices.end(), list.begin(), list.end());
+    const auto sizeOf = [&data](SurfaceList list) {
+        return static_cast<std::uint32_t>(data.indices[static_cast<std::size_t>(list)].size());
+    };
+    mesh.splitIndexCount = sizeOf(SurfaceList::Split);
+    const std::array<std::uint32_t, 3> counts{sizeOf(SurfaceList::Opaque), sizeOf(SurfaceList::CutOut),
+                                              mesh.splitIndexCount + sizeOf(SurfaceList::Blended)};
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        mesh.ranges[i] = {firstIndex, counts[i]};
+        firstIndex += counts[i];
     }
     std::vector<Vec3> points;
     points.reserve(data.vertices.size());

@@ -39,9 +39,8 @@ void MeshBuilder::addLoop(std::span<const StitchCorner> loop, const SourcePolygo
 void MeshBuilder::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back) {
     const Vec3f flat(planeOf(points_).n);
     const auto slotIndex = static_cast<std::size_t>(slot);
-    const SurfaceClass surfaceClass =
-        slotIndex < classes_.size() ? classes_[slotIndex] : SurfaceClass::Opaque;
-    std::vector<std::uint32_t>& indices = mesh_.indices[static_cast<std::size_t>(surfaceClass)];
+    std::vector<std::uint32_t>& indices =
+        mesh_.indicesOf(slotIndex < lists_.size() ? lists_[slotIndex] : SurfaceList::Opaque);
     for (const TriangleCorners& t : triangles_) {
         for (const std::uint32_t i : {t[0], back ? t[2] : t[1], back ? t[1] : t[2]}) {
             MeshVertex vertex;

@@ -56,13 +56,14 @@ Pose poseOf(const dat::Frame& frame) {
     return pose;
 }
 
-std::vector<SurfaceClass> classesOf(std::span<const dat::RecordId> surfaces, Records& records) {
-    std::vector<SurfaceClass> classes;
+std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records) {
+    std::vector<SurfaceList> lists;
     for (const dat::RecordId id : surfaces) {
         const dat::Surface* surface = records.surface(id);
-        classes.push_back(surface != nullptr ? surfaceClassOf(*surface) : SurfaceClass::Opaque);
+        lists.push_back(surface != nullptr ? listOf(surfaceClassOf(*surface), isSplit(*surface))
+                                           : SurfaceList::Opaque);
     }
-    return classes;
+    return lists;
 }
 
 const Model& Models::model(dat::RecordId id) {
@@ -125,7 +126,7 @@ std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
             polygons.push_back(geometry.add(std::move(polygon), {})); // readPolygons refuses what add would
     }
     geometry.bake();
-    MeshBuilder builder(classesOf(record->surfaces, records_));
+    MeshBuilder builder(listsOf(record->surfaces, records_));
     for (const std::uint32_t handle : polygons)
         builder.add(geometry, handle);
     part->mesh = builder.finish();

@@ -53,7 +53,7 @@ private:
 };
 
 /// Surface classes by slot; a missing Surface counts as opaque.
-[[nodiscard]] std::vector<SurfaceClass> classesOf(std::span<const dat::RecordId> surfaces, Records& records);
+[[nodiscard]] std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records);
 
 /// A frame as unit quaternion and finite origin; a broken one becomes the identity.
 struct Pose {

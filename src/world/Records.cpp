@@ -1,5 +1,8 @@
 #include "world/Records.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace limen::world {
 
 void note(std::vector<Finding>& findings, dat::RecordId record, std::string what) {
@@ -12,6 +15,20 @@ SurfaceClass surfaceClassOf(const dat::Surface& surface) {
     if ((surface.type & kBlending) != 0 || (surface.translucency > 0.0f && surface.translucency < 1.0f))
         return SurfaceClass::Blended;
     return (surface.type & dat::Surface::kBase1ClipMap) != 0 ? SurfaceClass::CutOut : SurfaceClass::Opaque;
+}
+
+float alphaOf(const dat::Surface& surface) {
+    const bool translucent = (surface.type & dat::Surface::kTranslucent) != 0 ||
+                             (surface.translucency > 0.0f && surface.translucency < 1.0f);
+    if (!translucent || !std::isfinite(surface.translucency))
+        return 1.0f;
+    return 1.0f - std::clamp(surface.translucency, 0.0f, 1.0f);
+}
+
+bool isSplit(const dat::Surface& surface) {
+    constexpr std::uint32_t kOther = dat::Surface::kInvAlpha | dat::Surface::kAdditive;
+    return (surface.type & dat::Surface::kAlpha) != 0 && (surface.type & kOther) == 0 && surface.hasImage() &&
+           alphaOf(surface) == 1.0f;
 }
 
 } // namespace limen::world

@@ -61,5 +61,9 @@ private:
 /// Translucent (or a translucency between 0 and 1) blend, clip maps cut out, everything else is opaque,
 /// whatever its texels' alpha.
 [[nodiscard]] SurfaceClass surfaceClassOf(const dat::Surface& surface);
+/// 1 - translucency where the surface is translucent at all, else 1.
+[[nodiscard]] float alphaOf(const dat::Surface& surface);
+/// Of Material::kSplit.
+[[nodiscard]] bool isSplit(const dat::Surface& surface);
 
 } // namespace limen::world

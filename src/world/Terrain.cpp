@@ -139,7 +139,8 @@ MeshData terrainMesh(const Ground& ground, const HeightLookup& neighbours) {
                 vertex.uv = {static_cast<float>(c.x), static_cast<float>(c.y)};
                 vertex.polygon = static_cast<std::uint16_t>(mesh.polygonIds.size());
                 vertex.surface = static_cast<std::uint16_t>(cell);
-                mesh.indices[0].push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+                mesh.indicesOf(SurfaceList::Opaque)
+                    .push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
                 mesh.vertices.push_back(vertex);
             }
             mesh.polygonIds.push_back(static_cast<std::uint16_t>(mesh.polygonIds.size()));

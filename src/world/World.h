@@ -127,6 +127,8 @@ struct Mesh {
         0; ///< what it was made from, e.g. the GfxObj id; never depends on where the player is
     std::uint32_t firstVertex = 0, vertexCount = 0;
     std::array<Range, 3> ranges{}; ///< by SurfaceClass; indices are relative to firstVertex
+    /// The first so many of the blended ones are of surfaces with Material::kSplit; they follow the cut-outs.
+    std::uint32_t splitIndexCount = 0;
     std::uint32_t polygonCount = 0;
     std::uint32_t firstPolygonInfo =
         0;         ///< run of World::polygonIds: the polygon's id in its record, by number
@@ -155,6 +157,8 @@ struct Instance {
 /// What a surface looks like.
 struct Material {
     static constexpr std::uint32_t kClamp = 1, kAdditive = 2, kInvAlpha = 4, kAlpha = 8;
+    /// Blended by its picture's alpha alone: where that is nearly opaque it may be painted as what is solid.
+    static constexpr std::uint32_t kSplit = 16;
     std::uint32_t texture = kNone; ///< index into textures; kNone: colour alone
     SurfaceClass surfaceClass = SurfaceClass::Opaque;
     std::uint32_t flags = 0;

@@ -11,7 +11,15 @@ TEST(KindOf, portalIdsFollowTheirRanges) {
     EXPECT_EQ(kind(0x0100FFFF), RecordKind::GfxObj);
     EXPECT_EQ(kind(0x01010000), RecordKind::Other);
     EXPECT_EQ(kind(0x02000001), RecordKind::Setup);
-    EXPECT_EQ(kind(0x03000001), RecordKind::Other);
+    EXPECT_EQ(kind(0x03000001), RecordKind::Animation);
+    EXPECT_EQ(kind(0x09000001), RecordKind::MotionTable);
+    EXPECT_EQ(kind(0x0A000001), RecordKind::Other) << "sounds are not decoded";
+    EXPECT_EQ(kind(0x0F00FFFF), RecordKind::PaletteSet);
+    EXPECT_EQ(kind(0x10000001), RecordKind::ClothingTable);
+    EXPECT_EQ(kind(0x11000001), RecordKind::DegradeInfo);
+    EXPECT_EQ(kind(0x32000001), RecordKind::ParticleEmitter);
+    EXPECT_EQ(kind(0x33000001), RecordKind::PhysicsScript);
+    EXPECT_EQ(kind(0x34000001), RecordKind::PhysicsScriptTable);
     EXPECT_EQ(kind(0x04000001), RecordKind::Palette);
     EXPECT_EQ(kind(0x05FFFFFF), RecordKind::SurfaceTexture);
     EXPECT_EQ(kind(0x06000000), RecordKind::RenderSurface);

@@ -1,6 +1,7 @@
 #include "dat/File.h"
 #include "dat/Hex.h"
 #include "dat/RandomRecords.h"
+#include "dat/RecordTypes.h"
 #include "dat/Writer.h"
 
 #include <atomic>
@@ -58,8 +59,7 @@ constexpr std::size_t kMultiple = 16;
 
 template <class Record>
 class MemoryBound : public testing::Test {};
-using AllRecords = testing::Types<Palette, SurfaceTexture, RenderSurface, Surface, GfxObj, dat::Setup,
-                                  Environment, EnvCell, LandBlock, LandBlockInfo, Region, Scene>;
+using AllRecords = RecordTypes::As<testing::Types>;
 TYPED_TEST_SUITE(MemoryBound, AllRecords);
 
 // Every word of a record in turn becomes a count that no file can keep, and one that it nearly can.

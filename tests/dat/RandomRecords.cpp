@@ -158,6 +158,150 @@ AnimationHook RandomRecords::hook() {
     return out;
 }
 
+AnimationFrame RandomRecords::animationFrame(std::size_t parts) {
+    AnimationFrame f;
+    fill(f.parts, parts, [&] { return frame(); });
+    fill(f.hooks, count(), [&] { return hook(); });
+    return f;
+}
+
+MotionData RandomRecords::motion() {
+    MotionData m;
+    m.bitfield = byte();
+    m.flags = static_cast<std::uint8_t>(below(4));
+    if (coin())
+        m.padding = {byte()};
+    fill(m.animations, below(20) == 0 ? 255 : count(), [&] {
+        return AnimationRange{word(), static_cast<std::int32_t>(word()), static_cast<std::int32_t>(word()),
+                              number()};
+    });
+    if (m.flags & MotionData::kVelocity)
+        m.velocity = vec3();
+    if (m.flags & MotionData::kOmega)
+        m.omega = vec3();
+    return m;
+}
+
+MotionTable::Keyed<MotionData> RandomRecords::motions() {
+    MotionTable::Keyed<MotionData> out;
+    fill(out, count(), [&] { return std::pair{word(), motion()}; });
+    return out;
+}
+
+template <>
+Animation RandomRecords::make<Animation>() {
+    Animation a;
+    a.id = word();
+    a.flags = static_cast<std::uint32_t>(below(4));
+    a.partCount = static_cast<std::uint32_t>(count());
+    const std::size_t n = count();
+    if (a.flags & Animation::kPositionFrames)
+        fill(a.positionFrames, n, [&] { return frame(); });
+    fill(a.frames, n, [&] { return animationFrame(a.partCount); });
+    return a;
+}
+
+template <>
+MotionTable RandomRecords::make<MotionTable>() {
+    MotionTable t;
+    t.id = word();
+    t.defaultStyle = word();
+    fill(t.styleDefaults, count(), [&] { return std::pair{word(), word()}; });
+    t.cycles = motions();
+    t.modifiers = motions();
+    fill(t.links, count(), [&] { return std::pair{word(), motions()}; });
+    return t;
+}
+
+template <>
+PaletteSet RandomRecords::make<PaletteSet>() {
+    PaletteSet s;
+    s.id = word();
+    fill(s.palettes, count(), [&] { return word(); });
+    return s;
+}
+
+template <>
+ClothingTable RandomRecords::make<ClothingTable>() {
+    ClothingTable t;
+    t.id = word();
+    t.parts.buckets = half();
+    fill(t.parts.entries, count(), [&] {
+        std::vector<PartChange> changes;
+        fill(changes, count(), [&] {
+            PartChange change{word(), word(), {}};
+            fill(change.textures, count(), [&] { return TextureChange{word(), word()}; });
+            return change;
+        });
+        return std::pair{word(), std::move(changes)};
+    });
+    t.palettes.buckets = half();
+    fill(t.palettes.entries, count(), [&] {
+        PaletteTemplate one{word(), {}};
+        fill(one.changes, count(), [&] {
+            PaletteChange change;
+            fill(change.ranges, count(), [&] { return PaletteRange{word(), word()}; });
+            change.palettes = word();
+            return change;
+        });
+        return std::pair{word(), std::move(one)};
+    });
+    return t;
+}
+
+template <>
+DegradeInfo RandomRecords::make<DegradeInfo>() {
+    DegradeInfo d;
+    d.id = word();
+    fill(d.levels, count(), [&] { return DegradeLevel{word(), word(), number(), number(), number()}; });
+    return d;
+}
+
+template <>
+ParticleEmitter RandomRecords::make<ParticleEmitter>() {
+    const auto whole = [&] { return static_cast<std::int32_t>(word()); };
+    ParticleEmitter e;
+    e.id = word();
+    e.unknown = word();
+    e.emitterType = whole();
+    e.particleType = static_cast<ParticleType>(coin() ? whole() : static_cast<std::int32_t>(1 + below(12)));
+    e.softwareGfxObj = word();
+    e.gfxObj = word();
+    e.birthrate = std::bit_cast<double>(random_());
+    e.maxParticles = whole();
+    e.initialParticles = whole();
+    e.totalParticles = whole();
+    e.totalSeconds = std::bit_cast<double>(random_());
+    e.lifespan = static_cast<double>(number());
+    e.lifespanRandom = static_cast<double>(number());
+    for (ScaledVector* v : {&e.offset, &e.a, &e.b, &e.c})
+        *v = scaledVector();
+    e.scale = fade();
+    e.translucency = fade();
+    e.isParentLocal = static_cast<std::uint32_t>(below(3));
+    return e;
+}
+
+template <>
+PhysicsScript RandomRecords::make<PhysicsScript>() {
+    PhysicsScript s;
+    s.id = word();
+    fill(s.hooks, count(), [&] { return ScriptedHook{std::bit_cast<double>(random_()), hook()}; });
+    return s;
+}
+
+template <>
+PhysicsScriptTable RandomRecords::make<PhysicsScriptTable>() {
+    PhysicsScriptTable t;
+    t.id = word();
+    fill(t.scripts, count(), [&] {
+        std::vector<ScriptChoice> choices;
+        fill(choices, count(), [&] { return ScriptChoice{number(), word()}; });
+        return std::pair{word(), std::move(choices)};
+    });
+    return t;
+}
+
 template <>
 Palette RandomRecords::make<Palette>() {
     Palette p;
@@ -251,10 +395,8 @@ Setup RandomRecords::make<Setup>() {
     fill(s.holdingLocations, count(), location);
     fill(s.connectionPoints, count(), location);
     fill(s.placementFrames, count(), [&] {
-        AnimationFrame f;
-        fill(f.parts, n, [&] { return frame(); });
-        fill(f.hooks, count(), [&] { return hook(); });
-        return std::pair{word(), f};
+        AnimationFrame f = animationFrame(n);
+        return std::pair{word(), std::move(f)};
     });
     fill(s.cylSpheres, count(), [&] { return CylSphere{vec3(), number(), number()}; });
     fill(s.spheres, count(), [&] { return sphere(); });

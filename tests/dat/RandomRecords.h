@@ -42,6 +42,11 @@ private:
     std::int32_t bspNode(BspTree& tree, BspKind kind, int depth);
     [[nodiscard]] CellStruct cellStruct();
     [[nodiscard]] AnimationHook hook();
+    [[nodiscard]] AnimationFrame animationFrame(std::size_t parts);
+    [[nodiscard]] MotionData motion();
+    [[nodiscard]] MotionTable::Keyed<MotionData> motions();
+    [[nodiscard]] ScaledVector scaledVector() { return {vec3(), number(), number()}; }
+    [[nodiscard]] Fade fade() { return {number(), number(), number()}; }
     [[nodiscard]] Building building();
     [[nodiscard]] DayGroup dayGroup();
     [[nodiscard]] GameTime gameTime();
@@ -52,6 +57,12 @@ private:
 };
 
 template <>
+GfxObj RandomRecords::make<GfxObj>();
+template <>
+Setup RandomRecords::make<Setup>();
+template <>
+Animation RandomRecords::make<Animation>();
+template <>
 Palette RandomRecords::make<Palette>();
 template <>
 SurfaceTexture RandomRecords::make<SurfaceTexture>();
@@ -60,20 +71,30 @@ RenderSurface RandomRecords::make<RenderSurface>();
 template <>
 Surface RandomRecords::make<Surface>();
 template <>
-GfxObj RandomRecords::make<GfxObj>();
-template <>
-Setup RandomRecords::make<Setup>();
+MotionTable RandomRecords::make<MotionTable>();
 template <>
 Environment RandomRecords::make<Environment>();
 template <>
-EnvCell RandomRecords::make<EnvCell>();
+PaletteSet RandomRecords::make<PaletteSet>();
+template <>
+ClothingTable RandomRecords::make<ClothingTable>();
+template <>
+DegradeInfo RandomRecords::make<DegradeInfo>();
+template <>
+Scene RandomRecords::make<Scene>();
+template <>
+Region RandomRecords::make<Region>();
+template <>
+ParticleEmitter RandomRecords::make<ParticleEmitter>();
+template <>
+PhysicsScript RandomRecords::make<PhysicsScript>();
+template <>
+PhysicsScriptTable RandomRecords::make<PhysicsScriptTable>();
 template <>
 LandBlock RandomRecords::make<LandBlock>();
 template <>
 LandBlockInfo RandomRecords::make<LandBlockInfo>();
 template <>
-Region RandomRecords::make<Region>();
-template <>
-Scene RandomRecords::make<Scene>();
+EnvCell RandomRecords::make<EnvCell>();
 
 } // namespace limen::dat

@@ -1,5 +1,6 @@
 #include "dat/Hex.h"
 #include "dat/RandomRecords.h"
+#include "dat/RecordTypes.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -19,8 +20,7 @@ RecordId idIn(const Record& record) {
 template <class Record>
 class RoundTrip : public testing::Test {};
 
-using AllRecords = testing::Types<Palette, SurfaceTexture, RenderSurface, Surface, GfxObj, Setup, Environment,
-                                  EnvCell, LandBlock, LandBlockInfo, Region, Scene>;
+using AllRecords = RecordTypes::As<testing::Types>;
 TYPED_TEST_SUITE(RoundTrip, AllRecords);
 
 TYPED_TEST(RoundTrip, randomRecordsEncodeToTheSameBytesAgain) {

@@ -56,5 +56,53 @@ TEST_F(BlendedGlTest, hiddenBehindSolidSurfacesAndOutsideItsZone) {
     EXPECT_EQ(render(scene, 2).at(1, 1), glm::ivec3(255));
 }
 
+// A surface that is split, drawn both ways, 1 m north; a green veil behind it, listed after it: sorted wrongly.
+class SplitGlTest : public GlTest {
+protected:
+    Frame drawn(std::uint8_t texelAlpha, const RenderOptions& options, float opacity = 1.0f) {
+        SceneBuilder scene;
+        scene.root(1);
+        scene.addWall('A', {-2, -2}, {2, 2}, 2,
+                      {.members = {{1, 0}}, .material = scene.addMaterial({0.4f, 0.4f, 0.4f, 1})});
+        const std::uint32_t texture = scene.addTexture(1, 1, {255, 0, 0, texelAlpha});
+        QuadOptions quad{.members = {{1, 0}}, .program = frame::Program::Blended};
+        quad.material =
+            scene.addMaterial({1, 1, 1, 1}, texture, layout::kMaterialAlpha | layout::kMaterialSplit);
+        const std::uint32_t split = scene.addWall('B', {-1, -1}, {0, 1}, 1, quad);
+        scene.upload.instances[split].opacity = opacity;
+        scene.drawAgain(split, frame::Program::CutOut, false);
+        quad.material = scene.addMaterial({0, 1, 0, 0.5f}, layout::kNoTexture, layout::kMaterialAlpha);
+        scene.addWall('C', {-1.5f, -1.5f}, {0, 1.5f}, 1.5f, quad);
+        Renderer renderer(*device_);
+        EXPECT_TRUE(renderer.upload(scene.upload));
+        return renderWith(renderer, scene.finish(), 2, 2, options);
+    }
+    static constexpr RenderOptions kPainted{.wantIds = false}, kWithIds{};
+};
+
+TEST_F(SplitGlTest, hidesWhatIsBehindWhereItIsNearlyOpaque) {
+    EXPECT_EQ(drawn(250, kPainted).at(0, 0), glm::ivec3(255, 0, 0));
+}
+
+TEST_F(SplitGlTest, hasNoIdAndNoDepthWhateverItsAlpha) {
+    const Frame frame = drawn(250, kWithIds);
+    EXPECT_THAT(frame.picture(), ElementsAre("AA", "AA"));
+    EXPECT_FLOAT_EQ(frame.depth[0], frame.depth[1]);
+    EXPECT_NEAR(frame.at(0, 0).y, 128, 2) << "blended in the order of the list, the veil last";
+}
+
+TEST_F(SplitGlTest, isBlendedOnceWhereItIsNot) {
+    for (const std::uint8_t alpha : {std::uint8_t{20}, std::uint8_t{128}, std::uint8_t{235}}) {
+        EXPECT_EQ(drawn(alpha, kPainted).at(0, 0), drawn(alpha, kWithIds).at(0, 0)) << int{alpha};
+    }
+    EXPECT_EQ(drawn(255, kPainted, 0.5f).at(0, 0), drawn(255, kWithIds, 0.5f).at(0, 0))
+        << "it fades as a whole";
+}
+
+TEST_F(SplitGlTest, isNotThereWhereNextToNothingIs) {
+    EXPECT_EQ(drawn(10, kPainted).at(0, 0), drawn(0, kWithIds).at(0, 0));
+    EXPECT_NE(drawn(10, kWithIds).at(0, 0), drawn(0, kWithIds).at(0, 0));
+}
+
 } // namespace
 } // namespace limen::gpu::test

@@ -410,5 +410,23 @@ TEST(FarAway, aLeafSeenEdgeOnStaysBehindTheOneBeforeIt) {
     std::filesystem::remove_all(directory);
 }
 
+/// A cell's wall seen flat, and right behind it the corner of another cell of its zone: that must not show. Found sweeping through
+/// the tower's openings.
+TEST(FlatWall, hidesTheCellBehindIt) {
+    const auto directory =
+        std::filesystem::temp_directory_path() / ("limen-flat-" + std::to_string(::getpid()));
+    ASSERT_TRUE(demo::writeBuiltInWorld(directory));
+    const auto file = world::loadWorldFile(directory);
+    ASSERT_TRUE(file);
+    const Vec3 eye(32677.017, 34849.88199995707, 11.321882788676314);
+    PictureWorld pictures(directory, world::blockAt(eye), PictureOptions{true, 0, file->moving});
+    pictures.width = 160;
+    pictures.height = 90;
+    pictures.fov = 75.0;
+    pictures.expectClean(pictures.look(eye - pictures.homeOrigin(), 2.7911669359890325, 36.260889388795974,
+                                       pictures.space(0xAAB5015F)));
+    std::filesystem::remove_all(directory);
+}
+
 } // namespace
 } // namespace limen::test

@@ -1,5 +1,7 @@
 #include "world/Textures.h"
 
+#include "world/Records.h"
+
 #include "support/LoadTestWorld.h"
 
 #include <gmock/gmock.h>
@@ -148,7 +150,7 @@ TEST(Materials, followTheSurfacesBits) {
     EXPECT_EQ(materialOf(world, cut).surfaceClass, SurfaceClass::CutOut);
     EXPECT_EQ(materialOf(world, additive).surfaceClass, SurfaceClass::Blended);
     EXPECT_EQ(materialOf(world, additive).flags, Material::kAdditive);
-    EXPECT_EQ(materialOf(world, alpha).flags, Material::kAlpha);
+    EXPECT_EQ(materialOf(world, alpha).flags, Material::kAlpha | Material::kSplit);
     EXPECT_EQ(materialOf(world, glass).surfaceClass, SurfaceClass::Blended);
     EXPECT_EQ(materialOf(world, glass).colour, Vec4f(0, 0, 1, 0.75f));
     EXPECT_EQ(materialOf(world, glass).texture, kNone);
@@ -156,6 +158,28 @@ TEST(Materials, followTheSurfacesBits) {
     EXPECT_EQ(shell.ranges[0].indexCount, 12u) << "opaque, and the solid colour";
     EXPECT_EQ(shell.ranges[1].indexCount, 6u);
     EXPECT_EQ(shell.ranges[2].indexCount, 18u);
+    EXPECT_EQ(shell.splitIndexCount, 6u);
+    EXPECT_EQ(shell.ranges[2].firstIndex, shell.ranges[1].firstIndex + 6) << "they follow the cut-outs";
+    const MeshVertex& first = world.vertices[shell.firstVertex + world.indices[shell.ranges[2].firstIndex]];
+    EXPECT_EQ(first.surface, 3u) << "and come first of the blended, though not in the record";
+}
+
+TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {
+    using S = dat::Surface;
+    S surface;
+    surface.type = S::kBase1Image | S::kAlpha;
+    EXPECT_TRUE(isSplit(surface));
+    surface.translucency = 0.5f;
+    EXPECT_FALSE(isSplit(surface)) << "nowhere nearly opaque";
+    surface.translucency = 0.0f;
+    for (const std::uint32_t other : {S::kAdditive, S::kInvAlpha}) {
+        surface.type = S::kBase1Image | S::kAlpha | other;
+        EXPECT_FALSE(isSplit(surface));
+    }
+    surface.type = S::kBase1Image;
+    EXPECT_FALSE(isSplit(surface)) << "opaque, whatever its picture's alpha";
+    surface.type = S::kBase1Solid | S::kAlpha;
+    EXPECT_FALSE(isSplit(surface)) << "no picture";
 }
 
 TEST(Materials, fallBackToGreyAndSaySo) {

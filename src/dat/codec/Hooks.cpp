@@ -76,4 +76,14 @@ void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle) {
     io.array(in.payload, in.payload.size());
 }
 
+bool mayHaveBlockingParticle(ByteView payload) {
+    // Any word of that value anywhere.
+    for (std::size_t i = 0; i + 4 <= payload.size(); ++i) {
+        if (payload[i] == std::byte{kCreateBlockingParticleHook} && payload[i + 1] == std::byte{0} &&
+            payload[i + 2] == std::byte{0} && payload[i + 3] == std::byte{0})
+            return true;
+    }
+    return false;
+}
+
 } // namespace limen::dat

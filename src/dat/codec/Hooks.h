@@ -22,4 +22,32 @@ enum class BlockingParticle { Bare, LikeCreateParticle };
 void hook(ByteReader& io, AnimationHook& out, BlockingParticle blocking);
 void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle blocking);
 
+/// The least that a frame of so many parts can take.
+[[nodiscard]] constexpr std::size_t minAnimationFrameBytes(std::size_t parts) {
+    return parts * kFrameBytes + 4;
+}
+template <class IO, class F>
+void animationFrame(IO& io, F& f, std::size_t parts, BlockingParticle blocking) {
+    io.items(f.parts, parts, kFrameBytes, "part frames", [&](auto& part) { frame(io, part); });
+    io.template list<std::uint32_t>(f.hooks, kMinHookBytes, "animation hooks",
+                                    [&](auto& one) { hook(io, one, blocking); });
+}
+
+/// Whether a second try, with CreateParticle's payload, is worth making. Cheap and generous.
+[[nodiscard]] bool mayHaveBlockingParticle(ByteView payload);
+
+/// decodeWith for records with hooks; `read(reader, record, blocking)`. A record that does not read with a bare
+/// CreateBlockingParticle is tried again with a payload.
+template <class Record, class Read>
+[[nodiscard]] Result<Record> decodeWithHooks(RecordId id, ByteView payload, Read&& read) {
+    const auto attempt = [&](BlockingParticle blocking) {
+        return decodeWith<Record>(id, payload, [&](ByteReader& io, Record& r) { read(io, r, blocking); });
+    };
+    Result<Record> first = attempt(BlockingParticle::Bare);
+    if (first || !mayHaveBlockingParticle(payload))
+        return first;
+    Result<Record> second = attempt(BlockingParticle::LikeCreateParticle);
+    return second ? std::move(second) : std::move(first);
+}
+
 } // namespace limen::dat

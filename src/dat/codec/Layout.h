@@ -65,6 +65,27 @@ void values(IO& io, List& list, const char* what) {
                             [&](auto& one) { io.value(one); });
 }
 
+/// A "PackableHashTable" of items that are at least `minValueBytes` long, keys apart (formats/primitives.md).
+template <class Value, class Item>
+void hashTable(ByteReader& io, PackedHashTable<Value>& table, std::size_t minValueBytes, const char* what,
+               Item&& item) {
+    const std::size_t count = io.count<std::uint16_t>(what);
+    io.value(table.buckets);
+    io.items(table.entries, count, 4 + minValueBytes, what, [&](auto& entry) {
+        io.value(entry.first);
+        item(entry.second);
+    });
+}
+template <class Value, class Item>
+void hashTable(ByteWriter& io, const PackedHashTable<Value>& table, std::size_t, const char*, Item&& item) {
+    io.count<std::uint16_t>(table.entries.size());
+    io.value(table.buckets);
+    for (const auto& [key, value] : table.entries) {
+        io.value(key);
+        item(value);
+    }
+}
+
 inline constexpr std::size_t kFrameBytes = 28;
 inline constexpr std::size_t kStabBytes = 4 + kFrameBytes;
 

@@ -96,6 +96,20 @@ void environment(IO& io, RecordId key, E& e) {
     });
 }
 
+constexpr std::size_t kDegradeLevelBytes = 20;
+
+template <class IO, class D>
+void degradeInfo(IO& io, RecordId key, D& d) {
+    ownId(io, key, d.id);
+    io.template list<std::uint32_t>(d.levels, kDegradeLevelBytes, "levels of detail", [&](auto& level) {
+        io.value(level.gfxObj);
+        io.value(level.mode);
+        io.value(level.minDistance);
+        io.value(level.idealDistance);
+        io.value(level.maxDistance);
+    });
+}
+
 } // namespace
 
 template <>
@@ -122,6 +136,18 @@ template <>
 Bytes encode<Environment>(const Environment& e) {
     ByteWriter io;
     environment(io, e.id, e);
+    return io.take();
+}
+
+template <>
+Result<DegradeInfo> decode<DegradeInfo>(RecordId id, ByteView payload) {
+    return decodeWith<DegradeInfo>(id, payload,
+                                   [&](ByteReader& io, DegradeInfo& d) { degradeInfo(io, id, d); });
+}
+template <>
+Bytes encode<DegradeInfo>(const DegradeInfo& d) {
+    ByteWriter io;
+    degradeInfo(io, d.id, d);
     return io.take();
 }
 

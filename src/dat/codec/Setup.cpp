@@ -16,13 +16,10 @@ void locations(IO& io, Locations& list, const char* what) {
 
 template <class IO, class S>
 void placementFrames(IO& io, S& s, std::size_t partCount, BlockingParticle blocking) {
-    const std::size_t minBytes = 4 + partCount * kFrameBytes + 4;
+    const std::size_t minBytes = 4 + minAnimationFrameBytes(partCount);
     io.template list<std::int32_t>(s.placementFrames, minBytes, "placement frames", [&](auto& keyed) {
         io.value(keyed.first);
-        io.items(keyed.second.parts, partCount, kFrameBytes, "part frames",
-                 [&](auto& part) { frame(io, part); });
-        io.template list<std::uint32_t>(keyed.second.hooks, kMinHookBytes, "animation hooks",
-                                        [&](auto& one) { hook(io, one, blocking); });
+        animationFrame(io, keyed.second, partCount, blocking);
     });
 }
 
@@ -75,29 +72,13 @@ void setup(IO& io, RecordId key, S& s, BlockingParticle blocking) {
         io.value(*i);
 }
 
-bool hasBlockingParticle(ByteView payload) {
-    // Cheap and generous: any word of that value anywhere. It only decides whether a second try is worth
-    // making.
-    for (std::size_t i = 0; i + 4 <= payload.size(); ++i) {
-        if (payload[i] == std::byte{kCreateBlockingParticleHook} && payload[i + 1] == std::byte{0} &&
-            payload[i + 2] == std::byte{0} && payload[i + 3] == std::byte{0})
-            return true;
-    }
-    return false;
-}
-
 } // namespace
 
 template <>
 Result<Setup> decode<Setup>(RecordId id, ByteView payload) {
-    const auto attempt = [&](BlockingParticle blocking) {
-        return decodeWith<Setup>(id, payload, [&](ByteReader& io, Setup& s) { setup(io, id, s, blocking); });
-    };
-    Result<Setup> first = attempt(BlockingParticle::Bare);
-    if (first || !hasBlockingParticle(payload))
-        return first;
-    Result<Setup> second = attempt(BlockingParticle::LikeCreateParticle);
-    return second ? std::move(second) : std::move(first);
+    return decodeWithHooks<Setup>(id, payload, [&](ByteReader& io, Setup& s, BlockingParticle blocking) {
+        setup(io, id, s, blocking);
+    });
 }
 
 template <>

@@ -1,5 +1,6 @@
 #include "dat/Describe.h"
 
+#include "dat/RecordTypes.h"
 #include "dat/describe/Json.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace limen::dat {
 namespace {
 
 constexpr std::size_t kShownBytes = 64;
-
-template <class Record>
-Result<std::string> describeAs(RecordId id, ByteView payload) {
-    return decode<Record>(id, payload).map([](const Record& record) { return describe(record); });
-}
 
 std::string describeOther(RecordKind kind, RecordId id, ByteView payload) {
     std::string bytes;
@@ -41,37 +37,13 @@ std::string describeIteration(RecordId id, ByteView payload) {
 
 Result<std::string> describe(FileRole role, RecordId id, ByteView payload) {
     const RecordKind kind = kindOf(role, id);
-    switch (kind) {
-    case RecordKind::GfxObj:
-        return describeAs<GfxObj>(id, payload);
-    case RecordKind::Setup:
-        return describeAs<Setup>(id, payload);
-    case RecordKind::Palette:
-        return describeAs<Palette>(id, payload);
-    case RecordKind::SurfaceTexture:
-        return describeAs<SurfaceTexture>(id, payload);
-    case RecordKind::RenderSurface:
-        return describeAs<RenderSurface>(id, payload);
-    case RecordKind::Surface:
-        return describeAs<Surface>(id, payload);
-    case RecordKind::Environment:
-        return describeAs<Environment>(id, payload);
-    case RecordKind::Scene:
-        return describeAs<Scene>(id, payload);
-    case RecordKind::Region:
-        return describeAs<Region>(id, payload);
-    case RecordKind::LandBlock:
-        return describeAs<LandBlock>(id, payload);
-    case RecordKind::LandBlockInfo:
-        return describeAs<LandBlockInfo>(id, payload);
-    case RecordKind::EnvCell:
-        return describeAs<EnvCell>(id, payload);
-    case RecordKind::Iteration:
+    if (kind == RecordKind::Iteration)
         return describeIteration(id, payload);
-    case RecordKind::Other:
-        break;
-    }
-    return describeOther(kind, id, payload);
+    Result<std::string> text;
+    const bool isKnown = visitKind(kind, [&]<class Record>(std::type_identity<Record>) {
+        text = decode<Record>(id, payload).map([](const Record& record) { return describe(record); });
+    });
+    return isKnown ? text : describeOther(kind, id, payload);
 }
 
 } // namespace limen::dat

@@ -129,6 +129,18 @@ Json json(const Stab& s) {
     return {{"model", hexId(s.model)}, {"frame", json(s.frame)}};
 }
 
+Json json(const AnimationHook& h) {
+    std::string payload;
+    for (const std::uint8_t b : h.payload)
+        payload += fmt::format("{:02X}", b);
+    return {{"type", h.type}, {"direction", h.direction}, {"payload", payload}};
+}
+
+Json json(const AnimationFrame& f) {
+    return {{"parts", listOf(f.parts, [](const Frame& part) { return json(part); })},
+            {"hooks", listOf(f.hooks, [](const AnimationHook& h) { return json(h); })}};
+}
+
 std::string pretty(const Json& value) {
     return render(value, 0).text;
 }

@@ -23,6 +23,8 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json(const SphereF& s);
 [[nodiscard]] Json json(const Colour& c);
 [[nodiscard]] Json json(const Stab& s);
+[[nodiscard]] Json json(const AnimationHook& h);
+[[nodiscard]] Json json(const AnimationFrame& f);
 
 /// An array of what `make` gives for each item.
 template <class List, class Make>

@@ -1,8 +1,6 @@
 #include "dat/Describe.h"
 #include "dat/describe/Json.h"
 
-#include <fmt/format.h>
-
 namespace limen::dat {
 namespace {
 
@@ -90,17 +88,10 @@ Json location(const Location& l) {
     return {{"location", l.key}, {"part", l.part}, {"frame", json(l.frame)}};
 }
 
-Json hook(const AnimationHook& h) {
-    std::string payload;
-    for (const std::uint8_t b : h.payload)
-        payload += fmt::format("{:02X}", b);
-    return {{"type", h.type}, {"direction", h.direction}, {"payload", payload}};
-}
-
 Json placement(const std::pair<std::uint32_t, AnimationFrame>& keyed) {
-    return {{"placement", keyed.first},
-            {"parts", listOf(keyed.second.parts, [](const Frame& f) { return json(f); })},
-            {"hooks", listOf(keyed.second.hooks, hook)}};
+    Json out = {{"placement", keyed.first}};
+    out.update(json(keyed.second));
+    return out;
 }
 
 Json light(const std::pair<std::int32_t, LightInfo>& keyed) {
@@ -136,6 +127,17 @@ std::string describe(const Environment& e) {
     return pretty(
         {{"kind", "Environment"}, {"id", hexId(e.id)}, {"cells", listOf(e.cells, [](const auto& keyed) {
                                                             return cellStruct(keyed.first, keyed.second);
+                                                        })}});
+}
+
+std::string describe(const DegradeInfo& d) {
+    return pretty(
+        {{"kind", "DegradeInfo"}, {"id", hexId(d.id)}, {"levels", listOf(d.levels, [](const auto& l) {
+                                                            return Json{{"gfx_obj", hexId(l.gfxObj)},
+                                                                        {"mode", l.mode},
+                                                                        {"min", number(l.minDistance)},
+                                                                        {"ideal", number(l.idealDistance)},
+                                                                        {"max", number(l.maxDistance)}};
                                                         })}});
 }
 

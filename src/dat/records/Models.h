@@ -86,4 +86,19 @@ struct Environment {
     std::vector<std::pair<std::uint32_t, CellStruct>> cells; ///< (key, shape)
 };
 
+/// A mesh for a range of distances.
+struct DegradeLevel {
+    static constexpr std::uint32_t kMesh = 1; ///< any other mode: a sprite that faces the camera
+    std::uint32_t gfxObj = 0;                 ///< 0: nothing is drawn
+    std::uint32_t mode = kMesh;
+    float minDistance = 0.0f, idealDistance = 0.0f, maxDistance = 0.0f; ///< metres
+};
+
+/// GfxObjDegradeInfo (0x11).
+struct DegradeInfo {
+    std::uint32_t id = 0;
+    std::vector<DegradeLevel>
+        levels; ///< the first whose maxDistance is not less than the distance counts; else nothing
+};
+
 } // namespace limen::dat

@@ -46,4 +46,11 @@ struct Stab {
     Frame frame;
 };
 
+/// A "PackableHashTable": pairs in the order of the file, which is that of key modulo buckets, and repeated keys as they are.
+template <class Value>
+struct PackedHashTable {
+    std::uint16_t buckets = 32;
+    std::vector<std::pair<std::uint32_t, Value>> entries;
+};
+
 } // namespace limen::dat

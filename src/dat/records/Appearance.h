@@ -1,0 +1,48 @@
+#pragma once
+
+#include "dat/records/Primitives.h"
+
+// PaletteSet (0x0F), ClothingTable (0x10): formats/textures.md.
+namespace limen::dat {
+
+/// Palettes of one thing in several shades.
+struct PaletteSet {
+    std::uint32_t id = 0;
+    std::vector<std::uint32_t> palettes; ///< Palette (0x04) ids
+};
+
+/// Within a part of a model: a SurfaceTexture (0x05) in another's place.
+struct TextureChange {
+    std::uint32_t from = 0, to = 0;
+};
+
+/// Another mesh for a part of a model, and other textures on it.
+struct PartChange {
+    std::uint32_t part = 0;
+    std::uint32_t gfxObj = 0;
+    std::vector<TextureChange> textures;
+};
+
+/// Colours of a palette that are replaced, at the places where they are.
+struct PaletteRange {
+    std::uint32_t offset = 0, count = 0;
+};
+
+struct PaletteChange {
+    std::vector<PaletteRange> ranges;
+    std::uint32_t palettes = 0; ///< PaletteSet (0x0F) or Palette (0x04) id
+};
+
+struct PaletteTemplate {
+    std::uint32_t icon = 0; ///< RenderSurface (0x06) id
+    std::vector<PaletteChange> changes;
+};
+
+/// How a piece of clothing changes what wears it.
+struct ClothingTable {
+    std::uint32_t id = 0;
+    PackedHashTable<std::vector<PartChange>> parts; ///< by Setup (0x02) id
+    PackedHashTable<PaletteTemplate> palettes;      ///< by palette template
+};
+
+} // namespace limen::dat
