@@ -1,12 +1,10 @@
+#include "app/DatFiles.h"
 #include "app/Parse.h"
 #include "app/Verbs.h"
-#include "app/WorldSource.h"
 #include "dat/Describe.h"
-#include "dat/File.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
@@ -14,42 +12,6 @@
 
 namespace limen::app {
 namespace {
-
-constexpr std::array<const char*, 4> kRoleNames{"portal", "cell", "highres", "local"}; // by FileRole
-
-const char* nameOfRole(dat::FileRole role) {
-    return kRoleNames.at(static_cast<std::size_t>(role));
-}
-
-/// The dat files a command talks about: one by its name, or those of a directory, or the built-in world's.
-struct OpenFiles {
-    std::unique_ptr<WorldSource> source; ///< of a world; the list points into it
-    std::unique_ptr<dat::File> single;
-    std::vector<const dat::File*> list;
-};
-
-Result<OpenFiles> openFiles(const std::string& path) {
-    OpenFiles files;
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored)) {
-        Result<dat::File> file = dat::File::open(path);
-        if (!file)
-            return tl::unexpected(file.error());
-        files.single = std::make_unique<dat::File>(std::move(*file));
-        files.list.push_back(files.single.get());
-        return files;
-    }
-    Result<WorldSource> source = openWorldSource(path);
-    if (!source)
-        return tl::unexpected(source.error());
-    files.source = std::make_unique<WorldSource>(std::move(*source));
-    const dat::Archive& archive = files.source->archive;
-    for (const dat::File* file : {&archive.portal(), &archive.cell(), archive.highres(), archive.local()}) {
-        if (file != nullptr)
-            files.list.push_back(file);
-    }
-    return files;
-}
 
 std::string lowerCase(std::string text) {
     for (char& c : text)
@@ -101,7 +63,7 @@ Result<Exit> runList(const ListOptions& options, const Console& console) {
     const Result<std::optional<dat::RecordKind>> wanted = parseKind(options.type);
     if (!wanted)
         return tl::unexpected(wanted.error());
-    const Result<OpenFiles> files = openFiles(options.path);
+    const Result<DatFiles> files = openDatFiles(options.path);
     if (!files)
         return tl::unexpected(files.error());
     for (const dat::File* file : files->list) {
@@ -123,7 +85,7 @@ struct ShowOptions {
 };
 
 /// The one file that holds the record; an id can mean different things in different files.
-Result<const dat::File*> holderOf(const OpenFiles& files, dat::RecordId id, const std::string& in) {
+Result<const dat::File*> holderOf(const DatFiles& files, dat::RecordId id, const std::string& in) {
     std::vector<const dat::File*> holders;
     for (const dat::File* file : files.list) {
         if (!in.empty() && in != nameOfRole(file->role()))
@@ -149,7 +111,7 @@ Result<Exit> runShow(const ShowOptions& options, const Console& console) {
     const Result<dat::RecordId> id = parseRecordId("ID", options.id);
     if (!id)
         return tl::unexpected(id.error());
-    const Result<OpenFiles> files = openFiles(options.path);
+    const Result<DatFiles> files = openDatFiles(options.path);
     if (!files)
         return tl::unexpected(files.error());
     const Result<const dat::File*> file = holderOf(*files, *id, options.in);
@@ -194,6 +156,7 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->check(CLI::IsMember({"portal", "cell", "highres", "local"}));
     print->callback(
         [&console, &choice, show] { choice.run = [&console, show] { return runShow(*show, console); }; });
+    addVerifyVerb(*verb, console, choice);
 }
 
 } // namespace limen::app

@@ -33,6 +33,7 @@ TEST(Program, helpIsDataAndExitsWithZero) {
                                                                                       {"dat"},
                                                                                       {"dat", "ls"},
                                                                                       {"dat", "show"},
+                                                                                      {"dat", "verify"},
                                                                                       {"demo"},
                                                                                       {"bench"}}) {
         std::vector<std::string> arguments = verb;
@@ -203,6 +204,18 @@ TEST(Program, datListsAndShowsRecords) {
     const ProgramRun cells = runner.run({"dat", "ls", "--type", "envcell"});
     EXPECT_GT(std::count(cells.out.begin(), cells.out.end(), '\n'), 3);
     expectRefusal(runner, {"dat", "show", "0x01FFFFFF"}, "0x01FFFFFF");
+}
+
+TEST(Program, datVerifyFindsTheBuiltInWorldWhole) {
+    const ProgramRunner runner;
+    const ProgramRun run = runner.run({"dat", "verify", "--json"});
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_GT(report["kinds"]["EnvCell"]["records"], 100);
+    EXPECT_TRUE(report["faults"].empty());
+    EXPECT_EQ(report["unresolved"], 0);
+    EXPECT_THAT(runner.run({"dat", "verify"}).out, HasSubstr("0 unreadable, 0 changed, 0 unresolved"));
+    expectRefusal(runner, {"dat", "verify", "missing"}, "missing");
 }
 
 TEST(Program, benchListsItsNames) {

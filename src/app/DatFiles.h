@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/Verbs.h"
+#include "app/WorldSource.h"
+#include "dat/File.h"
+
+#include <memory>
+
+namespace limen::app {
+
+/// The dat files a command talks about: one by its name, or those of a directory, or the built-in world's.
+struct DatFiles {
+    std::unique_ptr<WorldSource> source; ///< of a world; the list points into it
+    std::unique_ptr<dat::File> single;
+    std::vector<const dat::File*> list;
+};
+
+/// `path` empty: the built-in world's. Errors: those of opening them.
+[[nodiscard]] Result<DatFiles> openDatFiles(const std::string& path);
+
+/// "portal", "cell", "highres", "local".
+[[nodiscard]] const char* nameOfRole(dat::FileRole role);
+
+/// `limen dat verify`.
+void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice);
+
+} // namespace limen::app
