@@ -73,10 +73,22 @@ const Model& Models::model(dat::RecordId id) {
     return *entry;
 }
 
+dat::RecordId Models::nearest(dat::RecordId gfxObj) {
+    const dat::GfxObj* record = records_.gfxObj(gfxObj);
+    if (record == nullptr || record->degradeId == 0)
+        return gfxObj;
+    const dat::DegradeInfo* info = records_.degradeInfo(record->degradeId);
+    return info == nullptr || info->levels.empty() ? gfxObj : info->levels.front().gfxObj;
+}
+
 Model Models::read(dat::RecordId id) {
     Model model;
+    const auto addPart = [&](dat::RecordId gfxObj, const Mat3& linear, const Vec3& origin) {
+        if (const dat::RecordId shown = nearest(gfxObj); shown != 0)
+            model.parts.push_back({shown, linear, origin});
+    };
     if (id >> 24 == 0x01) {
-        model.parts.push_back({id, Mat3(1.0), Vec3(0.0)});
+        addPart(id, Mat3(1.0), Vec3(0.0));
     } else if (const dat::Setup* setup = records_.setup(id)) {
         const dat::AnimationFrame* frames = restingPose(*setup);
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
@@ -86,7 +98,7 @@ Model Models::read(dat::RecordId id) {
             Mat3 linear = glm::mat3_cast(pose.orientation);
             for (int axis = 0; axis < 3; ++axis)
                 linear[axis] *= scale[axis];
-            model.parts.push_back({setup->parts[i], linear, pose.origin});
+            addPart(setup->parts[i], linear, pose.origin);
         }
         model.lights = lightsOf(*setup);
     }

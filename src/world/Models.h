@@ -45,6 +45,8 @@ public:
 
 private:
     [[nodiscard]] Model read(dat::RecordId id);
+    /// What of a GfxObj is seen from nearby: itself, another, or 0: nothing, as of marks that only editors show.
+    [[nodiscard]] dat::RecordId nearest(dat::RecordId gfxObj);
     [[nodiscard]] std::unique_ptr<PartMesh> build(dat::RecordId gfxObj);
 
     Records& records_;

@@ -18,6 +18,7 @@ public:
     explicit Records(const dat::Archive& archive) : archive_(&archive) {}
 
     [[nodiscard]] const dat::GfxObj* gfxObj(dat::RecordId id) { return get(id, gfxObjs_); }
+    [[nodiscard]] const dat::DegradeInfo* degradeInfo(dat::RecordId id) { return get(id, degradeInfos_); }
     [[nodiscard]] const dat::Setup* setup(dat::RecordId id) { return get(id, setups_); }
     [[nodiscard]] const dat::Environment* environment(dat::RecordId id) { return get(id, environments_); }
     [[nodiscard]] const dat::Scene* scene(dat::RecordId id) { return get(id, scenes_); }
@@ -48,6 +49,7 @@ private:
 
     const dat::Archive* archive_;
     Cache<dat::GfxObj> gfxObjs_;
+    Cache<dat::DegradeInfo> degradeInfos_;
     Cache<dat::Setup> setups_;
     Cache<dat::Environment> environments_;
     Cache<dat::Scene> scenes_;

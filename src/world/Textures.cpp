@@ -1,6 +1,7 @@
 #include "world/Textures.h"
 
 #include "world/Dxt.h"
+#include "world/Jpeg.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,8 @@ std::size_t texelBytes(PixelFormat format) {
     case PixelFormat::LandscapeR8G8B8:
         return 3;
     case PixelFormat::R5G6B5:
+    case PixelFormat::X1R5G5B5:
+    case PixelFormat::A1R5G5B5:
     case PixelFormat::A4R4G4B4:
     case PixelFormat::Index16:
         return 2;
@@ -70,6 +73,11 @@ Texel fromBytes(PixelFormat format, const std::uint8_t* p, const dat::Palette* p
         return {p[2], p[1], p[0], p[3]};
     case PixelFormat::R5G6B5:
         return {scaled(11, 5), scaled(5, 6), scaled(0, 5), 255};
+    case PixelFormat::X1R5G5B5:
+        return {scaled(10, 5), scaled(5, 5), scaled(0, 5), 255};
+    case PixelFormat::A1R5G5B5:
+        return {scaled(10, 5), scaled(5, 5), scaled(0, 5),
+                static_cast<std::uint8_t>(both >> 15 != 0 ? 255 : 0)};
     case PixelFormat::A4R4G4B4:
         return {scaled(8, 4), scaled(4, 4), scaled(0, 4), scaled(12, 4)};
     case PixelFormat::Index16:
@@ -116,6 +124,8 @@ void makeBlackTransparent(Image& image) {
 
 Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette,
                           const DecodeRules& rules) {
+    if (picture.format == PixelFormat::RawJpeg) // its size is its own: the record's may not be trusted
+        return decodeJpeg(picture.pixels, kLargest);
     if (Result<void> fine = check(picture, palette); !fine)
         return tl::unexpected(fine.error());
     Image image;

@@ -13,8 +13,7 @@ struct DecodeRules {
 };
 
 /// Decodes a picture. `palette` is needed for P8 and Index16 only. Errors: dimensions out of 1..4096, a byte
-/// count that does not fit them, a missing or empty palette; Unsupported for RawJpeg and formats the game
-/// does not use. Blend maps (LandscapeAlpha) have their value in all four channels.
+/// count that does not fit them, a missing or empty palette, a damaged JPEG file (whose own size counts). Blend maps (LandscapeAlpha) have their value in all four channels.
 [[nodiscard]] Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette,
                                         const DecodeRules& rules);
 

@@ -5,6 +5,7 @@
 #include "support/LoadTestWorld.h"
 
 #include <gmock/gmock.h>
+#include <turbojpeg.h>
 
 namespace limen::world {
 namespace {
@@ -37,6 +38,9 @@ TEST(DecodeImage, readsEveryPlainFormat) {
     EXPECT_THAT(decodeOne(PixelFormat::R5G6B5, {0x00, 0xF8}), ElementsAre(255, 0, 0, 255));
     EXPECT_THAT(decodeOne(PixelFormat::R5G6B5, {0xE0, 0x07}), ElementsAre(0, 255, 0, 255));
     EXPECT_THAT(decodeOne(PixelFormat::R5G6B5, {0x10, 0x00}), ElementsAre(0, 0, 132, 255));
+    EXPECT_THAT(decodeOne(PixelFormat::X1R5G5B5, {0x1F, 0x7C}), ElementsAre(255, 0, 255, 255));
+    EXPECT_THAT(decodeOne(PixelFormat::A1R5G5B5, {0xE0, 0x83}), ElementsAre(0, 255, 0, 255));
+    EXPECT_THAT(decodeOne(PixelFormat::A1R5G5B5, {0x10, 0x00}), ElementsAre(0, 0, 132, 0));
     EXPECT_THAT(decodeOne(PixelFormat::A4R4G4B4, {0x34, 0x12}), ElementsAre(0x22, 0x33, 0x44, 0x11));
     EXPECT_THAT(decodeOne(PixelFormat::L8, {9}), ElementsAre(9, 9, 9, 255));
     EXPECT_THAT(decodeOne(PixelFormat::LandscapeAlpha, {9}), ElementsAre(9, 9, 9, 9));
@@ -95,6 +99,45 @@ TEST(DecodeImage, readsDxt3AndDxt5Alpha) {
     EXPECT_EQ(image->rgba[11], 102);
 }
 
+/// A JFIF file of two halves, red above blue.
+Bytes jpegOf(int width, int height) {
+    Bytes rgb;
+    for (int i = 0; i < width * height; ++i) {
+        for (const int channel : {0, 1, 2})
+            rgb.push_back(channel == (i < width * height / 2 ? 0 : 2) ? 255 : 0);
+    }
+    const tjhandle encoder = tjInitCompress();
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+    EXPECT_EQ(tjCompress2(encoder, rgb.data(), width, 0, height, TJPF_RGB, &bytes, &size, TJSAMP_444, 95, 0),
+              0);
+    Bytes out(bytes, bytes + size);
+    tjFree(bytes);
+    tjDestroy(encoder);
+    return out;
+}
+
+TEST(DecodeImage, readsJpegsOfTheSizeTheySayThemselves) {
+    const auto image = decodeImage(picture(-7, 0, PixelFormat::RawJpeg, jpegOf(16, 32)), nullptr, {});
+    ASSERT_TRUE(image) << image.error().message();
+    EXPECT_EQ(image->width, 16u);
+    EXPECT_EQ(image->height, 32u);
+    ASSERT_EQ(image->rgba.size(), 16u * 32u * 4u);
+    EXPECT_FALSE(image->hasAlpha);
+    EXPECT_NEAR(image->rgba[0], 255, 3) << "red on top";
+    EXPECT_NEAR(image->rgba[2], 0, 3);
+    EXPECT_NEAR(image->rgba[image->rgba.size() - 2], 255, 3);
+    EXPECT_EQ(image->rgba[3], 255);
+}
+
+TEST(DecodeImage, refusesJpegsThatBreakOffOrAreTooLarge) {
+    Bytes cut = jpegOf(64, 64);
+    cut.resize(cut.size() / 2);
+    EXPECT_FALSE(decodeImage(picture(64, 64, PixelFormat::RawJpeg, cut), nullptr, {}));
+    EXPECT_FALSE(decodeImage(picture(1, 1, PixelFormat::RawJpeg, jpegOf(4104, 1)), nullptr, {}));
+    EXPECT_FALSE(decodeImage(picture(1, 1, PixelFormat::RawJpeg, {}), nullptr, {}));
+}
+
 TEST(DecodeImage, cutsOutBlackOfDxtClipMapsAndHandlesOddSizes) {
     const Bytes black(8, 0);
     const auto image = decodeImage(picture(3, 2, PixelFormat::Dxt1, black), nullptr, {true, false});
@@ -112,7 +155,7 @@ TEST(DecodeImage, refusesWhatDoesNotFit) {
     EXPECT_EQ(errorOf(picture(-1, 2, PixelFormat::A8, {})), ErrorCode::Malformed);
     EXPECT_EQ(errorOf(picture(100000, 100000, PixelFormat::A8, {})), ErrorCode::Malformed);
     EXPECT_EQ(errorOf(picture(4, 4, PixelFormat::Dxt5, Bytes(8))), ErrorCode::Malformed);
-    EXPECT_EQ(errorOf(picture(4, 4, PixelFormat::RawJpeg, Bytes(8))), ErrorCode::Unsupported);
+    EXPECT_EQ(errorOf(picture(4, 4, PixelFormat::RawJpeg, Bytes(8))), ErrorCode::Malformed);
     EXPECT_EQ(errorOf(picture(4, 4, static_cast<PixelFormat>(77), Bytes(8))), ErrorCode::Unsupported);
 }
 
@@ -185,13 +228,13 @@ TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {
 TEST(Materials, fallBackToGreyAndSaySo) {
     test::TestWorld source;
     dat::RenderSurface jpeg = test::solidImage(4, 4, 0);
-    jpeg.format = PixelFormat::RawJpeg;
+    jpeg.format = PixelFormat::RawJpeg; // its bytes are none
     const auto surface = source.picture("jpeg", jpeg, dat::Surface::kBase1Image);
     source.addBox({0, 0, 0}, {4, 4, 3}, "jpeg");
     const World world = test::loadTestWorld(source);
     ASSERT_NE(materialOf(world, surface).texture, kNone);
     EXPECT_EQ(world.textures[materialOf(world, surface).texture].rgba[0], 128);
-    EXPECT_THAT(test::findingsOf(world), HasSubstr("not supported"));
+    EXPECT_THAT(test::findingsOf(world), HasSubstr("JPEG picture"));
 }
 
 TEST(Materials, decodeAPictureOnceHoweverManySurfacesUseIt) {
