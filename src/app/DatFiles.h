@@ -21,6 +21,8 @@ struct DatFiles {
 /// "portal", "cell", "highres", "local".
 [[nodiscard]] const char* nameOfRole(dat::FileRole role);
 
+/// `limen dat export`.
+void addExportVerb(CLI::App& dat, const Console& console, Choice& choice);
 /// `limen dat verify`.
 void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice);
 

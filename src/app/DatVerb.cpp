@@ -156,6 +156,7 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->check(CLI::IsMember({"portal", "cell", "highres", "local"}));
     print->callback(
         [&console, &choice, show] { choice.run = [&console, show] { return runShow(*show, console); }; });
+    addExportVerb(*verb, console, choice);
     addVerifyVerb(*verb, console, choice);
 }
 

@@ -34,6 +34,9 @@ struct Picture {
 
 /// The picture as PNG, 8 bits RGB. Errors: no pixels; out of memory.
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const Picture& picture);
+/// R,G,B,A bytes as PNG, with their alpha, not premultiplied. Requires rgba.size() == width*height*4. Errors: likewise.
+[[nodiscard]] Result<std::vector<std::byte>> encodePng(std::uint32_t width, std::uint32_t height,
+                                                       std::span<const std::uint8_t> rgba);
 
 /// The picture reduced to fit a box, keeping its proportions, each pixel the mean of those it covers; never
 /// enlarged.

@@ -206,6 +206,30 @@ TEST(Program, datListsAndShowsRecords) {
     expectRefusal(runner, {"dat", "show", "0x01FFFFFF"}, "0x01FFFFFF");
 }
 
+TEST(Program, datExportWritesEachRecordInItsOwnWay) {
+    const ProgramRunner runner;
+    const auto idOf = [&](const char* type) {
+        const ProgramRun list = runner.run({"dat", "ls", "--type", type, "--json"});
+        return nlohmann::json::parse(list.out.substr(0, list.out.find('\n')))["id"].get<std::string>();
+    };
+    const auto written = [&](const std::string& id, const char* extension) {
+        return getText(runner.work() / "exported" / (id.substr(2) + extension));
+    };
+    const std::string picture = idOf("RenderSurface"), model = idOf("GfxObj"), cell = idOf("EnvCell");
+    const ProgramRun run =
+        runner.run({"dat", "export", picture, model, cell, "0x13000000", "-o", "exported"});
+    ASSERT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(written(picture, ".png").substr(1, 3), "PNG");
+    for (const std::string& id : {model, cell})
+        EXPECT_EQ(written(id, ".glb").substr(0, 4), "glTF");
+    EXPECT_TRUE(nlohmann::json::accept(written("0x13000000", ".json")));
+    EXPECT_EQ(runner.run({"dat", "export", model, "--as", "json", "-o", "exported"}).exit, 0);
+    EXPECT_TRUE(nlohmann::json::accept(written(model, ".json")));
+    expectRefusal(runner, {"dat", "export", "0x13000000", "--as", "png"}, "0x13000000");
+    expectRefusal(runner, {"dat", "export", "0x13000000", "--as", "gltf"}, "Region");
+    expectRefusal(runner, {"dat", "export", "0x01FFFFFF"}, "0x01FFFFFF");
+}
+
 TEST(Program, datVerifyFindsTheBuiltInWorldWhole) {
     const ProgramRunner runner;
     const ProgramRun run = runner.run({"dat", "verify", "--json"});
