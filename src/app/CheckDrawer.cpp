@@ -83,33 +83,44 @@ reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceInd
     return camera;
 }
 
-Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
-    DrawOptions options{.ids = true,
-                        .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
-                        .layers = !colour}; // counting takes the place of painting
-    if (multisampled_)
-        options = {.ids = false, .shading = gpu::Shading::FlatIds, .layers = false};
-    if (Result<void> drawn = session_.draw(eyeOf(view, root), options); !drawn)
+Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour) {
+    const DrawOptions options{.ids = true,
+                              .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
+                              .layers = !colour}; // counting takes the place of painting
+    if (Result<void> drawn = session.draw(eye, options); !drawn)
         return tl::unexpected(drawn.error());
+    const gpu::RenderTarget& target = session.target();
     check::DrawnImages images;
-    images.width = view.width;
-    images.height = view.height;
-    if (outlines_)
-        images.outlines = regionOutlines(session_.visible());
-    if (multisampled_) {
-        images.colour = session_.target().readColour();
-        images.samples = session_.target().samplePositions();
+    images.width = eye.size.width;
+    images.height = eye.size.height;
+    images.ids = target.readIds();
+    images.depth = target.readDepth();
+    images.nearPlane = frame::FrameView{}.nearPlane;
+    if (colour) {
+        images.colour = target.readColour();
         return images;
     }
-    images.ids = session_.target().readIds();
-    images.depth = session_.target().readDepth();
-    images.nearPlane = frame::FrameView{}.nearPlane;
-    if (!colour) {
-        for (const gpu::LayerSum& layers : session_.target().readLayers())
-            images.layers.push_back({layers.count, layers.hash});
-    }
-    if (colour)
-        images.colour = session_.target().readColour();
+    for (const gpu::LayerSum& layers : target.readLayers())
+        images.layers.push_back({layers.count, layers.hash});
+    return images;
+}
+
+Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
+    Result<check::DrawnImages> images =
+        multisampled_ ? drawSamples(eyeOf(view, root)) : drawImages(session_, eyeOf(view, root), colour);
+    if (images && outlines_)
+        images->outlines = regionOutlines(session_.visible());
+    return images;
+}
+
+Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameEye& eye) {
+    if (Result<void> drawn = session_.draw(eye, {.shading = gpu::Shading::FlatIds}); !drawn)
+        return tl::unexpected(drawn.error());
+    check::DrawnImages images;
+    images.width = eye.size.width;
+    images.height = eye.size.height;
+    images.colour = session_.target().readColour();
+    images.samples = session_.target().samplePositions();
     return images;
 }
 

@@ -11,6 +11,10 @@ namespace limen::app {
 /// A check's view as the eye of a frame.
 [[nodiscard]] FrameEye eyeOf(const check::View& view, world::SpaceIndex root);
 
+/// What a check of one frame holds against the traced one: ids, depth and layers; with `colour`, what is painted instead of layers.
+/// One sample a pixel. Errors: those of drawing.
+[[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour);
+
 /// Draws the views of a check through the path of every other verb. The session must outlive it.
 class CheckDrawer final : public check::Drawer {
 public:
@@ -29,6 +33,8 @@ public:
 
 private:
     using Reading = std::future<Result<std::shared_ptr<LoadedWorld>>>;
+
+    [[nodiscard]] Result<check::DrawnImages> drawSamples(const FrameEye& eye);
 
     Session& session_;
     bool outlines_, multisampled_;

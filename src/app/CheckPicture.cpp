@@ -61,16 +61,15 @@ std::vector<std::uint32_t> tracedIds(const reference::Picture& traced) {
     return ids;
 }
 
-Picture pictureOfVerdicts(const check::FindingPicture& finding) {
-    const std::uint32_t width = finding.drawn.width;
-    Picture picture(width, finding.drawn.height);
-    for (std::size_t i = 0; i < finding.comparison.verdicts.size(); ++i)
+} // namespace
+
+Picture pictureOfVerdicts(std::uint32_t width, std::uint32_t height, const check::Comparison& comparison) {
+    Picture picture(width, height);
+    for (std::size_t i = 0; i < comparison.verdicts.size(); ++i)
         picture.set(static_cast<std::int64_t>(i % width), static_cast<std::int64_t>(i / width),
-                    colourOf(finding.comparison.verdicts[i]));
+                    colourOf(comparison.verdicts[i]));
     return picture;
 }
-
-} // namespace
 
 Picture pictureOfFinding(const check::FindingPicture& finding) {
     const std::uint32_t width = finding.drawn.width, height = finding.drawn.height;
@@ -84,7 +83,8 @@ Picture pictureOfFinding(const check::FindingPicture& finding) {
     paste(all, drawn, 0);
     paste(all, enlarged(pictureOfIds(width, height, tracedIds(finding.traced)), factor),
           width * factor + kGap);
-    paste(all, enlarged(pictureOfVerdicts(finding), factor), 2 * (width * factor + kGap));
+    paste(all, enlarged(pictureOfVerdicts(width, height, finding.comparison), factor),
+          2 * (width * factor + kGap));
     return all;
 }
 

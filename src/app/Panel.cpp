@@ -57,7 +57,8 @@ void drawHelp() {
           "1 .. 9            go to a place", "O                 open or shut all doors",
           "R                 rain", "T                 an hour later", "F1                this help",
           "F2                ids as colours", "F3                regions of the visits",
-          "F4                the panel", "Esc               leave"})
+          "F4                the panel", "F5                check this view against traced rays",
+          "Esc               leave"})
         ImGui::TextUnformatted(text);
     ImGui::End();
 }
@@ -181,6 +182,19 @@ void drawPicked(const Picked* picked) {
         line(text);
 }
 
+/// What the colours over the frame say, kind by kind.
+void drawVerdict(const ViewVerdict* verdict) {
+    if (verdict == nullptr || !ImGui::CollapsingHeader("Checked", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    const check::Comparison& comparison = verdict->comparison;
+    line(fmt::format("{} wrong of {} pixels, {:.1f} s", comparison.findings(), comparison.verdicts.size(),
+                     verdict->seconds));
+    for (std::size_t i = 1; i < check::kVerdictCount; ++i) { // what agrees is the rest
+        if (comparison.counts[i] > 0)
+            line(fmt::format("{} {}", comparison.counts[i], check::kVerdictNames[i]));
+    }
+}
+
 int drawPlaces(std::span<const world::Place> places) {
     int clicked = -1;
     if (!places.empty() && ImGui::CollapsingHeader("Places")) {
@@ -204,6 +218,7 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     drawControls(choice);
     drawFigures(facts);
+    drawVerdict(facts.verdict);
     drawPicked(facts.picked);
     drawVisits(facts);
     choice.place = drawPlaces(facts.places);
@@ -226,11 +241,11 @@ void FrameWindows::add(double now, double frameMs, const FrameFigures& figures) 
     }
 }
 
-/// The id image as a texture of the panel's own.
-struct Panel::IdTexture {
+/// A picture over the frame, as a texture of the panel's own.
+struct Panel::OverTexture {
     GLuint name = 0;
     std::uint32_t width = 0, height = 0;
-    ~IdTexture() { glDeleteTextures(1, &name); }
+    ~OverTexture() { glDeleteTextures(1, &name); }
 
     void write(const Picture& picture) {
         if (name == 0 || width != picture.width || height != picture.height) {
@@ -249,7 +264,7 @@ struct Panel::IdTexture {
     }
 };
 
-Panel::Panel(const Window& window) : idTexture_(std::make_unique<IdTexture>()) {
+Panel::Panel(const Window& window) : over_(std::make_unique<OverTexture>()) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // leaves no file behind
@@ -268,20 +283,23 @@ bool Panel::takesMouse() const {
     return ImGui::GetIO().WantCaptureMouse;
 }
 
-void Panel::drawIds(const PanelFacts& facts) {
-    idTexture_->write(pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids));
+void Panel::drawOver(const Picture& picture, int opacity) {
+    over_->write(picture);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     // ImGui's texture id is the GL name in a pointer's clothes.
     ImGui::GetBackgroundDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(idTexture_->name)), {0, 0}, size);
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(over_->name)), {0, 0}, size, {0, 0}, {1, 1},
+        IM_COL32(255, 255, 255, opacity));
 }
 
 PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    if (switches.ids && !facts.ids.empty())
-        drawIds(facts);
+    if (facts.verdict != nullptr)
+        drawOver(facts.verdict->picture, 190); // what is right stays to be seen, darkly
+    else if (switches.ids && !facts.ids.empty())
+        drawOver(pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
     if (switches.regions)
         drawRegionOutlines(facts.visible);
     PanelChoice choice{-1, facts.eye.time, facts.eye.weather, facts.eye.doors};

@@ -3,6 +3,7 @@
 #include "app/FrameReport.h"
 #include "app/Picked.h"
 #include "app/TimeWindow.h"
+#include "app/ViewCheck.h"
 #include "app/Window.h"
 #include "world/Places.h"
 
@@ -35,7 +36,8 @@ struct PanelFacts {
     const frame::FramePlan& plan;
     FrameFigures figures;
     const FrameWindows& times;
-    const Picked* picked; ///< null: nothing is
+    const Picked* picked;       ///< null: nothing is
+    const ViewVerdict* verdict; ///< on this very view; null: none
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
 };
@@ -63,9 +65,10 @@ public:
     PanelChoice draw(const PanelFacts& facts, const OverlaySwitches& switches);
 
 private:
-    void drawIds(const PanelFacts& facts);
-    struct IdTexture;
-    std::unique_ptr<IdTexture> idTexture_;
+    /// Over the whole window; `opacity` 0..255.
+    void drawOver(const Picture& picture, int opacity);
+    struct OverTexture;
+    std::unique_ptr<OverTexture> over_;
 };
 
 } // namespace limen::app

@@ -48,11 +48,18 @@ public:
         moveEye(elapsed);
         moveDoors(elapsed);
         eye_.size = window_.size();
-        eye_.seconds += elapsed;
+        if (!verdict_)
+            eye_.seconds += elapsed; // the world stands still under a verdict
         if (const std::optional<PixelPlace> clicked = window_.clicked()) {
             if (Result<void> picked = pick(*clicked); !picked)
                 return picked;
         }
+        if (wantsCheck_) {
+            if (Result<void> checked = check(); !checked)
+                return checked;
+        }
+        if (verdict_ && !isSameView(eye_, checkedFrom_))
+            verdict_.reset();
         const std::optional<frame::Highlight> pulse = selectionPulse();
         DrawOptions options{.ids = switches_.ids};
         if (pulse)
@@ -67,6 +74,7 @@ public:
     [[nodiscard]] const FrameEye& eye() const { return eye_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
+    [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
 
 private:
     void press(Key key) {
@@ -82,6 +90,9 @@ private:
             return;
         case Key::Panel:
             switches_.panel = !switches_.panel;
+            return;
+        case Key::Check:
+            wantsCheck_ = true;
             return;
         case Key::Doors:
             swingDoors();
@@ -112,6 +123,28 @@ private:
         picked_ =
             isSame || picked->meaning.kind == "void" ? std::nullopt : std::make_optional(std::move(*picked));
         return {};
+    }
+
+    /// Holds what is seen against the ray rule and shows what that says, until that changes; once more: no longer.
+    Result<void> check() {
+        wantsCheck_ = false;
+        if (verdict_) {
+            verdict_.reset();
+            return {};
+        }
+        Result<ViewVerdict> verdict = viewCheck_.check(session_, eye_);
+        if (!verdict)
+            return tl::unexpected(verdict.error());
+        verdict_ = std::move(*verdict);
+        checkedFrom_ = eye_;
+        return {};
+    }
+
+    static bool isSameView(const FrameEye& a, const FrameEye& b) {
+        return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
+               a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
+               a.size.height == b.size.height && a.time == b.time && a.weather == b.weather &&
+               a.doors == b.doors;
     }
 
     /// The picked object comes and goes in yellow. Not the landscape: one object is a block of it, and half the window.
@@ -206,6 +239,7 @@ private:
                                .figures = figures,
                                .times = times_,
                                .picked = picked_ ? &*picked_ : nullptr,
+                               .verdict = verdict_ ? &*verdict_ : nullptr,
                                .places = session_.source().file.places,
                                .ids = ids};
         const PanelChoice choice = panel_.draw(facts, switches_);
@@ -221,6 +255,10 @@ private:
     RootTracker tracker_;
     OverlaySwitches switches_;
     std::optional<Picked> picked_;
+    ViewCheck viewCheck_;
+    bool wantsCheck_ = false;
+    std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
+    FrameEye checkedFrom_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
@@ -272,6 +310,12 @@ nlohmann::ordered_json pickedJson(const std::optional<Picked>& picked) {
             {"polygon", meaning.polygon}, {"space", meaning.space},   {"chain", picked->chain}};
 }
 
+nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
+    if (!verdict)
+        return nullptr;
+    return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
+}
+
 std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
     const FrameEye& eye = viewer.eye();
     const nlohmann::ordered_json json{
@@ -290,6 +334,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
           {"regions", viewer.switches().regions},
           {"panel", viewer.switches().panel}}},
         {"picked", pickedJson(viewer.picked())},
+        {"checked", verdictJson(viewer.verdict())},
         {"gl_calls", session.figures().glCalls}};
     return json.dump() + "\n";
 }
@@ -367,7 +412,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     addSessionOptions(*verb, options->session);
     verb->footer("Keys: W A S D fly, E Q up and down, shift fast, drag to look, click to "
                  "ask, 1..9 places, F1 help, F2 "
-                 "ids, F3 regions, F4 panel, Esc leaves.");
+                 "ids, F3 regions, F4 panel, F5 check, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

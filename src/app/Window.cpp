@@ -30,6 +30,8 @@ std::optional<Key> keyOf(int key) {
         return Key::Regions;
     case GLFW_KEY_F4:
         return Key::Panel;
+    case GLFW_KEY_F5:
+        return Key::Check;
     case GLFW_KEY_O:
         return Key::Doors;
     case GLFW_KEY_R:

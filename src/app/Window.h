@@ -17,6 +17,7 @@ enum class Key {
     Ids,
     Regions,
     Panel,
+    Check,
     Doors,
     Rain,
     Later,

@@ -187,6 +187,16 @@ class ViewWindow(unittest.TestCase):
         self.assertIsNone(self.drive(lambda: (click(), click()), *view)["picked"], "the same again lets go of it")
 
     @patiently
+    def test_f5_checks_the_view_until_it_changes(self):
+        def check():
+            self.xdotool("key", "F5")
+            self.wait(4)
+
+        view = ("--at", "cottage.room")
+        self.assertEqual(self.drive(check, *view)["checked"], {"pixels": 480 * 270, "wrong": 0})
+        self.assertIsNone(self.drive(lambda: (check(), self.hold("w", 0.5)), *view)["checked"])
+
+    @patiently
     def test_function_keys_switch_the_overlays(self):
         def press():
             for key in ("F1", "F2", "F3", "F4"):
