@@ -1,4 +1,5 @@
-// Makes the draw commands of a frame, a work group each, and leaves out triangles that cover no pixel's centre or face away. What
+// Makes the draw commands of a frame, a work group each, without those of instances that are drawn from nearer or from farther away,
+// and leaves out triangles that cover no pixel's centre or face away. What
 // is kept stays in its order: of what lies equally deep, what comes later is seen. Where nothing is, nothing is drawn.
 // Triangles are only left out of frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a
 // triangle whose outline stays clear of all centres shows nothing, however it would be snapped.
@@ -64,6 +65,25 @@ bool mayShow(uint vertex, Instance instance) {
     return !isAhead || mayCoverCentre(a, b, c);
 }
 
+uint squareOf(int steps) {
+    uint away = uint(min(abs(steps), int(kMostReachSteps)));
+    return away * away;
+}
+
+// Whether the eye is where the instance is drawn from; world/Reach.cpp finds the same in the same whole numbers.
+bool isInReach(Instance instance) {
+    if (instance.reach == 0u) {
+        return true;
+    }
+    vec3 origin = vec3(instance.row0.w, instance.row1.w, instance.row2.w);
+    vec3 local = clamp(floor(origin * float(kReachSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
+    ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kReachSteps)) - ivec3(frame.eyeSteps.xyz);
+    uint away = squareOf(offset.x) + squareOf(offset.y) + squareOf(offset.z);
+    uint beyond = instance.reach & 0xFFFFu;
+    uint upTo = kEndlessReach - (instance.reach >> 16);
+    return (beyond == 0u || away > beyond * beyond) && away <= upTo * upTo;
+}
+
 shared uint keptBy[kCullThreads];
 
 void main() {
@@ -74,8 +94,9 @@ void main() {
     bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
     bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
     uint triangles = piece.triangles & ~kKeepsAll;
-    uint toLookAt = drawsAsIs ? 0u : triangles;
     Instance instance = instanceAt(keepsAll ? 0u : piece.instance);
+    bool isHere = keepsAll || isInReach(instance);
+    uint toLookAt = drawsAsIs || !isHere ? 0u : triangles;
     uint me = gl_LocalInvocationID.x;
     uint each = (toLookAt + kCullThreads - 1u) / kCullThreads;
     uint begin = min(me * each, toLookAt);
@@ -106,8 +127,9 @@ void main() {
     }
     if (me == 0u) {
         uint command = slot * kWordsPerCommand;
-        commands[command] = 3u * (drawsAsIs ? triangles : all);
-        commands[command + 1u] = drawsAsIs || all > 0u ? 1u : 0u;
+        uint drawn = drawsAsIs && isHere ? triangles : all;
+        commands[command] = 3u * drawn;
+        commands[command + 1u] = drawn > 0u ? 1u : 0u;
         commands[command + 2u] = drawsAsIs ? piece.firstIndex : first;
         commands[command + 3u] = 0u;
         commands[command + 4u] = keepsAll ? piece.instance : recordOf(piece.instance);

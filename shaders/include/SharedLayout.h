@@ -56,7 +56,7 @@ LIMEN_CONST kOutputBlended = 2;
 LIMEN_CONST kOutside = 0u; // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
 
-LIMEN_CONST kKindShell = 0u;   // Instance.kind: a cell's own walls, world::Kind::Shell
+LIMEN_CONST kKindShell = 0u;   // kind of instance: a cell's own walls, world::Kind::Shell
 LIMEN_CONST kKindFilling = 6u; // what stands in an opening: a door's leaf, a pane, world::Kind::Filling
 
 // Where in a pixel its ray passes, from the centre, in parts of a pixel, y upwards. Eyes stand in the planes of walls and over
@@ -72,6 +72,11 @@ LIMEN_CONST kPartsOfAPixel = 4096u;
 // it lies at 2^-kSkyExponent, which is ten million kilometres away.
 LIMEN_CONST kFringeExponent = 40u;
 LIMEN_CONST kSkyExponent = 39u;
+
+// From how far away an instance is drawn (world/Reach.h): steps a metre, and what farther away, or from its block's origin, counts as.
+LIMEN_CONST kReachSteps = 16u;
+LIMEN_CONST kMostReachSteps = 37000u;
+LIMEN_CONST kMostLocalSteps = 1048576u;
 
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
 
@@ -97,6 +102,7 @@ LIMEN_STRUCT(FrameConstants) {
     mat4 clipFromEye LIMEN_ZERO;   // clip from eye-relative; reversed depth, infinite far plane
     vec4 eyeHigh LIMEN_ZERO;       // xyz: the eye relative to the eye's block, rounded to float
     vec4 eyeLow LIMEN_ZERO;        // xyz: what the rounding left
+    vec4 eyeSteps LIMEN_ZERO;      // xyz: the eye relative to the eye's block in steps of 1 / kReachSteps, rounded down: whole numbers
     vec4 sunDirection LIMEN_ZERO;  // xyz towards the sun
     vec4 sunColour LIMEN_ZERO;
     vec4 skyAmbient LIMEN_ZERO;
@@ -146,11 +152,15 @@ LIMEN_STRUCT(Instance) {
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
-    uint memberCount LIMEN_ZERO;
-    uint kind LIMEN_ZERO;
+    uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
+    uint reach LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than kEndlessReach
+                           // less the high half; 0: from anywhere
     uint highlight LIMEN_ZERO;     // RGBA8, alpha = strength; 0 none
     float opacity LIMEN_ZERO;      // times its blended surfaces' own
 };
+
+LIMEN_CONST kEndlessReach = 0xFFFFu;
+LIMEN_CONST kMostMembers = 0xFFFFu;
 
 // A zone an instance belongs to, and the light it has there.
 struct Member {

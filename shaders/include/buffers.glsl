@@ -46,6 +46,14 @@ uvec4 ringTexel(uint texel) {
     return texelFetch(ringTexels, int(texel));
 }
 
+uint memberCountOf(Instance instance) {
+    return instance.membersAndKind & kMostMembers;
+}
+
+uint kindOf(Instance instance) {
+    return instance.membersAndKind >> 16;
+}
+
 Instance instanceOf(uvec4 row0, uvec4 row1, uvec4 row2, uvec4 first, uvec4 second) {
     return Instance(uintBitsToFloat(row0), uintBitsToFloat(row1), uintBitsToFloat(row2), first.x, first.y, first.z, first.w,
                     second.x, second.y, second.z, uintBitsToFloat(second.w));

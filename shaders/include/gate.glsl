@@ -52,7 +52,7 @@ bool keepOutside() {
 
 bool findMember(Instance instance, uint zone, out uint lightSet) {
     lightSet = 0u;
-    for (uint i = 0u; i < instance.memberCount; ++i) {
+    for (uint i = 0u; i < memberCountOf(instance); ++i) {
         Member member = memberAt(instance.firstMember + i);
         if (member.zone == zone) {
             lightSet = member.lightSet;
@@ -130,7 +130,7 @@ Keep walkChain(Instance instance, Place place) {
 // What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
 Keep keepUngated(Instance instance, Place place) {
     Member first = memberAt(instance.firstMember);
-    if (instance.memberCount > 1u) {
+    if (memberCountOf(instance) > 1u) {
         uint lightSet;
         if (frame.visitCount > 1u) {
             Keep keep = walkChain(instance, place);

@@ -31,7 +31,7 @@ bool isSplit(Material material) {
 // The caller discards when `kept` is false.
 Keep keepOf(Instance instance) {
     Place place;
-    if (!findOnPolygon(instance.kind, place)) {
+    if (!findOnPolygon(kindOf(instance), place)) {
         return Keep(false, 0u, 0u);
     }
 #ifdef GATED

@@ -76,7 +76,9 @@ Result<Exported> asPng(const dat::Archive& archive, dat::RecordId id) {
 
 /// A cell with what stands in it, or a landblock without its ground.
 Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat::RecordKind kind) {
-    const Result<world::World> world = world::loadWorld(archive, dat::blockOf(id), {0, true});
+    const Result<world::World> world = world::loadWorld(
+        archive, dat::blockOf(id),
+        {.radius = 0, .detail = std::numeric_limits<double>::infinity()}); // the nearest of all levels
     if (!world)
         return tl::unexpected(world.error());
     const world::SpaceIndex cell =

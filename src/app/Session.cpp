@@ -89,6 +89,12 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
         ->check(CLI::Range(0, 16))
         ->group("World");
     command
+        .add_option("--detail", options.load.detail,
+                    "levels of detail change at so many times their distances (1); inf: the nearest stays")
+        ->type_name("F")
+        ->check(CLI::Range(0.01, std::numeric_limits<double>::infinity()))
+        ->group("World");
+    command
         .add_option_function<std::string>(
             "--textures",
             [&options](const std::string& text) {

@@ -33,12 +33,16 @@ struct DrawCommand {
     std::uint32_t baseInstance = 0;
 };
 
+[[nodiscard]] constexpr std::uint32_t memberCountOf(const Instance& instance) {
+    return instance.membersAndKind & kMostMembers;
+}
+
 /// Where in a pixel with one sample its ray passes: pixels from the centre, y downwards.
 inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
                                         -double{kBesideY} / kPartsOfAPixel};
 
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 13 * 16 + 80);
+static_assert(sizeof(FrameConstants) == 64 + 14 * 16 + 80);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&

@@ -6,6 +6,10 @@ namespace limen::frame {
 
 static_assert(static_cast<std::uint32_t>(world::Kind::Shell) == gpu::kKindShell &&
               static_cast<std::uint32_t>(world::Kind::Filling) == gpu::kKindFilling);
+static_assert(world::kReachSteps == static_cast<std::int32_t>(gpu::kReachSteps) &&
+              world::kMostReachSteps == static_cast<std::int32_t>(gpu::kMostReachSteps) &&
+              world::kMostLocalSteps == static_cast<std::int32_t>(gpu::kMostLocalSteps) &&
+              std::uint32_t{world::Reach::kEndless} == gpu::kEndlessReach);
 
 gpu::Instance packInstance(const world::World& world, const world::Instance& in,
                            std::span<const world::SpaceIndex> members, std::vector<gpu::Member>& zones) {
@@ -17,7 +21,7 @@ gpu::Instance packInstance(const world::World& world, const world::Instance& in,
     out.block = in.block;
     out.idBase = in.idBase;
     out.firstMaterial = in.firstMaterial;
-    out.kind = static_cast<std::uint32_t>(in.kind);
+    out.reach = in.reach.beyond | (gpu::kEndlessReach - in.reach.upTo) << 16;
     out.opacity = in.opacity;
     out.firstMember = static_cast<std::uint32_t>(zones.size());
     for (const world::SpaceIndex member : members.subspan(in.firstMember, in.memberCount)) {
@@ -28,7 +32,9 @@ gpu::Instance packInstance(const world::World& world, const world::Instance& in,
             zones.push_back({space.zone, space.lightSet});
         }
     }
-    out.memberCount = static_cast<std::uint32_t>(zones.size()) - out.firstMember;
+    const auto count = static_cast<std::uint32_t>(zones.size()) - out.firstMember;
+    out.membersAndKind =
+        std::min<std::uint32_t>(count, gpu::kMostMembers) | static_cast<std::uint32_t>(in.kind) << 16;
     return out;
 }
 

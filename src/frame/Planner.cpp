@@ -44,7 +44,7 @@ Planner::Planner(const world::World& world)
     std::vector<gpu::Member> zones;
     for (const world::Instance& in : world.instances) {
         zones.clear();
-        staticMembers_ += packInstance(world, in, world.members, zones).memberCount;
+        staticMembers_ += gpu::memberCountOf(packInstance(world, in, world.members, zones));
     }
 }
 
@@ -99,6 +99,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.clipFromEye = clipFromEye(frame);
     c.eyeHigh = {high, 0.0f};
     c.eyeLow = {Vec3f(local - Vec3(high)), 0.0f};
+    c.eyeSteps = {Vec3f(glm::floor(local * double{world::kReachSteps})), 0.0f};
     for (const world::Block& block : world_.blocks) {
         plan.blocks.emplace_back(static_cast<float>((block.coord.x - eyeBlock.x) * world::kBlockSize),
                                  static_cast<float>((block.coord.y - eyeBlock.y) * world::kBlockSize), 0.0f,

@@ -15,8 +15,9 @@ tl::unexpected<Error> broken(const char* array, std::size_t entry, std::string w
 Result<void> checkInstances(const SceneUpload& scene) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const layout::Instance& instance = scene.instances[i];
-        const std::uint64_t end = std::uint64_t{instance.firstMember} + instance.memberCount;
-        if (instance.memberCount == 0 || end > scene.members.size()) {
+        const std::uint32_t count = layout::memberCountOf(instance);
+        const std::uint64_t end = std::uint64_t{instance.firstMember} + count;
+        if (count == 0 || end > scene.members.size()) {
             return broken("instance", i,
                           fmt::format("has members {} to {} of {}; it needs at least one",
                                       instance.firstMember, end, scene.members.size()));

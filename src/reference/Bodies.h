@@ -32,6 +32,11 @@ public:
         return instances_[body].kind == world::Kind::Filling;
     }
 
+    /// Whether an eye there sees it at all: one level of detail of several.
+    [[nodiscard]] bool isInReach(std::uint32_t body, const world::ReachSteps& eye) const {
+        return world::isInReach(world_, instances_[body], eye);
+    }
+
     /// Any thread may ask. Cost: that of placing it, once.
     [[nodiscard]] const Surfaces& surfacesOf(std::uint32_t body) const {
         Slot& slot = slots_[body];

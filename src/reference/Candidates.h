@@ -11,11 +11,13 @@ namespace limen::reference {
 /// same arithmetic for both, so that no answer depends on which it was.
 class Candidates {
 public:
-    /// For a ray by itself. `ray` must stay.
-    Candidates(const SceneData& scene, const RayFrame& ray) : scene_(scene), ray_(ray) {}
+    /// For a ray by itself from an eye. `ray` must stay.
+    Candidates(const SceneData& scene, const RayFrame& ray, const world::ReachSteps& eye)
+        : scene_(scene), ray_(ray), eye_(eye) {}
     /// For the ray of a tile's pixel (column + 8 · row).
-    Candidates(const SceneData& scene, const RayFrame& ray, TileCandidates& tile, std::uint32_t pixel)
-        : scene_(scene), ray_(ray), tile_(&tile), pixel_(pixel) {}
+    Candidates(const SceneData& scene, const RayFrame& ray, const world::ReachSteps& eye,
+               TileCandidates& tile, std::uint32_t pixel)
+        : scene_(scene), ray_(ray), eye_(eye), tile_(&tile), pixel_(pixel) {}
 
     /// The nearest portal that the ray leaves its space through.
     [[nodiscard]] Exit exitOf(const Leaving& from) {
@@ -37,8 +39,10 @@ public:
             return;
         }
         scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-            place.solid.walk(boxRay(), after, farthest,
-                             [&](std::uint32_t body) { visitAll(bodies.surfacesOf(body).solid); });
+            place.solid.walk(boxRay(), after, farthest, [&](std::uint32_t body) {
+                if (bodies.isInReach(body, eye_))
+                    visitAll(bodies.surfacesOf(body).solid);
+            });
         });
     }
 
@@ -59,7 +63,8 @@ public:
         }
         scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
             place.blended.walk(boxRay(), after, most, [&](std::uint32_t body) {
-                visitAll(bodies.surfacesOf(body).blended, bodies.isFilling(body));
+                if (bodies.isInReach(body, eye_))
+                    visitAll(bodies.surfacesOf(body).blended, bodies.isFilling(body));
             });
         });
     }
@@ -73,6 +78,7 @@ private:
 
     const SceneData& scene_;
     const RayFrame& ray_;
+    const world::ReachSteps eye_;
     std::optional<BoxRay> boxRay_; ///< many a tile's ray needs none
     TileCandidates* tile_ = nullptr;
     std::uint32_t pixel_ = 0;

@@ -17,8 +17,10 @@ constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b
 
 } // namespace
 
-void TileSurfaces::begin(const SceneData& scene, const Pyramid& pyramid, world::SpaceIndex space, Kind kind) {
+void TileSurfaces::begin(const SceneData& scene, const Pyramid& pyramid, const world::ReachSteps& eye,
+                         world::SpaceIndex space, Kind kind) {
     pyramid_ = &pyramid;
+    eye_ = eye;
     kind_ = kind;
     places_.clear();
     pending_.clear();
@@ -71,6 +73,8 @@ void TileSurfaces::open(const Hierarchy& tree, const Pending& node) {
 
 void TileSurfaces::openBody(const Pending& leaf, std::uint32_t body) {
     const Bodies& bodies = *places_[leaf.place].bodies;
+    if (!bodies.isInReach(body, eye_))
+        return;
     const Surfaces& surfaces = bodies.surfacesOf(body);
     Pending root;
     root.least = leaf.least;
@@ -110,6 +114,7 @@ void TileSurfaces::add(const Found& found, PixelMask pixels) {
 
 void TileCandidates::begin(const Tile& tile) {
     pyramid_.emplace(tile, scene_.origin);
+    eye_ = world::reachStepsOf(tile.camera.eye);
     used_ = 0;
 }
 
@@ -123,8 +128,8 @@ TileCandidates::Space& TileCandidates::in(world::SpaceIndex space) {
         spaces_.push_back(std::make_unique<Space>());
     Space& here = *spaces_[used_++];
     here.space = space;
-    here.solid.begin(scene_, *pyramid_, space, TileSurfaces::Kind::Solid);
-    here.blended.begin(scene_, *pyramid_, space, TileSurfaces::Kind::Blended);
+    here.solid.begin(scene_, *pyramid_, eye_, space, TileSurfaces::Kind::Solid);
+    here.blended.begin(scene_, *pyramid_, eye_, space, TileSurfaces::Kind::Blended);
     here.portals.clear();
     scene_.openings.gather(space, *pyramid_, here.portals);
     return here;

@@ -77,7 +77,10 @@ MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t obj
     MovingBody body;
     body.firstPart = static_cast<std::uint32_t>(world_.movingParts.size());
     body.bounds = model.bounds;
-    for (const ModelPart& part : model.parts) {
+    std::vector<ModelPart> parts = model.parts;
+    if (kind != Kind::Filling) // what shuts an opening is the same from everywhere
+        parts.insert(parts.end(), model.farther.begin(), model.farther.end());
+    for (const ModelPart& part : parts) {
         const PartMesh* mesh = models_.part(part.gfxObj);
         if (mesh == nullptr || mesh->mesh.empty())
             continue;
@@ -90,6 +93,8 @@ MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t obj
         instance.object = object;
         instance.record = part.gfxObj;
         instance.firstMaterial = partMaterials(*mesh);
+        if (kind != Kind::Filling)
+            instance.reach = part.reach;
         world_.movingParts.push_back(instance);
     }
     body.partCount = static_cast<std::uint32_t>(world_.movingParts.size()) - body.firstPart;

@@ -105,8 +105,10 @@ void Assembly::addObjects(const BlockContent& block) {
         const Vec3 origin = blockOrigin + object.origin;
         Group group{static_cast<InstanceIndex>(world_.instances.size()), 0,
                     placedSphere(model.bounds, linear, origin)};
-        for (const ModelPart& part : model.parts)
-            addPart(object, part);
+        for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
+            for (const ModelPart& part : *parts)
+                addPart(object, part);
+        }
         group.count = static_cast<InstanceIndex>(world_.instances.size()) - group.first;
         if (group.count > 0)
             objects_.push_back(group);
@@ -134,6 +136,7 @@ void Assembly::addPart(const PlacedModel& object, const ModelPart& part) {
     instance.object = object.object;
     instance.record = part.gfxObj;
     instance.firstMaterial = partMaterials(*mesh);
+    instance.reach = part.reach;
     world_.instances.push_back(instance);
 }
 

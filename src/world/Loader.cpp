@@ -56,7 +56,7 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
     if (!region)
         return tl::unexpected(region.error());
     Records records(archive);
-    Models models(records);
+    Models models(records, options.detail);
     BlockBuilder builder(records, models, region->get(), options.mergeZones);
     Assembly assembly(records, models, region->get());
     bool any = false;

@@ -9,6 +9,8 @@ namespace limen::world {
 struct LoadOptions {
     int radius = 4;         ///< blocks each way around the centre
     bool mergeZones = true; ///< false: every cell its own zone; the picture must be the same
+    /// Levels of detail change at so many times the distances of their records; infinite: the nearest at any distance.
+    double detail = 1.0;
 };
 
 /// Loads the landblocks around `centre` with all they hold. Blocks and records that do not exist are skipped;

@@ -73,22 +73,45 @@ const Model& Models::model(dat::RecordId id) {
     return *entry;
 }
 
-dat::RecordId Models::nearest(dat::RecordId gfxObj) {
+std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
     const dat::GfxObj* record = records_.gfxObj(gfxObj);
-    if (record == nullptr || record->degradeId == 0)
-        return gfxObj;
-    const dat::DegradeInfo* info = records_.degradeInfo(record->degradeId);
-    return info == nullptr || info->levels.empty() ? gfxObj : info->levels.front().gfxObj;
+    const dat::DegradeInfo* info =
+        record != nullptr && record->degradeId != 0 ? records_.degradeInfo(record->degradeId) : nullptr;
+    if (info == nullptr || info->levels.empty())
+        return {{gfxObj, {}}};
+    std::vector<Level> levels;
+    std::uint16_t beyond = 0;
+    for (const dat::DegradeLevel& level : info->levels) {
+        const std::uint16_t upTo = std::max(reachLimit(level.maxDistance * detail_), beyond);
+        // What would turn to the eye is not drawn in the place of what does not: that reaches on.
+        const bool turns = level.mode != dat::DegradeLevel::kMesh && !levels.empty();
+        if (turns)
+            levels.back().reach.upTo = upTo;
+        else if (upTo > beyond || levels.empty())
+            levels.push_back({level.gfxObj, {beyond, upTo}});
+        beyond = upTo;
+        if (upTo == Reach::kEndless)
+            break;
+    }
+    return levels;
+}
+
+void Models::addPart(Model& model, dat::RecordId gfxObj, const Mat3& linear, const Vec3& origin) {
+    const std::vector<Level> levels = levelsOf(gfxObj);
+    if (levels.front().gfxObj == 0)
+        return;
+    for (const Level& level : levels) {
+        if (level.gfxObj == 0)
+            continue;
+        auto& list = level.reach.beyond == 0 ? model.parts : model.farther;
+        list.push_back({level.gfxObj, linear, origin, level.reach});
+    }
 }
 
 Model Models::read(dat::RecordId id) {
     Model model;
-    const auto addPart = [&](dat::RecordId gfxObj, const Mat3& linear, const Vec3& origin) {
-        if (const dat::RecordId shown = nearest(gfxObj); shown != 0)
-            model.parts.push_back({shown, linear, origin});
-    };
     if (id >> 24 == 0x01) {
-        addPart(id, Mat3(1.0), Vec3(0.0));
+        addPart(model, id, Mat3(1.0), Vec3(0.0));
     } else if (const dat::Setup* setup = records_.setup(id)) {
         const dat::AnimationFrame* frames = restingPose(*setup);
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
@@ -98,15 +121,17 @@ Model Models::read(dat::RecordId id) {
             Mat3 linear = glm::mat3_cast(pose.orientation);
             for (int axis = 0; axis < 3; ++axis)
                 linear[axis] *= scale[axis];
-            addPart(setup->parts[i], linear, pose.origin);
+            addPart(model, setup->parts[i], linear, pose.origin);
         }
         model.lights = lightsOf(*setup);
     }
     std::vector<Vec3> points;
-    for (const ModelPart& posed : model.parts) {
-        if (const PartMesh* mesh = part(posed.gfxObj)) {
-            for (const MeshVertex& vertex : mesh->mesh.vertices)
-                points.push_back(posed.origin + posed.linear * vertex.corner());
+    for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
+        for (const ModelPart& posed : *parts) {
+            if (const PartMesh* mesh = part(posed.gfxObj)) {
+                for (const MeshVertex& vertex : mesh->mesh.vertices)
+                    points.push_back(posed.origin + posed.linear * vertex.corner());
+            }
         }
     }
     model.bounds = boundingSphere(points);

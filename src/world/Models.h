@@ -19,6 +19,7 @@ struct ModelPart {
     dat::RecordId gfxObj = 0;
     Mat3 linear{1.0}; ///< rotation and scale
     Vec3 origin{0.0};
+    Reach reach;
 };
 
 struct ModelLight {
@@ -29,7 +30,8 @@ struct ModelLight {
 
 /// A GfxObj or a Setup in its resting pose (formats/geometry.md, Setup).
 struct Model {
-    std::vector<ModelPart> parts;
+    std::vector<ModelPart> parts;   ///< as they are seen from nearby
+    std::vector<ModelPart> farther; ///< what takes the place of some of them from farther away
     std::vector<ModelLight> lights;
     Sphere bounds; ///< object space at scale 1, of the vertices
 };
@@ -37,7 +39,8 @@ struct Model {
 /// Reads models once each. References stay valid as long as the object. One per thread.
 class Models {
 public:
-    explicit Models(Records& records) : records_(records) {}
+    /// `detail`: levels of detail change at so many times the distances of their records; infinite: the nearest stays.
+    explicit Models(Records& records, double detail = 1.0) : records_(records), detail_(detail) {}
 
     [[nodiscard]] const Model& model(dat::RecordId id);
     /// Null if the record is missing or damaged.
@@ -45,11 +48,17 @@ public:
 
 private:
     [[nodiscard]] Model read(dat::RecordId id);
-    /// What of a GfxObj is seen from nearby: itself, another, or 0: nothing, as of marks that only editors show.
-    [[nodiscard]] dat::RecordId nearest(dat::RecordId gfxObj);
+    struct Level {
+        dat::RecordId gfxObj = 0;
+        Reach reach;
+    };
+    /// What of a GfxObj is seen, the nearest first: itself, others, or nothing, as of marks that only editors show.
+    [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);
+    void addPart(Model& model, dat::RecordId gfxObj, const Mat3& linear, const Vec3& origin);
     [[nodiscard]] std::unique_ptr<PartMesh> build(dat::RecordId gfxObj);
 
     Records& records_;
+    double detail_;
     std::unordered_map<dat::RecordId, std::unique_ptr<Model>> models_;
     std::unordered_map<dat::RecordId, std::unique_ptr<PartMesh>> parts_;
 };

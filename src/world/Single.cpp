@@ -4,6 +4,7 @@
 #include "world/Textures.h"
 
 #include <fmt/format.h>
+#include <limits>
 
 namespace limen::world {
 namespace {
@@ -48,7 +49,7 @@ Result<World> loadModel(const dat::Archive& archive, dat::RecordId model) {
     if (!isThere)
         return refused(model, ErrorCode::NotFound, "there is no such GfxObj or Setup");
     Records records(archive);
-    Models models(records);
+    Models models(records, std::numeric_limits<double>::infinity()); // the nearest of its levels
     BlockContent block;
     PlacedModel placed;
     placed.model = model;

@@ -7,6 +7,7 @@
 #include "world/Image.h"
 #include "world/Index.h"
 #include "world/Moving.h"
+#include "world/Reach.h"
 #include "world/Sky.h"
 
 #include <array>
@@ -152,6 +153,7 @@ struct Instance {
         0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
     std::uint32_t idBase = 0; ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
     float opacity = 1.0f;     ///< times its blended surfaces' own
+    Reach reach;              ///< from where it is drawn: one level of detail of several
 };
 
 /// What a surface looks like.

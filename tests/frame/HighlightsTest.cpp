@@ -50,7 +50,7 @@ TEST_F(HighlightsTest, replacesARecordByTheSameInAnotherColour) {
     EXPECT_EQ(record.highlight, kRed);
     EXPECT_EQ(record.idBase, planned.world.instances[table].idBase);
     EXPECT_EQ(record.firstMember, plan.constants.staticMembers) << "its zones are the frame's, too";
-    ASSERT_EQ(plan.moverMembers.size(), record.memberCount);
+    ASSERT_EQ(plan.moverMembers.size(), frame::gpu::memberCountOf(record));
     EXPECT_EQ(plan.moverMembers[0].zone, planned.world.spaces[first].zone);
 }
 

@@ -27,9 +27,9 @@ TEST_F(SceneBuilderTest, givesEachInstanceItsZonesWithoutRepeatsTheOneItStandsIn
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const auto& packed = scene.instances[i];
         const world::Instance& in = world.instances[i];
-        ASSERT_GT(packed.memberCount, 0u);
+        ASSERT_GT(frame::gpu::memberCountOf(packed), 0u);
         EXPECT_EQ(scene.members[packed.firstMember].zone, world.spaces[in.placedIn].zone);
-        for (std::uint32_t a = 0; a < packed.memberCount; ++a) {
+        for (std::uint32_t a = 0; a < frame::gpu::memberCountOf(packed); ++a) {
             for (std::uint32_t b = 0; b < a; ++b) {
                 EXPECT_NE(scene.members[packed.firstMember + a].zone,
                           scene.members[packed.firstMember + b].zone);

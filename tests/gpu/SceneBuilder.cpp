@@ -63,7 +63,7 @@ std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::arra
     instance.highlight = options.highlight;
     instance.opacity = 1.0f;
     instance.firstMember = static_cast<std::uint32_t>(upload.members.size());
-    instance.memberCount = static_cast<std::uint32_t>(options.members.size());
+    instance.membersAndKind = static_cast<std::uint32_t>(options.members.size());
     upload.members.insert(upload.members.end(), options.members.begin(), options.members.end());
     if (options.program == frame::Program::Terrain) {
         instance.firstMaterial = options.material;

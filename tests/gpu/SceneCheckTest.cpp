@@ -28,7 +28,7 @@ TEST(SceneCheck, goodSceneAndEmptySceneAreSound) {
 TEST(SceneCheck, eachIndexThatLeadsNowhereIsFound) {
     using Scene = frame::SceneUpload;
     const std::vector<std::pair<std::string, std::function<void(Scene&)>>> faults{
-        {"instance 0", [](Scene& s) { s.instances[0].memberCount = 0; }},
+        {"instance 0", [](Scene& s) { s.instances[0].membersAndKind = 0; }},
         {"instance 0", [](Scene& s) { s.instances[0].firstMember = 0xFFFFFFFFu; }},
         {"member 0", [](Scene& s) { s.members[0].lightSet = 1; }},
         {"index 5", [](Scene& s) { s.indices[5] = 6; }},

@@ -61,6 +61,14 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
     }
 }
 
+bool NaiveTracer::isInReach(const Body& body, const Vec3& eye) {
+    const Vec3 steps = glm::floor(body.origin * 16.0) - glm::floor(eye * 16.0);
+    const double away = glm::dot(steps, steps); // whole, and exact
+    const double beyond = body.reach.beyond, upTo = body.reach.upTo;
+    return (beyond == 0.0 || away > beyond * beyond) &&
+           (body.reach.upTo == world::Reach::kEndless || away <= upTo * upTo);
+}
+
 bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
     const Vec3 offset = bounds.centre - ray.eye;
     const Vec3 across = glm::cross(offset, ray.direction);
@@ -70,8 +78,13 @@ bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
 
 void NaiveTracer::addTriangles(const world::Instance& instance) {
     const world::Mesh& mesh = world_.meshes[instance.mesh];
-    Body body{instance.bounds, triangles_.size(), 0, instance.kind == world::Kind::Filling};
-    const Vec3 origin = world_.blocks[instance.block].origin() + Vec3(instance.origin);
+    Body body{instance.bounds,
+              triangles_.size(),
+              0,
+              instance.kind == world::Kind::Filling,
+              world_.blocks[instance.block].origin() + Vec3(instance.origin),
+              instance.reach};
+    const Vec3 origin = body.origin;
     const auto place = [&](const world::MeshVertex& v) {
         return origin + Mat3(instance.linear) * v.corner();
     };
@@ -156,6 +169,9 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
     for (const Cluster& cluster : clusters_[space]) {
         for (const world::InstanceIndex index : cluster.bodies) {
             const Body& body = bodies_[index];
+            if (!isInReach(body, ray.eye)) {
+                continue;
+            }
             for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
                 double v = 0.0, w = 0.0;
                 const Triangle& triangle = triangles_[i];
@@ -234,7 +250,7 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
                 continue;
             }
             for (const world::InstanceIndex i : cluster.bodies) {
-                if (mayMeet(bodies_[i].bounds, ray)) {
+                if (isInReach(bodies_[i], ray.eye) && mayMeet(bodies_[i].bounds, ray)) {
                     nearestIn(bodies_[i], ray, t0 - slack, answer);
                 }
             }

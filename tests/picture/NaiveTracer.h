@@ -42,6 +42,8 @@ private:
         Sphere bounds;
         std::size_t firstTriangle = 0, triangleCount = 0;
         bool filling = false;
+        Vec3 origin{0.0}; ///< its instance's, global
+        world::Reach reach;
     };
     /// Neighbouring bodies of one space, so that a ray need not ask each of thousands.
     struct Cluster {
@@ -50,6 +52,8 @@ private:
     };
     void addTriangles(const world::Instance& instance);
     void addClusters(world::SpaceIndex index);
+    /// Whether it is drawn for an eye there: both in sixteenths of a metre, rounded down.
+    [[nodiscard]] static bool isInReach(const Body& body, const Vec3& eye);
     [[nodiscard]] static bool mayMeet(const Sphere& bounds, const Ray& ray);
     /// Where the ray meets a triangle's front; infinite if it does not.
     [[nodiscard]] static double meets(const Triangle& triangle, const Ray& ray, double& v, double& w);

@@ -173,7 +173,7 @@ dat::LandBlockInfo& TestWorld::info(dat::BlockCoord block) {
     return record;
 }
 
-std::uint32_t TestWorld::addModel(const Walls& walls) {
+std::uint32_t TestWorld::addModel(const Walls& walls, std::vector<dat::DegradeLevel> levels) {
     SurfaceSlots slots([this](const std::string& name) { return surfaceId(name); });
     MeshRecords mesh;
     for (const Wall& wall : walls)
@@ -185,6 +185,13 @@ std::uint32_t TestWorld::addModel(const Walls& walls) {
     model.vertexArray = std::move(mesh.vertices);
     model.polygons = std::move(mesh.polygons);
     model.drawingBsp = leafTree();
+    if (!levels.empty()) {
+        for (dat::DegradeLevel& level : levels)
+            level.gfxObj = level.gfxObj == kItself ? model.id : level.gfxObj;
+        model.flags |= dat::GfxObj::kHasDegrade;
+        model.degradeId = nextDegrade_++;
+        portalFile_.add(dat::DegradeInfo{model.degradeId, std::move(levels)});
+    }
     portalFile_.add(model);
     return model.id;
 }

@@ -108,8 +108,11 @@ public:
     void add(const dat::Scene& scene) { portalFile_.add(scene); }
 
     // --- objects
-    std::uint32_t addModel(const Walls& walls); ///< a GfxObj in its own space
-    std::uint32_t addSetup(dat::Setup setup);   ///< its id is filled in
+    std::uint32_t addModel(const Walls& walls) { return addModel(walls, {}); } ///< a GfxObj in its own space
+    /// One with levels of detail; `gfxObj` kItself stands for its own id.
+    std::uint32_t addModel(const Walls& walls, std::vector<dat::DegradeLevel> levels);
+    static constexpr std::uint32_t kItself = 1;
+    std::uint32_t addSetup(dat::Setup setup); ///< its id is filled in
     void addObject(std::uint32_t model, const dat::Frame& frame) { addObject(home_, model, frame); }
     void addObject(dat::BlockCoord block, std::uint32_t model, const dat::Frame& frame);
     void addStatic(Cell cell, std::uint32_t model, const dat::Frame& frame);
@@ -146,6 +149,7 @@ private:
     dat::Region region_;
     bool writeRegion_ = true;
     std::uint32_t nextSurface_ = 0x08000001, nextModel_ = 0x01000001, nextSetup_ = 0x02000001;
+    std::uint32_t nextDegrade_ = 0x11000100;
     std::uint32_t nextTexture_ = 0x05000100, nextImage_ = 0x06000100;
 };
 

@@ -2,7 +2,9 @@
 
 #include "support/LoadTestWorld.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace limen::world {
 namespace {
@@ -10,58 +12,100 @@ namespace {
 /// Two boxes, and a setup of both. The first has levels of detail.
 struct Levels {
     test::TestWorld source;
-    std::uint32_t first = source.addModel(test::boxExterior({0, 0, 0}, {1, 1, 1}));
     std::uint32_t second = source.addModel(test::boxExterior({0, 0, 0}, {2, 2, 2}));
-    static constexpr dat::RecordId kSetup = 0x02000777, kInfo = 0x11000001;
+    std::uint32_t third = source.addModel(test::boxExterior({0, 0, 0}, {3, 3, 3}));
+    std::uint32_t first = 0, setup = 0;
 
     explicit Levels(const std::vector<dat::DegradeLevel>& levels) {
-        dat::Setup setup;
-        setup.id = kSetup;
-        setup.parts = {first, second};
-        source.portalFile().add(setup);
-        source.portalFile().add(dat::DegradeInfo{kInfo, levels});
+        first = source.addModel(test::boxExterior({0, 0, 0}, {1, 1, 1}), levels);
+        dat::Setup both;
+        both.parts = {first, second};
+        setup = source.addSetup(both);
     }
 
-    /// Parts of a model, by GfxObj.
-    std::vector<dat::RecordId> partsOf(dat::RecordId model) {
+    Model model(dat::RecordId id, double detail = 1.0) {
         const test::TempDir directory;
         EXPECT_TRUE(source.write(directory.path()));
         const Result<dat::Archive> archive = dat::Archive::open(directory.path());
-        Result<dat::GfxObj> degraded = archive->load<dat::GfxObj>(first);
-        degraded->flags |= dat::GfxObj::kHasDegrade;
-        degraded->degradeId = kInfo;
-        source.portalFile().add(*degraded);
-        const test::TempDir again;
-        EXPECT_TRUE(source.write(again.path()));
-        const Result<dat::Archive> whole = dat::Archive::open(again.path());
-        Records records(*whole);
-        Models models(records);
-        std::vector<dat::RecordId> parts;
-        for (const ModelPart& part : models.model(model).parts)
-            parts.push_back(part.gfxObj);
-        return parts;
+        Records records(*archive);
+        Models models(records, detail);
+        return models.model(id);
     }
 };
 
 using Ids = std::vector<dat::RecordId>;
+constexpr std::uint32_t kSecond = 0x01000001, kThird = 0x01000002, kItself = test::TestWorld::kItself;
+constexpr std::uint32_t kMesh = dat::DegradeLevel::kMesh, kSprite = 2;
 
-TEST(Models, drawTheNearestLevelOfDetail) {
-    const dat::RecordId other = Levels({}).second; // ids do not depend on levels
-    Levels levels({{other, 1, 0, 10, 20}, {0, 1, 20, 30, 40}});
-    EXPECT_EQ(levels.partsOf(levels.first), Ids{levels.second});
-    EXPECT_EQ(levels.partsOf(Levels::kSetup), (Ids{levels.second, levels.second}));
+Ids idsOf(const std::vector<ModelPart>& parts) {
+    Ids ids;
+    for (const ModelPart& part : parts)
+        ids.push_back(part.gfxObj);
+    return ids;
+}
+
+std::vector<Reach> reachesOf(const std::vector<ModelPart>& parts) {
+    std::vector<Reach> reaches;
+    for (const ModelPart& part : parts)
+        reaches.push_back(part.reach);
+    return reaches;
+}
+
+TEST(Models, takeEachLevelOfDetailUpToItsGreatestDistance) {
+    Levels levels({{kSecond, kMesh, 0, 10, 20}, {kThird, kMesh, 20, 30, 40.03f}, {0, kMesh, 40, 50, 60}});
+    const Model model = levels.model(levels.setup);
+    EXPECT_EQ(idsOf(model.parts), (Ids{kSecond, kSecond})) << "the first part from nearby, and the second";
+    EXPECT_EQ(reachesOf(model.parts), (std::vector<Reach>{{0, 20 * 16}, {}}));
+    EXPECT_EQ(idsOf(model.farther), Ids{kThird});
+    EXPECT_EQ(reachesOf(model.farther), (std::vector<Reach>{{20 * 16, 40 * 16}}))
+        << "to the nearest sixteenth";
+}
+
+TEST(Models, boundWhatIsSeenFromFarAwayToo) {
+    Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kMesh, 0, 0, 9}});
+    EXPECT_NEAR(levels.model(levels.first).bounds.radius, 3 * std::sqrt(3.0) / 2, 0.1);
+}
+
+TEST(Models, changeLevelsSoMuchFartherAwayAsDetailSays) {
+    Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kMesh, 0, 0, 9}});
+    const Model finer = levels.model(levels.first, 2.5);
+    EXPECT_EQ(reachesOf(finer.parts), (std::vector<Reach>{{0, 200}}));
+    EXPECT_EQ(reachesOf(finer.farther), (std::vector<Reach>{{200, 360}}));
+    const Model finest = levels.model(levels.first, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(reachesOf(finest.parts), std::vector<Reach>(1));
+    EXPECT_EQ(idsOf(finest.farther), Ids{});
+}
+
+TEST(Models, keepAMeshWhereASpriteWouldTakeItsPlace) {
+    Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kSprite, 0, 0, 9}, {kSecond, kMesh, 0, 0, 11}});
+    const Model model = levels.model(levels.first);
+    EXPECT_EQ(idsOf(model.parts), Ids{levels.first});
+    EXPECT_EQ(reachesOf(model.parts), (std::vector<Reach>{{0, 9 * 16}}));
+    EXPECT_EQ(reachesOf(model.farther), (std::vector<Reach>{{9 * 16, 11 * 16}}));
 }
 
 TEST(Models, leaveOutPartsThatShowNothingFromNearby) {
-    Levels levels({{0, 1, 0, 0, 1000}});
-    EXPECT_EQ(levels.partsOf(levels.first), Ids{});
-    EXPECT_EQ(levels.partsOf(Levels::kSetup), Ids{levels.second});
+    Levels levels({{0, kMesh, 0, 0, 1000}});
+    EXPECT_EQ(idsOf(levels.model(levels.first).parts), Ids{});
+    EXPECT_EQ(idsOf(levels.model(levels.setup).parts), Ids{kSecond});
 }
 
 TEST(Models, drawThePartItselfWhereItsLevelsAreNotThere) {
     Levels levels({});
-    EXPECT_EQ(levels.partsOf(levels.first), Ids{levels.first});
-    EXPECT_EQ(levels.partsOf(levels.second), Ids{levels.second});
+    EXPECT_EQ(idsOf(levels.model(levels.first).parts), Ids{levels.first});
+    EXPECT_EQ(idsOf(levels.model(levels.second).parts), Ids{levels.second});
+}
+
+TEST(Models, copeWithDistancesThatAreNone) {
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    Levels levels({{kItself, kMesh, 0, 0, 10},
+                   {kSecond, kMesh, 0, 0, -4},
+                   {kThird, kMesh, 0, 0, none},
+                   {kSecond, kMesh, 0, 0, 90}});
+    const Model model = levels.model(levels.first);
+    EXPECT_EQ(reachesOf(model.parts), (std::vector<Reach>{{0, 160}}));
+    EXPECT_EQ(idsOf(model.farther), Ids{kThird});
+    EXPECT_EQ(reachesOf(model.farther), (std::vector<Reach>{{160, Reach::kEndless}}));
 }
 
 } // namespace

@@ -1,0 +1,50 @@
+#include "world/Reach.h"
+
+#include "world/World.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::world {
+namespace {
+
+std::int64_t stepsOf(double metres) {
+    return static_cast<std::int64_t>(std::floor(metres * kReachSteps));
+}
+
+std::int64_t localSteps(float metres) {
+    constexpr double kMost = static_cast<double>(kMostLocalSteps) / kReachSteps;
+    return stepsOf(std::clamp(static_cast<double>(metres), -kMost, kMost));
+}
+
+std::uint32_t squareOf(std::int64_t steps) {
+    const auto most = static_cast<std::int64_t>(kMostReachSteps);
+    const auto away = static_cast<std::uint32_t>(std::min(std::abs(steps), most));
+    return away * away;
+}
+
+} // namespace
+
+std::uint16_t reachLimit(double metres) {
+    const double steps = std::round(metres * kReachSteps);
+    if (!(steps <= kMostReachSteps)) // NaN, too
+        return Reach::kEndless;
+    return static_cast<std::uint16_t>(std::max(steps, 0.0));
+}
+
+ReachSteps reachStepsOf(const Vec3& global) {
+    return {stepsOf(global.x), stepsOf(global.y), stepsOf(global.z)};
+}
+
+bool isInReach(const World& world, const Instance& instance, const ReachSteps& eye) {
+    if (instance.reach.isEndless())
+        return true;
+    const Vec3 block = world.blocks[instance.block].origin(); // whole metres
+    const std::uint32_t away = squareOf(stepsOf(block.x) + localSteps(instance.origin.x) - eye.x) +
+                               squareOf(stepsOf(block.y) + localSteps(instance.origin.y) - eye.y) +
+                               squareOf(stepsOf(block.z) + localSteps(instance.origin.z) - eye.z);
+    const std::uint32_t beyond = instance.reach.beyond, upTo = instance.reach.upTo;
+    return (beyond == 0 || away > beyond * beyond) && away <= upTo * upTo;
+}
+
+} // namespace limen::world
