@@ -11,17 +11,6 @@ namespace {
 /// Faces and edges beyond these many directions are not asked to prove two cells disjoint.
 constexpr std::size_t kMaxNormals = 64, kMaxEdges = 32;
 
-const dat::CellStruct* findShape(const dat::EnvCell& cell, Records& records) {
-    const dat::Environment* environment = records.environment(0x0D000000u | cell.environment);
-    if (environment == nullptr)
-        return nullptr;
-    for (const auto& [key, shape] : environment->cells) {
-        if (key == cell.cellStructure)
-            return &shape;
-    }
-    return nullptr;
-}
-
 void addDirection(std::vector<Vec3>& directions, Vec3 direction, std::size_t limit) {
     const double length = glm::length(direction);
     if (!(length > 1e-9) || directions.size() >= limit)
@@ -82,6 +71,17 @@ std::vector<std::uint16_t> portalPolygonIds(const dat::EnvCell& cell, const dat:
 }
 
 } // namespace
+
+const dat::CellStruct* findShape(const dat::EnvCell& cell, Records& records) {
+    const dat::Environment* environment = records.environment(0x0D000000u | cell.environment);
+    if (environment == nullptr)
+        return nullptr;
+    for (const auto& [key, shape] : environment->cells) {
+        if (key == cell.cellStructure)
+            return &shape;
+    }
+    return nullptr;
+}
 
 std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BakedGeometry& geometry,
                                    std::vector<Finding>& findings) {

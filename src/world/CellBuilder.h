@@ -1,7 +1,7 @@
 #pragma once
 
-#include "world/BlockContent.h"
 #include "world/BakedGeometry.h"
+#include "world/BlockContent.h"
 
 namespace limen::world {
 
@@ -12,6 +12,9 @@ struct CellDraft {
     std::vector<std::uint32_t> polygons;    ///< BakedGeometry handles of what is drawn
     std::vector<std::uint32_t> portals;     ///< by portal of the record; kNone: no such polygon
 };
+
+/// The shape that a cell names. Null if it does not exist. Lives as long as `records`.
+[[nodiscard]] const dat::CellStruct* findShape(const dat::EnvCell& cell, Records& records);
 
 /// Reads the cell's shape and adds its polygons to `geometry`. No value, and a finding, if it has none.
 [[nodiscard]] std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records,

@@ -112,6 +112,21 @@ std::vector<SourcePolygon> readPolygons(const dat::VertexArray& vertices, const 
     return out;
 }
 
+std::vector<std::vector<Vec3>> readOutlines(const dat::VertexArray& vertices,
+                                            const dat::PolygonList& polygons) {
+    const VertexLookup lookup(vertices);
+    std::vector<std::vector<Vec3>> outlines;
+    for (const auto& [id, polygon] : polygons) {
+        SourcePolygon source;
+        if (!readCorners(lookup, polygon, source))
+            continue;
+        outlines.emplace_back();
+        for (const SourcePolygon::Corner& corner : source.corners)
+            outlines.back().push_back(corner.position);
+    }
+    return outlines;
+}
+
 std::vector<PortalPolygonRef> portalRefs(const dat::GfxObj& model, std::size_t portalCount) {
     std::set<std::uint16_t> polygons;
     for (const auto& [id, polygon] : model.polygons)

@@ -30,6 +30,11 @@ struct SourcePolygon {
 readPolygons(const dat::VertexArray& vertices, const dat::PolygonList& polygons, std::size_t surfaceCount,
              const std::set<std::uint16_t>& portals, dat::RecordId record, std::vector<Finding>& findings);
 
+/// The corners of all polygons of a list, whether they are drawn or not: of physics shapes. Those that readPolygons would leave out for
+/// their vertices are left out, too.
+[[nodiscard]] std::vector<std::vector<Vec3>> readOutlines(const dat::VertexArray& vertices,
+                                                          const dat::PolygonList& polygons);
+
 /// A portal polygon of a mesh and the building portal it belongs to.
 struct PortalPolygonRef {
     std::uint16_t polygonId = 0;

@@ -131,6 +131,7 @@ std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits,
     }
     for (const Wall& wall : exterior)
         mesh.add(toLocal(options.frame, wall.points), slots.slot(wall.surface), wall.twoSided);
+    const dat::PolygonList walls = mesh.polygons;
     for (std::size_t i = 0; i < openings.size(); ++i) {
         for (Vec3& p : openings[i])
             p += options.portalShift;
@@ -142,7 +143,9 @@ std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits,
     }
     dat::GfxObj model;
     model.id = nextModel_++;
-    model.flags = dat::GfxObj::kDrawing;
+    model.flags = dat::GfxObj::kDrawing | dat::GfxObj::kPhysics;
+    model.physicsPolygons = walls;
+    model.physicsBsp = leafTree();
     model.surfaces = slots.ids();
     model.vertexArray = std::move(mesh.vertices);
     model.polygons = std::move(mesh.polygons);
@@ -180,7 +183,9 @@ std::uint32_t TestWorld::addModel(const Walls& walls, std::vector<dat::DegradeLe
         mesh.add(wall.points, slots.slot(wall.surface), wall.twoSided);
     dat::GfxObj model;
     model.id = nextModel_++;
-    model.flags = dat::GfxObj::kDrawing;
+    model.flags = dat::GfxObj::kDrawing | dat::GfxObj::kPhysics;
+    model.physicsPolygons = mesh.polygons;
+    model.physicsBsp = leafTree();
     model.surfaces = slots.ids();
     model.vertexArray = std::move(mesh.vertices);
     model.polygons = std::move(mesh.polygons);
@@ -238,6 +243,7 @@ dat::CellStruct TestWorld::cellStruct(CellData& cell) {
     for (const std::uint32_t surface : slots.ids())
         cell.record.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
     shape.vertexArray = std::move(mesh.vertices);
+    shape.physicsPolygons.assign(mesh.polygons.begin() + std::ssize(cell.portals), mesh.polygons.end());
     shape.polygons = std::move(mesh.polygons);
     shape.cellBsp = cell.bsp ? chainTree(planes) : leafTree();
     shape.physicsBsp = leafTree();

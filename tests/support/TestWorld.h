@@ -20,7 +20,7 @@ namespace limen::test {
 ///     world.setFlatTerrain(world.home(), 0);
 ///     world.write(directory);
 ///
-/// All positions are block-local metres of the cell's (building's, object's) own block, `home()` unless said
+/// What is drawn is what bodies bump into, openings apart. All positions are block-local metres of the cell's (building's, object's) own block, `home()` unless said
 /// otherwise. Cells get the ids 0x0100, 0x0101, ... of their block in the order they are added.
 class TestWorld {
 public:

@@ -1,0 +1,233 @@
+#include "motion/Body.h"
+
+#include "core/SmallVec.h"
+#include "geometry/Compass.h"
+#include "motion/Locate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::motion {
+namespace {
+
+constexpr double kLongestStep = 0.01; // seconds
+constexpr double kSkin = 0.005;       // metres that are kept from what is bumped into
+constexpr int kMostSlides = 4;        // planes that a step slides along
+constexpr int kMostWaysOut = 4;       // tries to leave what is overlapped
+constexpr double kFlattest = 0.05;    // upward part of the normal of an edge that may be stood on
+constexpr double kBehindEdge = 0.02, kAboveEdge = 0.05; // metres
+constexpr double kDeepestFall = 100.0; // metres below where it stood last, and there is nothing
+
+const Vec3 kUp(0.0, 0.0, 1.0);
+
+/// One step of a body.
+class Step {
+public:
+    Step(const BodyState& body, const Collisions& around, std::span<const std::uint8_t> closed,
+         const BodyShape& shape)
+        : body_(body), around_(around), closed_(closed), shape_(shape) {}
+
+    [[nodiscard]] BodyState take(const BodyInput& input, double seconds) {
+        leaveOverlaps();
+        steer(input, seconds);
+        if (body_.isOnGround)
+            walk(seconds);
+        else
+            fly(seconds);
+        if (body_.isOnGround)
+            body_.safe = body_.standing;
+        if (!isFinite(body_.standing.feet) || body_.standing.feet.z < body_.safe.feet.z - kDeepestFall)
+            recover();
+        return body_;
+    }
+
+private:
+    [[nodiscard]] bool isGround(const Vec3& normal) const { return normal.z >= shape_.steepest; }
+
+    /// Round feet touch the edge of a step askew: what counts is the surface behind the edge.
+    [[nodiscard]] bool isGround(const Bump& bump) const {
+        if (isGround(bump.normal))
+            return true;
+        const Vec3 beyond(-bump.normal.x, -bump.normal.y, 0.0);
+        const double level = glm::length(beyond);
+        if (bump.normal.z < kFlattest || level < 1e-6)
+            return false;
+        const Vec3 above = bump.at + beyond * (kBehindEdge / level) + kUp * kAboveEdge;
+        const std::optional<Vec3> surface =
+            around_.surfaceBelow(shape_.capsule, body_.standing, above, 2.0 * kAboveEdge, closed_);
+        return surface && isGround(*surface);
+    }
+
+    /// In a straight line, whatever is in the way.
+    void goTo(const Vec3& feet) {
+        Standing& here = body_.standing;
+        here.space =
+            sweep(around_.world(), here.space, shape_.capsule.middle(here.feet), shape_.capsule.middle(feet));
+        here.feet = feet;
+    }
+
+    /// In a straight line until something is in the way, short of it by the skin.
+    std::optional<Bump> push(const Vec3& way) {
+        const double length = glm::length(way);
+        if (!(length > 0.0))
+            return std::nullopt;
+        const Vec3 from = body_.standing.feet, direction = way / length;
+        const std::optional<Bump> bump =
+            around_.sweep(shape_.capsule, body_.standing, from + direction * (length + kSkin), closed_);
+        const double free = bump ? bump->share * (length + kSkin) - kSkin : length;
+        if (free > 0.0)
+            goTo(from + direction * std::min(free, length));
+        return bump;
+    }
+
+    /// Along `way`, and where something is in the way along that. What is too steep to stand on is a wall to one who walks.
+    void slide(Vec3 way, bool walks) {
+        SmallVec<Vec3, kMostSlides> planes;
+        for (int i = 0; i < kMostSlides && glm::length(way) > 1e-9; ++i) {
+            const Vec3 before = body_.standing.feet;
+            const std::optional<Bump> bump = push(way);
+            if (!bump)
+                return;
+            way -= body_.standing.feet - before;
+            Vec3 normal = bump->normal;
+            if (walks && !isGround(normal)) {
+                normal.z = 0.0;
+                const double level = glm::length(normal);
+                normal = level > 1e-6 ? normal / level : Vec3(0.0);
+            }
+            planes.push_back(normal);
+            way = along(way, {planes.begin(), planes.end()});
+            landOn(*bump);
+        }
+    }
+
+    /// What of a way is left along planes: in none of them, else in the crease of two, else none.
+    [[nodiscard]] static Vec3 along(const Vec3& way, std::span<const Vec3> planes) {
+        const auto isFree = [&](const Vec3& w) {
+            return std::all_of(planes.begin(), planes.end(),
+                               [&](const Vec3& n) { return glm::dot(w, n) >= -1e-9; });
+        };
+        for (const Vec3& n : planes) {
+            if (const Vec3 left = way - n * glm::dot(way, n); isFree(left))
+                return left;
+        }
+        for (std::size_t i = 1; i < planes.size(); ++i) {
+            const Vec3 crease = glm::cross(planes[i - 1], planes[i]);
+            const double length = glm::dot(crease, crease);
+            if (const Vec3 left = length > 1e-9 ? crease * (glm::dot(way, crease) / length) : Vec3(0.0);
+                isFree(left))
+                return left;
+        }
+        return Vec3(0.0);
+    }
+
+    void landOn(const Bump& bump) {
+        Vec3& velocity = body_.velocity;
+        const double into = glm::dot(velocity, bump.normal);
+        if (into >= 0.0)
+            return;
+        if (velocity.z <= 0.0 && isGround(bump)) {
+            body_.isOnGround = true;
+            velocity.z = 0.0;
+        } else {
+            velocity -= bump.normal * into;
+        }
+    }
+
+    void steer(const BodyInput& input, double seconds) {
+        const Mat3 turn = turnedTo(input.yaw);
+        Vec3 wish = turn * Vec3(input.right, input.forward, 0.0);
+        const double length = glm::length(wish);
+        wish *= (input.run ? shape_.runSpeed : shape_.walkSpeed) / std::max(length, 1.0);
+        if (!body_.isOnGround) {
+            body_.velocity.z -= shape_.gravity * seconds;
+            return; // in the air there is nothing to push against
+        }
+        body_.velocity = {wish.x, wish.y, 0.0};
+        if (input.jump) {
+            body_.velocity.z = shape_.jumpSpeed;
+            body_.isOnGround = false;
+        }
+    }
+
+    void fly(double seconds) { slide(body_.velocity * seconds, false); }
+
+    /// On the level, and if that is shorter over a step; then down onto the ground again.
+    void walk(double seconds) {
+        const Vec3 way = Vec3(body_.velocity.x, body_.velocity.y, 0.0) * seconds;
+        const BodyState start = body_;
+        slide(way, true);
+        settle(shape_.stepDown);
+        const BodyState level = body_;
+        if (levelLength(level.standing.feet - start.standing.feet) >= levelLength(way) - 1e-6)
+            return;
+        body_ = start;
+        push(kUp * shape_.stepUp);
+        slide(way, true);
+        settle(body_.standing.feet.z - start.standing.feet.z + shape_.stepDown);
+        const bool isFarther = levelLength(body_.standing.feet - start.standing.feet) >
+                               levelLength(level.standing.feet - start.standing.feet) + 1e-6;
+        const bool isTooHigh = touched_.z > start.standing.feet.z + shape_.stepUp + kSkin;
+        if (!body_.isOnGround || !isFarther || isTooHigh)
+            body_ = level;
+    }
+
+    /// Down to the ground, if it is no deeper; else in the air from here on.
+    void settle(double deepest) {
+        const Standing before = body_.standing;
+        const std::optional<Bump> bump = push(-kUp * deepest);
+        body_.isOnGround = bump && isGround(*bump);
+        touched_ = bump ? bump->at : before.feet;
+        if (!body_.isOnGround)
+            body_.standing = before;
+    }
+
+    void leaveOverlaps() {
+        for (int i = 0; i < kMostWaysOut; ++i) {
+            const Vec3 out = around_.wayOut(shape_.capsule, body_.standing, closed_);
+            if (glm::length(out) < 1e-6)
+                return;
+            goTo(body_.standing.feet + out);
+        }
+    }
+
+    void recover() {
+        body_.standing = body_.safe;
+        body_.velocity = Vec3(0.0);
+        body_.isOnGround = true;
+        ++body_.recoveries;
+    }
+
+    [[nodiscard]] static double levelLength(const Vec3& v) { return std::hypot(v.x, v.y); }
+
+    BodyState body_;
+    Vec3 touched_{0.0}; ///< by the feet, when they settled last
+    const Collisions& around_;
+    std::span<const std::uint8_t> closed_;
+    const BodyShape& shape_;
+};
+
+} // namespace
+
+BodyState bodyAt(const Standing& standing) {
+    BodyState body;
+    body.standing = body.safe = standing;
+    return body;
+}
+
+BodyState moved(const BodyState& body, const BodyInput& input, double seconds, const Collisions& around,
+                std::span<const std::uint8_t> closed, const BodyShape& shape) {
+    BodyState now = body;
+    const int steps = static_cast<int>(std::ceil(std::max(seconds, 0.0) / kLongestStep));
+    for (int i = 0; i < steps; ++i)
+        now = Step(now, around, closed, shape).take(input, seconds / steps);
+    return now;
+}
+
+BodyEye eyeOf(const BodyState& body, const world::World& world, const BodyShape& shape) {
+    const Vec3 middle = shape.capsule.middle(body.standing.feet);
+    const Vec3 eye = body.standing.feet + kUp * shape.eyeHeight;
+    return {eye, sweep(world, body.standing.space, middle, eye)};
+}
+
+} // namespace limen::motion

@@ -1,0 +1,254 @@
+#include "motion/Collisions.h"
+
+#include "motion/Locate.h"
+
+#include <algorithm>
+#include <btBulletCollisionCommon.h>
+
+namespace limen::motion {
+namespace {
+
+/// A place of a surface is asked for this far before it, metres: in the space that the surface is seen from.
+constexpr double kBefore = 0.001;
+
+btVector3 toBullet(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+Vec3 fromBullet(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+} // namespace
+
+/// Bullet's collision world. Its coordinates are relative to Solids::origin.
+struct Collisions::Bodies {
+    Bodies(const world::World& of, world::Solids from) : world(of), solids(std::move(from)) {
+        indices.resize(solids.corners.size());
+        for (std::size_t i = 0; i < indices.size(); ++i)
+            indices[i] = static_cast<int>(i);
+        for (std::size_t i = 0; i < solids.solids.size(); ++i)
+            add(static_cast<int>(i));
+    }
+    ~Bodies() {
+        for (const auto& object : objects)
+            bullet.removeCollisionObject(object.get());
+    }
+    Bodies(const Bodies&) = delete;
+    Bodies& operator=(const Bodies&) = delete;
+
+    void add(int index) {
+        const world::Solid& solid = solids.solids[static_cast<std::size_t>(index)];
+        btIndexedMesh part;
+        part.m_numTriangles = static_cast<int>(solid.triangleCount);
+        part.m_triangleIndexBase =
+            reinterpret_cast<const unsigned char*>(indices.data() + std::size_t{solid.firstTriangle} * 3);
+        part.m_triangleIndexStride = 3 * sizeof(int);
+        part.m_numVertices = static_cast<int>(solids.corners.size());
+        part.m_vertexBase = reinterpret_cast<const unsigned char*>(solids.corners.data());
+        part.m_vertexStride = sizeof(Vec3);
+        part.m_vertexType = PHY_DOUBLE;
+        meshes.push_back(std::make_unique<btTriangleIndexVertexArray>());
+        meshes.back()->addIndexedMesh(part);
+        shapes.push_back(std::make_unique<btBvhTriangleMeshShape>(meshes.back().get(), false));
+        shapes.back()->setMargin(0.0);
+        objects.push_back(std::make_unique<btCollisionObject>());
+        objects.back()->setCollisionShape(shapes.back().get());
+        objects.back()->setUserIndex(index);
+        bullet.addCollisionObject(objects.back().get());
+    }
+
+    const world::World& world;
+    world::Solids solids;
+    std::vector<int> indices; ///< 0, 1, 2, ...: corners are in threes
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btCollisionWorld bullet{&dispatcher, &broadphase, &configuration};
+    std::vector<std::unique_ptr<btTriangleIndexVertexArray>> meshes;
+    std::vector<std::unique_ptr<btBvhTriangleMeshShape>> shapes;
+    std::vector<std::unique_ptr<btCollisionObject>> objects;
+};
+
+namespace {
+
+/// What a body in one place meets of all that is near.
+class Meets {
+public:
+    Meets(const world::World& world, const world::Solids& solids, const Capsule& capsule,
+          const Standing& standing, std::span<const std::uint8_t> closed)
+        : world_(world), solids_(solids), capsule_(capsule), standing_(standing), closed_(closed) {}
+
+    [[nodiscard]] bool isThere(int index) const {
+        const world::PortalIndex portal = solidAt(index).portal;
+        return portal == world::kNone || (portal < closed_.size() && closed_[portal] != 0);
+    }
+
+    /// Whether it meets a solid at a place, relative to Solids::origin, with its feet there.
+    [[nodiscard]] bool meets(int index, const Vec3& at, const Vec3& feet) const {
+        const Vec3 start = capsule_.middle(standing_.feet), middle = capsule_.middle(feet);
+        const Vec3 towards = solids_.origin + at - middle;
+        const double distance = glm::length(towards);
+        const double share = distance > kBefore ? (distance - kBefore) / distance : 0.0;
+        world::SpaceIndex space = sweep(world_, standing_.space, start, middle);
+        space = sweep(world_, space, middle, middle + towards * share);
+        const world::Solid& solid = solidAt(index);
+        const auto members = std::span(solids_.members).subspan(solid.firstMember, solid.memberCount);
+        return std::find(members.begin(), members.end(), space) != members.end();
+    }
+
+private:
+    [[nodiscard]] const world::Solid& solidAt(int index) const {
+        return solids_.solids[static_cast<std::size_t>(index)];
+    }
+    const world::World& world_;
+    const world::Solids& solids_;
+    const Capsule& capsule_;
+    const Standing& standing_;
+    std::span<const std::uint8_t> closed_;
+};
+
+int indexOf(const btCollisionObject* object) {
+    return object->getUserIndex();
+}
+
+/// Keeps the first place of a sweep that is met.
+struct FirstBump : btCollisionWorld::ConvexResultCallback {
+    FirstBump(const Meets& what, const Vec3& start, const Vec3& end) : meets(what), from(start), to(end) {}
+    bool needsCollision(btBroadphaseProxy* proxy) const override {
+        return meets.isThere(indexOf(static_cast<const btCollisionObject*>(proxy->m_clientObject)));
+    }
+    btScalar addSingleResult(btCollisionWorld::LocalConvexResult& result, bool inWorldSpace) override {
+        Vec3 n = fromBullet(inWorldSpace ? result.m_hitNormalLocal
+                                         : result.m_hitCollisionObject->getWorldTransform().getBasis() *
+                                               result.m_hitNormalLocal);
+        const double length = glm::length(n);
+        if (!(length > 0.0))
+            return m_closestHitFraction;
+        n /= length;
+        const bool leaves = glm::dot(n, to - from) >= 0.0; // it only slides along, or away
+        const Vec3 feet = from + (to - from) * double{result.m_hitFraction};
+        if (leaves ||
+            !meets.meets(indexOf(result.m_hitCollisionObject), fromBullet(result.m_hitPointLocal), feet))
+            return m_closestHitFraction;
+        m_closestHitFraction = result.m_hitFraction;
+        normal = n;
+        at = fromBullet(result.m_hitPointLocal);
+        return m_closestHitFraction;
+    }
+    const Meets& meets;
+    Vec3 from, to;
+    Vec3 normal{0.0}, at{0.0};
+};
+
+/// Keeps the first surface that a line meets.
+struct FirstSurface : btCollisionWorld::RayResultCallback {
+    FirstSurface(const Meets& what, const Vec3& where, const Vec3& start, const Vec3& end)
+        : meets(what), feet(where), from(start), to(end) {}
+    bool needsCollision(btBroadphaseProxy* proxy) const override {
+        return meets.isThere(indexOf(static_cast<const btCollisionObject*>(proxy->m_clientObject)));
+    }
+    btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool) override {
+        const Vec3 place = from + (to - from) * double{result.m_hitFraction};
+        if (meets.meets(indexOf(result.m_collisionObject), place, feet)) {
+            m_closestHitFraction = result.m_hitFraction;
+            normal = fromBullet(result.m_hitNormalLocal); // nothing is turned
+            m_collisionObject = result.m_collisionObject;
+        }
+        return m_closestHitFraction;
+    }
+    const Meets& meets;
+    Vec3 feet, from, to;
+    Vec3 normal{0.0};
+};
+
+/// Adds up the ways out of what is overlapped, the deepest first in each direction.
+struct Overlaps : btCollisionWorld::ContactResultCallback {
+    Overlaps(const Meets& what, const Vec3& where) : meets(what), feet(where) {}
+    bool needsCollision(btBroadphaseProxy* proxy) const override {
+        return meets.isThere(indexOf(static_cast<const btCollisionObject*>(proxy->m_clientObject)));
+    }
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper* other, int, int) override {
+        const double depth = -point.getDistance();
+        if (!(depth > 0.0) ||
+            !meets.meets(indexOf(other->getCollisionObject()), fromBullet(point.getPositionWorldOnB()), feet))
+            return 0.0;
+        const Vec3 n = fromBullet(point.m_normalWorldOnB);
+        const double more = depth - glm::dot(way, n);
+        if (more > 0.0)
+            way += n * more;
+        return 0.0;
+    }
+    const Meets& meets;
+    Vec3 feet;
+    Vec3 way{0.0};
+};
+
+btTransform at(const Vec3& middle) {
+    return btTransform(btQuaternion::getIdentity(), toBullet(middle));
+}
+
+btCapsuleShapeZ shapeOf(const Capsule& capsule) {
+    return {capsule.radius, std::max(capsule.height - 2.0 * capsule.radius, 1e-3)};
+}
+
+} // namespace
+
+Collisions::Collisions(const world::World& world, world::Solids solids)
+    : bodies_(std::make_unique<Bodies>(world, std::move(solids))) {}
+Collisions::~Collisions() = default;
+Collisions::Collisions(Collisions&&) noexcept = default;
+Collisions& Collisions::operator=(Collisions&&) noexcept = default;
+
+const world::World& Collisions::world() const {
+    return bodies_->world;
+}
+dat::BlockCoord Collisions::centre() const {
+    return bodies_->solids.centre;
+}
+int Collisions::radius() const {
+    return bodies_->solids.radius;
+}
+
+std::optional<Bump> Collisions::sweep(const Capsule& capsule, const Standing& from, const Vec3& to,
+                                      std::span<const std::uint8_t> closed) const {
+    if (from.feet == to || !isFinite(to))
+        return std::nullopt;
+    const Meets meets(bodies_->world, bodies_->solids, capsule, from, closed);
+    FirstBump first(meets, from.feet, to);
+    const btCapsuleShapeZ shape = shapeOf(capsule);
+    const Vec3 origin = bodies_->solids.origin;
+    bodies_->bullet.convexSweepTest(&shape, at(capsule.middle(from.feet) - origin),
+                                    at(capsule.middle(to) - origin), first);
+    if (!first.hasHit())
+        return std::nullopt;
+    return Bump{std::clamp(double{first.m_closestHitFraction}, 0.0, 1.0), first.normal, origin + first.at};
+}
+
+std::optional<Vec3> Collisions::surfaceBelow(const Capsule& capsule, const Standing& standing,
+                                             const Vec3& above, double depth,
+                                             std::span<const std::uint8_t> closed) const {
+    const Meets meets(bodies_->world, bodies_->solids, capsule, standing, closed);
+    const Vec3 from = above - bodies_->solids.origin, to = from - Vec3(0.0, 0.0, depth);
+    FirstSurface first(meets, standing.feet, from, to);
+    bodies_->bullet.rayTest(toBullet(from), toBullet(to), first);
+    const double length = glm::length(first.normal);
+    if (!first.hasHit() || !(length > 0.0))
+        return std::nullopt;
+    const Vec3 normal = first.normal / length;
+    return normal.z < 0.0 ? -normal : normal;
+}
+
+Vec3 Collisions::wayOut(const Capsule& capsule, const Standing& standing,
+                        std::span<const std::uint8_t> closed) const {
+    const Meets meets(bodies_->world, bodies_->solids, capsule, standing, closed);
+    Overlaps overlaps(meets, standing.feet);
+    btCapsuleShapeZ shape = shapeOf(capsule);
+    btCollisionObject body;
+    body.setCollisionShape(&shape);
+    body.setWorldTransform(at(capsule.middle(standing.feet) - bodies_->solids.origin));
+    bodies_->bullet.contactTest(&body, overlaps);
+    return overlaps.way;
+}
+
+} // namespace limen::motion

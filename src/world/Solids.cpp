@@ -1,0 +1,231 @@
+#include "world/Solids.h"
+
+#include "world/BlockBuilder.h"
+#include "world/CellBuilder.h"
+#include "world/Loader.h"
+#include "world/Nearby.h"
+#include "world/PolygonSource.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace limen::world {
+namespace {
+
+constexpr int kGroundCuts = 8;      ///< of a landcell's side
+constexpr double kLeastArea = 1e-8; ///< square metres: what is less has no side to slide along
+
+Vec3 placedAt(const Placement& placement, const Vec3& point) {
+    return placement.origin + placement.linear * point;
+}
+
+Placement within(const Placement& outer, const Mat3& linear, const Vec3& origin) {
+    return {outer.linear * linear, placedAt(outer, origin)};
+}
+
+/// Reads blocks one after the other into one set of solids.
+class Reader {
+public:
+    Reader(const dat::Archive& archive, const World& world, const dat::Region* region, Solids& out)
+        : archive_(archive), world_(world), records_(archive),
+          models_(records_, std::numeric_limits<double>::infinity()),
+          builder_(records_, models_, region, true), out_(out) {
+        for (InstanceIndex i = 0; i < world.instances.size(); ++i)
+            byObject_.try_emplace(world.instances[i].object, i);
+    }
+
+    void read(const Block& block) {
+        offset_ = block.origin() - out_.origin;
+        const SpaceIndex outside[] = {kOutside};
+        if (block.hasTerrain)
+            add(Kind::Terrain, outside, [&] { addGround(block); });
+        if (const std::optional<BlockContent> content = builder_.build(block.coord)) {
+            for (const CellContent& cell : content->cells)
+                addCell(cell.id);
+            for (const PlacedModel& object : content->objects)
+                addObject(object);
+        }
+        const Result<dat::LandBlockInfo> info =
+            archive_.load<dat::LandBlockInfo>(dat::landBlockInfoId(block.coord));
+        for (std::size_t i = 0; info && i < info->buildings.size(); ++i) {
+            const Pose pose = poseOf(info->buildings[i].frame);
+            add(Kind::Exterior, outside, [&] {
+                addModel(info->buildings[i].model, {glm::mat3_cast(pose.orientation), pose.origin});
+            });
+        }
+    }
+
+    /// What shuts an opening: both sides meet it.
+    void addDoors() {
+        for (const Door& door : world_.doors) {
+            const Portal& portal = world_.portals[door.portal];
+            if (portal.destination == kNone || portal.vertexCount < 3)
+                continue;
+            offset_ = Vec3(0.0) - out_.origin;
+            const SpaceIndex sides[] = {portal.space, portal.destination};
+            add(Kind::Filling, sides, [&] { addFan(polygonOf(world_, portal), Placement()); });
+            if (!out_.solids.empty() && out_.solids.back().kind == Kind::Filling)
+                out_.solids.back().portal = door.portal;
+        }
+    }
+
+private:
+    /// A solid of what `fill` adds; none if that is nothing.
+    template <class Fill>
+    void add(Kind kind, std::span<const SpaceIndex> members, Fill&& fill) {
+        const auto first = static_cast<std::uint32_t>(out_.corners.size() / 3);
+        fill();
+        const auto count = static_cast<std::uint32_t>(out_.corners.size() / 3) - first;
+        if (count == 0)
+            return;
+        out_.solids.push_back({kind, first, count, static_cast<std::uint32_t>(out_.members.size()),
+                               static_cast<std::uint32_t>(members.size()), kNone});
+        out_.members.insert(out_.members.end(), members.begin(), members.end());
+    }
+
+    void addFan(std::span<const Vec3> points, const Placement& placement) {
+        for (std::size_t i = 2; i < points.size(); ++i) {
+            const std::array triangle{placedAt(placement, points[0]), placedAt(placement, points[i - 1]),
+                                      placedAt(placement, points[i])};
+            const Vec3 across = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+            for (const Vec3& corner : triangle) {
+                if (glm::length(across) > kLeastArea)
+                    out_.corners.push_back(offset_ + corner);
+            }
+        }
+    }
+
+    void addPolygons(const dat::VertexArray& vertices, const dat::PolygonList& polygons,
+                     const Placement& placement) {
+        for (const std::vector<Vec3>& outline : readOutlines(vertices, polygons))
+            addFan(outline, placement);
+    }
+
+    void addGround(const Block& block) {
+        constexpr int kSteps = 8 * kGroundCuts;
+        constexpr double kStep = kBlockSize / kSteps;
+        const auto at = [&](int x, int y) {
+            return Vec3(x * kStep, y * kStep, groundAt(block.coord, block.heights, x * kStep, y * kStep).z);
+        };
+        for (int x = 0; x < kSteps; ++x) {
+            for (int y = 0; y < kSteps; ++y) {
+                const Vec3 sw = at(x, y), se = at(x + 1, y), ne = at(x + 1, y + 1), nw = at(x, y + 1);
+                const bool cut = splitsSouthWestNorthEast(block.coord, x / kGroundCuts, y / kGroundCuts);
+                addFan(cut ? std::array{sw, se, ne, nw} : std::array{se, ne, nw, sw}, Placement());
+            }
+        }
+    }
+
+    void addCell(dat::RecordId id) {
+        const SpaceIndex space[] = {findCell(world_, id)};
+        const Result<dat::EnvCell> cell = archive_.load<dat::EnvCell>(id);
+        const dat::CellStruct* shape = cell ? findShape(*cell, records_) : nullptr;
+        if (space[0] == kNone || shape == nullptr)
+            return;
+        const Pose pose = poseOf(cell->position);
+        add(Kind::Shell, space, [&] {
+            addPolygons(shape->vertexArray, shape->physicsPolygons,
+                        {glm::mat3_cast(pose.orientation), pose.origin});
+        });
+    }
+
+    void addObject(const PlacedModel& object) {
+        const auto found = byObject_.find(object.object);
+        if (found == byObject_.end())
+            return;
+        const Instance& instance = world_.instances[found->second];
+        std::span<const SpaceIndex> members =
+            std::span(world_.members).subspan(instance.firstMember, instance.memberCount);
+        if (members.empty())
+            members = {&instance.placedIn, 1};
+        add(object.kind, members, [&] {
+            addModel(object.model, {glm::mat3_cast(object.orientation) * object.scale, object.origin});
+        });
+    }
+
+    void addModel(dat::RecordId model, const Placement& placement) {
+        if (model >> 24 == 0x01) {
+            addGfxObj(model, placement);
+            return;
+        }
+        const dat::Setup* setup = records_.setup(model);
+        if (setup == nullptr)
+            return;
+        // As the original: the shapes of the parts, else cylinders, else spheres (formats/geometry.md, Setup).
+        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0) {
+            for (const ModelPart& part : models_.model(model).parts)
+                addGfxObj(part.gfxObj, within(placement, part.linear, part.origin));
+        } else if (!setup->cylSpheres.empty()) {
+            for (const dat::CylSphere& c : setup->cylSpheres)
+                addRound(within(placement, Mat3(1.0), Vec3(c.low)), c.radius, 0.0, c.height);
+        } else {
+            for (const dat::SphereF& s : setup->spheres)
+                addRound(within(placement, Mat3(1.0), Vec3(s.centre)), s.radius, s.radius, 0.0);
+        }
+    }
+
+    void addGfxObj(dat::RecordId id, const Placement& placement) {
+        const dat::GfxObj* record = records_.gfxObj(id);
+        if (record != nullptr && (record->flags & dat::GfxObj::kPhysics) != 0)
+            addPolygons(record->vertexArray, record->physicsPolygons, placement);
+    }
+
+    /// A cylinder upwards from the placement's origin, or with `bulge` > 0 a ball around it, of flat faces.
+    void addRound(const Placement& placement, double radius, double bulge, double height) {
+        constexpr int kSides = 12, kRings = 6;
+        if (!(radius > 0.0) || !std::isfinite(radius) || !std::isfinite(height))
+            return;
+        std::vector<std::pair<double, double>> rings; // (radius, height), from below
+        if (bulge > 0.0) {
+            for (int i = 0; i <= kRings; ++i) {
+                const double angle = std::numbers::pi * (static_cast<double>(i) / kRings - 0.5);
+                rings.emplace_back(radius * std::cos(angle), bulge * std::sin(angle));
+            }
+        } else {
+            rings = {{0.0, 0.0}, {radius, 0.0}, {radius, height}, {0.0, height}};
+        }
+        const auto at = [&](const std::pair<double, double>& ring, int side) {
+            const double angle = 2.0 * std::numbers::pi * side / kSides;
+            return Vec3(ring.first * std::cos(angle), ring.first * std::sin(angle), ring.second);
+        };
+        for (std::size_t i = 1; i < rings.size(); ++i) {
+            for (int side = 0; side < kSides; ++side) {
+                addFan(std::array{at(rings[i - 1], side), at(rings[i - 1], side + 1), at(rings[i], side + 1),
+                                  at(rings[i], side)},
+                       placement);
+            }
+        }
+    }
+
+    const dat::Archive& archive_;
+    const World& world_;
+    Records records_;
+    Models models_;
+    BlockBuilder builder_;
+    std::unordered_map<std::uint64_t, InstanceIndex> byObject_;
+    Solids& out_;
+    Vec3 offset_{0.0}; ///< from what is added to Solids::origin
+};
+
+} // namespace
+
+Result<Solids> loadSolids(const dat::Archive& archive, const World& world, dat::BlockCoord centre,
+                          int radius) {
+    const std::vector<dat::BlockCoord> blocks = blocksAround(centre, radius);
+    const Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
+    if (!region)
+        return tl::unexpected(region.error());
+    Solids solids;
+    solids.radius = radius;
+    solids.centre = centre;
+    solids.origin = {centre.x * kBlockSize, centre.y * kBlockSize, 0.0};
+    Reader reader(archive, world, region->get(), solids);
+    for (const dat::BlockCoord coord : blocks) {
+        if (const Block* block = findBlock(world, coord))
+            reader.read(*block);
+    }
+    reader.addDoors();
+    return solids;
+}
+
+} // namespace limen::world

@@ -1,0 +1,295 @@
+#include "motion/Walker.h"
+
+#include "motion/Locate.h"
+
+#include <random>
+
+namespace limen::motion {
+namespace {
+
+using test::boxExterior;
+using test::frameAt;
+using test::rectangle;
+using test::TestWorld;
+using test::Walker;
+using world::kOutside;
+
+constexpr double kNorth = 0.0, kEast = 90.0, kSouth = 180.0, kWest = 270.0;
+constexpr double kNear = 0.02; // metres: the skin, and what Bullet rounds
+
+/// Two rooms with a door between them, a front door, and a cellar under the ground with a trapdoor; a meadow around.
+///
+///            y
+///   14 +---------+---------+
+///      | front   d  rear   |      d, f: doors; the trapdoor is at (12..13, 12..13)
+///   10 f---------+---------+
+///      10        14        18   x
+struct Hut {
+    TestWorld source;
+    TestWorld::Cell front = source.addBox({10, 10, 2}, {14, 14, 5}),
+                    rear = source.addBox({14, 10, 2}, {18, 14, 5}),
+                    cellar = source.addBox({6, 10, -1}, {14, 14, 2});
+    TestWorld::Portal door;
+    Hut() {
+        source.link(front, rectangle({14, 11, 2}, {14, 12, 4}), rear);
+        source.link(front, rectangle({12, 12, 2}, {13, 13, 2}), cellar);
+        door = source.openOutside(front, rectangle({10, 11, 2}, {10, 12, 4}));
+        source.addBuilding(boxExterior({10, 10, 2}, {18, 14, 5}), {door});
+        source.setFlatTerrain(source.home(), 1);
+    }
+};
+
+TEST(Body, fallsOntoTheFloorAndStands) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({11.5, 12.5, 3.2}, walker.space(hut.front));
+    EXPECT_FALSE(walker.body.isOnGround);
+    walker.stand(1.0);
+    EXPECT_TRUE(walker.body.isOnGround);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+    const Vec3 before = walker.body.standing.feet;
+    walker.stand(3.0);
+    EXPECT_NEAR(glm::length(walker.body.standing.feet - before), 0.0, 1e-6) << "at rest";
+}
+
+TEST(Body, goesAsFastAsItIsAskedTo) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({40, 40, 2.01}, kOutside);
+    walker.stand(0.2);
+    const Vec3 start = walker.feet();
+    walker.go(kEast, 1.0);
+    const Vec3 walked = walker.feet() - start;
+    EXPECT_NEAR(walked.x, 2.2, 0.1);
+    EXPECT_NEAR(walked.y, 0.0, 1e-6);
+    walker.go(kNorth, 1.0, true);
+    EXPECT_NEAR((walker.feet() - start - walked).y, 5.0, 0.2);
+}
+
+TEST(Body, stopsAtWallsAndSlidesAlongThem) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({11, 13, 2.01}, walker.space(hut.front));
+    walker.go(kNorth, 2.0);
+    EXPECT_NEAR(walker.feet().y, 14.0 - 0.3, kNear);
+    EXPECT_NEAR(walker.feet().x, 11.0, kNear);
+    walker.go(45.0, 1.0);
+    EXPECT_NEAR(walker.feet().y, 14.0 - 0.3, kNear);
+    EXPECT_NEAR(walker.feet().x, 11.0 + 2.2 * std::sqrt(0.5), 0.1) << "along the wall";
+    walker.go(45.0, 3.0);
+    EXPECT_NEAR(walker.feet().x, 14.0 - 0.3, kNear) << "into the corner";
+    EXPECT_EQ(walker.body.standing.space, walker.space(hut.front));
+}
+
+TEST(Body, goesThroughOpenDoorsAndKnowsWhereItIs) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({6, 11.5, 2.01}, kOutside);
+    walker.go(kEast, 1.5);
+    EXPECT_NEAR(walker.feet().x, 9.3, 0.2);
+    EXPECT_EQ(walker.body.standing.space, kOutside);
+    walker.go(kEast, 1.0);
+    EXPECT_EQ(walker.body.standing.space, walker.space(hut.front));
+    walker.go(kEast, 2.0);
+    EXPECT_EQ(walker.body.standing.space, walker.space(hut.rear));
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+    walker.go(kWest, 6.0);
+    EXPECT_EQ(walker.body.standing.space, kOutside) << "and out again";
+}
+
+TEST(Body, isStoppedByShutDoors) {
+    Hut hut;
+    world::MovingEntries moving;
+    moving.doors.push_back({"front", hut.source.id(hut.front), hut.door.index, true, 0.0, {}});
+    Walker walker(hut.source, moving);
+    for (const bool shut : {true, false}) {
+        walker.closed.assign(walker.world().portals.size(), shut ? 1 : 0);
+        walker.put({7, 11.5, 2.01}, kOutside);
+        walker.go(kEast, 2.0);
+        EXPECT_EQ(walker.body.standing.space, shut ? kOutside : walker.space(hut.front));
+        EXPECT_EQ(walker.feet().x < 10.0, shut);
+        walker.put({12, 11.5, 2.01}, walker.space(hut.front));
+        walker.go(kWest, 2.0);
+        EXPECT_EQ(walker.body.standing.space, shut ? walker.space(hut.front) : kOutside);
+        walker.put({12, 11.5, 2.01}, walker.space(hut.front));
+        walker.go(kEast, 2.0);
+        EXPECT_EQ(walker.body.standing.space, walker.space(hut.rear)) << "no door is known there";
+    }
+}
+
+TEST(Body, isNotBlockedByTheGroundThatACellarLiesUnder) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({12.5, 12.5, 0.0}, walker.space(hut.cellar));
+    walker.stand(0.5);
+    EXPECT_NEAR(walker.feet().z, -1.0, kNear);
+    walker.go(kWest, 4.0); // under the meadow
+    EXPECT_NEAR(walker.feet().x, 6.3, kNear);
+    EXPECT_NEAR(walker.feet().z, -1.0, kNear);
+    EXPECT_EQ(walker.body.standing.space, walker.space(hut.cellar));
+}
+
+TEST(Body, isNotBlockedOutdoorsByTheCellarBelow) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({5, 12, 2.01}, kOutside);
+    walker.go(kEast, 1.5);
+    EXPECT_NEAR(walker.feet().x, 5 + 2.2 * 1.5, 0.15);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+}
+
+TEST(Body, fallsThroughATrapdoor) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({12.5, 12.5, 2.2}, walker.space(hut.front));
+    walker.stand(1.5);
+    EXPECT_NEAR(walker.feet().z, -1.0, kNear);
+    EXPECT_EQ(walker.body.standing.space, walker.space(hut.cellar));
+}
+
+TEST(Body, climbsStepsUpToItsHeightAndNoHigher) {
+    for (const double step : {0.2, 0.55, 0.7}) {
+        SCOPED_TRACE(step);
+        Hut hut;
+        const std::uint32_t block = hut.source.addModel(boxExterior({0, -2, 0}, {3, 2, step}));
+        hut.source.addObject(block, frameAt({32, 40, 2}));
+        Walker walker(hut.source);
+        walker.put({30, 40, 2.01}, kOutside);
+        walker.go(kEast, 1.8);
+        if (step < 0.6) {
+            EXPECT_NEAR(walker.feet().z, 2.0 + step, kNear);
+            EXPECT_NEAR(walker.feet().x, 30 + 2.2 * 1.8, 0.2) << "no slower";
+            walker.go(kWest, 2.0);
+            EXPECT_NEAR(walker.feet().z, 2.0, kNear) << "and down again";
+        } else {
+            EXPECT_NEAR(walker.feet().x, 32 - 0.3, kNear);
+            EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+        }
+    }
+}
+
+TEST(Body, climbsStairs) {
+    Hut hut;
+    for (int i = 0; i < 10; ++i) {
+        const std::uint32_t block = hut.source.addModel(boxExterior({0, -2, 0}, {0.3, 2, 0.2 * (i + 1)}));
+        hut.source.addObject(block, frameAt({32 + 0.3 * i, 40, 2}));
+    }
+    const std::uint32_t landing = hut.source.addModel(boxExterior({0, -2, 0}, {4, 2, 2.0}));
+    hut.source.addObject(landing, frameAt({35, 40, 2}));
+    Walker walker(hut.source);
+    walker.put({30, 40, 2.01}, kOutside);
+    walker.go(kEast, 3.0);
+    EXPECT_NEAR(walker.feet().z, 4.0, kNear);
+    walker.go(kWest, 3.0);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+    EXPECT_TRUE(walker.body.isOnGround) << "step by step, not in the air";
+}
+
+TEST(Body, jumpsAndLands) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({40, 40, 2.01}, kOutside);
+    walker.stand(0.2);
+    BodyInput jump;
+    jump.jump = true;
+    double highest = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.closed);
+        jump.jump = false;
+        highest = std::max(highest, walker.feet().z);
+    }
+    EXPECT_NEAR(highest, 2.0 + 4.2 * 4.2 / (2 * 9.81), 0.05);
+    EXPECT_TRUE(walker.body.isOnGround);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+}
+
+TEST(Body, bumpsItsHead) {
+    Hut hut;
+    const std::uint32_t board = hut.source.addModel(boxExterior({-2, -2, 0}, {2, 2, 0.1}));
+    hut.source.addObject(board, frameAt({40, 40, 2 + 2.0}));
+    Walker walker(hut.source);
+    walker.put({40, 40, 2.01}, kOutside);
+    walker.stand(0.2);
+    BodyInput jump;
+    jump.jump = true;
+    double highest = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.closed);
+        jump.jump = false;
+        highest = std::max(highest, walker.feet().z);
+    }
+    EXPECT_NEAR(highest, 2.0 + 2.0 - 1.75, kNear);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+}
+
+TEST(Body, isPutBackWhereItStoodWhenItFallsOutOfTheWorld) {
+    TestWorld source;
+    source.omitRegion();
+    const auto room = source.addBox({0, 0, -12}, {10, 10, -9});
+    source.walls(room).erase(
+        source.walls(room).begin()); // whichever it is, six of them are left out in turn below
+    Walker walker(source);
+    walker.put({5, 5, -11.9}, walker.space(room));
+    walker.body.safe = {walker.at(5, 5, -11.9), walker.space(room)};
+    walker.body.standing.feet.z -= 300.0;
+    walker.stand(0.1);
+    EXPECT_EQ(walker.body.recoveries, 1u);
+    EXPECT_NEAR(walker.feet().z, -12.0, 0.2);
+}
+
+TEST(Body, isTheSameForTheSameInput) {
+    Hut hut;
+    Walker a(hut.source), b(hut.source);
+    for (Walker* walker : {&a, &b}) {
+        walker->put({12, 11, 2.5}, walker->space(hut.front));
+        for (int i = 0; i < 12; ++i)
+            walker->go(37.0 * i, 0.4, i % 3 == 0, i % 4 == 1);
+    }
+    EXPECT_EQ(a.body.standing.feet, b.body.standing.feet);
+    EXPECT_EQ(a.body.velocity, b.body.velocity);
+    EXPECT_EQ(a.body.standing.space, b.body.standing.space);
+}
+
+// Wherever it wanders, it is in the space that its place says, in no wall, and on something.
+TEST(Body, neverLeavesTheWorld) {
+    Hut hut;
+    const std::uint32_t table = hut.source.addModel(boxExterior({-0.6, -0.4, 0}, {0.6, 0.4, 0.8}));
+    hut.source.addStatic(hut.rear, table, frameAt({16, 12.5, 2}, 30));
+    Walker walker(hut.source);
+    std::mt19937 random(7);
+    const auto dice = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    for (int life = 0; life < 12; ++life) {
+        walker.put({dice(10.4, 13.6), dice(10.4, 11.5), 2.05}, walker.space(hut.front));
+        for (int i = 0; i < 40; ++i) {
+            walker.go(dice(0, 360), dice(0.1, 0.9), i % 2 == 0, i % 5 == 0);
+            if (std::min(walker.feet().x, walker.feet().y) < 2.0)
+                break; // the land ends there
+            const Vec3 middle = Capsule().middle(walker.body.standing.feet);
+            const world::SpaceIndex space = walker.body.standing.space;
+            ASSERT_EQ(walker.body.recoveries, 0u) << life << " " << i;
+            const Vec3 fromHole = glm::abs(walker.feet() - Vec3(12.5, 12.5, 2.0));
+            const bool isOverHole = std::max(fromHole.x, fromHole.y) < 0.8;
+            ASSERT_GE(walker.feet().z, space == walker.space(hut.cellar) || isOverHole ? -1.01 : 1.99)
+                << life << " " << i << ": fell through the ground at " << walker.feet().x << " "
+                << walker.feet().y;
+            const bool isThere = space == kOutside ? locate(walker.world(), middle).space == kOutside
+                                                   : cellContains(walker.world(), space, middle);
+            ASSERT_TRUE(isThere) << life << " " << i;
+            ASSERT_LT(glm::length(walker.collisions().wayOut({}, walker.body.standing, walker.closed)), 0.01);
+        }
+    }
+}
+
+TEST(Body, hasItsEyeInTheSpaceItsEyeIsIn) {
+    Hut hut;
+    Walker walker(hut.source);
+    walker.put({12.5, 12.5, 0.9}, walker.space(hut.cellar)); // its head is through the trapdoor
+    const BodyEye eye = eyeOf(walker.body, walker.world());
+    EXPECT_EQ(eye.space, walker.space(hut.front));
+    EXPECT_NEAR(eye.position.z, 2.5, 1e-9);
+}
+
+} // namespace
+} // namespace limen::motion
