@@ -52,10 +52,11 @@ void drawHelp() {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoCollapse);
     for (const char* text :
-         {"W A S D, arrows   fly", "E or space        up", "Q or control      down", "shift             fast",
-          "drag the mouse    look around", "click             tell what is there",
-          "1 .. 9            go to a place", "O                 open or shut all doors",
-          "R                 rain", "T                 an hour later", "F1                this help",
+         {"W A S D, arrows   walk, or fly", "shift             run", "space             jump; flying: up",
+          "Q or control      flying: down", "G                 walk or fly", "drag the mouse    look around",
+          "click             tell what is there", "1 .. 9            go to a place",
+          "O                 open or shut all doors", "R                 rain",
+          "T                 an hour later", "F1                this help",
           "F2                ids as colours", "F3                regions of the visits",
           "F4                the panel", "F5                check this view against traced rays",
           "Esc               leave"})

@@ -5,6 +5,7 @@
 #include "app/Session.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
+#include "app/Walk.h"
 #include "app/Window.h"
 
 #include <CLI/CLI.hpp>
@@ -22,7 +23,7 @@ struct ViewOptions {
     SessionOptions session;
     ViewArguments view;
     std::string frames, screenshot;
-    bool json = false;
+    bool json = false, fly = false;
 };
 
 /// The window's frame loop: hands to camera, camera to frame, frame to window.
@@ -45,7 +46,8 @@ public:
         frameSeconds_ = real;
         for (const Key key : window_.pressed())
             press(key);
-        moveEye(elapsed);
+        if (Result<void> moved = moveEye(elapsed); !moved)
+            return moved;
         moveDoors(elapsed);
         eye_.size = window_.size();
         if (!verdict_)
@@ -75,6 +77,12 @@ public:
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
+    [[nodiscard]] const Walk& walk() const { return walk_; }
+    /// Stands where the eye is, and falls to the ground. What cannot be walked on is flown over.
+    void beginToWalk() {
+        if (!walk_.begin(session_, eye_))
+            walk_.end();
+    }
 
 private:
     void press(Key key) {
@@ -93,6 +101,10 @@ private:
             return;
         case Key::Check:
             wantsCheck_ = true;
+            return;
+        case Key::Walk:
+            walk_.isOn() ? walk_.end() : beginToWalk();
+            tracker_.place(eye_.root);
             return;
         case Key::Doors:
             swingDoors();
@@ -202,26 +214,37 @@ private:
         eye->doors = eye_.doors;
         eye_ = std::move(*eye);
         tracker_.place(eye_.root);
+        if (walk_.isOn())
+            beginToWalk();
     }
 
-    void moveEye(double seconds) {
+    Result<void> moveEye(double seconds) {
         constexpr double kDegreesPerPixel = 0.15;
         const HeldInput& held = window_.held();
         const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
         FlyInput input;
         input.forward = axis(held.forward, held.back);
         input.right = axis(held.right, held.left);
-        input.up = axis(held.up, held.down);
+        input.up = walk_.isOn() ? 0.0 : axis(held.up, held.down);
         input.turnRight = held.lookX * kDegreesPerPixel;
         input.turnUp = -held.lookY * kDegreesPerPixel;
         input.fast = held.fast;
         input.seconds = seconds;
-        const Vec3 from = eye_.camera.eye;
-        eye_.camera = fly(eye_.camera, input);
-        eye_.player = eye_.camera.eye;
-        eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, seconds);
+        if (walk_.isOn()) {
+            eye_.camera = fly(eye_.camera, {.turnRight = input.turnRight, .turnUp = input.turnUp});
+            if (Result<void> stepped =
+                    walk_.step(session_, {input.forward, input.right, input.fast, held.up, seconds}, eye_);
+                !stepped)
+                return stepped;
+        } else {
+            const Vec3 from = eye_.camera.eye;
+            eye_.camera = fly(eye_.camera, input);
+            eye_.player = eye_.camera.eye;
+            eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, seconds);
+        }
         if (session_.follow(eye_.camera.eye, eye_.root))
             tracker_.place(eye_.root);
+        return {};
     }
 
     /// The overlay stage, over the frame in the window.
@@ -253,6 +276,7 @@ private:
     Panel panel_;
     FrameEye eye_;
     RootTracker tracker_;
+    Walk walk_;
     OverlaySwitches switches_;
     std::optional<Picked> picked_;
     ViewCheck viewCheck_;
@@ -333,6 +357,8 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
           {"ids", viewer.switches().ids},
           {"regions", viewer.switches().regions},
           {"panel", viewer.switches().panel}}},
+        {"walking", viewer.walk().isOn()},
+        {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
         {"checked", verdictJson(viewer.verdict())},
         {"gl_calls", session.figures().glCalls}};
@@ -344,6 +370,8 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
     constexpr double kScriptStep =
         1.0 / 60.0; // with --frames the result must not depend on the machine's speed
     Viewer viewer(window, device, session, start);
+    if (!options.fly)
+        viewer.beginToWalk();
     std::size_t frames = 0;
     while (!viewer.isLeaving() && (limit == 0 || frames < limit)) {
         if (Result<void> drawn = viewer.frame(limit > 0 ? kScriptStep : 0.0); !drawn)
@@ -399,7 +427,7 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
 } // namespace
 
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("view", "opens a window to fly through a world");
+    CLI::App* verb = program.add_subcommand("view", "opens a window to walk through a world");
     const auto options = std::make_shared<ViewOptions>();
     addViewOptions(*verb, options->view);
     verb->add_option("--frames", options->frames, "leaves after N frames, for scripts")
@@ -408,11 +436,11 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--screenshot", options->screenshot, "the window's last frame, PNG")
         ->type_name("FILE")
         ->group("Scripts");
+    verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->footer("Keys: W A S D fly, E Q up and down, shift fast, drag to look, click to "
-                 "ask, 1..9 places, F1 help, F2 "
-                 "ids, F3 regions, F4 panel, F5 check, Esc leaves.");
+    verb->footer("Keys: W A S D walk, shift run, space jump, G fly (E Q up and down), drag to look, click to "
+                 "ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 panel, F5 check, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

@@ -7,7 +7,7 @@ namespace limen::motion {
 /// How a body is built and moves; metres and seconds.
 struct BodyShape {
     Capsule capsule;
-    double eyeHeight = 1.6;  ///< above the feet
+    double eyeHeight = 1.7;  ///< above the feet
     double stepUp = 0.6;     ///< it climbs what is no higher
     double stepDown = 0.6;   ///< and keeps to ground that falls away by no more in a step
     double steepest = 0.664; ///< upward part of the normal of ground that it can stand on

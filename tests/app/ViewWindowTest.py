@@ -140,15 +140,29 @@ class ViewWindow(unittest.TestCase):
     @patiently
     def test_w_flies_forward_and_d_to_the_right(self):
         still = self.drive(lambda: None, "--at", "hill", "--yaw", "0", "--pitch", "0")
-        moved = self.drive(lambda: (self.hold("w", 0.8), self.hold("d", 0.8)), "--at", "hill", "--yaw", "0", "--pitch", "0")
+        moved = self.drive(lambda: (self.hold("w", 0.8), self.hold("d", 0.8)), "--fly", "--at", "hill", "--yaw", "0", "--pitch", "0")
         self.assertGreater(moved["eye"][1], still["eye"][1] + 0.2)
         self.assertGreater(moved["eye"][0], still["eye"][0] + 0.2)
 
     @patiently
+    def test_w_walks_on_the_floor_until_a_wall_and_g_flies(self):
+        view = ("--at", "cottage.room", "--yaw", "90")
+        still = self.drive(lambda: None, *view)
+        self.assertTrue(still["walking"] and still["on_ground"])
+        moved = self.drive(lambda: self.hold("w", 3), *view)
+        self.assertGreater(moved["eye"][0], still["eye"][0] + 0.2)
+        self.assertLess(moved["eye"][0], still["eye"][0] + 5)
+        self.assertAlmostEqual(moved["eye"][2], still["eye"][2], delta=0.02)
+        self.assertTrue(moved["on_ground"])
+        flown = self.drive(lambda: (self.xdotool("key", "g"), self.wait(0.3), self.hold("e", 0.5)), *view)
+        self.assertFalse(flown["walking"])
+        self.assertGreater(flown["eye"][2], still["eye"][2] + 0.1)
+
+    @patiently
     def test_e_flies_up_and_q_down(self):
         still = self.drive(lambda: None, "--at", "hill")
-        self.assertGreater(self.drive(lambda: self.hold("e", 0.8), "--at", "hill")["eye"][2], still["eye"][2] + 0.2)
-        self.assertLess(self.drive(lambda: self.hold("q", 0.8), "--at", "hill")["eye"][2], still["eye"][2] - 0.2)
+        self.assertGreater(self.drive(lambda: self.hold("e", 0.8), "--fly", "--at", "hill")["eye"][2], still["eye"][2] + 0.2)
+        self.assertLess(self.drive(lambda: self.hold("q", 0.8), "--fly", "--at", "hill")["eye"][2], still["eye"][2] - 0.2)
 
     @patiently
     def test_dragging_the_mouse_turns_the_head(self):

@@ -1,0 +1,110 @@
+// A body walks the built-in world's tour: rooms, stairs, a cellar, an inn, a tower, a cave and a dungeon, and the land between them.
+#include "demo/Demo.h"
+#include "motion/Body.h"
+#include "motion/Locate.h"
+#include "support/LoadTestWorld.h"
+#include "world/Places.h"
+
+namespace limen::motion {
+namespace {
+
+/// The part of the world around a body, and the body.
+class Wanderer {
+public:
+    explicit Wanderer(const dat::Archive& archive) : archive_(archive) {}
+
+    void put(const world::Place& place) {
+        loadAround(place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye));
+        const world::SpaceIndex space = place.cell != 0 ? world::findCell(here_->world, place.cell)
+                                                        : locate(here_->world, place.eye).space;
+        const Vec3 feet = place.eye - Vec3(0.0, 0.0, shape_.eyeHeight);
+        body = bodyAt({feet, sweep(here_->world, space, place.eye, shape_.capsule.middle(feet))});
+    }
+
+    /// Straight towards a place. False if it gets no nearer, or ends above or below.
+    [[nodiscard]] bool goTo(const world::Place& place) {
+        const Standing& at = body.standing;
+        const dat::RecordId cell = here_->world.spaces[at.space].cellId;
+        loadAround(at.space == world::kOutside ? world::blockAt(at.feet) : dat::blockOf(cell));
+        const Vec3 feet = place.eye - Vec3(0.0, 0.0, shape_.eyeHeight);
+        for (double stuck = 0.0; stuck < 1.0;) {
+            const double before = levelDistance(feet);
+            if (before < 0.15)
+                return std::abs(at.feet.z - feet.z) < 0.5;
+            const Vec3 way = feet - at.feet;
+            body = moved(body, {.forward = 1.0, .yaw = glm::degrees(std::atan2(way.x, way.y))}, 0.03,
+                         here_->collisions, {});
+            stuck = levelDistance(feet) < before - 0.005 ? 0.0 : stuck + 0.03;
+        }
+        return false;
+    }
+
+    /// Whether it is in the space that its place says; true of cells that do not know.
+    [[nodiscard]] bool isWhereItSays() const {
+        const Vec3 middle = shape_.capsule.middle(body.standing.feet);
+        const world::Space& space = here_->world.spaces[body.standing.space];
+        if (body.standing.space == world::kOutside)
+            return locate(here_->world, middle).space == world::kOutside;
+        return space.bspNodeCount == 0 || cellContains(here_->world, body.standing.space, middle);
+    }
+
+    BodyState body;
+
+private:
+    struct LoadedPart {
+        LoadedPart(const dat::Archive& archive, dat::BlockCoord around)
+            : centre(around), world(*world::loadWorld(archive, around, {.radius = 1})),
+              collisions(world, *world::loadSolids(archive, world, around, 1)) {}
+        dat::BlockCoord centre;
+        world::World world;
+        Collisions collisions;
+    };
+
+    [[nodiscard]] double levelDistance(const Vec3& to) const {
+        return std::hypot(to.x - body.standing.feet.x, to.y - body.standing.feet.y);
+    }
+
+    void loadAround(dat::BlockCoord centre) {
+        if (here_ && here_->centre == centre)
+            return;
+        auto next = std::make_unique<LoadedPart>(archive_, centre);
+        for (Standing* standing : {&body.standing, &body.safe}) {
+            if (here_ && standing->space != world::kOutside)
+                standing->space = world::findCell(next->world, here_->world.spaces[standing->space].cellId);
+        }
+        here_ = std::move(next);
+    }
+    const dat::Archive& archive_;
+    std::unique_ptr<LoadedPart> here_;
+    const BodyShape shape_;
+};
+
+/// Way points that nobody can walk to: the camera passes over a table in the inn, and flies from the tower's top to the cave.
+bool isFlown(std::size_t point) {
+    return (point >= 787 && point <= 788) || (point >= 1389 && point <= 1565);
+}
+
+TEST(WalkTour, reachesEveryWayPointThatIsNotFlownTo) {
+    const test::TempDir directory;
+    ASSERT_TRUE(demo::writeBuiltInWorld(directory.path()));
+    const Result<dat::Archive> archive = dat::Archive::open(directory.path());
+    const Result<world::WorldFile> file = world::loadWorldFile(directory.path());
+    ASSERT_TRUE(archive && file);
+    ASSERT_EQ(file->tour.size(), 1704u) << "isFlown counts them";
+    Wanderer wanderer(*archive);
+    wanderer.put(file->tour.front());
+    for (std::size_t i = 1; i < file->tour.size(); ++i) {
+        const world::Place& point = file->tour[i];
+        if (isFlown(i)) {
+            wanderer.put(point);
+            continue;
+        }
+        ASSERT_TRUE(wanderer.goTo(point))
+            << "way point " << i << ": " << point.eye.x << " " << point.eye.y << " " << point.eye.z;
+        ASSERT_TRUE(wanderer.isWhereItSays()) << "way point " << i;
+        ASSERT_EQ(wanderer.body.recoveries, 0u);
+    }
+}
+
+} // namespace
+} // namespace limen::motion
