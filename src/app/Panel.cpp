@@ -88,11 +88,20 @@ void drawStages(const PanelFacts& facts) {
     ImGui::EndTable();
 }
 
+/// How the one at the keys gets about.
+std::string footingOf(const PanelFacts& facts) {
+    if (facts.body == nullptr)
+        return "flying";
+    return fmt::format("body in {}, {}", spaceName(facts.world, facts.body->standing.space),
+                       facts.body->isOnGround ? "on the ground" : "in the air");
+}
+
 void drawFigures(const PanelFacts& facts) {
     const Camera& camera = facts.eye.camera;
     const TimeWindow& frame = facts.times.frame;
     line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
     line(fmt::format("root {}", spaceName(facts.world, facts.eye.root)));
+    line(footingOf(facts));
     line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
     line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));
     line(fmt::format("{} visits, {} cells seen", facts.visible.visits.size(),

@@ -5,6 +5,7 @@
 #include "app/TimeWindow.h"
 #include "app/ViewCheck.h"
 #include "app/Window.h"
+#include "motion/Body.h"
 #include "world/Places.h"
 
 #include <memory>
@@ -36,6 +37,7 @@ struct PanelFacts {
     const frame::FramePlan& plan;
     FrameFigures figures;
     const FrameWindows& times;
+    const motion::BodyState* body; ///< null: the eye flies
     const Picked* picked;       ///< null: nothing is
     const ViewVerdict* verdict; ///< on this very view; null: none
     std::span<const world::Place> places;

@@ -242,8 +242,11 @@ private:
             eye_.player = eye_.camera.eye;
             eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, seconds);
         }
-        if (session_.follow(eye_.camera.eye, eye_.root))
+        if (session_.follow(eye_.camera.eye, eye_.root)) {
             tracker_.place(eye_.root);
+            if (walk_.isOn())
+                return walk_.step(session_, {}, eye_); // its space has another number now
+        }
         return {};
     }
 
@@ -261,6 +264,7 @@ private:
                                .plan = session_.plan(),
                                .figures = figures,
                                .times = times_,
+                               .body = walk_.isOn() ? &walk_.body() : nullptr,
                                .picked = picked_ ? &*picked_ : nullptr,
                                .verdict = verdict_ ? &*verdict_ : nullptr,
                                .places = session_.source().file.places,

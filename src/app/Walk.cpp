@@ -1,6 +1,5 @@
 #include "app/Walk.h"
 
-#include "app/FlyCamera.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -108,7 +107,8 @@ Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye
     asked.yaw = eye.camera.heading.yaw;
     asked.run = input.run;
     asked.jump = input.jump;
-    const double seconds = std::clamp(input.seconds, 0.0, kMaxFrameSeconds);
+    constexpr double kLongest = 0.25; // after a stall it does not leap; on a slow machine it still gets on
+    const double seconds = std::clamp(input.seconds, 0.0, kLongest);
     const motion::BodyState before = body_;
     body_ = motion::moved(body_, asked, seconds, around_->collisions, session.moment().closed, shape_);
     const bool isOnFoot = before.isOnGround && body_.isOnGround;
