@@ -9,7 +9,7 @@ layout(location = kOutputBlended) out vec4 outColour;
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instanceAt(vInstance);
+    Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     if (!keep.kept) {
         discard;

@@ -3,7 +3,9 @@
 // is kept stays in its order: of what lies equally deep, what comes later is seen. Where nothing is, nothing is drawn.
 // Triangles are only left out of frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a
 // triangle whose outline stays clear of all centres shows nothing, however it would be snapped.
+// BEHIND: of the slots from firstHideable on, when those before are drawn: triangles that lie behind them are left out, too.
 #include "frommodel.glsl"
+#include "tiles.glsl"
 
 layout(local_size_x = kCullThreads) in;
 
@@ -31,9 +33,16 @@ bool isNear(vec2 a, vec2 b, vec2 c, float turn, vec2 point) {
     return min(min(withinEdge(a, b, point, turn), withinEdge(b, c, point, turn)), withinEdge(c, a, point, turn)) >= 0.0;
 }
 
-// Whether three corners on the screen may cover a pixel's centre: whether one lies in the rectangle around them, and if no
-// more than two each way do, in the triangle itself.
-bool mayCoverCentre(vec3 first, vec3 second, vec3 third) {
+// The pixels whose centres a triangle may cover: from one to another, both included, or none.
+struct Pixels {
+    vec2 low;
+    vec2 high;
+    bool any;
+};
+
+// Those with centres in the rectangle around three corners on the screen. If no more than two each way have, the triangle itself
+// is asked.
+Pixels pixelsOf(vec3 first, vec3 second, vec3 third) {
     vec2 most = frame.viewport.xy * 0.5;
     vec2 a = first.xy / first.z + most;
     vec2 b = second.xy / second.z + most;
@@ -41,17 +50,42 @@ bool mayCoverCentre(vec3 first, vec3 second, vec3 third) {
     vec2 low = ceil(max(min(min(a, b), c) - kMargin, vec2(0.0)) - 0.5);
     vec2 high = floor(min(max(max(a, b), c) + kMargin, frame.viewport.xy) - 0.5);
     if (any(greaterThan(low, high))) {
-        return false;
+        return Pixels(low, high, false);
     }
     if (any(greaterThan(high - low, vec2(1.0)))) {
-        return true;
+        return Pixels(low, high, true);
     }
     float turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0.0 ? -1.0 : 1.0;
     vec2 near = low + 0.5;
     vec2 far = high + 0.5;
-    return isNear(a, b, c, turn, near) || isNear(a, b, c, turn, vec2(far.x, near.y)) ||
-           isNear(a, b, c, turn, vec2(near.x, far.y)) || isNear(a, b, c, turn, far);
+    bool isOnOne = isNear(a, b, c, turn, near) || isNear(a, b, c, turn, vec2(far.x, near.y)) ||
+                   isNear(a, b, c, turn, vec2(near.x, far.y)) || isNear(a, b, c, turn, far);
+    return Pixels(low, high, isOnOne);
 }
+
+#ifdef BEHIND
+// The share of a depth by which it may come out nearer than that of the nearest corner: a thousand roundings.
+const float kNearer = 1.0e-4;
+
+// Whether what was drawn first is nearer than all of a triangle, at every pixel that it may show at. Depths are the near plane's
+// share: on the screen they are linear, so that no point of a triangle is nearer than the nearest corner.
+bool isHidden(Pixels pixels, float nearest) {
+    uvec2 from = uvec2(pixels.low) / kTileSize;
+    uvec2 to = uvec2(pixels.high) / kTileSize;
+    uvec2 count = to - from + 1u;
+    uint tiles = count.x * count.y;
+    if (tiles > kMostTiles) {
+        return false;
+    }
+    float depth = frame.nearPlane / nearest * (1.0 + kNearer);
+    for (uint i = 0u; i < tiles; ++i) {
+        if (tileDepths[tileIndex(from + uvec2(i % count.x, i / count.x))] <= depth) {
+            return false;
+        }
+    }
+    return true;
+}
+#endif
 
 bool mayShow(uint vertex, Instance instance) {
     vec3 first = eyeFromVertex(vertex, instance);
@@ -61,8 +95,16 @@ bool mayShow(uint vertex, Instance instance) {
     vec3 a = screenFromEye(first);
     vec3 b = screenFromEye(eyeFromVertex(vertex + 1u, instance));
     vec3 c = screenFromEye(eyeFromVertex(vertex + 2u, instance));
-    bool isAhead = min(min(a.z, b.z), c.z) >= frame.nearPlane;
-    return !isAhead || mayCoverCentre(a, b, c);
+    float nearest = min(min(a.z, b.z), c.z);
+    if (nearest < frame.nearPlane) {
+        return true;
+    }
+    Pixels pixels = pixelsOf(a, b, c);
+#ifdef BEHIND
+    return pixels.any && !isHidden(pixels, nearest);
+#else
+    return pixels.any;
+#endif
 }
 
 uint squareOf(int steps) {
@@ -87,10 +129,17 @@ bool isInReach(Instance instance) {
 shared uint keptBy[kCullThreads];
 
 void main() {
+#ifdef BEHIND
+    uint begins = frame.firstHideable;
+    uint ends = frame.slotCount;
+#else
+    uint begins = 0u;
+    uint ends = frame.firstHideable;
+#endif
     // More groups than slots, for rows of equal length, do the last one again: they write the same.
-    uint slot = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, frame.slotCount - 1u);
+    uint slot = min(begins + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, ends - 1u);
     DrawSlot place = slotAt(slot);
-    DrawPiece piece = pieceAt(slot + place.piece);
+    DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
     bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
     bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
     uint triangles = piece.triangles & ~kKeepsAll;
@@ -132,6 +181,6 @@ void main() {
         commands[command + 1u] = drawn > 0u ? 1u : 0u;
         commands[command + 2u] = drawsAsIs ? piece.firstIndex : first;
         commands[command + 3u] = 0u;
-        commands[command + 4u] = keepsAll ? piece.instance : recordOf(piece.instance);
+        commands[command + 4u] = keepsAll ? piece.instance : recordOf(piece.instance) | (place.piece & kGated);
     }
 }

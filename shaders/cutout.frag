@@ -28,7 +28,7 @@ void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
 #endif
-    Instance instance = instanceAt(vInstance);
+    Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     Material material = materials[vSurface];
 #ifdef FLAT

@@ -8,7 +8,7 @@
 layout(location = kOutputBlended) out vec4 outLayers;
 
 void main() {
-    Keep keep = keepOf(instanceAt(vInstance));
+    Keep keep = keepOf(drawnInstance());
     if (!keep.kept) {
         discard;
     }

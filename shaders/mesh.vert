@@ -1,5 +1,5 @@
 // Vertices of every mesh of the solid and late stages, terrain included.
-// In: one vertex of the arena, model space; gl_BaseInstance + gl_InstanceID: the instance. Out: clip position; eye-relative
+// In: one vertex of the arena, model space; gl_BaseInstance: the instance, and kGated. Out: clip position; eye-relative
 // position and world-axes normal for the tests and the light; what is constant over a triangle.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh.
 // EXACT: triangles are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
@@ -18,7 +18,7 @@ invariant gl_Position;
 layout(location = 0) SMOOTH out vec3 vEyeRelative;
 layout(location = 1) SMOOTH out vec3 vNormal;
 layout(location = 2) SMOOTH out vec2 vUv;
-layout(location = 3) flat out uint vInstance;
+layout(location = 3) flat out uint vInstance; // and kGated
 layout(location = 4) flat out uint vSurface;
 layout(location = 5) flat out uint vId;
 #ifdef EXACT
@@ -115,15 +115,15 @@ void drawLarger(uint own, vec3 before, vec3 after) {
 #endif
 
 void main() {
-    uint index = uint(gl_BaseInstanceARB + gl_InstanceID);
-    Instance instance = instanceAt(index);
+    uint drawn = uint(gl_BaseInstanceARB); // one at a time
+    Instance instance = instanceAt(drawn & ~kGated);
     vec3 eyeRelative = eyeFromModel(inPosition, inRest, instance);
     gl_Position = clipFromEye(eyeRelative);
     vEyeRelative = eyeRelative;
     vNormal = vec3(dot(instance.row0.xyz, inNormal.xyz), dot(instance.row1.xyz, inNormal.xyz),
                    dot(instance.row2.xyz, inNormal.xyz));
     vUv = inUv;
-    vInstance = index;
+    vInstance = drawn;
 #ifdef TERRAIN
     vSurface = instance.firstMaterial + (inPolygonSurface >> 16);
 #else

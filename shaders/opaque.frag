@@ -8,7 +8,7 @@ layout(location = kOutputId) out uint outId;
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instanceAt(vInstance);
+    Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     if (!keep.kept) {
         discard;

@@ -11,7 +11,7 @@ void main() {
     gl_FragDepth = kSkyDepth; // to the bit, as the plain sky: they are drawn over it and over one another
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    if (!keepOutside()) {
+    if (!gl_FrontFacing || !keepOutside()) {
         discard;
     }
     SkyInstance object = skyInstances[vInstance];

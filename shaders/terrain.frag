@@ -80,7 +80,7 @@ vec3 blendedTerrain(uint cell, CellUv uv) {
 void main() {
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
-    Instance instance = instanceAt(vInstance);
+    Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     if (!keep.kept) {
         discard;

@@ -35,17 +35,19 @@ LIMEN_CONST kBindSky = 9;          // SkyInstance
 LIMEN_CONST kBindCommands = 10;    // DrawCommand, as words: written on the device
 LIMEN_CONST kBindIndices = 11;     // uint (static)
 LIMEN_CONST kBindKeptIndices = 12; // uint: of the triangles that are kept, written likewise
-LIMEN_CONST kStorageBindings = 13;
+LIMEN_CONST kBindTiles = 13;       // float: how far what was drawn first covers each tile, written likewise
+LIMEN_CONST kStorageBindings = 14;
 
 // Texture units. Of buffers, these are read as texels of four words: software drivers read a storage buffer lane by lane, and
 // texels several times faster. Array pages come last (none in bindless mode).
 LIMEN_CONST kUnitOwnership = 0; // the ownership target
 LIMEN_CONST kUnitRing = 1;      // this frame's arrays, at the texels that FrameConstants tells
-LIMEN_CONST kUnitVertices = 2;  // Vertex: the arena that is also the vertex fetch (static)
-LIMEN_CONST kUnitInstances = 3; // Instance (static)
-LIMEN_CONST kUnitMembers = 4;   // Member, two a texel (static)
-LIMEN_CONST kUnitPieces = 5;    // DrawPiece (static)
-LIMEN_CONST kUnitFirstPage = 6;
+LIMEN_CONST kUnitDepth = 2;     // the target's depth; not sampled while anything is drawn
+LIMEN_CONST kUnitVertices = 3;  // Vertex: the arena that is also the vertex fetch (static)
+LIMEN_CONST kUnitInstances = 4; // Instance (static)
+LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
+LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
+LIMEN_CONST kUnitFirstPage = 7;
 
 // Fragment outputs. What is blended has a location of its own: blending stays switched on for that draw buffer and
 // off for the others, and no stage has to change it.
@@ -133,7 +135,7 @@ LIMEN_STRUCT(FrameConstants) {
     uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
     uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
     uint replacementCount LIMEN_ZERO;
-    uint reserved LIMEN_ZERO;
+    uint firstHideable LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
 };
 
 LIMEN_STRUCT(Visit) {
@@ -242,11 +244,19 @@ LIMEN_STRUCT(DrawPiece) {
     uint indicesBefore LIMEN_ZERO; // of all pieces before it in its array
 };
 
-// A frame's draw commands lie in slots, those of a run of pieces one behind the other. Both are what to add, modulo 2^32, and so
-// the same for the whole run.
+// Beside the tiles' depths, how large they are, and how many of them a triangle is looked up in at most.
+LIMEN_CONST kTileSize = 8u; // pixels a side
+LIMEN_CONST kTileThreads = 32u; // of a work group, a tile each
+LIMEN_CONST kMostTiles = 64u;
+
+// What is drawn takes the ownership test (gate.glsl): of DrawSlot.piece, and of what draw commands say as their instance.
+LIMEN_CONST kGated = 0x80000000u;
+
+// A frame's draw commands lie in slots, those of a run of pieces one behind the other. Both are what to add, and so the same for the
+// whole run.
 struct DrawSlot {
-    uint piece LIMEN_ZERO; // to the slot's number: the piece's
-    uint kept LIMEN_ZERO;  // to the piece's indicesBefore: where those of its indices go that are kept
+    uint piece LIMEN_ZERO; // to the slot's number, modulo 2^31: the piece's; and kGated
+    uint kept LIMEN_ZERO;  // to the piece's indicesBefore, modulo 2^32: where those of its indices go that are kept
 };
 
 // Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.

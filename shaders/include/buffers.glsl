@@ -17,6 +17,7 @@ FrameConstants frame = frameInBuffer;
 layout(std430, binding = kBindCommands) writeonly buffer CommandBuffer { uint commands[]; };
 layout(std430, binding = kBindIndices) readonly buffer IndexBuffer { uint indices[]; };
 layout(std430, binding = kBindKeptIndices) writeonly buffer KeptIndexBuffer { uint keptIndices[]; };
+layout(std430, binding = kBindTiles) buffer TileBuffer { float tileDepths[]; };
 #else
 layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
 layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Material materials[]; };

@@ -107,11 +107,12 @@ bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
 
 const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit
 
-// Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends.
-Keep walkChain(Instance instance, Place place) {
+// Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends. Without `walks` it has none to
+// look at: a loop, for drivers that run every branch for all fragments still end one with its last turn.
+Keep walkChain(Instance instance, Place place, bool walks) {
     vec4 next = kNothingBeyond;
     uint shutBy = 0u;
-    uint visitIndex = leafVisit();
+    uint visitIndex = walks ? leafVisit() : kNoVisit;
     while (visitIndex < frame.visitCount) {
         Visit visit = visitAt(visitIndex);
         uint lightSet;
@@ -127,19 +128,23 @@ Keep walkChain(Instance instance, Place place) {
     return Keep(false, 0u, 0u);
 }
 
-// What the planner drew without the test lies wholly in one visit; only which of several zones lights it is open.
-Keep keepUngated(Instance instance, Place place) {
-    Member first = memberAt(instance.firstMember);
-    if (memberCountOf(instance) > 1u) {
-        uint lightSet;
-        if (frame.visitCount > 1u) {
-            Keep keep = walkChain(instance, place);
-            if (keep.kept) {
-                return keep;
-            }
-        } else if (findMember(instance, frame.rootZone, lightSet)) {
-            return Keep(true, frame.rootZone, lightSet);
-        }
+// Of a frame with several visits. What the planner drew without the test lies wholly in one of them; only which of several zones
+// lights it is open.
+Keep keepWhereVisited(Instance instance, Place place, bool isGated) {
+    Keep keep = walkChain(instance, place, isGated || memberCountOf(instance) > 1u);
+    if (!keep.kept && !isGated) {
+        Member first = memberAt(instance.firstMember);
+        return Keep(true, first.zone, first.lightSet);
     }
+    return keep;
+}
+
+// Of a frame with one visit: all that is drawn is seen from there.
+Keep keepInRoot(Instance instance) {
+    uint lightSet;
+    if (memberCountOf(instance) > 1u && findMember(instance, frame.rootZone, lightSet)) {
+        return Keep(true, frame.rootZone, lightSet);
+    }
+    Member first = memberAt(instance.firstMember);
     return Keep(true, first.zone, first.lightSet);
 }

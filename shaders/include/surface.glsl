@@ -5,7 +5,7 @@
 layout(location = 0) SMOOTH in vec3 vEyeRelative;
 layout(location = 1) SMOOTH in vec3 vNormal;
 layout(location = 2) SMOOTH in vec2 vUv;
-layout(location = 3) flat in uint vInstance;
+layout(location = 3) flat in uint vInstance; // and kGated
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
 #ifdef EXACT
@@ -28,6 +28,10 @@ bool isSplit(Material material) {
     return (material.flags & kMaterialSplit) != 0u && (frame.flags & kFrameSplits) != 0u;
 }
 
+Instance drawnInstance() {
+    return instanceAt(vInstance & ~kGated);
+}
+
 // The caller discards when `kept` is false.
 Keep keepOf(Instance instance) {
     Place place;
@@ -35,9 +39,9 @@ Keep keepOf(Instance instance) {
         return Keep(false, 0u, 0u);
     }
 #ifdef GATED
-    return walkChain(instance, place);
+    return keepWhereVisited(instance, place, (vInstance & kGated) != 0u);
 #else
-    return keepUngated(instance, place);
+    return keepInRoot(instance);
 #endif
 }
 

@@ -107,6 +107,20 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
         ->check(CLI::IsMember({"auto", "bindless", "pages"}))
         ->group("World");
     command
+        .add_option_function<std::string>(
+            "--culling",
+            [&options](const std::string& text) {
+                options.culling = text == "none"     ? gpu::Culling::None
+                                  : text == "unseen" ? gpu::Culling::Unseen
+                                                     : gpu::Culling::Hidden;
+            },
+            "triangles that are left out before they are drawn: none, those without a pixel, those behind "
+            "walls and ground, too "
+            "(hidden); pictures are the same")
+        ->type_name("none|unseen|hidden")
+        ->check(CLI::IsMember({"none", "unseen", "hidden"}))
+        ->group("World");
+    command
         .add_option("--msaa", options.samples, "samples a pixel; ids and depth always have one (default: 1)")
         ->type_name("1|4")
         ->check(CLI::IsMember({0, 1, 4}))
@@ -152,7 +166,7 @@ Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions
                  gpu::GlDevice& device)
     : source_(std::move(source)), options_(options), device_(device),
       checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
-      renderer_(drawnOn(), {.textures = {.mode = options.textures}}) {}
+      renderer_(drawnOn(), {.textures = {.mode = options.textures}, .culling = options.culling}) {}
 
 Session::~Session() = default;
 

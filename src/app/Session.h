@@ -26,6 +26,7 @@ struct SessionOptions {
     std::string dat; ///< directory; empty: the built-in world
     world::LoadOptions load;
     gpu::TextureMode textures = gpu::TextureMode::Auto;
+    gpu::Culling culling = gpu::Culling::Hidden;
     std::uint32_t samples = 0; ///< a pixel, of frames without ids and layers; 0 and 1: no multisampling
 };
 void addSessionOptions(CLI::App& command, SessionOptions& options);

@@ -16,6 +16,7 @@ void FramePlan::clear() {
     runs.clear();
     batches.clear();
     stages.clear();
+    firstHideable = 0;
     counts = {};
 }
 

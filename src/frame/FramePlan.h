@@ -33,12 +33,13 @@ struct PieceRun {
     std::uint32_t firstPiece = 0, pieceCount = 0; ///< the scene's, and on from there the plan's
     std::uint32_t indicesBefore = 0;              ///< of the first of them
     std::uint32_t indexCount = 0;                 ///< of all of them
+    bool gated = false;                           ///< their fragments take the ownership test
 };
 
-/// Runs of pieces that one program draws: one GL draw call. `gated` runs the per-fragment ownership test.
+/// Runs of pieces that one program draws: one GL draw call.
 struct Batch {
     Program program = Program::Opaque;
-    bool gated = false;
+    bool gated = false; ///< the program's variant that has the ownership test: some of the runs may take it
     std::uint32_t first = 0, count = 0; ///< runs; for Ownership: vertices
     std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
@@ -75,6 +76,8 @@ struct FramePlan {
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind
+    std::uint32_t firstHideable =
+        0; ///< batch: those before it are walls and ground, behind which those from it on may be hidden
     PlanCounts counts;
 
     void clear();

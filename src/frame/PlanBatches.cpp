@@ -24,7 +24,8 @@ void addRun(const PieceRun& run, FramePlan& plan) {
     Batch& batch = plan.batches.back();
     batch.draws += run.pieceCount;
     PieceRun* last = batch.count > 0 ? &plan.runs.back() : nullptr;
-    if (last != nullptr && last->firstPiece + last->pieceCount == run.firstPiece &&
+    if (last != nullptr && last->gated == run.gated &&
+        last->firstPiece + last->pieceCount == run.firstPiece &&
         last->indicesBefore + last->indexCount == run.indicesBefore) {
         last->pieceCount += run.pieceCount;
         last->indexCount += run.indexCount;
@@ -44,7 +45,7 @@ PieceRun addOwnPieces(const world::Mesh::Range& range, std::uint32_t instance, F
     std::uint32_t indices = before;
     addPieces(range, instance, indices, plan.pieces);
     return {plan.constants.staticPieces + first, static_cast<std::uint32_t>(plan.pieces.size()) - first,
-            before, indices - before};
+            before, indices - before, false};
 }
 
 void countTriangles(FramePlan& plan) {

@@ -33,6 +33,26 @@ double nearestOf(const Sphere& ball, const Vec3& eye) {
     return std::sqrt(glm::dot(offset, offset)) - ball.radius;
 }
 
+Program programOf(DrawClass drawn) {
+    switch (drawn) {
+    case DrawClass::Wall:
+    case DrawClass::Opaque:
+        return Program::Opaque;
+    case DrawClass::Terrain:
+        return Program::Terrain;
+    case DrawClass::CutOut:
+        return Program::CutOut;
+    case DrawClass::Blended:
+        return Program::Blended;
+    }
+    return Program::Opaque;
+}
+
+PieceRun gatedIf(bool gated, PieceRun run) {
+    run.gated = gated;
+    return run;
+}
+
 /// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
@@ -120,9 +140,8 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
 }
 
 void Planner::packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
-    for (auto& ranges : moverRanges_) {
-        ranges[0].clear();
-        ranges[1].clear();
+    for (std::vector<MoverRange>& ranges : moverRanges_) {
+        ranges.clear();
     }
     const auto standing = static_cast<std::uint32_t>(world_.instances.size());
     plan.constants.staticInstances = standing;
@@ -135,7 +154,7 @@ void Planner::packMovers(const FrameView& frame, const world::Moment& moment, Fr
         for (std::size_t c = 0; c < kDrawClasses; ++c) {
             const world::Mesh::Range range = rangeOf(mesh, instance.kind, static_cast<DrawClass>(c));
             if (range.indexCount > 0) {
-                moverRanges_[c][mover.gated ? 1 : 0].push_back({range, number});
+                moverRanges_[c].push_back({range, number, mover.gated});
             }
         }
         gpu::Instance packed = packInstance(world_, instance, moment.members, plan.moverMembers);
@@ -145,30 +164,23 @@ void Planner::packMovers(const FrameView& frame, const world::Moment& moment, Fr
     }
 }
 
-void Planner::addSolid(DrawClass drawn, bool gated, FramePlan& plan) const {
+void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) const {
+    beginBatch(programOf(drawn), several, plan);
     for (const SelectedRange& range : selection_.ranges()) {
-        if (range.gated == gated) {
-            addRun(pieces_.run(range.first, range.end, drawn), plan);
-        }
+        addRun(gatedIf(range.gated, pieces_.run(range.first, range.end, drawn)), plan);
     }
-    for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(drawn)][gated ? 1 : 0]) {
-        addRun(addOwnPieces(range.range, range.instance, plan), plan);
+    for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(drawn)]) {
+        addRun(gatedIf(range.gated, addOwnPieces(range.range, range.instance, plan)), plan);
     }
     countTriangles(plan);
 }
 
 void Planner::planSolid(bool several, FramePlan& plan) const {
-    for (const bool gated : {false, true}) {
-        if (gated && !several) {
-            continue;
-        }
-        beginBatch(Program::Opaque, gated, plan);
-        addSolid(DrawClass::Opaque, gated, plan);
-        beginBatch(Program::CutOut, gated, plan);
-        addSolid(DrawClass::CutOut, gated, plan);
-        beginBatch(Program::Terrain, gated, plan);
-        addSolid(DrawClass::Terrain, gated, plan);
-    }
+    addSolid(DrawClass::Wall, several, plan);
+    addSolid(DrawClass::Terrain, several, plan);
+    plan.firstHideable = static_cast<std::uint32_t>(plan.batches.size());
+    addSolid(DrawClass::Opaque, several, plan);
+    addSolid(DrawClass::CutOut, several, plan);
 }
 
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
@@ -208,7 +220,7 @@ void Planner::gatherLate(const Vec3& eye, const SelectedRange& range) {
         if (late_.empty() || late_.back().instance != piece.instance) {
             late_.push_back({nearestOf(world_.instances[piece.instance].bounds, eye),
                              piece.instance,
-                             {i, 0, piece.indicesBefore, 0}});
+                             {i, 0, piece.indicesBefore, 0, false}});
         }
         ++late_.back().run.pieceCount;
         late_.back().run.indexCount += 3 * piece.triangles;
@@ -221,21 +233,18 @@ void Planner::planLate(const Vec3& eye, bool several, const world::Moment& momen
         gatherLate(eye, range);
     }
     const std::span<const SelectedMover> movers = selection_.movers();
-    for (const auto& ranges : moverRanges_[static_cast<std::size_t>(DrawClass::Blended)]) {
-        for (const MoverRange& range : ranges) {
-            const SelectedMover& mover = movers[range.instance - plan.constants.staticInstances];
-            late_.push_back({nearestOf(moment.instances[mover.index].bounds, eye), range.instance,
-                             addOwnPieces(range.range, range.instance, plan)});
-        }
+    for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(DrawClass::Blended)]) {
+        const SelectedMover& mover = movers[range.instance - plan.constants.staticInstances];
+        late_.push_back({nearestOf(moment.instances[mover.index].bounds, eye), range.instance,
+                         addOwnPieces(range.range, range.instance, plan)});
     }
     std::sort(late_.begin(), late_.end(), [](const Late& a, const Late& b) {
         return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
     });
-    // One list, back to front: gated for every draw as soon as a frame has several visits, so that no two
-    // batches have to be interleaved.
+    // Gated for every draw as soon as a frame has several visits: few are drawn, and longer runs are fewer.
     beginBatch(Program::Blended, several, plan);
     for (const Late& late : late_) {
-        addRun(late.run, plan);
+        addRun(gatedIf(several, late.run), plan);
     }
     countTriangles(plan);
 }

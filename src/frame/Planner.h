@@ -36,6 +36,7 @@ private:
     struct MoverRange {
         world::Mesh::Range range;
         std::uint32_t instance = 0; ///< numbered on from the scene's
+        bool gated = false;
     };
     /// The blended pieces of one instance.
     struct Late {
@@ -48,7 +49,7 @@ private:
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
     void packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
     void planSolid(bool several, FramePlan& plan) const;
-    void addSolid(DrawClass drawn, bool gated, FramePlan& plan) const;
+    void addSolid(DrawClass drawn, bool several, FramePlan& plan) const;
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan);
     void gatherLate(const Vec3& eye, const SelectedRange& range);
@@ -59,8 +60,7 @@ private:
     const Highlights highlights_;
     Selection selection_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
-    std::array<std::array<std::vector<MoverRange>, 2>, kDrawClasses>
-        moverRanges_; ///< of the frame; by class, and gated
+    std::array<std::vector<MoverRange>, kDrawClasses> moverRanges_; ///< of the frame
     std::vector<Late> late_;
     std::vector<world::SkyPlacement> sky_;
 };

@@ -9,16 +9,25 @@
 namespace limen::frame {
 
 /// Which program draws a range of an instance's mesh.
-enum class DrawClass : std::uint8_t { Opaque, CutOut, Terrain, Blended };
-inline constexpr std::size_t kDrawClasses = 4;
+enum class DrawClass : std::uint8_t {
+    Wall, ///< opaque, of what is built: hides what is behind it
+    Terrain,
+    Opaque, ///< any other
+    CutOut,
+    Blended
+};
+inline constexpr std::size_t kDrawClasses = 5;
 
 /// The part of a mesh that a class draws of an instance; empty if there is none. Surfaces that are split are of two: as cut-outs
 /// they show where they are nearly opaque, blended where they are not.
 [[nodiscard]] inline world::Mesh::Range rangeOf(const world::Mesh& mesh, world::Kind kind, DrawClass drawn) {
     const bool isTerrain = kind == world::Kind::Terrain;
+    const bool isBuilt = kind == world::Kind::Shell || kind == world::Kind::Exterior;
     switch (drawn) {
+    case DrawClass::Wall:
+        return isBuilt ? mesh.ranges[0] : world::Mesh::Range();
     case DrawClass::Opaque:
-        return isTerrain ? world::Mesh::Range() : mesh.ranges[0];
+        return isTerrain || isBuilt ? world::Mesh::Range() : mesh.ranges[0];
     case DrawClass::CutOut:
         return isTerrain ? world::Mesh::Range()
                          : world::Mesh::Range{mesh.ranges[1].firstIndex,
@@ -52,7 +61,7 @@ struct ResidentPieces {
     [[nodiscard]] PieceRun run(std::uint32_t first, std::uint32_t end, DrawClass drawn) const {
         const auto c = static_cast<std::size_t>(drawn);
         const Start &a = starts[first], &b = starts[end];
-        return {a.piece[c], b.piece[c] - a.piece[c], a.indices[c], b.indices[c] - a.indices[c]};
+        return {a.piece[c], b.piece[c] - a.piece[c], a.indices[c], b.indices[c] - a.indices[c], false};
     }
 };
 

@@ -15,8 +15,8 @@ bool StateTracker::enableDepthWrite() {
     return !std::exchange(current_.writeDepth, true);
 }
 
-bool StateTracker::enableCulling() {
-    return !std::exchange(current_.cullBackFaces, true);
+bool StateTracker::disableCulling() {
+    return std::exchange(current_.cullBackFaces, false);
 }
 
 } // namespace limen::gpu

@@ -56,7 +56,7 @@ inline constexpr std::size_t kPassCount = 6;
 /// Blended and Layers passes.
 struct DrawState {
     ProgramHandle program = ProgramHandle::Invalid;
-    bool cullBackFaces = true;
+    bool cullBackFaces = false;
     bool writeDepth = true;
 };
 
@@ -150,10 +150,11 @@ public:
     [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target) = 0;
     /// Binds storage ranges to bindings 0, 1, ...
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
-    /// Binds the target's ownership image and the ring memory as texels to their units, and textures to units 2, 3, ...
+    /// Binds the target's ownership and depth images and the ring memory as texels to their units, and textures from kUnitVertices
+    /// on.
     virtual void bindTextures(std::span<const TextureHandle> textures) = 0;
-    /// Runs a compute program in columns x rows work groups, each at most kMostGroups. What it writes, draws that follow take
-    /// as commands and indices.
+    /// Runs a compute program in columns x rows work groups, each at most kMostGroups. It reads what has been drawn; what it writes,
+    /// draws that follow take as commands and indices, and programs run after it read.
     virtual void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) = 0;
     virtual void clear(TargetImage image, const ClearValue& value) = 0;
     virtual void beginStage(frame::StageKind stage) = 0;
@@ -193,8 +194,8 @@ public:
     [[nodiscard]] Changes apply(const DrawState& next);
     /// True if depth writes have to be switched on; they are then taken to be on.
     [[nodiscard]] bool enableDepthWrite();
-    /// True if culling has to be switched on; it is then taken to be on.
-    [[nodiscard]] bool enableCulling();
+    /// True if culling has to be switched off; it is then taken to be off.
+    [[nodiscard]] bool disableCulling();
     /// The current program is not what was set last (foreign code, or it was destroyed).
     void forgetProgram() { current_.program = ProgramHandle::Invalid; }
 

@@ -32,57 +32,42 @@ std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
 
 } // namespace
 
-Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::string> defines,
-                                        bool leavesOut) {
-    const ProgramSource source{
+Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::string> defines, Culling which) {
+    DrawCulling culling(device, which);
+    ProgramSource source{
         .label = "cull", .defines = {defines.begin(), defines.end()}, .computeShader = "cull.comp"};
-    const Result<ProgramHandle> program = device.createProgram(source);
-    if (!program) {
-        return tl::unexpected(program.error());
+    const Result<ProgramHandle> first = device.createProgram(source);
+    if (!first) {
+        return tl::unexpected(first.error());
     }
-    return DrawCulling(device, *program, leavesOut);
-}
-
-DrawCulling::DrawCulling(DrawCulling&& other) noexcept
-    : device_(std::exchange(other.device_, nullptr)), program_(other.program_), leavesOut_(other.leavesOut_),
-      keepsTriangles_(other.keepsTriangles_), kept_(other.kept_), capacity_(other.capacity_),
-      place_(other.place_), slotCount_(other.slotCount_), firstSlots_(std::move(other.firstSlots_)) {}
-
-DrawCulling& DrawCulling::operator=(DrawCulling&& other) noexcept {
-    std::swap(device_, other.device_);
-    std::swap(program_, other.program_);
-    std::swap(leavesOut_, other.leavesOut_);
-    std::swap(keepsTriangles_, other.keepsTriangles_);
-    std::swap(kept_, other.kept_);
-    std::swap(capacity_, other.capacity_);
-    std::swap(place_, other.place_);
-    std::swap(slotCount_, other.slotCount_);
-    std::swap(firstSlots_, other.firstSlots_);
-    return *this;
-}
-
-DrawCulling::~DrawCulling() {
-    if (device_ == nullptr) {
-        return;
+    culling.first_ = {device, *first};
+    if (which != Culling::Hidden) {
+        return culling;
     }
-    device_->destroyProgram(program_);
-    if (kept_ != BufferHandle::Invalid) {
-        device_->destroyBuffer(kept_);
+    source.label = "cull behind";
+    source.defines.emplace_back("BEHIND");
+    const Result<ProgramHandle> behind = device.createProgram(source);
+    if (!behind) {
+        return tl::unexpected(behind.error());
     }
+    culling.behind_ = {device, *behind};
+    return DepthTiles::create(device, defines).map([&](DepthTiles tiles) {
+        culling.tiles_.emplace(std::move(tiles));
+        return std::move(culling);
+    });
 }
 
 void DrawCulling::reserve(std::size_t indices) {
-    if (kept_ != BufferHandle::Invalid && indices <= capacity_) {
+    if (!kept_.empty() && indices <= capacity_) {
         return;
     }
-    if (kept_ != BufferHandle::Invalid) {
-        device_->destroyBuffer(kept_);
-    }
     capacity_ = std::clamp(indices + indices / 2, kSmallestCapacity, kLargestCapacity);
-    kept_ = device_->createScratch("kept indices", capacity_ * kFramesInFlight * kIndexSize);
+    kept_.reset();
+    kept_ = {*device_, device_->createScratch("kept indices", capacity_ * kFramesInFlight * kIndexSize)};
 }
 
-void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& options, bool keepsTriangles) {
+void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& options,
+                          const RenderTarget& target) {
     std::size_t indices = 0;
     slotCount_ = 0;
     firstSlots_.clear();
@@ -93,11 +78,26 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
             indices += indicesOf(plan, batch);
         }
     }
-    keepsTriangles_ = keepsTriangles || !leavesOut_ || indices > kLargestCapacity;
+    keepsTriangles_ = target.options().samples > 0 || culling_ == Culling::None || indices > kLargestCapacity;
     if (!keepsTriangles_) {
         reserve(indices);
     }
+    firstHideable_ = slotCount_;
+    if (leavesOutHidden()) {
+        tiles_->prepare(target.width(), target.height());
+        if (plan.firstHideable < firstSlots_.size()) {
+            firstHideable_ = firstSlots_[plan.firstHideable];
+        }
+    }
     place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
+}
+
+void DrawCulling::bind(StorageBindings& storage) const {
+    // Where all triangles are kept nobody writes them, and where none is hidden no tiles; all frames make the same calls.
+    const StorageRange& nothing = storage[frame::gpu::kBindIndices];
+    storage[frame::gpu::kBindKeptIndices] =
+        keepsTriangles_ ? nothing : StorageRange{kept_.get(), 0, capacity_ * kFramesInFlight * kIndexSize};
+    storage[frame::gpu::kBindTiles] = leavesOutHidden() ? tiles_->range() : nothing;
 }
 
 void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
@@ -108,7 +108,9 @@ void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& 
         for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
             const frame::PieceRun& run = plan.runs[i];
             LIMEN_ASSERT(run.pieceCount <= slots.size() - slot, "a batch counts the pieces of its runs");
-            const frame::gpu::DrawSlot filled{run.firstPiece - slot, kept - run.indicesBefore};
+            const std::uint32_t toPiece = (run.firstPiece - slot) & ~frame::gpu::kGated;
+            const frame::gpu::DrawSlot filled{toPiece | (run.gated ? frame::gpu::kGated : 0),
+                                              kept - run.indicesBefore};
             std::fill_n(slots.begin() + slot, run.pieceCount, filled);
             slot += run.pieceCount;
             kept += run.indexCount;
@@ -118,13 +120,24 @@ void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& 
 
 void DrawCulling::describe(frame::gpu::FrameConstants& constants) const {
     constants.slotCount = slotCount_;
+    constants.firstHideable = firstHideable_;
     constants.flags |= keepsTriangles_ ? frame::gpu::kFrameKeepsTriangles : 0;
 }
 
-void DrawCulling::run() {
-    // In rows of equal length, none longer than drivers run.
-    const std::uint32_t rows = std::max((slotCount_ + kMostGroups - 1) / kMostGroups, 1u);
-    device_->compute(program_, (slotCount_ + rows - 1) / rows, rows);
+// In rows of equal length, none longer than drivers run.
+void DrawCulling::run(ProgramHandle program, std::uint32_t slots) {
+    const std::uint32_t rows = std::max((slots + kMostGroups - 1) / kMostGroups, 1u);
+    device_->compute(program, (slots + rows - 1) / rows, rows);
+}
+
+void DrawCulling::runFirst() {
+    run(first_.get(), firstHideable_);
+}
+
+void DrawCulling::runBehind() {
+    LIMEN_ASSERT(leavesOutHidden(), "all slots were run first");
+    tiles_->run();
+    run(behind_.get(), slotCount_ - firstHideable_);
 }
 
 } // namespace limen::gpu

@@ -1,26 +1,27 @@
 #pragma once
 
 #include "frame/FramePlan.h"
-#include "gpu/Device.h"
+#include "gpu/DepthTiles.h"
+#include "gpu/FrameRing.h"
 #include "gpu/RenderOptions.h"
+#include "gpu/RenderTarget.h"
+#include "gpu/RendererOptions.h"
+
+#include <optional>
 
 namespace limen::gpu {
 
-/// Makes the draw commands of a plan's pieces, on the device, and leaves out triangles that cover no pixel's centre or face
-/// away, by a compute program (shaders/cull.comp). Never changes a picture of exact outlines. Programs and memory are the
-/// device's, which must outlive it.
+/// Makes the draw commands of a plan's pieces, on the device, and leaves out triangles that show nothing (shaders/cull.comp). Never
+/// changes a picture of exact outlines. The device must outlive it.
 class DrawCulling {
 public:
-    /// `leavesOut`: whether triangles are ever left out. Errors: Driver, if the program does not build.
+    /// Errors: Driver, if a program does not build.
     [[nodiscard]] static Result<DrawCulling> create(Device& device, std::span<const std::string> defines,
-                                                    bool leavesOut);
-    DrawCulling(DrawCulling&& other) noexcept;
-    DrawCulling& operator=(DrawCulling&& other) noexcept;
-    ~DrawCulling();
+                                                    Culling culling);
 
-    /// Takes up what a frame draws by indices. `keepsTriangles`: they are all drawn; so they are where there are more than memory
-    /// is kept for. Not during a frame.
-    void prepare(const frame::FramePlan& plan, const RenderOptions& options, bool keepsTriangles);
+    /// Takes up what a frame draws by indices. All triangles are drawn of multisampled frames, and where there are more than
+    /// memory is kept for. Not during a frame.
+    void prepare(const frame::FramePlan& plan, const RenderOptions& options, const RenderTarget& target);
     /// How many draw commands that makes: each has a slot.
     [[nodiscard]] std::uint32_t slotCount() const { return slotCount_; }
     /// Fills in all slots, straight into the frame's memory. Plan and options are those of `prepare`.
@@ -30,29 +31,35 @@ public:
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
     /// Whether the draws read the static indices; else they read those that are kept, and no others.
     [[nodiscard]] bool keepsTriangles() const { return keepsTriangles_; }
+    /// Whether batches from FramePlan::firstHideable on wait for what is drawn before them.
+    [[nodiscard]] bool leavesOutHidden() const { return tiles_.has_value() && !keepsTriangles_; }
     /// The indices that are kept. Invalid while none ever were.
-    [[nodiscard]] StorageRange keptIndices() const {
-        return {kept_, 0, capacity_ * kFramesInFlight * kIndexSize};
-    }
+    [[nodiscard]] BufferHandle keptIndices() const { return kept_.get(); }
+    /// Fills in the arrays of its own.
+    void bind(StorageBindings& storage) const;
     /// Tells the shader what is to be done.
     void describe(frame::gpu::FrameConstants& constants) const;
-    /// Within a frame whose slots, pieces, commands and indices are bound: writes the commands and indices that are drawn.
-    void run();
+    /// Within a frame whose slots, pieces, commands and indices are bound: writes the commands and indices that are drawn,
+    /// of the batches that wait for nothing.
+    void runFirst();
+    /// Of the others, if leavesOutHidden(), when those before are drawn.
+    void runBehind();
 
 private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);
-    DrawCulling(Device& device, ProgramHandle program, bool leavesOut)
-        : device_(&device), program_(program), leavesOut_(leavesOut) {}
+    DrawCulling(Device& device, Culling culling) : device_(&device), culling_(culling) {}
     void reserve(std::size_t indices);
+    void run(ProgramHandle program, std::uint32_t slots);
 
-    Device* device_ = nullptr;
-    ProgramHandle program_ = ProgramHandle::Invalid;
-    bool leavesOut_ = true;
-    bool keepsTriangles_ = false; ///< this frame's
-    BufferHandle kept_ = BufferHandle::Invalid;
-    std::size_t capacity_ = 0; ///< indices a frame
-    std::size_t place_ = 0;    ///< of the frames under way
-    std::uint32_t slotCount_ = 0;
+    Device* device_;
+    Culling culling_;
+    OwnedProgram first_, behind_;
+    std::optional<DepthTiles> tiles_;
+    OwnedBuffer kept_;
+    std::size_t capacity_ = 0;    ///< indices a frame
+    std::size_t place_ = 0;       ///< of the frames under way
+    bool keepsTriangles_ = false; ///< this frame's, as all that follow
+    std::uint32_t slotCount_ = 0, firstHideable_ = 0;
     std::vector<std::uint32_t> firstSlots_; ///< by batch
 };
 

@@ -29,7 +29,7 @@ void GlDevice::restoreState() {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_TRUE);
-    glEnable(GL_CULL_FACE);
+    glDisable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     glFrontFace(GL_CCW);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -146,6 +146,7 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
     std::array<GLuint, kMaxUnits> names{};
     names[frame::gpu::kUnitOwnership] = frameTarget_->ownership.id();
     names[frame::gpu::kUnitRing] = ringTexels_[ringSlot_].id();
+    names[frame::gpu::kUnitDepth] = frameTarget_->depth.id();
     for (std::size_t i = 0; i < textures.size(); ++i) {
         names[frame::gpu::kUnitVertices + i] = textures_[static_cast<std::size_t>(textures[i])].id();
     }
@@ -155,7 +156,8 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
 void GlDevice::compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) {
     setState({.program = program});
     call(glDispatchCompute, GLuint{columns}, GLuint{rows}, GLuint{1});
-    call(glMemoryBarrier, GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT});
+    call(glMemoryBarrier,
+         GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT});
 }
 
 void GlDevice::clear(TargetImage image, const ClearValue& value) {
@@ -230,8 +232,8 @@ void GlDevice::endFrame() {
     if (state_.enableDepthWrite()) {
         call(glDepthMask, GLboolean{GL_TRUE});
     }
-    if (state_.enableCulling()) {
-        call(glEnable, GLenum{GL_CULL_FACE});
+    if (state_.disableCulling()) {
+        call(glDisable, GLenum{GL_CULL_FACE});
     }
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});
     frameTarget_ = nullptr;

@@ -192,8 +192,8 @@ void NullDevice::resolve() {
 }
 
 void NullDevice::endFrame() {
-    frameCalls_ +=
-        std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.enableCulling()} + 1; // and the fence
+    frameCalls_ += std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.disableCulling()} +
+                   1; // and the fence
     lastFrameCalls_ = frameCalls_;
 }
 

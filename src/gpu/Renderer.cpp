@@ -102,9 +102,7 @@ Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const Rende
 void Renderer::bindAll(const FrameRing& ring, const DrawCulling& culling) {
     StorageBindings storage = scene_->storage();
     ring.bind(storage);
-    // Where all triangles are kept nobody writes it; all frames make the same calls.
-    storage[layout::kBindKeptIndices] =
-        culling.keepsTriangles() ? storage[layout::kBindIndices] : culling.keptIndices();
+    culling.bind(storage);
     device_->bindStorage(storage);
     device_->bindTextures(scene_->boundTextures());
 }
@@ -127,8 +125,8 @@ void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset, 
                          bool multisampled) {
     DrawState state;
     state.program = scene_->programs().get(batch.program, variantOf(batch, options, multisampled));
-    state.cullBackFaces =
-        batch.program != frame::Program::Ownership; // a portal polygon counts from either side
+    // Exact triangles that face away are left out one by one, and a portal polygon counts from either side.
+    state.cullBackFaces = !options_.exactOutlines && batch.program != frame::Program::Ownership;
     state.writeDepth = batch.program != frame::Program::Blended;
     device_->setState(state);
     switch (batch.program) {
@@ -152,6 +150,9 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
+            if (stage.firstBatch + i == plan.firstHideable && scene_->culling().leavesOutHidden()) {
+                scene_->culling().runBehind();
+            }
             if (!isDrawn(batch.program, options)) {
                 continue;
             }
@@ -187,14 +188,14 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
         report_.stages[i].kind = static_cast<frame::StageKind>(i);
     }
     DrawCulling& culling = scene_->culling();
-    culling.prepare(plan, options, multisampled);
+    culling.prepare(plan, options, target);
     const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved) {
         return reserved;
     }
     // Each time: another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(),
-                         culling.keepsTriangles() ? scene_->indices() : culling.keptIndices().buffer);
+                         culling.keepsTriangles() ? scene_->indices() : culling.keptIndices());
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
     layout::FrameConstants constants = plan.constants;
     target.place(constants);
@@ -205,7 +206,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     culling.writeSlots(plan, options, ring.slots(memory));
     bindAll(ring, culling);
     clearTarget(plan, options);
-    culling.run();
+    culling.runFirst();
     drawStages(plan, ring.commands(), options, multisampled);
     if (multisampled) {
         device_->resolve();

@@ -55,8 +55,8 @@ Result<std::unique_ptr<ResidentScene>> ResidentScene::create(Device& device, con
     if (!programs) {
         return tl::unexpected(programs.error());
     }
-    Result<DrawCulling> culling =
-        DrawCulling::create(device, definesOf(options), options.cullTriangles && options.exactOutlines);
+    Result<DrawCulling> culling = DrawCulling::create(
+        device, definesOf(options), options.exactOutlines ? options.culling : Culling::None);
     if (!culling) {
         return tl::unexpected(culling.error());
     }

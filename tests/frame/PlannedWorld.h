@@ -47,10 +47,15 @@ struct PlannedWorld {
     [[nodiscard]] std::vector<frame::gpu::DrawPiece> piecesOf(const frame::Batch& batch) const {
         std::vector<frame::gpu::DrawPiece> drawn;
         for (std::uint32_t r = batch.first; r < batch.first + batch.count; ++r) {
-            const frame::PieceRun& run = plan.runs[r];
-            for (std::uint32_t p = run.firstPiece; p < run.firstPiece + run.pieceCount; ++p) {
-                drawn.push_back(p < pieces.size() ? pieces[p] : plan.pieces[p - pieces.size()]);
-            }
+            const auto ofRun = piecesOf(plan.runs[r]);
+            drawn.insert(drawn.end(), ofRun.begin(), ofRun.end());
+        }
+        return drawn;
+    }
+    [[nodiscard]] std::vector<frame::gpu::DrawPiece> piecesOf(const frame::PieceRun& run) const {
+        std::vector<frame::gpu::DrawPiece> drawn;
+        for (std::uint32_t p = run.firstPiece; p < run.firstPiece + run.pieceCount; ++p) {
+            drawn.push_back(p < pieces.size() ? pieces[p] : plan.pieces[p - pieces.size()]);
         }
         return drawn;
     }

@@ -72,16 +72,41 @@ TEST_F(PlannerTest, leavesOutWhatNoVisitSees) {
 
 TEST_F(PlannerTest, gatesMembersOfSeveralZonesWhereThereAreSeveralVisits) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
-    std::size_t ungated = 0;
+    std::size_t ungated = 0, gated = 0;
     for (const frame::Batch& batch : plan.batches) {
-        if (!batch.gated && batch.program == Program::Opaque) {
-            for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
-                EXPECT_EQ(planned.world.instances[piece.instance].memberCount, 1u);
-                ++ungated;
+        for (std::uint32_t r = batch.first; batch.program == Program::Opaque && r < batch.first + batch.count;
+             ++r) {
+            EXPECT_TRUE(batch.gated) << "the variant that can";
+            for (const frame::gpu::DrawPiece& piece : planned.piecesOf(plan.runs[r])) {
+                const bool isOfOne = planned.world.instances[piece.instance].memberCount == 1;
+                EXPECT_TRUE(isOfOne || plan.runs[r].gated);
+                ++(plan.runs[r].gated ? gated : ungated);
             }
         }
     }
     EXPECT_GT(ungated, 0u);
+    EXPECT_GT(gated, 0u);
+}
+
+// What may hide other things comes first, so that these can be held against it.
+TEST_F(PlannerTest, wallsAndGroundComeBeforeAllElse) {
+    const auto& plan = planned.planFrom({92, 104, 1.5}, 180, world::kOutside);
+    std::size_t walls = 0;
+    for (std::uint32_t b = 0; b < plan.batches.size(); ++b) {
+        const frame::Batch& batch = plan.batches[b];
+        if (batch.program == Program::Ownership || batch.program == Program::SkyPlain ||
+            batch.program == Program::SkyObjects)
+            continue;
+        for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
+            const world::Kind kind = planned.world.instances[piece.instance].kind;
+            const bool isFirst =
+                kind == world::Kind::Shell || kind == world::Kind::Exterior || kind == world::Kind::Terrain;
+            const bool isSolid = batch.program == Program::Opaque || batch.program == Program::Terrain;
+            EXPECT_EQ(b < plan.firstHideable, isFirst && isSolid);
+            walls += b < plan.firstHideable ? 1 : 0;
+        }
+    }
+    EXPECT_GT(walls, 2u);
 }
 
 TEST_F(PlannerTest, aBatchsRunsAddUp) {

@@ -10,7 +10,7 @@ class DrawCullingGlTest : public GlTest {
 protected:
     // Draws it with every triangle, and again without those that show nothing.
     void expectSame(SceneBuilder& scene, std::uint32_t size, const RenderOptions& options = {}) {
-        Renderer all(*device_, {.cullTriangles = false});
+        Renderer all(*device_, {.culling = Culling::None});
         Renderer culled(*device_);
         ASSERT_TRUE(all.upload(scene.upload));
         ASSERT_TRUE(culled.upload(scene.upload));
@@ -65,6 +65,67 @@ TEST_F(DrawCullingGlTest, changesNoPicture) {
             expectSame(scene, size, {.shading = Shading::IdsOnly});
             expectSame(scene, size, {.wantLayers = true});
         }
+    }
+}
+
+// Triangles that the driver was given in a frame.
+std::uint32_t trianglesGiven(Renderer& renderer, const frame::FramePlan& plan, RenderTarget& target) {
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+    EXPECT_TRUE(renderer.render(plan, target));
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    GLuint given = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &given);
+    glDeleteQueries(1, &query);
+    return given;
+}
+
+// Ground in steps before and among quads of all sizes: what lies behind is left out, and nothing that shows.
+TEST_F(DrawCullingGlTest, whatGroundHidesIsLeftOut_andNothingElse) {
+    for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+        SceneBuilder scene = anyQuads(seed, 400);
+        scene.upload.terrainCells.resize(1);
+        frame::gpu::TerrainCell& cell = scene.upload.terrainCells[0];
+        cell.base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        for (layout::TerrainLayer* layer : {cell.overlays, cell.roads})
+            layer[0].texture = layer[1].texture = layout::kNoTexture;
+        cell.overlays[2].texture = layout::kNoTexture;
+        for (int step = -4; step < 4; ++step) {
+            const auto x = static_cast<float>(step);
+            scene.addWall(90, {x, -4}, {x + 1.01f, 0.7f * x}, 2.0f + 0.5f * x,
+                          {.program = frame::Program::Terrain});
+        }
+        for (const std::uint32_t size : {7u, 32u, 131u}) {
+            expectSame(scene, size);
+            expectSame(scene, size, {.wantLayers = true});
+        }
+        const frame::FramePlan& plan = scene.finish(true);
+        Renderer all(*device_, {.culling = Culling::Unseen}), less(*device_);
+        ASSERT_TRUE(all.upload(scene.upload) && less.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(*device_, 131, 131);
+        EXPECT_LT(trianglesGiven(less, plan, *target) + 10, trianglesGiven(all, plan, *target));
+    }
+}
+
+// A wall and one behind it: that shows where the first ends, be it by a single row of pixels.
+TEST_F(DrawCullingGlTest, whatShowsByAPixelStays) {
+    constexpr std::uint32_t kSize = 64;
+    for (const float pixels : {0.0f, 0.9f, 1.1f, 7.9f, 8.1f, 17.0f}) {
+        SceneBuilder scene;
+        scene.root(0);
+        scene.addWall(100, {-2, -2}, {2, 1 - 2 * pixels / kSize}, 1, {.program = frame::Program::Opaque});
+        scene.addWall(101, {-4, -4}, {4, 4}, 2, {.program = frame::Program::CutOut});
+        frame::FramePlan plan = scene.finish(true);
+        plan.firstHideable = 3; // ownership, ground, opaque
+        Renderer renderer(*device_);
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(*device_, kSize, kSize);
+        const std::uint32_t given = trianglesGiven(renderer, plan, *target);
+        const std::vector<std::uint32_t> ids = target->readIds();
+        EXPECT_EQ(std::count(ids.begin(), ids.end(), 101u), std::lround(pixels) * kSize) << pixels;
+        EXPECT_EQ(std::count(ids.begin(), ids.end(), 100u), kSize * kSize - std::lround(pixels) * kSize);
+        EXPECT_EQ(given, pixels > 0.0f ? 5u : 3u) << pixels; // two of each wall, and the sky's
     }
 }
 

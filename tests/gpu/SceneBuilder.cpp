@@ -105,7 +105,7 @@ void SceneBuilder::addWallWithOpening(std::uint32_t id, float outer, float half,
 
 void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity) {
     const std::uint32_t piece = addWall(0, min, max, y, {.material = material});
-    draws_[{frame::Program::Opaque, false}].pop_back();
+    draws_[frame::Program::Opaque].pop_back();
     sky_.emplace_back(piece, static_cast<std::uint32_t>(plan.skyInstances.size()));
     layout::SkyInstance object;
     object.row0 = {1, 0, 0, 0};
@@ -118,7 +118,7 @@ void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t m
 }
 
 void SceneBuilder::drawAgain(std::uint32_t instance, frame::Program program, bool gated) {
-    draws_[{program, gated}].push_back(instance);
+    draws_[program].emplace_back(instance, gated);
 }
 
 void SceneBuilder::root(std::uint32_t zone) {
@@ -164,20 +164,25 @@ void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t 
 }
 
 // As a planner does, with one run for pieces that follow one another.
-void SceneBuilder::addBatch(frame::Program program, bool gated, bool evenEmpty) {
-    const std::vector<std::uint32_t>& draws = draws_[{program, gated}];
+void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
+    const auto& draws = draws_[program];
     if (draws.empty() && !evenEmpty) {
         return;
     }
+    bool gated = plan.visits.size() > 1;
+    for (const auto& [number, isGated] : draws) {
+        gated = gated || isGated;
+    }
     frame::Batch batch{program, gated, static_cast<std::uint32_t>(plan.runs.size()), 0,
                        static_cast<std::uint32_t>(draws.size())};
-    for (const std::uint32_t number : draws) {
+    for (const auto& [number, isGated] : draws) {
         const layout::DrawPiece& piece = upload.pieces[number];
-        if (batch.count > 0 && plan.runs.back().firstPiece + plan.runs.back().pieceCount == number) {
+        if (batch.count > 0 && plan.runs.back().firstPiece + plan.runs.back().pieceCount == number &&
+            plan.runs.back().gated == isGated) {
             ++plan.runs.back().pieceCount;
             plan.runs.back().indexCount += 3 * piece.triangles;
         } else {
-            plan.runs.push_back({number, 1, piece.indicesBefore, 3 * piece.triangles});
+            plan.runs.push_back({number, 1, piece.indicesBefore, 3 * piece.triangles, isGated});
             ++batch.count;
         }
     }
@@ -192,7 +197,8 @@ void SceneBuilder::addSkyBatch(bool evenEmpty) {
     std::uint32_t before = 0;
     for (const auto& [number, object] : sky_) {
         layout::DrawPiece piece = upload.pieces[number];
-        plan.runs.push_back({plan.constants.staticPieces + batch.draws, 1, before, 3 * piece.triangles});
+        plan.runs.push_back(
+            {plan.constants.staticPieces + batch.draws, 1, before, 3 * piece.triangles, false});
         plan.pieces.push_back({piece.firstIndex, piece.triangles | layout::kKeepsAll, object, before});
         before += 3 * piece.triangles;
         ++batch.draws;
@@ -211,7 +217,6 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     plan.runs.clear();
     plan.batches.clear();
     plan.stages.clear();
-    const auto indexed = [&](Program program, bool gated) { addBatch(program, gated, allBatches); };
     const auto stage = [&](frame::StageKind kind, std::size_t firstBatch) {
         plan.stages.push_back({kind, static_cast<std::uint32_t>(firstBatch),
                                static_cast<std::uint32_t>(plan.batches.size() - firstBatch)});
@@ -220,22 +225,17 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     plan.batches.push_back({Program::Ownership, false, 0, vertices, vertices > 0 ? 1u : 0u});
     stage(frame::StageKind::Ownership, 0);
     std::size_t first = plan.batches.size();
-    for (const Program program : {Program::Terrain, Program::Opaque, Program::CutOut}) {
-        indexed(program, false);
-        indexed(program, true);
-    }
+    addBatch(Program::Terrain, allBatches);
+    plan.firstHideable = static_cast<std::uint32_t>(plan.batches.size());
+    addBatch(Program::Opaque, allBatches);
+    addBatch(Program::CutOut, allBatches);
     stage(frame::StageKind::Solid, first);
     first = plan.batches.size();
     plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
     addSkyBatch(allBatches);
     stage(frame::StageKind::Sky, first);
     first = plan.batches.size();
-    // One list, as a planner makes it, unless a test draws both ways.
-    const bool bothWays = !draws_[{Program::Blended, false}].empty() || !allBatches;
-    if (bothWays) {
-        indexed(Program::Blended, false);
-    }
-    indexed(Program::Blended, true);
+    addBatch(Program::Blended, allBatches);
     stage(frame::StageKind::Late, first);
     stage(frame::StageKind::Overlay, plan.batches.size());
     return plan;

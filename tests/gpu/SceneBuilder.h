@@ -64,8 +64,7 @@ public:
     /// An opening of a visit that is there, as a fan around its middle.
     void addOpening(std::span<const glm::vec3> corners, std::uint32_t visit, std::uint32_t clipSet = 0);
 
-    /// Fills in the batches and stages and yields the plan. `allBatches`: one of every program and variant,
-    /// even empty.
+    /// Fills in the batches and stages and yields the plan. `allBatches`: one of every program, even empty.
     const frame::FramePlan& finish(bool allBatches = false);
 
     frame::SceneUpload upload;
@@ -73,10 +72,10 @@ public:
 
 private:
     std::deque<std::vector<std::uint8_t>> pixels_; // what the texture uploads view
-    void addBatch(frame::Program program, bool gated, bool evenEmpty);
+    void addBatch(frame::Program program, bool evenEmpty);
     void addSkyBatch(bool evenEmpty);
-    std::map<std::pair<frame::Program, bool>, std::vector<std::uint32_t>>
-        draws_;                                                // pieces, an instance has one each
+    std::map<frame::Program, std::vector<std::pair<std::uint32_t, bool>>>
+        draws_; // pieces, an instance has one each; and whether they are gated
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sky_; // pieces, and the objects they show
 };
 

@@ -69,7 +69,7 @@ TEST_F(SolidGlTest, distances_areAlongTheRay) {
     ASSERT_TRUE(target);
     ASSERT_TRUE(renderer.render(scene.finish(), *target));
     const std::vector<float> distances = target->readDistances(scene.plan.constants);
-    const double perPixel = 2.0 / 4.0; // at a distance of one
+    const double perPixel = 2.0 / 4.0;                              // at a distance of one
     const double x = (0.75 + layout::kPixelPlace.x * perPixel) * 3; // pixel (3, 1) meets the wall here
     const double z = (0.25 - layout::kPixelPlace.y * perPixel) * 3;
     EXPECT_NEAR(distances[1 * 4 + 3] / std::sqrt(x * x + z * z + 9), 1.0, 1e-6);

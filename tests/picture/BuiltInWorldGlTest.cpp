@@ -312,7 +312,7 @@ TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {
 
 TEST_P(BuiltInWorld, cullingTrianglesChangesNoPicture) {
     PictureOptions options{GetParam(), 2, places().moving, {}};
-    options.cullTriangles = false;
+    options.culling = gpu::Culling::None;
     PictureWorld whole(directory(), world::blockAt(places().places[0].eye), options);
     whole.width = kWidth;
     whole.height = kHeight;

@@ -1,5 +1,6 @@
 // Highlights: an object in another colour, standing still or moving, and nothing else touched.
 #include "picture/CaseHelp.h"
+#include "picture/EveryCulling.h"
 #include "support/MovingHut.h"
 
 #include <set>
@@ -24,14 +25,13 @@ std::array<std::uint8_t, 3> colourAt(const Picture& picture, std::size_t pixel) 
 }
 
 /// With and without triangles left out: draw commands are made either way.
-struct Highlight : ::testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Culling, Highlight, ::testing::Bool(),
-                         [](const auto& culls) { return culls.param ? "culled" : "whole"; });
+struct Highlight : ::testing::TestWithParam<gpu::Culling> {};
+INSTANTIATE_TEST_SUITE_P(Culling, Highlight, everyCulling(), nameOfCulling);
 
 TEST_P(Highlight, coloursAnObjectAndNothingElse) {
     MovingHut hut;
     hut.moving.emitters.clear(); // they have no ids
-    PictureWorld pictures(hut.source, {.moving = hut.moving, .cullTriangles = GetParam()});
+    PictureWorld pictures(hut.source, {.moving = hut.moving, .culling = GetParam()});
     frame::FrameView frame =
         pictures.look({13.5, 13.0, 3.6}, 255, -20, pictures.space(hut.source.id(hut.front)));
     pictures.setMoment(momentFor(frame, 17.5, 1.0)); // the villager leaves by the open door
@@ -57,7 +57,7 @@ TEST_P(Highlight, coloursAnObjectAndNothingElse) {
 
 TEST_P(Highlight, takesSeveralAndMixesByStrength) {
     MovingHut hut;
-    PictureWorld pictures(hut.source, {.moving = hut.moving, .cullTriangles = GetParam()});
+    PictureWorld pictures(hut.source, {.moving = hut.moving, .culling = GetParam()});
     frame::FrameView frame =
         pictures.look({17.5, 13.5, 3.6}, 235, -20, pictures.space(hut.source.id(hut.rear)));
     const Picture plain = pictures.shoot(frame);

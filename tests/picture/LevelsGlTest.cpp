@@ -1,5 +1,6 @@
 // Levels of detail: what stands still and what moves, opaque and translucent, changes at its distance, drawn and traced alike.
 #include "picture/CaseHelp.h"
+#include "picture/EveryCulling.h"
 #include "support/MovingHut.h"
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 constexpr double kNear = 12.0, kFar = 30.0; // metres
 
 /// A meadow with a box of stone, a box of glass and a villager, each of which is a smaller one from kNear on and gone from kFar on.
-struct LevelsGl : ::testing::TestWithParam<bool> {
+struct LevelsGl : ::testing::TestWithParam<gpu::Culling> {
     TestWorld source;
     world::MovingEntries moving;
     std::uint32_t stone = 0, pebble = 0, glass = 0, shard = 0, coat = 0, scarf = 0;
@@ -44,11 +45,10 @@ struct LevelsGl : ::testing::TestWithParam<bool> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Culling, LevelsGl, ::testing::Bool(),
-                         [](const auto& culls) { return culls.param ? "culled" : "whole"; });
+INSTANTIATE_TEST_SUITE_P(Culling, LevelsGl, everyCulling(), nameOfCulling);
 
 TEST_P(LevelsGl, changeAtTheirDistances) {
-    PictureWorld pictures(source, {.moving = moving, .cullTriangles = GetParam()});
+    PictureWorld pictures(source, {.moving = moving, .culling = GetParam()});
     pictures.fov = 95.0;
     for (const double metres : {10.0, 11.5, 12.5, 20.0, 29.5, 30.5, 50.0}) {
         SCOPED_TRACE(metres);
@@ -65,7 +65,7 @@ TEST_P(LevelsGl, changeAtTheirDistances) {
 }
 
 TEST_P(LevelsGl, ofGlassCountAsLayers) {
-    PictureWorld pictures(source, {.moving = moving, .cullTriangles = GetParam()});
+    PictureWorld pictures(source, {.moving = moving, .culling = GetParam()});
     std::array<std::size_t, 3> layers{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double metres[] = {kNear - 1, kNear + 1, kFar + 1};
@@ -81,7 +81,7 @@ TEST_P(LevelsGl, ofGlassCountAsLayers) {
 
 // Limits are met in whole sixteenths of a metre: a float more or less must not show another thing.
 TEST_P(LevelsGl, areTheSameDrawnAndTracedWithinARoundingOfTheirLimits) {
-    PictureWorld pictures(source, {.moving = moving, .cullTriangles = GetParam()});
+    PictureWorld pictures(source, {.moving = moving, .culling = GetParam()});
     std::size_t near = 0, far = 0;
     for (int i = 0; i < 60; ++i) {
         // Eyes on a sphere around the stone, and a hair to either side of steps.

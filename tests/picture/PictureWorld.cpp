@@ -59,7 +59,7 @@ Driver& driver() {
 struct PictureWorld::Drawing {
     explicit Drawing(const PictureOptions& options) {
         renderer.emplace(device, gpu::RendererOptions{.exactOutlines = options.exactOutlines,
-                                                      .cullTriangles = options.cullTriangles,
+                                                      .culling = options.culling,
                                                       .shaderDefines = options.shaderDefines});
     }
     ~Drawing() {

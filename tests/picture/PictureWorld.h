@@ -9,6 +9,7 @@
 #include "frame/Planner.h"
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
+#include "gpu/RendererOptions.h"
 #include "motion/Moments.h"
 #include "visibility/Flood.h"
 #include "world/MovingEntries.h"
@@ -43,7 +44,7 @@ struct PictureOptions {
     world::MovingEntries moving{};
     std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
     bool exactOutlines = true;                ///< gpu::RendererOptions
-    bool cullTriangles = true;                ///< gpu::RendererOptions
+    gpu::Culling culling = gpu::Culling::Hidden; ///< gpu::RendererOptions
     Omissions omissions{};                    ///< in what is drawn; what it is held against stays whole
 };
 
