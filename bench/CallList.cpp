@@ -1,6 +1,6 @@
 #include "CallList.h"
 
-#include "Stopwatch.h"
+#include "core/Hash.h"
 
 namespace limen::bench {
 

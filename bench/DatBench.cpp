@@ -2,6 +2,7 @@
 
 #include "Stopwatch.h"
 
+#include "core/Hash.h"
 #include "dat/File.h"
 #include "dat/Writer.h"
 

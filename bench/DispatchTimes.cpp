@@ -2,6 +2,7 @@
 
 #include "Stopwatch.h"
 
+#include "core/Hash.h"
 #include "gpu/NullDevice.h"
 
 #include <epoxy/gl.h>

@@ -6,6 +6,7 @@
 #include "Stopwatch.h"
 #include "ViewTimes.h"
 
+#include "core/Hash.h"
 #include "gpu/NullDevice.h"
 
 #include <epoxy/gl.h>

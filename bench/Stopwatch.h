@@ -51,19 +51,4 @@ template <class Work>
     return out;
 }
 
-/// FNV-1a, to hash results.
-class Hash {
-public:
-    template <class T>
-    void add(const T& value) {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
-        for (std::size_t i = 0; i < sizeof value; ++i)
-            value_ = (value_ ^ bytes[i]) * 0x100000001B3u;
-    }
-    [[nodiscard]] std::uint64_t value() const { return value_; }
-
-private:
-    std::uint64_t value_ = 0xCBF29CE484222325u;
-};
-
 } // namespace limen::bench

@@ -3,6 +3,7 @@
 #include "FloodScenes.h"
 #include "Stopwatch.h"
 
+#include "core/Hash.h"
 #include "visibility/VisibleSet.h"
 
 #include <span>

@@ -1,5 +1,7 @@
 #include "app/BuiltInWorld.h"
 
+#include "core/Hash.h"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -8,6 +10,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
+#include <span>
 #include <unistd.h>
 #include <vector>
 
@@ -120,22 +123,14 @@ fs::path cacheRoot() {
 }
 
 std::string programKey() {
-    // FNV-1a over 64-bit words (Fowler, Noll, Vo 1991), with a final mix: not for secrets, only to tell
-    // builds apart.
-    std::uint64_t hash = 0xCBF29CE484222325u;
+    Hash hash;
     std::ifstream program("/proc/self/exe", std::ios::binary);
     std::vector<char> chunk(1u << 20);
     while (program.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || program.gcount() > 0) {
         const auto got = static_cast<std::size_t>(program.gcount());
-        std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(got), chunk.end(), '\0');
-        for (std::size_t i = 0; i < got; i += 8) {
-            std::uint64_t word = 0;
-            std::memcpy(&word, &chunk[i], sizeof word);
-            hash = (hash ^ word) * 0x100000001B3u;
-            hash ^= hash >> 32;
-        }
+        hash.addWords(std::as_bytes(std::span(chunk).first(got)));
     }
-    return fmt::format("{:016x}", hash);
+    return fmt::format("{:016x}", hash.value());
 }
 
 Result<BuiltInWorld> openBuiltInWorld(const fs::path& root, const std::string& key,

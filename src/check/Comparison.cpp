@@ -3,6 +3,7 @@
 #include "check/FinerRays.h"
 
 #include "core/Assert.h"
+#include "core/Hash.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace limen::check {
 
@@ -177,6 +179,16 @@ void compare(const DrawnImages& drawn, const reference::Picture& traced, Retrace
             ++result.counts[static_cast<std::size_t>(verdict)];
         }
     }
+}
+
+std::uint64_t hashOf(const DrawnImages& images) {
+    Hash hash;
+    const auto add = [&](const auto& image) { hash.addWords(std::as_bytes(std::span(image))); };
+    add(images.ids);
+    add(images.depth);
+    add(images.layers);
+    add(images.colour);
+    return hash.value();
 }
 
 std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second) {

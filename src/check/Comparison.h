@@ -27,6 +27,9 @@ struct DrawnImages {
         outlines; ///< regions of visits in NDC, for pictures of findings; may be empty
 };
 
+/// Of all that was drawn, to tell whether two runs drew the same to the bit.
+[[nodiscard]] std::uint64_t hashOf(const DrawnImages& images);
+
 /// What is said of one pixel. docs/ray-rule.md, "Equality" and "Tolerances".
 enum class Verdict : std::uint8_t {
     Agrees,    ///< the drawn id is among the traced ones of the 3×3 pixels

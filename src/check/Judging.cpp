@@ -98,12 +98,13 @@ void Judging::judge(const DrawnView& drawn) {
         compare(drawn.images, picture_, retracer, comparison_);
     else
         judgeSamples(drawn, retracer);
+    const std::uint64_t hash = hashOf(drawn.images);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::uint64_t number = 0;
     {
         const std::lock_guard guard(lock_);
         number = progress_.totals.sum().views;
-        progress_.totals.add(drawn.view, number, comparison_, drawn.moved);
+        progress_.totals.add(drawn.view, number, comparison_, drawn.moved, hash);
         progress_.totals.drawSeconds += drawn.seconds;
         progress_.totals.traceSeconds += seconds;
         ++progress_.views;

@@ -77,7 +77,8 @@ std::string reportJson(const Totals& totals, const ReportContext& context) {
               {"views_per_second", viewsPerSecond(totals)},
               {"draw_seconds", totals.drawSeconds},
               {"trace_seconds", totals.traceSeconds},
-              {"blocks_left_out", totals.blocksLeftOut}};
+              {"blocks_left_out", totals.blocksLeftOut},
+              {"pictures_hash", fmt::format("{:016x}", totals.pictures)}};
     json.update(categoriesOf(all));
     json["kinds"] = std::move(kinds);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -106,11 +107,11 @@ std::string reportText(const Totals& totals, const ReportContext& context) {
                             nameOf(finding.view.kind), finding.view.about.empty() ? "" : ", ",
                             finding.view.about, shotCommand(finding.view, context.worldOptions));
     }
-    text +=
-        fmt::format("{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second "
-                    "({:.1f} s drawing, {:.1f} s tracing, side by side), seed {}\n",
-                    all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings,
-                    all.views, viewsPerSecond(totals), totals.drawSeconds, totals.traceSeconds, context.seed);
+    text += fmt::format("{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second "
+                        "({:.1f} s drawing, {:.1f} s tracing, side by side), seed {}, pictures {:016x}\n",
+                        all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings,
+                        all.views, viewsPerSecond(totals), totals.drawSeconds, totals.traceSeconds,
+                        context.seed, totals.pictures);
     return text;
 }
 

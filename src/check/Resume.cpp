@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 Json viewJson(const View& view) {
     return {{"kind", nameOf(view.kind)}, {"eye", {view.eye.x, view.eye.y, view.eye.z}},
@@ -56,6 +56,7 @@ Json totalsJson(const Totals& totals) {
             {"worst", std::move(worst)},
             {"views_with_findings", totals.viewsWithFindings},
             {"blocks_left_out", totals.blocksLeftOut},
+            {"pictures", totals.pictures},
             {"draw_seconds", totals.drawSeconds},
             {"trace_seconds", totals.traceSeconds},
             {"seconds", totals.seconds}};
@@ -76,6 +77,7 @@ Totals totalsOf(const Json& json) {
                                 finding.at("moved").get<std::uint64_t>()});
     totals.viewsWithFindings = json.at("views_with_findings").get<std::uint64_t>();
     totals.blocksLeftOut = json.at("blocks_left_out").get<std::uint64_t>();
+    totals.pictures = json.at("pictures").get<std::uint64_t>();
     totals.drawSeconds = json.at("draw_seconds").get<double>();
     totals.traceSeconds = json.at("trace_seconds").get<double>();
     totals.seconds = json.at("seconds").get<double>();

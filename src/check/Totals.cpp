@@ -1,5 +1,7 @@
 #include "check/Totals.h"
 
+#include "core/Hash.h"
+
 #include <algorithm>
 
 namespace limen::check {
@@ -20,7 +22,12 @@ void KindTotals::add(const KindTotals& other) {
         counts[i] += other.counts[i];
 }
 
-void Totals::add(const View& view, std::uint64_t number, const Comparison& comparison, std::uint64_t moved) {
+void Totals::add(const View& view, std::uint64_t number, const Comparison& comparison, std::uint64_t moved,
+                 std::uint64_t picture) {
+    Hash hash;
+    hash.add(pictures);
+    hash.add(picture);
+    pictures = hash.value();
     const KindTotals one{1, comparison.verdicts.size(), comparison.counts, moved};
     kinds[static_cast<std::size_t>(view.kind)].add(one);
     if (one.findings() == 0)

@@ -48,12 +48,15 @@ struct Totals {
         worst; ///< at most kWorst: most grave pixels first, then most pixels, then the earlier view
     std::uint64_t viewsWithFindings = 0;
     std::uint64_t blocksLeftOut = 0; ///< that could not be loaded
-    double drawSeconds = 0.0;        ///< of them with drawing and reading back
-    double traceSeconds = 0.0;       ///< of them with tracing and comparing, while others are drawn
-    double seconds = 0.0;            ///< spent on it, over all parts of a resumed run
+    std::uint64_t pictures =
+        0; ///< of all that was drawn, ids, depth, layers and colour: equal runs have the same
+    double drawSeconds = 0.0;  ///< of them with drawing and reading back
+    double traceSeconds = 0.0; ///< of them with tracing and comparing, while others are drawn
+    double seconds = 0.0;      ///< spent on it, over all parts of a resumed run
 
-    /// Adds one view. `moved`: of a view that was drawn twice.
-    void add(const View& view, std::uint64_t number, const Comparison& comparison, std::uint64_t moved);
+    /// Adds one view. `moved`: of a view that was drawn twice. `picture`: a hash of what was drawn.
+    void add(const View& view, std::uint64_t number, const Comparison& comparison, std::uint64_t moved,
+             std::uint64_t picture = 0);
     [[nodiscard]] KindTotals sum() const;
 };
 

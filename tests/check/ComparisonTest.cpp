@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace limen::check {
 namespace {
@@ -248,6 +249,30 @@ TEST(Stillness, countsPixelsThatDifferInAnyBit) {
     second.depth[1] = std::nextafter(second.depth[1], 1.0f);
     second.colour[4 * 2 + 3] = 101;
     EXPECT_EQ(pixelsThatMoved(first, second), 3u);
+}
+
+TEST(Comparison, aPicturesHashIsOfAllThatWasDrawn) {
+    DrawnImages drawn = drawnOf(4, 2, kWall);
+    drawn.colour.assign(4 * 2 * 4, 100);
+    drawn.layers.resize(4 * 2);
+    const std::uint64_t hash = hashOf(drawn);
+    EXPECT_EQ(hashOf(drawn), hash);
+    std::set<std::uint64_t> hashes{hash};
+    for (const std::size_t pixel : {0u, 3u, 7u}) {
+        DrawnImages other = drawn;
+        other.ids[pixel] = kOther;
+        hashes.insert(hashOf(other));
+        other = drawn;
+        other.depth[pixel] = std::nextafter(other.depth[pixel], 1.0f);
+        hashes.insert(hashOf(other));
+        other = drawn;
+        ++other.layers[pixel].count;
+        hashes.insert(hashOf(other));
+        other = drawn;
+        ++other.colour[4 * pixel + 3];
+        hashes.insert(hashOf(other));
+    }
+    EXPECT_EQ(hashes.size(), 13u);
 }
 
 } // namespace
