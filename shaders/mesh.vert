@@ -1,5 +1,5 @@
 // Vertices of every mesh of the solid and late stages, terrain included.
-// In: one vertex of the arena, model space; gl_BaseInstance: the instance, and kGated. Out: clip position; eye-relative
+// In: one vertex of the arena, model space; gl_BaseInstance + gl_InstanceID: the instance, and kGated. Out: clip position; eye-relative
 // position and world-axes normal for the tests and the light; what is constant over a triangle.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh.
 // EXACT: triangles are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
@@ -115,7 +115,7 @@ void drawLarger(uint own, vec3 before, vec3 after) {
 #endif
 
 void main() {
-    uint drawn = uint(gl_BaseInstanceARB); // one at a time
+    uint drawn = uint(gl_BaseInstanceARB + gl_InstanceID);
     Instance instance = instanceAt(drawn & ~kGated);
     vec3 eyeRelative = eyeFromModel(inPosition, inRest, instance);
     gl_Position = clipFromEye(eyeRelative);
