@@ -28,12 +28,21 @@ constexpr double kFasterIndoors = 3.0, kFasterInTown = 1.3;
 constexpr double kMostForOwnership = 15.0; // percent
 
 /// What is left out of a frame.
-enum class Without { Nothing, Visibility, Ownership };
+enum class Without { Nothing, Visibility, Ownership, Occlusion, VisibilityAndOcclusion };
+constexpr std::size_t kWithouts = 5;
+
+bool seesAll(Without without) {
+    return without == Without::Visibility || without == Without::VisibilityAndOcclusion;
+}
+
+bool hidesNothing(Without without) {
+    return without == Without::Occlusion || without == Without::VisibilityAndOcclusion;
+}
 
 /// Everything up to the driver's calls.
 Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without without) {
     part.move(view);
-    if (without == Without::Visibility) {
+    if (seesAll(without)) {
         part.takeAll(view);
     } else {
         part.flood(view);
@@ -42,7 +51,7 @@ Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without wi
     if (without == Without::Ownership) {
         part.leaveOutOwnership();
     }
-    return part.submit({.wantIds = false});
+    return part.submit({.wantIds = false, .occlusion = !hidesNothing(without)});
 }
 
 /// Microseconds of processor time, by way point: medians over the repeats.
@@ -136,13 +145,14 @@ std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::
 
 /// Milliseconds until the GPU is done, by place: medians over the repeats.
 struct DriverTimes {
-    std::vector<double> whole, withoutVisibility, withoutOwnership;
+    std::array<std::vector<double>, kWithouts> byWithout;
     Hash hash; ///< of the whole pictures
 
     [[nodiscard]] std::vector<double>& of(Without without) {
-        return without == Without::Nothing      ? whole
-               : without == Without::Visibility ? withoutVisibility
-                                                : withoutOwnership;
+        return byWithout[static_cast<std::size_t>(without)];
+    }
+    [[nodiscard]] const std::vector<double>& of(Without without) const {
+        return byWithout[static_cast<std::size_t>(without)];
     }
 };
 
@@ -157,9 +167,10 @@ Result<double> finishedMilliseconds(DrawnPart& part, const frame::FrameView& vie
 }
 
 Result<void> timePlace(DrawnPart& part, const world::Place& place, DriverTimes& times) {
-    constexpr Without kKinds[] = {Without::Visibility, Without::Ownership, Without::Nothing};
+    constexpr Without kKinds[kWithouts] = {Without::VisibilityAndOcclusion, Without::Visibility,
+                                           Without::Occlusion, Without::Ownership, Without::Nothing};
     const frame::FrameView view = part.viewFrom(place);
-    std::array<std::vector<double>, 3> repeats;
+    std::array<std::vector<double>, kWithouts> repeats;
     for (int i = 0; i < 1 + kDriverRepeats; ++i) { // one to warm up
         for (const Without without : kKinds) {     // in turn
             const Result<double> taken = finishedMilliseconds(part, view, without);
@@ -199,14 +210,16 @@ BenchRow driverRow(const char* bench, const std::string& scene, const Result<Dri
     BenchRow row{bench, scene, kNone, kNone, "ms"};
     row.hasTarget = true;
     row.target = kNone;
-    if (!times || times->whole.empty()) {
+    if (!times || times->of(Without::Nothing).empty()) {
         row.scene += times ? ": there are none" : ": " + times.error().message();
         return row;
     }
-    const double all = meanOf(times->withoutVisibility);
-    row.value = meanOf(times->whole);
-    row.p95 = quantileOf(times->whole, 0.95);
-    row.against = {{"without visibility", all}};
+    const double all = meanOf(times->of(Without::Visibility));
+    row.value = meanOf(times->of(Without::Nothing));
+    row.p95 = quantileOf(times->of(Without::Nothing), 0.95);
+    row.against = {{"without visibility", all},
+                   {"without occlusion", meanOf(times->of(Without::Occlusion))},
+                   {"without either", meanOf(times->of(Without::VisibilityAndOcclusion))}};
     row.target = all / faster;
     row.hash = times->hash.value();
     return row;
@@ -218,11 +231,11 @@ BenchRow ownershipRow(const std::string& scene, std::span<const Result<DriverTim
     row.target = kMostForOwnership;
     double whole = 0.0, without = 0.0;
     for (const Result<DriverTimes>* times : kinds) {
-        if (!*times || (*times)->whole.empty()) {
+        if (!*times || (*times)->of(Without::Nothing).empty()) {
             return row;
         }
-        whole += meanOf((*times)->whole);
-        without += meanOf((*times)->withoutOwnership);
+        whole += meanOf((*times)->of(Without::Nothing));
+        without += meanOf((*times)->of(Without::Ownership));
     }
     row.value = row.p95 = 100.0 * (whole - without) / whole;
     return row;

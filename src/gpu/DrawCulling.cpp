@@ -83,7 +83,8 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
         reserve(indices);
     }
     firstHideable_ = slotCount_;
-    if (leavesOutHidden()) {
+    leavesOutHidden_ = tiles_.has_value() && options.occlusion && !keepsTriangles_;
+    if (leavesOutHidden_) {
         tiles_->prepare(target.width(), target.height());
         if (plan.firstHideable < firstSlots_.size()) {
             firstHideable_ = firstSlots_[plan.firstHideable];
@@ -97,7 +98,7 @@ void DrawCulling::bind(StorageBindings& storage) const {
     const StorageRange& nothing = storage[frame::gpu::kBindIndices];
     storage[frame::gpu::kBindKeptIndices] =
         keepsTriangles_ ? nothing : StorageRange{kept_.get(), 0, capacity_ * kFramesInFlight * kIndexSize};
-    storage[frame::gpu::kBindTiles] = leavesOutHidden() ? tiles_->range() : nothing;
+    storage[frame::gpu::kBindTiles] = leavesOutHidden_ ? tiles_->range() : nothing;
 }
 
 void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
@@ -135,7 +136,7 @@ void DrawCulling::runFirst() {
 }
 
 void DrawCulling::runBehind() {
-    LIMEN_ASSERT(leavesOutHidden(), "all slots were run first");
+    LIMEN_ASSERT(leavesOutHidden_, "all slots were run first");
     tiles_->run();
     run(behind_.get(), slotCount_ - firstHideable_);
 }

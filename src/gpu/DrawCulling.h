@@ -32,7 +32,7 @@ public:
     /// Whether the draws read the static indices; else they read those that are kept, and no others.
     [[nodiscard]] bool keepsTriangles() const { return keepsTriangles_; }
     /// Whether batches from FramePlan::firstHideable on wait for what is drawn before them.
-    [[nodiscard]] bool leavesOutHidden() const { return tiles_.has_value() && !keepsTriangles_; }
+    [[nodiscard]] bool leavesOutHidden() const { return leavesOutHidden_; }
     /// The indices that are kept. Invalid while none ever were.
     [[nodiscard]] BufferHandle keptIndices() const { return kept_.get(); }
     /// Fills in the arrays of its own.
@@ -59,6 +59,7 @@ private:
     std::size_t capacity_ = 0;    ///< indices a frame
     std::size_t place_ = 0;       ///< of the frames under way
     bool keepsTriangles_ = false; ///< this frame's, as all that follow
+    bool leavesOutHidden_ = false;
     std::uint32_t slotCount_ = 0, firstHideable_ = 0;
     std::vector<std::uint32_t> firstSlots_; ///< by batch
 };

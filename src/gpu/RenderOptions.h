@@ -20,6 +20,8 @@ struct RenderOptions {
     /// Count the layers of translucent surfaces per pixel; the late stage then does that instead of painting, and sky
     /// objects are left out. The target must be made for it.
     bool wantLayers = false;
+    /// Leave out what walls and the ground hide, if the renderer can (Culling::Hidden). The picture is the same.
+    bool occlusion = true;
 };
 
 } // namespace limen::gpu

@@ -138,6 +138,19 @@ TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
     EXPECT_EQ(of(Kind::DrawIndirect).size(), 1u);
 }
 
+TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.addWall('A', {-1, -1}, {1, 1}, 1);
+    draw(scene);
+    EXPECT_EQ(of(Kind::Compute).size(), 3u) << "what comes first, tiles, what may be behind";
+    const std::uint32_t calls = renderer_.report().glCalls;
+    Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
+    ASSERT_TRUE(renderer_.render(scene.finish(), *target, {.occlusion = false}));
+    EXPECT_EQ(of(Kind::Compute).size(), 1u);
+    EXPECT_EQ(renderer_.report().glCalls + 6, calls);
+}
+
 TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
     SceneBuilder scene;
     scene.root(0);
