@@ -14,7 +14,7 @@ using test::TestWorld;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNorth = 0.0, kEast = 90.0, kSouth = 180.0, kWest = 270.0;
+constexpr double kNorth = 0.0, kEast = 90.0, kWest = 270.0;
 constexpr double kNear = 0.02; // metres: the skin, and what Bullet rounds
 
 /// Two rooms with a door between them, a front door, and a cellar under the ground with a trapdoor; a meadow around.
