@@ -42,8 +42,9 @@ struct FrameEye {
     Vec3 player{0.0};
     double time = 0.5;
     Weather weather = Weather::Clear;
-    double seconds = 0.0;        ///< since the world began: where villagers, sprites and clouds are
-    std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as it rests
+    double seconds = 0.0;         ///< since the world began: where villagers, sprites and clouds are
+    std::optional<double> doors;  ///< how far all doors stand open, 0..1; none: each as eachDoor says
+    std::vector<double> eachDoor; ///< by World::doors; those beyond its end stand as they rest
 };
 
 /// The frame as JSON (docs/interface.md). `ids` is the id image, or empty if it was not drawn.

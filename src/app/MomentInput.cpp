@@ -9,6 +9,7 @@ motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) 
     motion::MomentInput input;
     input.seconds = eye.seconds;
     input.allDoors = eye.doors;
+    input.doors = eye.eachDoor;
     input.eye = view.eye;
     input.right = view.right;
     input.up = view.up;

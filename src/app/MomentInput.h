@@ -5,7 +5,7 @@
 
 namespace limen::app {
 
-/// What the world is like in a frame: a moment's input. Weather falls while the player is outside.
+/// What the world is like in a frame: a moment's input, which looks into `eye`. Weather falls while the player is outside.
 [[nodiscard]] motion::MomentInput momentInput(const world::World& world, const FrameEye& eye);
 
 } // namespace limen::app

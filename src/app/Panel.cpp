@@ -45,6 +45,21 @@ void drawRegionOutlines(const visibility::VisibleSet& visible) {
     }
 }
 
+/// Says at the foot of the window what the key does to the door in reach.
+void drawDoor(const PanelFacts& facts) {
+    if (facts.door == nullptr)
+        return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x * 0.5f, size.y - 24.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+    ImGui::SetNextWindowBgAlpha(0.6f);
+    ImGui::Begin("Door", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    line(facts.doorOpens ? "E   shut the door" : "E   open the door");
+    ImGui::End();
+}
+
 void drawHelp() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -55,8 +70,8 @@ void drawHelp() {
          {"W A S D, arrows   walk, or fly", "shift             run", "space             jump; flying: up",
           "Q or control      flying: down", "G                 walk or fly", "drag the mouse    look around",
           "click             tell what is there", "1 .. 9            go to a place",
-          "O                 open or shut all doors", "R                 rain",
-          "T                 an hour later", "F1                this help",
+          "E                 open or shut a door", "O                 open or shut all doors",
+          "R                 rain", "T                 an hour later", "F1                this help",
           "F2                ids as colours", "F3                regions of the visits",
           "F4                the panel", "F5                check this view against traced rays",
           "Esc               leave"})
@@ -315,6 +330,7 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     PanelChoice choice{-1, facts.eye.time, facts.eye.weather, facts.eye.doors};
     if (switches.panel)
         choice = drawPanel(facts, choice);
+    drawDoor(facts);
     if (switches.help)
         drawHelp();
     ImGui::Render();

@@ -38,8 +38,10 @@ struct PanelFacts {
     FrameFigures figures;
     const FrameWindows& times;
     const motion::BodyState* body; ///< null: the eye flies
-    const Picked* picked;       ///< null: nothing is
-    const ViewVerdict* verdict; ///< on this very view; null: none
+    const world::Door* door;       ///< in reach of it; null: none
+    bool doorOpens;                ///< it stands open, or is opening
+    const Picked* picked;          ///< null: nothing is
+    const ViewVerdict* verdict;    ///< on this very view; null: none
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
 };

@@ -7,6 +7,7 @@
 #include "app/Verbs.h"
 #include "app/Walk.h"
 #include "app/Window.h"
+#include "motion/DoorUse.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -49,6 +50,7 @@ public:
         if (Result<void> moved = moveEye(elapsed); !moved)
             return moved;
         moveDoors(elapsed);
+        findDoor();
         eye_.size = window_.size();
         if (!verdict_)
             eye_.seconds += elapsed; // the world stands still under a verdict
@@ -78,6 +80,16 @@ public:
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
     [[nodiscard]] const Walk& walk() const { return walk_; }
+    /// Names of doors that stand open, as far as they are loaded.
+    [[nodiscard]] std::vector<std::string> openDoors() const {
+        std::vector<std::string> names;
+        const std::vector<world::Door>& doors = session_.loaded().world.doors;
+        for (std::size_t i = 0; i < doors.size(); ++i) {
+            if (eye_.doors.value_or(i < eye_.eachDoor.size() ? eye_.eachDoor[i] : doors[i].open) > 0.0)
+                names.push_back(doors[i].name);
+        }
+        return names;
+    }
     /// Stands where the eye is, and falls to the ground. What cannot be walked on is flown over.
     void beginToWalk() {
         if (!walk_.begin(session_, eye_))
@@ -108,6 +120,9 @@ private:
             return;
         case Key::Doors:
             swingDoors();
+            return;
+        case Key::Use:
+            useDoor();
             return;
         case Key::Rain:
             eye_.weather = eye_.weather == Weather::Rain ? Weather::Clear : Weather::Rain;
@@ -156,7 +171,7 @@ private:
         return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
                a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
                a.size.height == b.size.height && a.time == b.time && a.weather == b.weather &&
-               a.doors == b.doors;
+               a.doors == b.doors && a.eachDoor == b.eachDoor;
     }
 
     /// The picked object comes and goes in yellow. Not the landscape: one object is a block of it, and half the window.
@@ -178,7 +193,30 @@ private:
             eye_.doors = 1.0 - *doorsTowards_;
     }
 
+    /// The one in reach of a body, which is told of.
+    void findDoor() {
+        const world::World& world = session_.loaded().world;
+        const Vec3 forward = viewOf(eye_.camera, eye_.size, eye_.root).forward;
+        door_ = walk_.isOn() ? motion::doorInReach(world, eye_.root, eye_.camera.eye, forward) : std::nullopt;
+    }
+
+    /// From here on doors stand each as it was left.
+    void useDoor() {
+        if (!door_)
+            return;
+        const world::World& world = session_.loaded().world;
+        if (eye_.doors)
+            doors_.putAll(world, *eye_.doors);
+        eye_.doors.reset();
+        doorsTowards_.reset();
+        doors_.use(world.doors[*door_]);
+    }
+
     void moveDoors(double seconds) {
+        const world::World& world = session_.loaded().world;
+        doors_.pass(verdict_ ? 0.0 : seconds, world,
+                    walk_.isOn() ? std::make_optional(walk_.body().standing) : std::nullopt);
+        doors_.write(world, eye_.eachDoor);
         if (!doorsTowards_ || !eye_.doors)
             return;
         const double way = *doorsTowards_ - *eye_.doors;
@@ -212,6 +250,7 @@ private:
         eye->weather = eye_.weather;
         eye->seconds = eye_.seconds;
         eye->doors = eye_.doors;
+        doors_.write(session_.loaded().world, eye->eachDoor);
         eye_ = std::move(*eye);
         tracker_.place(eye_.root);
         if (walk_.isOn())
@@ -233,7 +272,7 @@ private:
         if (walk_.isOn()) {
             eye_.camera = fly(eye_.camera, {.turnRight = input.turnRight, .turnUp = input.turnUp});
             if (Result<void> stepped =
-                    walk_.step(session_, {input.forward, input.right, input.fast, held.up, seconds}, eye_);
+                    walk_.step(session_, {input.forward, input.right, input.fast, held.jump, seconds}, eye_);
                 !stepped)
                 return stepped;
         } else {
@@ -265,6 +304,8 @@ private:
                                .figures = figures,
                                .times = times_,
                                .body = walk_.isOn() ? &walk_.body() : nullptr,
+                               .door = door_ ? &session_.loaded().world.doors[*door_] : nullptr,
+                               .doorOpens = door_ && doors_.opens(session_.loaded().world.doors[*door_]),
                                .picked = picked_ ? &*picked_ : nullptr,
                                .verdict = verdict_ ? &*verdict_ : nullptr,
                                .places = session_.source().file.places,
@@ -288,6 +329,8 @@ private:
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
     FrameEye checkedFrom_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
+    motion::DoorUse doors_;
+    std::optional<std::size_t> door_; ///< in reach of the body
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
     FrameWindows times_;
@@ -355,6 +398,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
         {"time", eye.time},
         {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
         {"doors", eye.doors ? nlohmann::ordered_json(*eye.doors) : nlohmann::ordered_json(nullptr)},
+        {"open_doors", viewer.openDoors()},
         {"visits", session.visible().visits.size()},
         {"overlays",
          {{"help", viewer.switches().help},
@@ -443,7 +487,8 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->footer("Keys: W A S D walk, shift run, space jump, G fly (E Q up and down), drag to look, click to "
+    verb->footer("Keys: W A S D walk, shift run, space jump, E use a door, G fly (E Q up and down), drag to "
+                 "look, click to "
                  "ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 panel, F5 check, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };

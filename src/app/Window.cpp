@@ -36,6 +36,8 @@ std::optional<Key> keyOf(int key) {
         return Key::Walk;
     case GLFW_KEY_O:
         return Key::Doors;
+    case GLFW_KEY_E:
+        return Key::Use;
     case GLFW_KEY_R:
         return Key::Rain;
     case GLFW_KEY_T:
@@ -143,6 +145,7 @@ void Window::poll(bool mouseIsTaken) {
     held_.left = down(GLFW_KEY_A, GLFW_KEY_LEFT);
     held_.right = down(GLFW_KEY_D, GLFW_KEY_RIGHT);
     held_.up = down(GLFW_KEY_E, GLFW_KEY_SPACE);
+    held_.jump = down(GLFW_KEY_SPACE);
     held_.down = down(GLFW_KEY_Q, GLFW_KEY_LEFT_CONTROL);
     held_.fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     double x = 0.0, y = 0.0;

@@ -20,6 +20,7 @@ enum class Key {
     Check,
     Walk,
     Doors,
+    Use,
     Rain,
     Later,
     Leave,
@@ -37,6 +38,7 @@ enum class Key {
 /// What hands hold down just now.
 struct HeldInput {
     bool forward = false, back = false, left = false, right = false, up = false, down = false, fast = false;
+    bool jump = false;               ///< one of the keys for up, too
     double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
 };
 

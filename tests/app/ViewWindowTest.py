@@ -159,6 +159,25 @@ class ViewWindow(unittest.TestCase):
         self.assertGreater(flown["eye"][2], still["eye"][2] + 0.1)
 
     @patiently
+    def test_e_shuts_the_door_before_one_and_opens_it(self):
+        view = ("--eye=32532.1,34664.6,32.0", "--yaw", "0", "--pitch", "0")
+
+        def use(times):
+            for _ in range(times):
+                self.xdotool("key", "e")
+                self.wait(1.5)
+
+        still = self.drive(lambda: None, *view)
+        self.assertIn("cottage.front", still["open_doors"])
+        shut = self.drive(lambda: use(1), *view)
+        self.assertEqual(set(still["open_doors"]) - set(shut["open_doors"]), {"cottage.front"})
+        self.assertLess(shut["visits"], still["visits"])
+        self.assertEqual(self.drive(lambda: use(2), *view)["open_doors"], still["open_doors"])
+        stopped = self.drive(lambda: (use(1), self.hold("w", 2)), *view)
+        self.assertEqual(stopped["root"], "outside")
+        self.assertEqual(self.drive(lambda: self.hold("w", 2), *view)["root"], "0xA9B40100")
+
+    @patiently
     def test_e_flies_up_and_q_down(self):
         still = self.drive(lambda: None, "--at", "hill")
         self.assertGreater(self.drive(lambda: self.hold("e", 0.8), "--fly", "--at", "hill")["eye"][2], still["eye"][2] + 0.2)

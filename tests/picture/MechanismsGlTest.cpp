@@ -156,7 +156,7 @@ TEST(Mechanisms, fringe) {
     const Off on = withoutShaderPart("LIMEN_WITHOUT_BESIDE");
     Off off = on;
     off.options.shaderDefines.emplace_back("LIMEN_WITHOUT_FRINGE");
-    expectNeeded(stepFromAbove, off, 4, on);
+    expectNeeded(stepFromAbove, off, 6, on);
 }
 
 TEST(Mechanisms, besideCentres) {

@@ -1,0 +1,110 @@
+#include "motion/DoorUse.h"
+
+#include "geometry/ConvexPolygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::motion {
+namespace {
+
+constexpr double kSwing = 1.0;      // seconds from shut to open
+constexpr double kReach = 2.5;      // metres from the eye to the opening
+constexpr double kLeastAhead = 0.5; // cosine of the angle between the look and the opening
+constexpr double kRoom = 0.1;       // metres beside a body that a door leaves
+
+bool canSwing(const world::World& world, const world::Door& door) {
+    const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
+    return std::any_of(leaves.begin(), leaves.end(),
+                       [](const world::Leaf& leaf) { return leaf.swing != 0.0; });
+}
+
+bool standsIn(const world::World& world, const world::Door& door, const Standing& body,
+              const Capsule& capsule) {
+    const world::Portal& portal = world.portals[door.portal];
+    const Vec3 middle = capsule.middle(body.feet);
+    return std::abs(portal.plane.signedDistance(middle)) < capsule.radius + kRoom &&
+           containsProjection(world::cornersOf(world, portal), portal.plane.n, middle, capsule.radius);
+}
+
+/// The cosine of the angle between a look and an opening: 1 if it goes through, else to the nearest of its corners and its
+/// middle. Less than kLeastAhead: out of reach.
+double aheadOf(std::span<const Vec3> outline, const Plane& plane, const Vec3& eye, const Vec3& forward) {
+    Vec3 middle(0.0);
+    double nearest = 1e9, ahead = -1.0;
+    const auto consider = [&](const Vec3& point) {
+        const double distance = glm::length(point - eye);
+        nearest = std::min(nearest, distance);
+        ahead = std::max(ahead, distance > 0.0 ? glm::dot(point - eye, forward) / distance : 1.0);
+    };
+    for (const Vec3& corner : outline) {
+        consider(corner);
+        middle += corner / static_cast<double>(outline.size());
+    }
+    consider(middle);
+    if (const double towards = glm::dot(plane.n, forward); towards != 0.0) {
+        const double along = -plane.signedDistance(eye) / towards;
+        const Vec3 hit = eye + forward * along;
+        if (along > 0.0 && containsProjection(outline, plane.n, hit, 0.0)) {
+            nearest = std::min(nearest, along);
+            ahead = 1.0;
+        }
+    }
+    return nearest <= kReach ? ahead : -1.0;
+}
+
+} // namespace
+
+void DoorUse::use(const world::Door& door) {
+    const auto swing = swings_.try_emplace(door.name, Swing{door.open, door.open > 0.0}).first;
+    swing->second.opens = !swing->second.opens;
+}
+
+void DoorUse::putAll(const world::World& world, double open) {
+    for (const world::Door& door : world.doors)
+        swings_[door.name] = {open, open > 0.0};
+}
+
+void DoorUse::pass(double seconds, const world::World& world, const std::optional<Standing>& body,
+                   const Capsule& capsule) {
+    for (auto& [name, swing] : swings_) {
+        const auto door = std::find_if(world.doors.begin(), world.doors.end(),
+                                       [&name = name](const world::Door& d) { return d.name == name; });
+        const bool isInTheWay =
+            !swing.opens && body && door != world.doors.end() && standsIn(world, *door, *body, capsule);
+        if (!isInTheWay)
+            swing.open = std::clamp(swing.open + (swing.opens ? seconds : -seconds) / kSwing, 0.0, 1.0);
+    }
+}
+
+void DoorUse::write(const world::World& world, std::vector<double>& openness) const {
+    openness.clear();
+    for (const world::Door& door : world.doors) {
+        const auto swing = swings_.find(door.name);
+        openness.push_back(swing != swings_.end() ? swing->second.open : door.open);
+    }
+}
+
+bool DoorUse::opens(const world::Door& door) const {
+    const auto swing = swings_.find(door.name);
+    return swing != swings_.end() ? swing->second.opens : door.open > 0.0;
+}
+
+std::optional<std::size_t> doorInReach(const world::World& world, world::SpaceIndex space, const Vec3& eye,
+                                       const Vec3& forward) {
+    std::optional<std::size_t> best;
+    double most = kLeastAhead;
+    for (std::size_t i = 0; i < world.doors.size(); ++i) {
+        const world::Portal& portal = world.portals[world.doors[i].portal];
+        if ((portal.space != space && portal.destination != space) || !canSwing(world, world.doors[i]))
+            continue;
+        const double ahead = aheadOf(world::cornersOf(world, portal), portal.plane, eye, forward);
+        if (ahead > most) {
+            most = ahead;
+            best = i;
+        }
+    }
+    return best;
+}
+
+} // namespace limen::motion

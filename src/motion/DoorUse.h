@@ -1,0 +1,41 @@
+#pragma once
+
+#include "motion/Collisions.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limen::motion {
+
+/// Doors that were opened and shut one by one, by their names in the world file, whatever part of the world is loaded; all others stand
+/// as they rest. What it says depends on the calls alone.
+class DoorUse {
+public:
+    /// Opens a door, or shuts it if it stands open or is opening.
+    void use(const world::Door& door);
+    /// Every door of a world, as far as `open`, 0..1, at once.
+    void putAll(const world::World& world, double open);
+    /// They swing on, a second from shut to open. One in whose opening `body` stands does not shut.
+    void pass(double seconds, const world::World& world, const std::optional<Standing>& body = {},
+              const Capsule& capsule = {});
+    /// How far each door of a world stands open, for MomentInput::doors.
+    void write(const world::World& world, std::vector<double>& openness) const;
+    /// Whether a door stands open, or is opening.
+    [[nodiscard]] bool opens(const world::Door& door) const;
+
+private:
+    struct Swing {
+        double open = 0.0;
+        bool opens = false;
+    };
+    std::map<std::string, Swing, std::less<>> swings_;
+};
+
+/// The door that one uses whose eye is in a space and looks forward (a unit vector): of those that can swing, lie at that space and are
+/// within reach the one nearest to where it looks, by its index; none: nullopt.
+[[nodiscard]] std::optional<std::size_t> doorInReach(const world::World& world, world::SpaceIndex space,
+                                                     const Vec3& eye, const Vec3& forward);
+
+} // namespace limen::motion
