@@ -74,7 +74,7 @@ void drawHelp() {
           "R                 rain", "T                 an hour later", "F1                this help",
           "F2                ids as colours", "F3                regions of the visits",
           "F4                the panel", "F5                check this view against traced rays",
-          "Esc               leave"})
+          "F6                tell what changes on standard output", "Esc               leave"})
         ImGui::TextUnformatted(text);
     ImGui::End();
 }

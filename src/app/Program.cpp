@@ -48,6 +48,7 @@ Exit runProgram(int argc, const char* const* argv, const Console& console) {
     addViewVerb(program, console, choice);
     addShotVerb(program, console, choice);
     addTourVerb(program, console, choice);
+    addProbeVerb(program, console, choice);
     addCheckVerb(program, console, choice);
     addDatVerb(program, console, choice);
     addDemoVerb(program, console, choice);

@@ -163,7 +163,7 @@ Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, Pi
 }
 
 Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options,
-                 gpu::GlDevice& device)
+                 gpu::Device& device)
     : source_(std::move(source)), options_(options), device_(device),
       checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
       renderer_(drawnOn(), {.textures = {.mode = options.textures}, .culling = options.culling}) {}

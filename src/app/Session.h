@@ -84,7 +84,7 @@ struct DrawOptions {
 /// through here. The device must outlive it.
 class Session {
 public:
-    Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options, gpu::GlDevice& device);
+    Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options, gpu::Device& device);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -128,7 +128,7 @@ private:
 
     std::shared_ptr<const WorldSource> source_;
     SessionOptions options_;
-    gpu::GlDevice& device_;
+    gpu::Device& device_;
     std::optional<gpu::CheckedDevice> checked_; ///< in development builds
     gpu::Renderer renderer_;
     std::optional<gpu::RenderTarget> target_, sampledTarget_; ///< one sample a pixel, and several

@@ -1,6 +1,7 @@
 #include "app/FlyCamera.h"
 #include "app/OutputFile.h"
 #include "app/Panel.h"
+#include "app/Probe.h"
 #include "app/RootTracker.h"
 #include "app/Session.h"
 #include "app/ShotRequest.h"
@@ -70,10 +71,15 @@ public:
             options.highlights = std::span(&*pulse, 1);
         if (Result<void> drawn = session_.draw(eye_, options); !drawn)
             return drawn;
+        probed_ = probe_ ? probe_->see({frames_, eye_.seconds, session_.loaded().world, eye_,
+                                        session_.visible(), session_.plan(), session_.figures().glCalls})
+                         : std::string();
         overlay();
         return {};
     }
 
+    /// What changed with the last frame in what was decided, if that is to be told.
+    [[nodiscard]] const std::string& probed() const { return probed_; }
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
     [[nodiscard]] const FrameEye& eye() const { return eye_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
@@ -113,6 +119,9 @@ private:
             return;
         case Key::Check:
             wantsCheck_ = true;
+            return;
+        case Key::Probe:
+            probe_ = probe_ ? std::nullopt : std::make_optional<Probe>();
             return;
         case Key::Walk:
             walk_.isOn() ? walk_.end() : beginToWalk();
@@ -326,6 +335,8 @@ private:
     std::optional<Picked> picked_;
     ViewCheck viewCheck_;
     bool wantsCheck_ = false;
+    std::optional<Probe> probe_;
+    std::string probed_;
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
     FrameEye checkedFrom_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
@@ -425,6 +436,8 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         if (Result<void> drawn = viewer.frame(limit > 0 ? kScriptStep : 0.0); !drawn)
             return tl::unexpected(drawn.error());
         ++frames;
+        if (!viewer.probed().empty())
+            console.data(viewer.probed());
         if (frames == limit && !options.screenshot.empty()) {
             if (Result<void> written = writePicture(options.screenshot, window.read()); !written)
                 return tl::unexpected(written.error());
@@ -487,9 +500,10 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->footer("Keys: W A S D walk, shift run, space jump, E use a door, G fly (E Q up and down), drag to "
-                 "look, click to "
-                 "ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 panel, F5 check, Esc leaves.");
+    verb->footer(
+        "Keys: W A S D walk, shift run, space jump, E use a door, G fly (E Q up and down), drag to "
+        "look, click to "
+        "ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 panel, F5 check, F6 probe, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

@@ -32,6 +32,8 @@ std::optional<Key> keyOf(int key) {
         return Key::Panel;
     case GLFW_KEY_F5:
         return Key::Check;
+    case GLFW_KEY_F6:
+        return Key::Probe;
     case GLFW_KEY_G:
         return Key::Walk;
     case GLFW_KEY_O:

@@ -18,6 +18,7 @@ enum class Key {
     Regions,
     Panel,
     Check,
+    Probe,
     Walk,
     Doors,
     Use,

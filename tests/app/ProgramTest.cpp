@@ -30,6 +30,7 @@ TEST(Program, helpIsDataAndExitsWithZero) {
                                                                                       {"view"},
                                                                                       {"shot"},
                                                                                       {"tour"},
+                                                                                      {"probe"},
                                                                                       {"dat"},
                                                                                       {"dat", "ls"},
                                                                                       {"dat", "show"},
@@ -44,6 +45,26 @@ TEST(Program, helpIsDataAndExitsWithZero) {
         EXPECT_THAT(run.out, HasSubstr("Usage"));
     }
     EXPECT_THAT(runner.run({"--version"}).out, HasSubstr("limen "));
+}
+
+// Needs no driver.
+TEST(Program, probeTellsTheWayIntoAHouse) {
+    const ProgramRunner runner;
+    putText(runner.work() / "path", "--at cottage.front\n--at cottage.room\n");
+    const ProgramRun run = runner.run({"probe", "--path", "path", "--frames", "40"});
+    ASSERT_EQ(run.exit, 0) << run.err;
+    std::istringstream lines(run.out);
+    std::vector<std::string> roots;
+    std::size_t visits = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto event = nlohmann::json::parse(line);
+        if (event["event"] == "root")
+            roots.push_back(event["root"]);
+        visits += event["event"] == "visits" ? 1 : 0;
+    }
+    EXPECT_THAT(roots, testing::ElementsAre("outside", "0xA9B40100"));
+    EXPECT_GT(visits, 1u);
+    EXPECT_LT(visits, 40u);
 }
 
 TEST(Program, refusesBadUsageWithOneLine) {
@@ -81,6 +102,9 @@ TEST(Program, refusesBadUsageWithOneLine) {
                                                {"tour", "-o", "t", "--frames", "10", "--fps", "5"},
                                                {"tour", "-o", "t", "--size", "-1x5"},
                                                {"tour", "-o", "t", "--path", "missing.txt"},
+                                               {"probe", "--frames", "0"},
+                                               {"probe", "--fps", "x"},
+                                               {"probe", "--path", "missing.txt"},
                                                {"dat"},
                                                {"dat", "show"},
                                                {"dat", "show", "zebra"},

@@ -1,0 +1,68 @@
+#include "app/PathWalk.h"
+#include "app/Probe.h"
+#include "app/Verbs.h"
+#include "gpu/NullDevice.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace limen::app {
+namespace {
+
+struct ProbeOptions {
+    SessionOptions session;
+    PathArguments path;
+};
+
+constexpr std::size_t kFrames = 2000; // unless said
+
+Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
+    const Result<PathRequest> request = checkPath(options.path, kFrames);
+    if (!request)
+        return tl::unexpected(request.error());
+    Result<WorldSource> source = openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    const Result<std::vector<Standpoint>> points = wayPointsOf(options.path, source->file);
+    if (!points)
+        return tl::unexpected(points.error());
+    gpu::NullDevice device; // what is decided does not depend on a driver
+    Session session(std::make_shared<const WorldSource>(std::move(*source)), options.session, device);
+    const Result<PathStart> start = startPath(session, *points, *request);
+    if (!start)
+        return tl::unexpected(start.error());
+    const std::size_t count = request->countOn(start->path);
+    PathWalk walk(session, start->path, start->eye);
+    Probe probe;
+    Progress progress(console, "probe", count);
+    for (std::size_t frame = 0; frame < count; ++frame) {
+        const double seconds = request->timeOf(start->path, frame);
+        const FrameEye& eye = walk.moveTo(seconds);
+        if (Result<void> drawn = session.draw(eye, {}); !drawn)
+            return tl::unexpected(drawn.error());
+        const std::string lines = probe.see({frame, seconds, session.loaded().world, eye, session.visible(),
+                                             session.plan(), session.figures().glCalls});
+        if (!lines.empty())
+            console.data(lines);
+        progress.step(frame + 1);
+    }
+    return Exit::Done;
+}
+
+} // namespace
+
+void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb = program.add_subcommand(
+        "probe", "tells what a frame decides while a camera walks a path, as JSON lines");
+    const auto options = std::make_shared<ProbeOptions>();
+    addPathOptions(*verb, options->path, kFrames);
+    addSessionOptions(*verb, options->session);
+    verb->footer(
+        "A line for every change: root (with the eye's way there), visits, spaces seen, outside, stages, "
+        "blocks loaded, budgets. Nothing is drawn: no driver is needed.");
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runProbe(*options, console); };
+    });
+}
+
+} // namespace limen::app
