@@ -23,6 +23,8 @@ struct DatFiles {
 
 /// `limen dat export`.
 void addExportVerb(CLI::App& dat, const Console& console, Choice& choice);
+/// `limen dat pack`.
+void addPackVerb(CLI::App& dat, const Console& console, Choice& choice);
 /// `limen dat verify`.
 void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice);
 

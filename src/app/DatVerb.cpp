@@ -157,6 +157,7 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
     print->callback(
         [&console, &choice, show] { choice.run = [&console, show] { return runShow(*show, console); }; });
     addExportVerb(*verb, console, choice);
+    addPackVerb(*verb, console, choice);
     addVerifyVerb(*verb, console, choice);
 }
 

@@ -13,7 +13,7 @@
 namespace limen::app {
 namespace {
 
-enum class Format { Natural, Json, Png, Gltf };
+enum class Format { Natural, Json, Png, Gltf, Raw };
 
 struct ExportArguments {
     std::string dat, directory = ".";
@@ -62,6 +62,14 @@ Result<Exported> asJson(const dat::File& file, dat::RecordId id) {
     if (!text)
         return tl::unexpected(text.error());
     return Exported{"json", *text};
+}
+
+/// As `limen dat pack` takes it.
+Result<Exported> asBytes(const dat::File& file, dat::RecordId id) {
+    dat::Bytes scratch;
+    return file.read(id, scratch).map([](dat::ByteView payload) {
+        return Exported{"bin", std::string(reinterpret_cast<const char*>(payload.data()), payload.size())};
+    });
 }
 
 Result<Exported> asPng(const dat::Archive& archive, dat::RecordId id) {
@@ -127,6 +135,8 @@ Result<Exported> exported(const dat::Archive& archive, dat::RecordId id, Format 
         return asPng(archive, id);
     case Format::Gltf:
         return asGltf(archive, id, kind);
+    case Format::Raw:
+        return asBytes(file, id);
     case Format::Json:
     case Format::Natural:
         break;
@@ -164,7 +174,7 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
 
 void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
     const auto arguments = std::make_shared<ExportArguments>();
-    CLI::App* verb = dat.add_subcommand("export", "writes records as PNG, glTF or JSON");
+    CLI::App* verb = dat.add_subcommand("export", "writes records as PNG, glTF, JSON or bytes");
     verb->add_option("ID", arguments->ids, "records' ids in hexadecimal, e.g. 0x0200001A")
         ->required()
         ->type_name("");
@@ -177,11 +187,14 @@ void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
             [arguments](const std::string& text) {
                 arguments->format = text == "json"  ? Format::Json
                                     : text == "png" ? Format::Png
+                                    : text == "raw" ? Format::Raw
                                                     : Format::Gltf;
             },
-            "how (pictures as PNG; models, cells and landblocks as binary glTF; the rest as JSON)")
-        ->type_name("png|gltf|json")
-        ->check(CLI::IsMember({"png", "gltf", "json"}));
+            "how (pictures as PNG; models, cells and landblocks as binary glTF; the rest as JSON); raw: its "
+            "bytes, for limen "
+            "dat pack")
+        ->type_name("png|gltf|json|raw")
+        ->check(CLI::IsMember({"png", "gltf", "json", "raw"}));
     verb->footer("Each becomes a file named by its id; the names are printed. A cell comes with what stands "
                  "in it, a landblock "
                  "(0xXXYYFFFE) without its ground.");

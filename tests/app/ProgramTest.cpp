@@ -254,6 +254,49 @@ TEST(Program, datExportWritesEachRecordInItsOwnWay) {
     expectRefusal(runner, {"dat", "export", "0x01FFFFFF"}, "0x01FFFFFF");
 }
 
+// What is taken out and packed again is what it was, to the byte.
+TEST(Program, datPackWritesWhatExportTookOut) {
+    const ProgramRunner runner;
+    const std::filesystem::path& work = runner.work().path();
+    ASSERT_EQ(runner.run({"demo", "-o", "world"}).exit, 0);
+    const std::string portal = getText(work / "world/client_portal.dat");
+    ASSERT_EQ(runner.run({"dat", "pack", "--base", "world/client_portal.dat", "-o", "same.dat"}).exit, 0);
+    EXPECT_TRUE(getText(work / "same.dat") == portal);
+
+    const ProgramRun list = runner.run({"dat", "ls", "world/client_portal.dat", "--json"});
+    std::istringstream lines(list.out);
+    std::vector<std::string> exported{"dat", "export", "--dat", "world", "--as", "raw", "-o", "records"};
+    for (std::string line; std::getline(lines, line);)
+        exported.push_back(nlohmann::json::parse(line)["id"].get<std::string>());
+    ASSERT_EQ(runner.run(exported).exit, 0);
+    const ProgramRun packed = runner.run({"dat", "pack", "records", "--role", "portal", "-o", "made.dat"});
+    ASSERT_EQ(packed.exit, 0) << packed.err;
+    EXPECT_TRUE(getText(work / "made.dat") == portal);
+
+    // One record instead of another, and one less.
+    const std::string region = "13000000.bin";
+    ASSERT_EQ(runner
+                  .run({"dat", "pack", "records/" + region, "--base", "made.dat", "--without", exported[8],
+                        "-o", "made.dat"})
+                  .exit,
+              0);
+    const ProgramRun less = runner.run({"dat", "ls", "made.dat"});
+    EXPECT_EQ(std::count(less.out.begin(), less.out.end(), '\n'),
+              std::count(list.out.begin(), list.out.end(), '\n') - 1);
+}
+
+TEST(Program, datPackRefusesWhatIsNoRecord) {
+    const ProgramRunner runner;
+    putText(runner.work() / "13000000.bin", "short");
+    putText(runner.work() / "notes.txt", "x");
+    expectRefusal(runner, {"dat", "pack", "13000000.bin", "--role", "portal", "-o", "a.dat"}, "13000000.bin");
+    expectRefusal(runner, {"dat", "pack", "notes.txt", "--role", "portal", "-o", "a.dat"}, "notes.txt");
+    expectRefusal(runner, {"dat", "pack", "0100001A.bin", "--role", "portal", "-o", "a.dat"}, "0100001A.bin");
+    expectRefusal(runner, {"dat", "pack", ".", "-o", "a.dat"}, "--role");
+    expectRefusal(runner, {"dat", "pack", "--base", "missing.dat", "-o", "a.dat"}, "missing.dat");
+    EXPECT_FALSE(std::filesystem::exists(runner.work() / "a.dat"));
+}
+
 TEST(Program, datVerifyFindsTheBuiltInWorldWhole) {
     const ProgramRunner runner;
     const ProgramRun run = runner.run({"dat", "verify", "--json"});
