@@ -3,11 +3,12 @@
 // is kept stays in its order: of what lies equally deep, what comes later is seen. Where nothing is, nothing is drawn.
 // Triangles are only left out of frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a
 // triangle whose outline stays clear of all centres shows nothing, however it would be snapped.
-// BEHIND: of the slots from firstHideable on, when those before are drawn: triangles that lie behind them are left out, too.
+// In three dispatches (SharedLayout.h): the draws of walls and ground; when these are drawn, how far they cover the picture; and all
+// other draws, without triangles that lie behind.
 #include "frommodel.glsl"
-#include "tiles.glsl"
 
 layout(local_size_x = kCullThreads) in;
+layout(binding = kUnitDepth) uniform sampler2D depthSoFar;
 
 // Pixels that an outline may be from where it is computed here, and a pixel's ray beside its centre (kBesideX), with room to
 // spare: corners are 24-bit floats.
@@ -63,29 +64,32 @@ Pixels pixelsOf(vec3 first, vec3 second, vec3 third) {
     return Pixels(low, high, isOnOne);
 }
 
-#ifdef BEHIND
 // The share of a depth by which it may come out nearer than that of the nearest corner: a thousand roundings.
 const float kNearer = 1.0e-4;
+
+// The picture in tiles of kTileSize pixels a side, row by row from the bottom; the last of a row or column may be cut.
+uvec2 tilesOfPicture() {
+    return (uvec2(frame.viewport.xy) + kTileSize - 1u) / kTileSize;
+}
 
 // Whether what was drawn first is nearer than all of a triangle, at every pixel that it may show at. Depths are the near plane's
 // share: on the screen they are linear, so that no point of a triangle is nearer than the nearest corner.
 bool isHidden(Pixels pixels, float nearest) {
     uvec2 from = uvec2(pixels.low) / kTileSize;
-    uvec2 to = uvec2(pixels.high) / kTileSize;
-    uvec2 count = to - from + 1u;
+    uvec2 count = uvec2(pixels.high) / kTileSize - from + 1u;
     uint tiles = count.x * count.y;
-    if (tiles > kMostTiles) {
+    if (gl_NumWorkGroups.z != kCullBehind || tiles > kMostTiles) {
         return false;
     }
     float depth = frame.nearPlane / nearest * (1.0 + kNearer);
+    uint row = tilesOfPicture().x;
     for (uint i = 0u; i < tiles; ++i) {
-        if (tileDepths[tileIndex(from + uvec2(i % count.x, i / count.x))] <= depth) {
+        if (tileDepths[(from.y + i / count.x) * row + from.x + i % count.x] <= depth) {
             return false;
         }
     }
     return true;
 }
-#endif
 
 bool mayShow(uint vertex, Instance instance) {
     vec3 first = eyeFromVertex(vertex, instance);
@@ -100,11 +104,7 @@ bool mayShow(uint vertex, Instance instance) {
         return true;
     }
     Pixels pixels = pixelsOf(a, b, c);
-#ifdef BEHIND
     return pixels.any && !isHidden(pixels, nearest);
-#else
-    return pixels.any;
-#endif
 }
 
 uint squareOf(int steps) {
@@ -128,16 +128,34 @@ bool isInReach(Instance instance) {
 
 shared uint keptBy[kCullThreads];
 
+// The least depth of a tile's pixels, which is the farthest. What lies farther all over a tile is hidden there, whatever it is, for depth
+// is what decides.
+void coverTile(uint number) {
+    uvec2 tiles = tilesOfPicture();
+    ivec2 begin = ivec2(number % tiles.x, number / tiles.x) * int(kTileSize);
+    ivec2 end = min(begin + int(kTileSize), ivec2(frame.viewport.xy));
+    float least = 1.0;
+    for (int y = begin.y; y < end.y; ++y) {
+        for (int x = begin.x; x < end.x; ++x) {
+            least = min(least, texelFetch(depthSoFar, ivec2(x, y), 0).r);
+        }
+    }
+    if (number < tiles.x * tiles.y) {
+        tileDepths[number] = least;
+    }
+}
+
 void main() {
-#ifdef BEHIND
-    uint begins = frame.firstHideable;
-    uint ends = frame.slotCount;
-#else
-    uint begins = 0u;
-    uint ends = frame.firstHideable;
-#endif
-    // More groups than slots, for rows of equal length, do the last one again: they write the same.
-    uint slot = min(begins + gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, ends - 1u);
+    uvec3 groups = gl_NumWorkGroups;
+    uint group = (gl_WorkGroupID.z * groups.y + gl_WorkGroupID.y) * groups.x + gl_WorkGroupID.x;
+    if (groups.z == kCullTiles) {
+        coverTile(group * kCullThreads + gl_LocalInvocationID.x);
+        return;
+    }
+    uint begins = groups.z == kCullFirst ? 0u : frame.firstHideable;
+    uint ends = groups.z == kCullFirst ? frame.firstHideable : frame.slotCount;
+    // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
+    uint slot = min(begins + group, ends - 1u);
     DrawSlot place = slotAt(slot);
     DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
     bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;

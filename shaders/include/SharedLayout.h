@@ -244,10 +244,14 @@ LIMEN_STRUCT(DrawPiece) {
     uint indicesBefore LIMEN_ZERO; // of all pieces before it in its array
 };
 
-// Beside the tiles' depths, how large they are, and how many of them a triangle is looked up in at most.
-LIMEN_CONST kTileSize = 8u; // pixels a side
-LIMEN_CONST kTileThreads = 32u; // of a work group, a tile each
-LIMEN_CONST kMostTiles = 64u;
+// What a dispatch of cull.comp is for is how many layers of work groups it has: one program does all, and none is told apart from the
+// next by an argument, which would be a call more.
+LIMEN_CONST kCullFirst = 1u;  // the slots before firstHideable
+LIMEN_CONST kCullTiles = 2u;  // how far what these draw covers each tile
+LIMEN_CONST kCullBehind = 3u; // the other slots
+
+LIMEN_CONST kTileSize = 8u;   // pixels a side
+LIMEN_CONST kMostTiles = 64u; // that a triangle is looked up in
 
 // What is drawn takes the ownership test (gate.glsl): of DrawSlot.piece, and of what draw commands say as their instance.
 LIMEN_CONST kGated = 0x80000000u;

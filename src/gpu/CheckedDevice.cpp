@@ -236,9 +236,9 @@ void CheckedDevice::checkSampled() {
     }
 }
 
-void CheckedDevice::compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) {
+void CheckedDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     expectProgram(program);
-    ForwardingDevice::compute(program, columns, rows);
+    ForwardingDevice::compute(program, groups);
 }
 
 void CheckedDevice::setState(const DrawState& state) {

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures) override;
-    void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) override;
+    void compute(ProgramHandle program, const WorkGroups& groups) override;
     void setState(const DrawState& state) override;
     void drawVertices(std::uint32_t first, std::uint32_t count) override;
     void drawIndirect(std::size_t offset, std::uint32_t count) override;

@@ -87,8 +87,13 @@ struct DeviceObjects {
     friend bool operator==(const DeviceObjects&, const DeviceObjects&) = default;
 };
 
-/// Work groups along either axis that every driver allows.
+/// Work groups along any axis that every driver allows.
 inline constexpr std::uint32_t kMostGroups = 65535;
+
+/// How many work groups a compute program runs in.
+struct WorkGroups {
+    std::uint32_t columns = 1, rows = 1, layers = 1;
+};
 
 /// Frames that are under way at most.
 inline constexpr std::size_t kFramesInFlight = 3;
@@ -153,9 +158,9 @@ public:
     /// Binds the target's ownership and depth images and the ring memory as texels to their units, and textures from kUnitVertices
     /// on.
     virtual void bindTextures(std::span<const TextureHandle> textures) = 0;
-    /// Runs a compute program in columns x rows work groups, each at most kMostGroups. It reads what has been drawn; what it writes,
+    /// Runs a compute program in columns x rows x layers work groups, each at most kMostGroups. It reads what has been drawn; what it writes,
     /// draws that follow take as commands and indices, and programs run after it read.
-    virtual void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) = 0;
+    virtual void compute(ProgramHandle program, const WorkGroups& groups) = 0;
     virtual void clear(TargetImage image, const ClearValue& value) = 0;
     virtual void beginStage(frame::StageKind stage) = 0;
     virtual void endStage(frame::StageKind stage) = 0;

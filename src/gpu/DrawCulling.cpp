@@ -33,28 +33,10 @@ std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
 } // namespace
 
 Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::string> defines, Culling which) {
-    DrawCulling culling(device, which);
-    ProgramSource source{
+    const ProgramSource source{
         .label = "cull", .defines = {defines.begin(), defines.end()}, .computeShader = "cull.comp"};
-    const Result<ProgramHandle> first = device.createProgram(source);
-    if (!first) {
-        return tl::unexpected(first.error());
-    }
-    culling.first_ = {device, *first};
-    if (which != Culling::Hidden) {
-        return culling;
-    }
-    source.label = "cull behind";
-    source.defines.emplace_back("BEHIND");
-    const Result<ProgramHandle> behind = device.createProgram(source);
-    if (!behind) {
-        return tl::unexpected(behind.error());
-    }
-    culling.behind_ = {device, *behind};
-    return DepthTiles::create(device, defines).map([&](DepthTiles tiles) {
-        culling.tiles_.emplace(std::move(tiles));
-        return std::move(culling);
-    });
+    return device.createProgram(source).map(
+        [&](ProgramHandle program) { return DrawCulling(device, OwnedProgram(device, program), which); });
 }
 
 void DrawCulling::reserve(std::size_t indices) {
@@ -83,9 +65,9 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
         reserve(indices);
     }
     firstHideable_ = slotCount_;
-    leavesOutHidden_ = tiles_.has_value() && options.occlusion && !keepsTriangles_;
+    leavesOutHidden_ = culling_ == Culling::Hidden && options.occlusion && !keepsTriangles_;
     if (leavesOutHidden_) {
-        tiles_->prepare(target.width(), target.height());
+        tiles_.prepare(target.width(), target.height());
         if (plan.firstHideable < firstSlots_.size()) {
             firstHideable_ = firstSlots_[plan.firstHideable];
         }
@@ -98,7 +80,7 @@ void DrawCulling::bind(StorageBindings& storage) const {
     const StorageRange& nothing = storage[frame::gpu::kBindIndices];
     storage[frame::gpu::kBindKeptIndices] =
         keepsTriangles_ ? nothing : StorageRange{kept_.get(), 0, capacity_ * kFramesInFlight * kIndexSize};
-    storage[frame::gpu::kBindTiles] = leavesOutHidden_ ? tiles_->range() : nothing;
+    storage[frame::gpu::kBindTiles] = leavesOutHidden_ ? tiles_.range() : nothing;
 }
 
 void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
@@ -125,20 +107,22 @@ void DrawCulling::describe(frame::gpu::FrameConstants& constants) const {
     constants.flags |= keepsTriangles_ ? frame::gpu::kFrameKeepsTriangles : 0;
 }
 
-// In rows of equal length, none longer than drivers run.
-void DrawCulling::run(ProgramHandle program, std::uint32_t slots) {
-    const std::uint32_t rows = std::max((slots + kMostGroups - 1) / kMostGroups, 1u);
-    device_->compute(program, (slots + rows - 1) / rows, rows);
+void DrawCulling::run(std::uint32_t purpose, std::uint32_t groups) {
+    // In rows of equal length, none longer than drivers run.
+    const std::uint32_t rows = std::max((groups + purpose * kMostGroups - 1) / (purpose * kMostGroups), 1u);
+    const std::uint32_t columns = (groups + rows * purpose - 1) / (rows * purpose);
+    device_->compute(program_.get(), {columns, rows, purpose});
 }
 
 void DrawCulling::runFirst() {
-    run(first_.get(), firstHideable_);
+    run(frame::gpu::kCullFirst, firstHideable_);
 }
 
 void DrawCulling::runBehind() {
     LIMEN_ASSERT(leavesOutHidden_, "all slots were run first");
-    tiles_->run();
-    run(behind_.get(), slotCount_ - firstHideable_);
+    constexpr std::uint32_t kThreads = frame::gpu::kCullThreads;
+    run(frame::gpu::kCullTiles, (tiles_.count() + kThreads - 1) / kThreads);
+    run(frame::gpu::kCullBehind, slotCount_ - firstHideable_);
 }
 
 } // namespace limen::gpu

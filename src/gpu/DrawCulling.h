@@ -7,8 +7,6 @@
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
 
-#include <optional>
-
 namespace limen::gpu {
 
 /// Makes the draw commands of a plan's pieces, on the device, and leaves out triangles that show nothing (shaders/cull.comp). Never
@@ -47,14 +45,16 @@ public:
 
 private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);
-    DrawCulling(Device& device, Culling culling) : device_(&device), culling_(culling) {}
+    DrawCulling(Device& device, OwnedProgram program, Culling culling)
+        : device_(&device), program_(std::move(program)), culling_(culling), tiles_(device) {}
     void reserve(std::size_t indices);
-    void run(ProgramHandle program, std::uint32_t slots);
+    /// `purpose`: one of kCullFirst, ...
+    void run(std::uint32_t purpose, std::uint32_t groups);
 
     Device* device_;
+    OwnedProgram program_;
     Culling culling_;
-    OwnedProgram first_, behind_;
-    std::optional<DepthTiles> tiles_;
+    DepthTiles tiles_;
     OwnedBuffer kept_;
     std::size_t capacity_ = 0;    ///< indices a frame
     std::size_t place_ = 0;       ///< of the frames under way

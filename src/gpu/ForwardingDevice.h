@@ -60,8 +60,8 @@ public:
     }
     void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }
     void bindTextures(std::span<const TextureHandle> textures) override { device_.bindTextures(textures); }
-    void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) override {
-        device_.compute(program, columns, rows);
+    void compute(ProgramHandle program, const WorkGroups& groups) override {
+        device_.compute(program, groups);
     }
     void clear(TargetImage image, const ClearValue& value) override { device_.clear(image, value); }
     void beginStage(frame::StageKind stage) override { device_.beginStage(stage); }

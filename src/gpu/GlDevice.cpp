@@ -153,9 +153,9 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
     call(glBindTextures, 0u, static_cast<GLsizei>(textures.size() + frame::gpu::kUnitVertices), names.data());
 }
 
-void GlDevice::compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) {
+void GlDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     setState({.program = program});
-    call(glDispatchCompute, GLuint{columns}, GLuint{rows}, GLuint{1});
+    call(glDispatchCompute, GLuint{groups.columns}, GLuint{groups.rows}, GLuint{groups.layers});
     call(glMemoryBarrier,
          GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT});
 }

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures) override;
-    void compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) override;
+    void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override { timers_.begin(stage); }
     void endStage(frame::StageKind stage) override { timers_.end(stage); }

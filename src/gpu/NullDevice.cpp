@@ -151,10 +151,12 @@ void NullDevice::bindTextures(std::span<const TextureHandle> textures) {
     record(Command::Kind::BindTextures, textures.size(), 0, 1);
 }
 
-void NullDevice::compute(ProgramHandle program, std::uint32_t columns, std::uint32_t rows) {
-    LIMEN_ASSERT(std::max(columns, rows) <= kMostGroups, "as many as any driver runs");
+void NullDevice::compute(ProgramHandle program, const WorkGroups& groups) {
+    LIMEN_ASSERT(std::max({groups.columns, groups.rows, groups.layers}) <= kMostGroups,
+                 "as many as any driver runs");
     const std::uint32_t changes = state_.apply({.program = program}).count();
-    record(Command::Kind::Compute, static_cast<std::size_t>(program), std::size_t{columns} * rows,
+    record(Command::Kind::Compute, static_cast<std::size_t>(program),
+           std::size_t{groups.columns} * groups.rows * groups.layers,
            changes + 2); // and the barrier
 }
 

@@ -148,7 +148,7 @@ TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
     Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
     ASSERT_TRUE(renderer_.render(scene.finish(), *target, {.occlusion = false}));
     EXPECT_EQ(of(Kind::Compute).size(), 1u);
-    EXPECT_EQ(renderer_.report().glCalls + 6, calls);
+    EXPECT_EQ(renderer_.report().glCalls + 5, calls);
 }
 
 TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
