@@ -174,15 +174,15 @@ void addPackVerb(CLI::App& dat, const Console& console, Choice& choice) {
         ->required()
         ->type_name("FILE");
     CLI::Option* base =
-        verb->add_option(
-                "--base", arguments->base,
-                "a dat file whose records are taken over, but for those that are given; it is not changed")
+        verb->add_option("--base", arguments->base,
+                         "a dat file whose records are taken over, but for those that are given")
             ->type_name("FILE");
     verb->add_option("--role", arguments->role, "what file it is to be")
         ->check(CLI::IsMember({"portal", "cell", "highres", "local"}))
         ->excludes(base);
     verb->add_option("--without", arguments->without, "records of the base that are left out")
-        ->type_name("ID");
+        ->type_name("ID")
+        ->needs(base);
     verb->footer("What is no such record is refused. limen dat verify tells whether all fits together.");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runPack(*arguments, console); };

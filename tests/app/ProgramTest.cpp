@@ -293,6 +293,8 @@ TEST(Program, datPackRefusesWhatIsNoRecord) {
     expectRefusal(runner, {"dat", "pack", "notes.txt", "--role", "portal", "-o", "a.dat"}, "notes.txt");
     expectRefusal(runner, {"dat", "pack", "0100001A.bin", "--role", "portal", "-o", "a.dat"}, "0100001A.bin");
     expectRefusal(runner, {"dat", "pack", ".", "-o", "a.dat"}, "--role");
+    expectRefusal(runner, {"dat", "pack", ".", "--role", "portal", "--without", "13000000", "-o", "a.dat"},
+                  "--base");
     expectRefusal(runner, {"dat", "pack", "--base", "missing.dat", "-o", "a.dat"}, "missing.dat");
     EXPECT_FALSE(std::filesystem::exists(runner.work() / "a.dat"));
 }
