@@ -16,6 +16,7 @@ constexpr int kMostSlides = 4;        // planes that a step slides along
 constexpr int kMostWaysOut = 4;       // tries to leave what is overlapped
 constexpr double kFlattest = 0.05;    // upward part of the normal of an edge that may be stood on
 constexpr double kBehindEdge = 0.02, kAboveEdge = 0.05; // metres
+constexpr double kStill = 1e-4;                         // metres: what stands does not move by less
 constexpr double kDeepestFall = 100.0; // metres below where it stood last, and there is nothing
 
 const Vec3 kUp(0.0, 0.0, 1.0);
@@ -178,7 +179,8 @@ private:
         const std::optional<Bump> bump = push(-kUp * deepest);
         body_.isOnGround = bump && isGround(*bump);
         touched_ = bump ? bump->at : before.feet;
-        if (!body_.isOnGround)
+        const bool isStill = glm::length(body_.standing.feet - before.feet) < kStill;
+        if (!body_.isOnGround || isStill)
             body_.standing = before;
     }
 

@@ -1,3 +1,4 @@
+#include "motion/Hut.h"
 #include "motion/Walker.h"
 
 #include "motion/Locate.h"
@@ -9,35 +10,13 @@ namespace {
 
 using test::boxExterior;
 using test::frameAt;
-using test::rectangle;
+using test::Hut;
 using test::TestWorld;
 using test::Walker;
 using world::kOutside;
 
 constexpr double kNorth = 0.0, kEast = 90.0, kWest = 270.0;
 constexpr double kNear = 0.02; // metres: the skin, and what Bullet rounds
-
-/// Two rooms with a door between them, a front door, and a cellar under the ground with a trapdoor; a meadow around.
-///
-///            y
-///   14 +---------+---------+
-///      | front   d  rear   |      d, f: doors; the trapdoor is at (12..13, 12..13)
-///   10 f---------+---------+
-///      10        14        18   x
-struct Hut {
-    TestWorld source;
-    TestWorld::Cell front = source.addBox({10, 10, 2}, {14, 14, 5}),
-                    rear = source.addBox({14, 10, 2}, {18, 14, 5}),
-                    cellar = source.addBox({6, 10, -1}, {14, 14, 2});
-    TestWorld::Portal door;
-    Hut() {
-        source.link(front, rectangle({14, 11, 2}, {14, 12, 4}), rear);
-        source.link(front, rectangle({12, 12, 2}, {13, 13, 2}), cellar);
-        door = source.openOutside(front, rectangle({10, 11, 2}, {10, 12, 4}));
-        source.addBuilding(boxExterior({10, 10, 2}, {18, 14, 5}), {door});
-        source.setFlatTerrain(source.home(), 1);
-    }
-};
 
 TEST(Body, fallsOntoTheFloorAndStands) {
     Hut hut;
@@ -49,7 +28,7 @@ TEST(Body, fallsOntoTheFloorAndStands) {
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
     const Vec3 before = walker.body.standing.feet;
     walker.stand(3.0);
-    EXPECT_NEAR(glm::length(walker.body.standing.feet - before), 0.0, 1e-6) << "at rest";
+    EXPECT_EQ(walker.body.standing.feet, before) << "at rest, to the bit";
 }
 
 TEST(Body, goesAsFastAsItIsAskedTo) {

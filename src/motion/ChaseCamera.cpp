@@ -1,0 +1,71 @@
+#include "motion/ChaseCamera.h"
+
+#include "motion/Locate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::motion {
+namespace {
+
+constexpr double kSkin = 0.005; // metres beside the ball: two sweeps of one way differ by less
+
+/// A ball that goes where nothing is in its way.
+class Ball {
+public:
+    Ball(double radius, const Standing& start, const Collisions& around, std::span<const std::uint8_t> closed)
+        : shape_{radius, 2.0 * radius}, at_(start), around_(around), closed_(closed) {}
+
+    /// Metres of a straight way, along a unit vector, that are free, of at most so many.
+    [[nodiscard]] double freeAlong(const Vec3& direction, double most) const {
+        const std::optional<Bump> bump =
+            around_.sweep(shape_, at_, at_.feet + direction * (most + kSkin), closed_);
+        return bump ? std::clamp(bump->share * (most + kSkin) - kSkin, 0.0, most) : most;
+    }
+
+    void go(const Vec3& way) {
+        const Vec3 from = middle();
+        at_.space = sweep(around_.world(), at_.space, from, from + way);
+        at_.feet += way;
+    }
+
+    [[nodiscard]] Vec3 middle() const { return shape_.middle(at_.feet); }
+    [[nodiscard]] world::SpaceIndex space() const { return at_.space; }
+
+private:
+    Capsule shape_;
+    Standing at_;
+    const Collisions& around_;
+    std::span<const std::uint8_t> closed_;
+};
+
+/// What was so long, and may be as long as is free: shorter at once, longer by and by.
+double after(double length, double free, double seconds, const ChaseShape& shape) {
+    if (length >= free)
+        return free;
+    length = free - (free - length) * std::exp(-shape.quick * std::max(seconds, 0.0));
+    return free - length < shape.still ? free : length;
+}
+
+} // namespace
+
+ChaseState chased(const ChaseState& before, const BodyState& body, const Vec3& forward, double seconds,
+                  const Collisions& around, std::span<const std::uint8_t> closed, double headRise,
+                  const BodyShape& bodyShape, const ChaseShape& shape) {
+    const Vec3 up(0.0, 0.0, 1.0);
+    const Capsule& capsule = bodyShape.capsule;
+    const double radius = std::min(shape.radius, capsule.radius);
+    const Vec3 middle = capsule.middle(body.standing.feet);
+    Ball ball(radius, {middle - up * radius, body.standing.space}, around, closed);
+    const double head = bodyShape.eyeHeight - 0.5 * capsule.height + headRise;
+    ball.go(up * std::copysign(ball.freeAlong(up * std::copysign(1.0, head), std::abs(head)), head));
+    ChaseState now;
+    now.arm = after(before.arm, ball.freeAlong(-forward, shape.distance), seconds, shape);
+    ball.go(-forward * now.arm);
+    now.lift = after(before.lift, ball.freeAlong(up, shape.rise), seconds, shape);
+    ball.go(up * now.lift);
+    now.eye = {ball.middle(), ball.space()};
+    return now;
+}
+
+} // namespace limen::motion
