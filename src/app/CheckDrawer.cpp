@@ -2,21 +2,10 @@
 
 #include "app/RegionOverlay.h"
 #include "app/TracedFrame.h"
+#include "app/ViewOfEye.h"
 #include "core/Assert.h"
 
 namespace limen::app {
-
-FrameEye eyeOf(const check::View& view, world::SpaceIndex root) {
-    FrameEye eye;
-    eye.camera = {view.eye, {view.yaw, view.pitch}, view.fov};
-    eye.size = {view.width, view.height};
-    eye.root = root;
-    eye.player = view.eye;
-    eye.seconds = view.seconds;
-    eye.doors = view.doors;
-    eye.weather = view.rain ? Weather::Rain : Weather::Clear;
-    return eye;
-}
 
 namespace {
 
@@ -77,7 +66,7 @@ Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord bl
 }
 
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
-    reference::Camera camera = tracedCamera(eyeOf(view, root));
+    reference::Camera camera = tracedCamera(eyeOf(view, session_.loaded().world, root));
     if (multisampled_)
         camera.place = Vec2(0.0); // samples have places of their own
     return camera;
@@ -106,8 +95,8 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, boo
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
-    Result<check::DrawnImages> images =
-        multisampled_ ? drawSamples(eyeOf(view, root)) : drawImages(session_, eyeOf(view, root), colour);
+    const FrameEye eye = eyeOf(view, session_.loaded().world, root);
+    Result<check::DrawnImages> images = multisampled_ ? drawSamples(eye) : drawImages(session_, eye, colour);
     if (images && outlines_)
         images->outlines = regionOutlines(session_.visible());
     return images;

@@ -8,9 +8,6 @@
 
 namespace limen::app {
 
-/// A check's view as the eye of a frame.
-[[nodiscard]] FrameEye eyeOf(const check::View& view, world::SpaceIndex root);
-
 /// What a check of one frame holds against the traced one: ids, depth and layers; with `colour`, what is painted instead of layers.
 /// One sample a pixel. Errors: those of drawing.
 [[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour);

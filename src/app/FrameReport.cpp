@@ -1,5 +1,7 @@
 #include "app/FrameReport.h"
 
+#include "app/ViewOfEye.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -159,16 +161,7 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
 }
 
 std::string reproduction(const world::World& world, const FrameEye& eye, const std::string& datOption) {
-    const Vec3& p = eye.camera.eye;
-    return fmt::format(
-               "limen shot{} --eye={},{},{} --yaw={} --pitch={} --fov={} --size={}x{} --root={} --time={}",
-               datOption, p.x, p.y, p.z, eye.camera.heading.yaw, eye.camera.heading.pitch,
-               eye.camera.fovDegrees, eye.size.width, eye.size.height, spaceName(world, eye.root), eye.time) +
-           (eye.seconds != 0.0 ? fmt::format(" --seconds={}", eye.seconds) : "") +
-           (eye.doors ? fmt::format(" --doors={}", *eye.doors) : "") +
-           (eye.weather == Weather::Rain ? " --weather=rain" : "") +
-           (eye.player != p ? fmt::format(" --player={},{},{}", eye.player.x, eye.player.y, eye.player.z)
-                            : "");
+    return "limen shot" + datOption + " " + check::shotOptions(viewOf(eye, world));
 }
 
 } // namespace limen::app

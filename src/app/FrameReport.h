@@ -4,6 +4,7 @@
 #include "app/IdTable.h"
 #include "frame/FramePlan.h"
 #include "gpu/Device.h"
+#include "motion/Moments.h"
 #include "visibility/VisibleSet.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -40,6 +41,7 @@ struct FrameEye {
     world::SpaceIndex root = world::kOutside;
     bool rootAmbiguous = false; ///< several cells claim the eye
     Vec3 player{0.0};
+    std::optional<motion::PlayerBody> body; ///< what the player walks in; then `player` is not asked
     double time = 0.5;
     Weather weather = Weather::Clear;
     double seconds = 0.0;         ///< since the world began: where villagers, sprites and clouds are

@@ -3,6 +3,15 @@
 #include "motion/Locate.h"
 
 namespace limen::app {
+namespace {
+
+world::SpaceIndex playerSpace(const world::World& world, const FrameEye& eye) {
+    if (eye.body)
+        return eye.body->space;
+    return eye.player == eye.camera.eye ? eye.root : motion::locate(world, eye.player).space;
+}
+
+} // namespace
 
 motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) {
     const visibility::View view = viewOf(eye.camera, eye.size, eye.root);
@@ -14,9 +23,8 @@ motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) 
     input.right = view.right;
     input.up = view.up;
     input.forward = view.forward;
-    const world::SpaceIndex player =
-        eye.player == eye.camera.eye ? eye.root : motion::locate(world, eye.player).space;
-    input.rain = eye.weather == Weather::Rain && player == world::kOutside;
+    input.player = eye.body;
+    input.rain = eye.weather == Weather::Rain && playerSpace(world, eye) == world::kOutside;
     return input;
 }
 

@@ -66,15 +66,28 @@ void drawHelp() {
     ImGui::Begin("Keys", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoCollapse);
-    for (const char* text :
-         {"W A S D, arrows   walk, or fly", "shift             run", "space             jump; flying: up",
-          "Q or control      flying: down", "G                 walk or fly", "drag the mouse    look around",
-          "click             tell what is there", "1 .. 9            go to a place",
-          "E                 open or shut a door", "O                 open or shut all doors",
-          "R                 rain", "T                 an hour later", "F1                this help",
-          "F2                ids as colours", "F3                regions of the visits",
-          "F4                the panel", "F5                check this view against traced rays",
-          "F6                tell what changes on standard output", "Esc               leave"})
+    for (const char* text : {"W A S D, arrows   walk, or fly",
+                             "shift             run",
+                             "space             jump; flying: up",
+                             "Q or control      flying: down",
+                             "G                 walk or fly",
+                             "C                 the eye behind the body, or in its head",
+                             "wheel             nearer to the body, farther",
+                             "drag the mouse    look around",
+                             "click             tell what is there",
+                             "1 .. 9            go to a place",
+                             "E                 open or shut a door",
+                             "O                 open or shut all doors",
+                             "R                 rain",
+                             "T                 an hour later",
+                             "F1                this help",
+                             "F2                ids as colours",
+                             "F3                regions of the visits",
+                             "F4                the panel",
+                             "F5                check this view against traced rays",
+                             "F6                tell what changes on standard output",
+                             "F11               full screen",
+                             "Esc               leave"})
         ImGui::TextUnformatted(text);
     ImGui::End();
 }

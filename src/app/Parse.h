@@ -17,6 +17,7 @@ namespace limen::app {
 /// Width and height in pixels.
 struct PixelSize {
     std::uint32_t width = 1280, height = 720;
+    friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
 /// The largest picture side that is drawn, in pixels.

@@ -3,9 +3,11 @@
 #include "core/Assert.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
+#include "motion/Collisions.h"
 #include "motion/Locate.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <limits>
@@ -160,6 +162,51 @@ Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, Pi
         return tl::unexpected(root.error());
     eye.root = *root;
     return eye;
+}
+
+namespace {
+
+/// By World::doors. Doors of other parts of the world are left out.
+Result<std::vector<double>> eachDoor(const world::World& world, const world::WorldFile& file,
+                                     std::span<const check::View::DoorState> states) {
+    std::vector<double> open;
+    for (const world::Door& door : world.doors)
+        open.push_back(door.open);
+    for (const check::View::DoorState& state : states) {
+        const auto isIt = [&](const auto& door) { return door.name == state.name; };
+        if (std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
+            return fail(ErrorCode::NotFound, "--door",
+                        "this world's world.json names no door '" + state.name + "'");
+        const auto found = std::find_if(world.doors.begin(), world.doors.end(), isIt);
+        if (found != world.doors.end())
+            open[static_cast<std::size_t>(found - world.doors.begin())] = state.open;
+    }
+    return open;
+}
+
+} // namespace
+
+Result<void> applyMoment(const LoadedWorld& loaded, const world::WorldFile& file, const ViewRequest& view,
+                         FrameEye& eye) {
+    eye.time = view.time;
+    eye.weather = view.weather;
+    eye.seconds = view.seconds;
+    eye.doors = view.doors;
+    if (!view.eachDoor.empty()) {
+        Result<std::vector<double>> doors = eachDoor(loaded.world, file, view.eachDoor);
+        if (!doors)
+            return tl::unexpected(doors.error());
+        eye.eachDoor = std::move(*doors);
+    }
+    if (!view.body)
+        return {};
+    bool ambiguous = false;
+    const Vec3 middle = motion::Capsule().middle(view.body->feet);
+    const Result<world::SpaceIndex> space = findRoot(loaded.world, view.body->root, middle, ambiguous);
+    if (!space)
+        return tl::unexpected(space.error());
+    eye.body = motion::PlayerBody{view.body->feet, view.body->yaw, *space, view.body->opacity};
+    return {};
 }
 
 Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options,

@@ -42,6 +42,8 @@ Result<void> checkPosition(const ViewArguments& a, ViewRequest& view) {
         return r;
     if (Result<void> r = take(a.root, "--root", parseRoot, view.root); !r)
         return r;
+    if (view.player && !a.body.empty())
+        return fail(ErrorCode::BadArgument, "--player", "the player is where --body is; give one of the two");
     if (view.eye && view.at)
         return fail(ErrorCode::BadArgument, "--at", "give either --eye or --at, not both");
     if (!view.eye && !view.at)
@@ -85,6 +87,15 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     add("--weather", a.weather, "clear|rain", "the weather (clear)");
     add("--seconds", a.seconds, "S", "seconds since the world began: where villagers and smoke are (0)");
     add("--doors", a.doors, "rest|closed|half|open|0..1", "how far all doors stand open (each as it rests)");
+    command.add_option("--door", a.eachDoor, "how far one door stands open; may be given again")
+        ->type_name("NAME=0..1")
+        ->group("View")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add("--body", a.body, "X,Y,Z", "the feet of the player's body, which is seen (none)");
+    add("--body-yaw", a.bodyYaw, "DEG", "where it faces (0)");
+    add("--body-root", a.bodyRoot, "auto|outside|0xCELL", "the space its middle is in (auto)");
+    add("--body-opacity", a.bodyOpacity, "0..1", "how much of it is seen (1)");
 }
 
 void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
@@ -103,6 +114,46 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
     add("--json", outputs.json, "what the frame is made of, JSON");
     add("--overlay", outputs.overlay, "the picture with the region of every visit outlined, PNG");
 }
+
+namespace {
+
+/// NAME=0..1; the name may have any letters, '=' too.
+Result<void> checkDoors(const ViewArguments& a, ViewRequest& view) {
+    for (const std::string& text : a.eachDoor) {
+        const std::size_t sign = text.rfind('=');
+        if (sign == std::string::npos || sign == 0)
+            return fail(ErrorCode::BadArgument, "--door", "'" + text + "' is not NAME=0..1");
+        const Result<double> open = parseNumberBetween("--door", text.substr(sign + 1), 0.0, 1.0);
+        if (!open)
+            return tl::unexpected(open.error());
+        view.eachDoor.push_back({text.substr(0, sign), *open});
+    }
+    if (view.doors && !view.eachDoor.empty())
+        return fail(ErrorCode::BadArgument, "--door",
+                    "says nothing where --doors speaks for all; give one of the two");
+    return {};
+}
+
+Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
+    if (a.body.empty()) {
+        if (!a.bodyYaw.empty() || !a.bodyRoot.empty() || !a.bodyOpacity.empty())
+            return fail(ErrorCode::BadArgument, "--body", "missing: where the body's feet are, X,Y,Z");
+        return {};
+    }
+    ViewRequest::Body& body = view.body.emplace();
+    const auto opacity = [](std::string_view option, std::string_view text) {
+        return parseNumberBetween(option, text, 0.0, 1.0);
+    };
+    if (Result<void> r = take(a.body, "--body", position, body.feet); !r)
+        return r;
+    if (Result<void> r = take(a.bodyYaw, "--body-yaw", parseNumber, body.yaw); !r)
+        return r;
+    if (Result<void> r = take(a.bodyRoot, "--body-root", parseRoot, body.root); !r)
+        return r;
+    return take(a.bodyOpacity, "--body-opacity", opacity, body.opacity);
+}
+
+} // namespace
 
 Result<ViewRequest> checkView(const ViewArguments& a) {
     ViewRequest view;
@@ -128,6 +179,10 @@ Result<ViewRequest> checkView(const ViewArguments& a) {
     if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.seconds); !r)
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.doors, "--doors", parseDoors, view.doors); !r)
+        return tl::unexpected(r.error());
+    if (Result<void> r = checkDoors(a, view); !r)
+        return tl::unexpected(r.error());
+    if (Result<void> r = checkBody(a, view); !r)
         return tl::unexpected(r.error());
     return view;
 }

@@ -2,6 +2,7 @@
 
 #include "app/Camera.h"
 #include "app/PlaceNotation.h"
+#include "check/View.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,6 +20,8 @@ namespace limen::app {
 /// line of `shot`, each line of its views file and each line of a tour's path file.
 struct ViewArguments {
     std::string eye, at, yaw, pitch, fov, size, root, player, time, weather, seconds, doors;
+    std::string body, bodyYaw, bodyRoot, bodyOpacity;
+    std::vector<std::string> eachDoor;
 };
 
 /// What a frame is asked to be written to; empty: not asked for.
@@ -39,7 +42,16 @@ struct ViewRequest {
     double time = 0.5; ///< fraction of the day
     Weather weather = Weather::Clear;
     double seconds = 0.0;        ///< since the world began
-    std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as it rests
+    std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as eachDoor says
+    std::vector<check::View::DoorState> eachDoor; ///< doors that do not rest
+    /// The player's body.
+    struct Body {
+        Vec3 feet{0.0};
+        double yaw = 0.0;
+        RootChoice root;
+        double opacity = 1.0;
+    };
+    std::optional<Body> body;
 };
 
 /// Adds the options of ViewArguments to a command. `withSize` leaves out --size where the verb has one for

@@ -80,15 +80,13 @@ Result<void> writeMeasurements(Session& session, const FrameEye& eye, const Outp
     return writeFile(outputs.json, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-Result<FrameEye> eyeOf(const LoadedWorld& loaded, const ListedView& listed, const Standpoint& stand,
-                       const Console& console) {
+Result<FrameEye> eyeOf(const LoadedWorld& loaded, const world::WorldFile& file, const ListedView& listed,
+                       const Standpoint& stand, const Console& console) {
     Result<FrameEye> eye = placeEye(loaded, stand, listed.view.size);
     if (!eye)
         return eye;
-    eye->time = listed.view.time;
-    eye->weather = listed.view.weather;
-    eye->seconds = listed.view.seconds;
-    eye->doors = listed.view.doors;
+    if (Result<void> applied = applyMoment(loaded, file, listed.view, *eye); !applied)
+        return tl::unexpected(applied.error());
     if (eye->rootAmbiguous)
         console.note(fmt::format("limen: several cells claim the eye; {} is taken, --root names another",
                                  spaceName(loaded.world, eye->root)));
@@ -97,7 +95,7 @@ Result<FrameEye> eyeOf(const LoadedWorld& loaded, const ListedView& listed, cons
 
 Result<void> shoot(Session& session, const ListedView& listed, const Standpoint& stand,
                    const Console& console) {
-    const Result<FrameEye> eye = eyeOf(session.loaded(), listed, stand, console);
+    const Result<FrameEye> eye = eyeOf(session.loaded(), session.source().file, listed, stand, console);
     if (!eye)
         return tl::unexpected(eye.error());
     const OutputPaths& outputs = listed.outputs;
@@ -153,9 +151,9 @@ Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
 }
 
 /// One view traced instead of drawn.
-Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const std::string& datOption,
+Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const WorldSource& source,
                    const ListedView& listed, const Standpoint& stand, const Console& console) {
-    const Result<FrameEye> eye = eyeOf(loaded, listed, stand, console);
+    const Result<FrameEye> eye = eyeOf(loaded, source.file, listed, stand, console);
     if (!eye)
         return tl::unexpected(eye.error());
     world::Moment moment;
@@ -178,7 +176,7 @@ Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const std::stri
         !written)
         return written;
     return writeIfAsked(outputs.json, [&] {
-        return tracedJson(loaded.world, loaded.ids, *eye, moment, frame, datOption)
+        return tracedJson(loaded.world, loaded.ids, *eye, moment, frame, source.datOption)
                    .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                "\n";
     });
@@ -205,8 +203,7 @@ Result<Exit> runTraced(const WorldSource& source, const ShotOptions& options,
             if (const std::string findings = findingsLine(loaded->world); first && !findings.empty())
                 console.note(findings);
         }
-        if (Result<void> traced = trace(*loaded, *scene, source.datOption, views[i], stands[i], console);
-            !traced)
+        if (Result<void> traced = trace(*loaded, *scene, source, views[i], stands[i], console); !traced)
             return tl::unexpected(traced.error());
         progress.step(++done);
     }

@@ -1,22 +1,18 @@
-#include "app/FlyCamera.h"
 #include "app/OutputFile.h"
 #include "app/Panel.h"
+#include "app/Play.h"
 #include "app/Probe.h"
-#include "app/RootTracker.h"
-#include "app/Session.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
-#include "app/Walk.h"
 #include "app/Window.h"
-#include "motion/DoorUse.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
 namespace limen::app {
 namespace {
@@ -25,36 +21,33 @@ struct ViewOptions {
     SessionOptions session;
     ViewArguments view;
     std::string frames, screenshot;
-    bool json = false, fly = false;
+    bool json = false, fly = false, chase = false;
 };
 
-/// The window's frame loop: hands to camera, camera to frame, frame to window.
+/// The window's frame loop: hands to play, its eye to the frame, the frame to the window.
 class Viewer {
 public:
     Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start)
-        : window_(window), device_(device), session_(session), panel_(window), eye_(std::move(start)),
-          tracker_(eye_.root) {
+        : window_(window), device_(device), session_(session), panel_(window),
+          play_(session, std::move(start)) {
         lastSeconds_ = window_.seconds();
         device_.restoreState(); // the panel has set up its own things
     }
+
+    /// What is to be done at the beginning of the next frame.
+    void act(PlayAct act) { acts_.push_back(act); }
 
     /// One frame; `fixedSeconds` > 0 takes that for the time since the last one.
     [[nodiscard]] Result<void> frame(double fixedSeconds) {
         window_.poll(panel_.takesMouse());
         const double now = window_.seconds();
-        const double real = now - lastSeconds_;
-        const double elapsed = fixedSeconds > 0.0 ? fixedSeconds : real;
+        frameSeconds_ = now - lastSeconds_;
         lastSeconds_ = now;
-        frameSeconds_ = real;
         for (const Key key : window_.pressed())
             press(key);
-        if (Result<void> moved = moveEye(elapsed); !moved)
+        if (Result<void> moved = play_.step(takeInput(fixedSeconds > 0.0 ? fixedSeconds : frameSeconds_));
+            !moved)
             return moved;
-        moveDoors(elapsed);
-        findDoor();
-        eye_.size = window_.size();
-        if (!verdict_)
-            eye_.seconds += elapsed; // the world stands still under a verdict
         if (const std::optional<PixelPlace> clicked = window_.clicked()) {
             if (Result<void> picked = pick(*clicked); !picked)
                 return picked;
@@ -63,15 +56,15 @@ public:
             if (Result<void> checked = check(); !checked)
                 return checked;
         }
-        if (verdict_ && !isSameView(eye_, checkedFrom_))
+        if (verdict_ && !isSameView(eye(), checkedFrom_))
             verdict_.reset();
         const std::optional<frame::Highlight> pulse = selectionPulse();
         DrawOptions options{.ids = switches_.ids};
         if (pulse)
             options.highlights = std::span(&*pulse, 1);
-        if (Result<void> drawn = session_.draw(eye_, options); !drawn)
+        if (Result<void> drawn = session_.draw(eye(), options); !drawn)
             return drawn;
-        probed_ = probe_ ? probe_->see({frames_, eye_.seconds, session_.loaded().world, eye_,
+        probed_ = probe_ ? probe_->see({frames_, eye().seconds, session_.loaded().world, eye(),
                                         session_.visible(), session_.plan(), session_.figures().glCalls})
                          : std::string();
         overlay();
@@ -81,25 +74,21 @@ public:
     /// What changed with the last frame in what was decided, if that is to be told.
     [[nodiscard]] const std::string& probed() const { return probed_; }
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
-    [[nodiscard]] const FrameEye& eye() const { return eye_; }
+    [[nodiscard]] const FrameEye& eye() const { return play_.eye(); }
+    [[nodiscard]] const PlayInput& input() const { return input_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
-    [[nodiscard]] const Walk& walk() const { return walk_; }
+    [[nodiscard]] const Walk& walk() const { return play_.walk(); }
     /// Names of doors that stand open, as far as they are loaded.
     [[nodiscard]] std::vector<std::string> openDoors() const {
         std::vector<std::string> names;
         const std::vector<world::Door>& doors = session_.loaded().world.doors;
         for (std::size_t i = 0; i < doors.size(); ++i) {
-            if (eye_.doors.value_or(i < eye_.eachDoor.size() ? eye_.eachDoor[i] : doors[i].open) > 0.0)
+            if (eye().doors.value_or(i < eye().eachDoor.size() ? eye().eachDoor[i] : doors[i].open) > 0.0)
                 names.push_back(doors[i].name);
         }
         return names;
-    }
-    /// Stands where the eye is, and falls to the ground. What cannot be walked on is flown over.
-    void beginToWalk() {
-        if (!walk_.begin(session_, eye_))
-            walk_.end();
     }
 
 private:
@@ -123,35 +112,57 @@ private:
         case Key::Probe:
             probe_ = probe_ ? std::nullopt : std::make_optional<Probe>();
             return;
+        case Key::FullScreen:
+            window_.switchFullScreen();
+            return;
         case Key::Walk:
-            walk_.isOn() ? walk_.end() : beginToWalk();
-            tracker_.place(eye_.root);
-            return;
+            return act({PlayAct::Kind::Walk});
+        case Key::Chase:
+            return act({PlayAct::Kind::Chase});
         case Key::Doors:
-            swingDoors();
-            return;
+            return act({PlayAct::Kind::Doors});
         case Key::Use:
-            useDoor();
-            return;
+            return act({PlayAct::Kind::Use});
         case Key::Rain:
-            eye_.weather = eye_.weather == Weather::Rain ? Weather::Clear : Weather::Rain;
-            return;
+            return act({PlayAct::Kind::Weather});
         case Key::Later:
-            eye_.time = std::fmod(eye_.time + 1.0 / 24.0, 1.0);
-            return;
+            return act({PlayAct::Kind::Time, std::fmod(eye().time + 1.0 / 24.0, 1.0)});
         case Key::Leave:
             leaving_ = true;
             return;
         default:
-            goTo(static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::Place1));
+            act({PlayAct::Kind::Place, static_cast<double>(key) - static_cast<double>(Key::Place1)});
         }
+    }
+
+    /// What hands ask of this frame.
+    const PlayInput& takeInput(double seconds) {
+        constexpr double kDegreesPerPixel = 0.15;
+        constexpr double kStep = 0.5; // metres that the wheel moves the eye behind the body
+        const HeldInput& held = window_.held();
+        const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
+        if (held.wheel != 0.0 && walk().isChased())
+            act({PlayAct::Kind::Distance, walk().distance() - held.wheel * kStep});
+        input_ = {};
+        input_.seconds = seconds;
+        input_.forward = axis(held.forward, held.back);
+        input_.right = axis(held.right, held.left);
+        input_.up = axis(held.up, held.down);
+        input_.turnRight = held.lookX * kDegreesPerPixel;
+        input_.turnUp = -held.lookY * kDegreesPerPixel;
+        input_.fast = held.fast;
+        input_.jump = held.jump;
+        input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
+        input_.size = window_.size();
+        input_.acts = std::exchange(acts_, {});
+        return input_;
     }
 
     /// What is there is told in the panel; the same thing again, or the void: nothing is any more.
     Result<void> pick(const PixelPlace& place) {
-        if (place.x >= eye_.size.width || place.y >= eye_.size.height)
+        if (place.x >= eye().size.width || place.y >= eye().size.height)
             return {}; // the window has shrunk since
-        Result<Picked> picked = session_.pick(eye_, place.x, place.y);
+        Result<Picked> picked = session_.pick(eye(), place.x, place.y);
         if (!picked)
             return tl::unexpected(picked.error());
         const bool isSame = picked_ && picked->object != 0 && picked->object == picked_->object &&
@@ -168,11 +179,11 @@ private:
             verdict_.reset();
             return {};
         }
-        Result<ViewVerdict> verdict = viewCheck_.check(session_, eye_);
+        Result<ViewVerdict> verdict = viewCheck_.check(session_, eye());
         if (!verdict)
             return tl::unexpected(verdict.error());
         verdict_ = std::move(*verdict);
-        checkedFrom_ = eye_;
+        checkedFrom_ = eye();
         return {};
     }
 
@@ -180,7 +191,7 @@ private:
         return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
                a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
                a.size.height == b.size.height && a.time == b.time && a.weather == b.weather &&
-               a.doors == b.doors && a.eachDoor == b.eachDoor;
+               a.doors == b.doors && a.eachDoor == b.eachDoor && a.body == b.body;
     }
 
     /// The picked object comes and goes in yellow. Not the landscape: one object is a block of it, and half the window.
@@ -189,132 +200,41 @@ private:
         constexpr std::uint32_t kYellow = 0x0040D0FFu;
         if (!picked_ || picked_->object == 0 || picked_->isLandscape)
             return {};
-        const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye_.seconds / kPulse);
+        const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye().seconds / kPulse);
         const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
         return frame::Highlight{picked_->object, kYellow | strength << 24};
     }
 
-    /// All doors open, or shut if they are open or opening. They take a second.
-    void swingDoors() {
-        const double towards = doorsTowards_.value_or(eye_.doors.value_or(0.0));
-        doorsTowards_ = towards < 0.5 ? 1.0 : 0.0;
-        if (!eye_.doors)
-            eye_.doors = 1.0 - *doorsTowards_;
-    }
-
-    /// The one in reach of a body, which is told of.
-    void findDoor() {
-        const world::World& world = session_.loaded().world;
-        const Vec3 forward = viewOf(eye_.camera, eye_.size, eye_.root).forward;
-        door_ = walk_.isOn() ? motion::doorInReach(world, eye_.root, eye_.camera.eye, forward) : std::nullopt;
-    }
-
-    /// From here on doors stand each as it was left.
-    void useDoor() {
-        if (!door_)
-            return;
-        const world::World& world = session_.loaded().world;
-        if (eye_.doors)
-            doors_.putAll(world, *eye_.doors);
-        eye_.doors.reset();
-        doorsTowards_.reset();
-        doors_.use(world.doors[*door_]);
-    }
-
-    void moveDoors(double seconds) {
-        const world::World& world = session_.loaded().world;
-        doors_.pass(verdict_ ? 0.0 : seconds, world,
-                    walk_.isOn() ? std::make_optional(walk_.body().standing) : std::nullopt);
-        doors_.write(world, eye_.eachDoor);
-        if (!doorsTowards_ || !eye_.doors)
-            return;
-        const double way = *doorsTowards_ - *eye_.doors;
-        eye_.doors = *eye_.doors + std::clamp(way, -seconds, seconds);
-        if (*eye_.doors == *doorsTowards_)
-            doorsTowards_.reset();
-    }
-
+    /// What was chosen in the panel is done in the next frame.
     void take(const PanelChoice& choice) {
-        eye_.time = choice.time;
-        eye_.weather = choice.weather;
-        if (choice.doors != eye_.doors)
-            doorsTowards_.reset(); // a hand is on them
-        eye_.doors = choice.doors;
+        if (choice.time != eye().time)
+            act({PlayAct::Kind::Time, choice.time});
+        if (choice.weather != eye().weather)
+            act({PlayAct::Kind::Weather});
+        if (choice.doors != eye().doors)
+            act({PlayAct::Kind::AllDoors, choice.doors.value_or(-1.0)});
         if (choice.place >= 0)
-            goTo(static_cast<std::size_t>(choice.place));
-    }
-
-    void goTo(std::size_t place) {
-        const std::vector<world::Place>& places = session_.source().file.places;
-        if (place >= places.size())
-            return;
-        const Standpoint stand = standpointAt(places[place]);
-        if (!session_.load(stand.centre))
-            return; // its part of the world cannot be loaded: stay
-        Result<FrameEye> eye = placeEye(session_.loaded(), stand, eye_.size);
-        if (!eye)
-            return;
-        eye->camera.fovDegrees = eye_.camera.fovDegrees;
-        eye->time = eye_.time;
-        eye->weather = eye_.weather;
-        eye->seconds = eye_.seconds;
-        eye->doors = eye_.doors;
-        doors_.write(session_.loaded().world, eye->eachDoor);
-        eye_ = std::move(*eye);
-        tracker_.place(eye_.root);
-        if (walk_.isOn())
-            beginToWalk();
-    }
-
-    Result<void> moveEye(double seconds) {
-        constexpr double kDegreesPerPixel = 0.15;
-        const HeldInput& held = window_.held();
-        const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
-        FlyInput input;
-        input.forward = axis(held.forward, held.back);
-        input.right = axis(held.right, held.left);
-        input.up = walk_.isOn() ? 0.0 : axis(held.up, held.down);
-        input.turnRight = held.lookX * kDegreesPerPixel;
-        input.turnUp = -held.lookY * kDegreesPerPixel;
-        input.fast = held.fast;
-        input.seconds = seconds;
-        if (walk_.isOn()) {
-            eye_.camera = fly(eye_.camera, {.turnRight = input.turnRight, .turnUp = input.turnUp});
-            if (Result<void> stepped =
-                    walk_.step(session_, {input.forward, input.right, input.fast, held.jump, seconds}, eye_);
-                !stepped)
-                return stepped;
-        } else {
-            const Vec3 from = eye_.camera.eye;
-            eye_.camera = fly(eye_.camera, input);
-            eye_.player = eye_.camera.eye;
-            eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, seconds);
-        }
-        if (session_.follow(eye_.camera.eye, eye_.root)) {
-            tracker_.place(eye_.root);
-            if (walk_.isOn())
-                return walk_.step(session_, {}, eye_); // its space has another number now
-        }
-        return {};
+            act({PlayAct::Kind::Place, static_cast<double>(choice.place)});
     }
 
     /// The overlay stage, over the frame in the window.
     void overlay() {
         const std::vector<std::uint32_t> ids =
             switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
-        device_.presentToWindow(session_.target().handle(), eye_.size.width, eye_.size.height);
+        device_.presentToWindow(session_.target().handle(), eye().size.width, eye().size.height);
         const FrameFigures figures = session_.figures();
         if (frames_++ > 0) // the first is no frame: it began when the window opened
             times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
+        const std::optional<std::size_t> door = play_.doorInReach();
         const PanelFacts facts{.world = session_.loaded().world,
-                               .eye = eye_,
+                               .eye = eye(),
                                .visible = session_.visible(),
                                .plan = session_.plan(),
                                .figures = figures,
                                .times = times_,
-                               .body = walk_.isOn() ? &walk_.body() : nullptr,
-                               .door = door_ ? &session_.loaded().world.doors[*door_] : nullptr,
-                               .doorOpens = door_ && doors_.opens(session_.loaded().world.doors[*door_]),
+                               .body = walk().isOn() ? &walk().body() : nullptr,
+                               .door = door ? &session_.loaded().world.doors[*door] : nullptr,
+                               .doorOpens = door && play_.opens(*door),
                                .picked = picked_ ? &*picked_ : nullptr,
                                .verdict = verdict_ ? &*verdict_ : nullptr,
                                .places = session_.source().file.places,
@@ -328,9 +248,9 @@ private:
     gpu::GlDevice& device_;
     Session& session_;
     Panel panel_;
-    FrameEye eye_;
-    RootTracker tracker_;
-    Walk walk_;
+    Play play_;
+    PlayInput input_;
+    std::vector<PlayAct> acts_; ///< of the next frame
     OverlaySwitches switches_;
     std::optional<Picked> picked_;
     ViewCheck viewCheck_;
@@ -339,9 +259,6 @@ private:
     std::string probed_;
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
     FrameEye checkedFrom_;
-    std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
-    motion::DoorUse doors_;
-    std::optional<std::size_t> door_; ///< in reach of the body
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
     FrameWindows times_;
@@ -398,6 +315,15 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
     return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
 }
 
+nlohmann::ordered_json bodyJson(const world::World& world, const std::optional<motion::PlayerBody>& body) {
+    if (!body)
+        return nullptr;
+    return {{"feet", {body->feet.x, body->feet.y, body->feet.z}},
+            {"yaw", body->yaw},
+            {"space", spaceName(world, body->space)},
+            {"opacity", body->opacity}};
+}
+
 std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
     const FrameEye& eye = viewer.eye();
     const nlohmann::ordered_json json{
@@ -417,6 +343,8 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
           {"regions", viewer.switches().regions},
           {"panel", viewer.switches().panel}}},
         {"walking", viewer.walk().isOn()},
+        {"chased", viewer.walk().isChased()},
+        {"body", bodyJson(session.loaded().world, eye.body)},
         {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
         {"checked", verdictJson(viewer.verdict())},
@@ -430,7 +358,9 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         1.0 / 60.0; // with --frames the result must not depend on the machine's speed
     Viewer viewer(window, device, session, start);
     if (!options.fly)
-        viewer.beginToWalk();
+        viewer.act({PlayAct::Kind::Walk});
+    if (options.chase)
+        viewer.act({PlayAct::Kind::Chase});
     std::size_t frames = 0;
     while (!viewer.isLeaving() && (limit == 0 || frames < limit)) {
         if (Result<void> drawn = viewer.frame(limit > 0 ? kScriptStep : 0.0); !drawn)
@@ -478,10 +408,9 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     Result<FrameEye> start = placeEye(session.loaded(), opening->stand, opening->view.size);
     if (!start)
         return tl::unexpected(start.error());
-    start->time = opening->view.time;
-    start->weather = opening->view.weather;
-    start->seconds = opening->view.seconds;
-    start->doors = opening->view.doors;
+    if (Result<void> applied = applyMoment(session.loaded(), session.source().file, opening->view, *start);
+        !applied)
+        return tl::unexpected(applied.error());
     return loop(**window, **device, session, *start, *limit, options, console);
 }
 
@@ -498,12 +427,15 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("FILE")
         ->group("Scripts");
     verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");
+    verb->add_flag("--chase", options->chase, "begins with the eye behind the body; C changes that")
+        ->group("View")
+        ->excludes("--fly");
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->footer(
-        "Keys: W A S D walk, shift run, space jump, E use a door, G fly (E Q up and down), drag to "
-        "look, click to "
-        "ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 panel, F5 check, F6 probe, Esc leaves.");
+    verb->footer("Keys: W A S D walk, shift run, space jump, E use a door, C the eye behind the body, G fly "
+                 "(E Q up and "
+                 "down), drag to look, click to ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 "
+                 "panel, F5 check, F6 probe, F11 full screen, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

@@ -11,6 +11,20 @@ namespace {
 
 constexpr int kRadius = 1; // landblocks around the body's whose solids are known
 
+/// How far a place lies outside a block, on the level.
+double metresBeside(dat::BlockCoord block, const Vec3& at) {
+    const Vec3 local = at - Vec3(block.x, block.y, 0.0) * world::kBlockSize;
+    const double beyond =
+        std::max({-local.x, local.x - world::kBlockSize, -local.y, local.y - world::kBlockSize});
+    return std::max(beyond, 0.0);
+}
+
+/// A body fades when the eye comes near its head, and is gone before the eye is in it.
+double opacityAt(double metres) {
+    constexpr double kGone = 0.6, kSolid = 1.2;
+    return std::clamp((metres - kGone) / (kSolid - kGone), 0.0, 1.0);
+}
+
 } // namespace
 
 Walk::Reading Walk::read(const std::shared_ptr<const WorldSource>& source,
@@ -28,7 +42,9 @@ Result<void> Walk::begin(const Session& session, const FrameEye& eye) {
     const Vec3 middle = shape_.capsule.middle(feet);
     body_ = motion::bodyAt({feet, motion::sweep(world, eye.root, eye.camera.eye, middle)});
     lag_ = 0.0;
-    end(); // what was coming is of elsewhere
+    yaw_ = eye.camera.heading.yaw;
+    chase_ = {};
+    drop(); // what was coming is of elsewhere
     Reading around = read(session.shareSource(), session.shareLoaded(), blockOfBody(session.loaded()));
     if (!around)
         return tl::unexpected(around.error());
@@ -37,7 +53,12 @@ Result<void> Walk::begin(const Session& session, const FrameEye& eye) {
     return {};
 }
 
-void Walk::end() {
+void Walk::end(FrameEye& eye) {
+    drop();
+    eye.body.reset();
+}
+
+void Walk::drop() {
     isOn_ = false;
     coming_ = {}; // waits for its thread
     around_.reset();
@@ -59,43 +80,92 @@ void Walk::follow(const LoadedWorld& before, const LoadedWorld& now) {
     }
 }
 
-Result<void> Walk::keepSurroundings(const Session& session) {
-    if (around_->loaded != session.shareLoaded()) {
-        follow(*around_->loaded, session.loaded());
-        coming_ = {};
-        Reading around = read(session.shareSource(), session.shareLoaded(), blockOfBody(session.loaded()));
-        if (!around)
-            return tl::unexpected(around.error());
-        around_ = std::move(*around);
-        return {};
-    }
-    if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        if (Reading arrived = coming_.get())
-            around_ = std::move(*arrived);
-    }
-    const dat::BlockCoord here = blockOfBody(session.loaded());
-    const bool isComing = coming_.valid() && comingCentre_ == here;
-    if (!isComing && !(around_->collisions.centre() == here)) {
-        comingCentre_ = here;
-        coming_ = std::async(std::launch::async, read, session.shareSource(), session.shareLoaded(), here);
-    }
+Result<void> Walk::takeSurroundings(const Session& session, dat::BlockCoord centre) {
+    Reading around = coming_.valid() && comingCentre_ == centre
+                         ? coming_.get()
+                         : read(session.shareSource(), session.shareLoaded(), centre);
+    coming_ = {};
+    if (!around)
+        return tl::unexpected(around.error());
+    around_ = std::move(*around);
     return {};
 }
 
-void Walk::carryEye(const LoadedWorld& loaded, double fellOrRose, double seconds, FrameEye& eye) {
+Result<void> Walk::keepSurroundings(const Session& session) {
+    const bool isOfAnother = around_->loaded != session.shareLoaded();
+    if (isOfAnother) {
+        follow(*around_->loaded, session.loaded());
+        coming_ = {};
+    }
+    const dat::BlockCoord here = blockOfBody(session.loaded());
+    if (isOfAnother)
+        return takeSurroundings(session, here);
+    if (around_->collisions.centre() == here)
+        return {};
+    if (!coming_.valid() || !(comingCentre_ == here)) {
+        comingCentre_ = here;
+        coming_ = std::async(std::launch::async, read, session.shareSource(), session.shareLoaded(), here);
+    }
+    // Within this distance the old ones still hold what is around. Waiting for a time instead would make a walk depend on the disk.
+    constexpr double kTaken = 24.0;
+    return metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
+               ? takeSurroundings(session, here)
+               : Result<void>{};
+}
+
+void Walk::chase(bool isChased) {
+    isChased_ = isChased;
+    chase_ = {}; // it starts from the head
+}
+
+void Walk::keepDistance(double metres) {
+    chaseShape_.distance = std::clamp(metres, kNearest, kFarthest);
+}
+
+motion::BodyEye Walk::head(const world::World& world) const {
+    motion::BodyShape smooth = shape_;
+    smooth.eyeHeight += lag_;
+    return motion::eyeOf(body_, world, smooth);
+}
+
+void Walk::smooth(double fellOrRose, double seconds) {
     constexpr double kQuick = 10.0;   // a second: how fast the eye comes after
     constexpr double kLeast = 0.0005; // metres, and it is there
     constexpr double kMost = 0.6;
     lag_ = std::clamp((lag_ - fellOrRose) * std::exp(-kQuick * seconds), -kMost, kMost);
     if (std::abs(lag_) < kLeast)
         lag_ = 0.0;
-    motion::BodyShape smooth = shape_;
-    smooth.eyeHeight += lag_;
-    const motion::BodyEye at = motion::eyeOf(body_, loaded.world, smooth);
+}
+
+/// Where it looks, or, seen from behind, turns to where it goes.
+void Walk::face(const WalkInput& input, double seconds, double yaw) {
+    constexpr double kTurn = 540.0; // degrees a second
+    if (!isChased_) {
+        yaw_ = yaw;
+        return;
+    }
+    if (input.forward == 0.0 && input.right == 0.0)
+        return;
+    const double towards = yaw + glm::degrees(std::atan2(input.right, input.forward));
+    const double turn = std::remainder(towards - yaw_, 360.0);
+    yaw_ = std::remainder(yaw_ + std::clamp(turn, -kTurn * seconds, kTurn * seconds), 360.0);
+}
+
+void Walk::carryEye(const Session& session, double seconds, FrameEye& eye) {
+    const world::World& world = session.loaded().world;
+    motion::BodyEye at = head(world);
+    double opacity = 0.0;
+    if (isChased_) {
+        chase_ = motion::chased(chase_, body_, basisOf(eye.camera.heading).forward, seconds,
+                                around_->collisions, session.moment().closed, lag_, shape_, chaseShape_);
+        opacity = opacityAt(glm::length(chase_.eye.position - at.position));
+        at = chase_.eye;
+    }
     eye.camera.eye = at.position;
     eye.root = at.space;
     eye.rootAmbiguous = false;
     eye.player = shape_.capsule.middle(body_.standing.feet);
+    eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity};
 }
 
 Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye& eye) {
@@ -112,7 +182,9 @@ Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye
     const motion::BodyState before = body_;
     body_ = motion::moved(body_, asked, seconds, around_->collisions, session.moment().closed, shape_);
     const bool isOnFoot = before.isOnGround && body_.isOnGround;
-    carryEye(session.loaded(), isOnFoot ? body_.standing.feet.z - before.standing.feet.z : 0.0, seconds, eye);
+    smooth(isOnFoot ? body_.standing.feet.z - before.standing.feet.z : 0.0, seconds);
+    face(input, seconds, eye.camera.heading.yaw);
+    carryEye(session, seconds, eye);
     return {};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/Session.h"
-#include "motion/Body.h"
+#include "motion/ChaseCamera.h"
 
 #include <future>
 
@@ -14,21 +14,31 @@ struct WalkInput {
     double seconds = 0.0; ///< since the last frame
 };
 
-/// A body under the eye of a window: it walks through what a session has loaded, and the eye goes with it. What it bumps into is
-/// read anew when it comes into another landblock, by a thread of its own.
+/// A body that walks through what a session has loaded; the eye is in its head, or follows behind. What it bumps into is read anew
+/// when it comes into another landblock, by a thread of its own, and taken at a place that does not depend on how long that takes.
 class Walk {
 public:
     /// Puts the body under an eye. Waits for what is around it to be read. Errors: that cannot be.
     [[nodiscard]] Result<void> begin(const Session& session, const FrameEye& eye);
-    /// No body any more.
-    void end();
+    /// No body any more; the eye stays where it is.
+    void end(FrameEye& eye);
     [[nodiscard]] bool isOn() const { return isOn_; }
 
-    /// Moves the body, and eye, player and root of `eye` with it. When the session has loaded another part of the world it is there as it
+    /// Whether the eye is to be behind the body.
+    void chase(bool isChased);
+    [[nodiscard]] bool isChased() const { return isChased_; }
+    /// How far, metres, within kNearest and kFarthest.
+    void keepDistance(double metres);
+    [[nodiscard]] double distance() const { return chaseShape_.distance; }
+    static constexpr double kNearest = 1.0, kFarthest = 8.0;
+
+    /// Moves the body, and eye, player, body and root of `eye` with it. When the session has loaded another part of the world it is there as it
     /// was here. Requires a body. Errors: as begin's.
     [[nodiscard]] Result<void> step(const Session& session, const WalkInput& input, FrameEye& eye);
 
     [[nodiscard]] const motion::BodyState& body() const { return body_; }
+    /// Where its eyes would be.
+    [[nodiscard]] motion::BodyEye head(const world::World& world) const;
 
 private:
     /// The solids of a part of the world that is loaded.
@@ -40,16 +50,24 @@ private:
 
     [[nodiscard]] static Reading read(const std::shared_ptr<const WorldSource>& source,
                                       std::shared_ptr<const LoadedWorld> loaded, dat::BlockCoord centre);
+    void drop();
     /// Into the world that is loaded now, from one that was.
     void follow(const LoadedWorld& before, const LoadedWorld& now);
     [[nodiscard]] Result<void> keepSurroundings(const Session& session);
     [[nodiscard]] dat::BlockCoord blockOfBody(const LoadedWorld& loaded) const;
-    void carryEye(const LoadedWorld& loaded, double fellOrRose, double seconds, FrameEye& eye);
+    [[nodiscard]] Result<void> takeSurroundings(const Session& session, dat::BlockCoord centre);
+    void smooth(double fellOrRose, double seconds);
+    void face(const WalkInput& input, double seconds, double yaw);
+    void carryEye(const Session& session, double seconds, FrameEye& eye);
 
     bool isOn_ = false;
     motion::BodyState body_;
     motion::BodyShape shape_;
+    double yaw_ = 0.0; ///< where the body faces
     double lag_ = 0.0; ///< metres that the eye is still above where it belongs: it climbs steps smoothly
+    bool isChased_ = false;
+    motion::ChaseState chase_;
+    motion::ChaseShape chaseShape_;
     std::shared_ptr<const Surroundings> around_;
     std::future<Reading> coming_;
     dat::BlockCoord comingCentre_;

@@ -34,8 +34,12 @@ std::optional<Key> keyOf(int key) {
         return Key::Check;
     case GLFW_KEY_F6:
         return Key::Probe;
+    case GLFW_KEY_F11:
+        return Key::FullScreen;
     case GLFW_KEY_G:
         return Key::Walk;
+    case GLFW_KEY_C:
+        return Key::Chase;
     case GLFW_KEY_O:
         return Key::Doors;
     case GLFW_KEY_E:
@@ -52,6 +56,20 @@ std::optional<Key> keyOf(int key) {
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
         return static_cast<Key>(static_cast<int>(Key::Place1) + key - GLFW_KEY_1);
     return {};
+}
+
+/// The screen that shows a place of the desktop; else the first; null: there is none.
+GLFWmonitor* monitorOf(int x, int y) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode != nullptr && x >= left && x < left + mode->width && y >= top && y < top + mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
 }
 
 } // namespace
@@ -89,6 +107,9 @@ Window::Window(GLFWwindow* window) : window_(window) {
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveCursor(x, y);
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveWheel(notches);
     });
     glfwGetCursorPos(window_, &mouseX_, &mouseY_);
     cursorX_ = mouseX_;
@@ -137,6 +158,7 @@ std::optional<PixelPlace> Window::pixelAt(double x, double y) const {
 void Window::poll(bool mouseIsTaken) {
     pending_.clear();
     clicked_.reset();
+    wheel_ = 0.0;
     mouseIsTaken_ = mouseIsTaken;
     glfwPollEvents();
     pressed_ = pending_;
@@ -150,6 +172,7 @@ void Window::poll(bool mouseIsTaken) {
     held_.jump = down(GLFW_KEY_SPACE);
     held_.down = down(GLFW_KEY_Q, GLFW_KEY_LEFT_CONTROL);
     held_.fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    held_.wheel = mouseIsTaken ? 0.0 : wheel_;
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_, &x, &y);
     const bool button = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
@@ -196,6 +219,24 @@ Picture Window::read() const {
                          rgba.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
                          rgba.begin() + static_cast<std::ptrdiff_t>(bottom * row));
     return pictureFromRgba(pixels.width, pixels.height, rgba);
+}
+
+void Window::switchFullScreen() {
+    if (framed_) {
+        glfwSetWindowMonitor(window_, nullptr, framed_->x, framed_->y, framed_->width, framed_->height,
+                             GLFW_DONT_CARE);
+        framed_.reset();
+        return;
+    }
+    Frame frame;
+    glfwGetWindowPos(window_, &frame.x, &frame.y);
+    glfwGetWindowSize(window_, &frame.width, &frame.height);
+    GLFWmonitor* monitor = monitorOf(frame.x + frame.width / 2, frame.y + frame.height / 2);
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr)
+        return;
+    framed_ = frame;
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void Window::show() {

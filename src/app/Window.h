@@ -19,7 +19,9 @@ enum class Key {
     Panel,
     Check,
     Probe,
+    FullScreen,
     Walk,
+    Chase,
     Doors,
     Use,
     Rain,
@@ -41,6 +43,7 @@ struct HeldInput {
     bool forward = false, back = false, left = false, right = false, up = false, down = false, fast = false;
     bool jump = false;               ///< one of the keys for up, too
     double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
+    double wheel = 0.0;              ///< notches turned since the last poll, away from the hand
 };
 
 /// A pixel, from the window's upper left corner.
@@ -70,12 +73,15 @@ public:
     /// Reads what was drawn into the window, before `show`.
     [[nodiscard]] Picture read() const;
     void show();
+    /// Fills the screen that the window is on, or gives it back.
+    void switchFullScreen();
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
     /// Called by the library.
     void receiveKey(int key);
     void receiveButton(bool isDown);
     void receiveCursor(double x, double y);
+    void receiveWheel(double notches) { wheel_ += notches; }
 
 private:
     explicit Window(GLFWwindow* window);
@@ -94,6 +100,12 @@ private:
     std::optional<Press> press_;
     double cursorX_ = 0.0, cursorY_ = 0.0; ///< as last received
     std::optional<PixelPlace> clicked_;
+    double wheel_ = 0.0;
+    /// Where the window was before it filled the screen.
+    struct Frame {
+        int x = 0, y = 0, width = 0, height = 0;
+    };
+    std::optional<Frame> framed_;
 };
 
 } // namespace limen::app

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace limen::check {
 
@@ -36,9 +37,24 @@ struct View {
     double fov = 60.0;                       ///< vertical, degrees
     std::uint32_t width = 640, height = 360; ///< pixels
     dat::RecordId root = 0;                  ///< cell that the eye is in; 0: outside
+    double time = 0.5;                       ///< of day, 0 and 1 midnight
     double seconds = 0.0;                    ///< since the world began
     std::optional<double> doors;             ///< how far all doors stand open; none: each as it rests
+    struct DoorState {
+        std::string name; ///< as in the world file
+        double open = 0.0;
+    };
+    std::vector<DoorState> eachDoor; ///< those that do not rest; where `doors` says nothing
     bool rain = false;
+    std::optional<Vec3> player; ///< where the player is, global; none: at the eye
+    /// The player's body, if it has one.
+    struct Body {
+        Vec3 feet{0.0};         ///< global
+        double yaw = 0.0;       ///< it faces that way, degrees
+        dat::RecordId root = 0; ///< cell that its middle is in; 0: outside
+        double opacity = 1.0;   ///< 0: not seen
+    };
+    std::optional<Body> body;
     std::string about; ///< where it comes from, for people
 };
 

@@ -202,6 +202,7 @@ void addFolk(ModelSink& sink, VillageMap& map) {
                      villager("watchman", models.watchman, "watch", 1.3, 20.0),
                      villager("farmer", models.farmer, "farm", 1.2, 30.0),
                      villager("carter", models.carter, "cart", 1.1, 40.0)};
+    map.player["model"] = fmt::format("0x{:08X}", models.traveller);
 }
 
 } // namespace limen::demo

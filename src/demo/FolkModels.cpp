@@ -190,6 +190,8 @@ FolkModels addFolkModels(ModelSink& sink) {
     carter.push_back({wheel, {{-0.70, -2.1, 0.555}, 0.0}});
     carter.push_back({wheel, {{0.70, -2.1, 0.555}, 0.0}});
     m.carter = sink.addSetup(carter);
+    m.traveller = sink.addSetup(
+        person(sink, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}));
     return m;
 }
 

@@ -8,8 +8,9 @@ namespace limen::demo {
 /// have their origin at the joint.
 struct FolkModels {
     dat::RecordId innkeeper = 0, maid = 0, farmer = 0, elder = 0;
-    dat::RecordId watchman = 0; ///< carries a lantern at `kLantern`
-    dat::RecordId carter = 0;   ///< pulls a loaded cart
+    dat::RecordId watchman = 0;  ///< carries a lantern at `kLantern`
+    dat::RecordId carter = 0;    ///< pulls a loaded cart
+    dat::RecordId traveller = 0; ///< whoever walks through the world
 };
 inline constexpr Vec3 kLantern{0.31, 0.16, 0.86};
 [[nodiscard]] FolkModels addFolkModels(ModelSink& sink);

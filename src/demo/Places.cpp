@@ -112,6 +112,7 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& d
     json["doors"] = map.doors;
     json["routes"] = map.routes;
     json["villagers"] = map.villagers;
+    json["player"] = map.player;
     json["emitters"] = buildEmitters(map, dungeons);
     json["weather"] = "clear";
     return json;

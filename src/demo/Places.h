@@ -14,7 +14,7 @@ namespace limen::demo {
 struct VillageMap {
     Placement cottage, neighbour, inn, hall;
     std::vector<dat::RecordId> cottageCells, neighbourCells, innCells, hallCells;
-    nlohmann::ordered_json doors, routes, villagers;
+    nlohmann::ordered_json doors, routes, villagers, player;
     Furniture furniture; ///< models, for whoever furnishes more
 };
 

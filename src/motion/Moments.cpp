@@ -54,6 +54,8 @@ void Moments::at(const MomentInput& input, world::Moment& out) {
     shut(input, out);
     addDoors(input, out);
     addVillagers(input.seconds, out);
+    if (input.player)
+        addPlayer(*input.player, out);
     addLoose(out);
     for (const world::Emitter& emitter : world_.emitters)
         addSprites(input, emitter, out);
@@ -178,6 +180,21 @@ void Moments::addVillagers(double seconds, world::Moment& out) {
             out.closed, reached_);
         giveMembers(first, out);
     }
+}
+
+void Moments::addPlayer(const PlayerBody& player, world::Moment& out) {
+    if (!(player.opacity > 0.0))
+        return;
+    const bool isSolid = player.opacity >= 1.0;
+    const world::MovingBody& body = isSolid ? world_.player.solid : world_.player.ghost;
+    const Pose pose{turnedTo(player.yaw), player.feet};
+    const std::size_t first = out.instances.size();
+    addBody(body, pose, player.space, out);
+    for (std::size_t i = first; i < out.instances.size() && !isSolid; ++i)
+        out.instances[i].opacity = static_cast<float>(player.opacity);
+    membership_.reach(player.space, {pose.origin + pose.linear * body.bounds.centre, body.bounds.radius},
+                      out.closed, reached_);
+    giveMembers(first, out);
 }
 
 void Moments::addLoose(world::Moment& out) {

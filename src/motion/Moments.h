@@ -10,14 +10,24 @@
 
 namespace limen::motion {
 
+/// Where the player's body stands, and how much of it is seen.
+struct PlayerBody {
+    Vec3 feet{0.0};                            ///< global
+    double yaw = 0.0;                          ///< compass direction that it faces, degrees
+    world::SpaceIndex space = world::kOutside; ///< that its middle is in
+    double opacity = 1.0;                      ///< 0: not seen .. 1: solid
+    friend bool operator==(const PlayerBody&, const PlayerBody&) = default;
+};
+
 /// What a moment depends on.
 struct MomentInput {
     double seconds = 0.0; ///< since the world began; routes and sprites follow it
     /// How far the doors are open, 0..1, by World::doors; doors beyond its end stand as they rest.
     std::span<const double> doors;
-    std::optional<double> allDoors; ///< for all of them alike; before `doors`
-    bool rain = false;              ///< it rains and the player is outside (docs/ray-rule.md)
-    Vec3 eye{0.0};                  ///< global; rain falls around it
+    std::optional<double> allDoors;   ///< for all of them alike; before `doors`
+    bool rain = false;                ///< it rains and the player is outside (docs/ray-rule.md)
+    std::optional<PlayerBody> player; ///< none: nobody is there
+    Vec3 eye{0.0};                    ///< global; rain falls around it
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< what sprites face
 };
 
@@ -49,6 +59,7 @@ private:
     void addInPlace(const world::MovingBody& body, world::Moment& out) const;
     void addDoors(const MomentInput& input, world::Moment& out);
     void addVillagers(double seconds, world::Moment& out);
+    void addPlayer(const PlayerBody& player, world::Moment& out);
     void addLoose(world::Moment& out);
     void addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out);
     void addRain(const MomentInput& input, world::Moment& out);

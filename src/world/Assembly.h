@@ -8,6 +8,12 @@
 
 namespace limen::world {
 
+/// Identities of moving things; 0xF… is no landblock's.
+enum class MovingThing : std::uint64_t { Door = 0xF1, Villager = 0xF2, Sprite = 0xF3, Player = 0xF4 };
+[[nodiscard]] constexpr std::uint64_t movingObject(MovingThing thing, std::size_t index) {
+    return static_cast<std::uint64_t>(thing) << 56 | static_cast<std::uint64_t>(index);
+}
+
 /// Joins blocks into a World: indices made global, portals and zones numbered, meshes put into the arenas,
 /// members, ids and lights found. Blocks must be added in ascending order of (x, y); then the result depends
 /// on nothing else.
@@ -38,6 +44,9 @@ private:
     void addDoor(const DoorEntry& entry, std::size_t index);
     void addVillagers(const MovingEntries& moving);
     void addEmitter(const EmitterEntry& entry);
+    void addPlayer(dat::RecordId model);
+    [[nodiscard]] MovingBody addGhost(const MovingBody& solid);
+    [[nodiscard]] std::uint32_t ghostMaterials(std::uint32_t firstMaterial, std::size_t count);
     [[nodiscard]] MovingBody addBody(dat::RecordId model, Kind kind, std::uint64_t object);
     [[nodiscard]] std::uint32_t addRoute(const RouteEntry& entry);
     [[nodiscard]] MovingBody addShutBody(const Leaf& leaf, const Portal& portal);

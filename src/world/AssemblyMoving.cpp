@@ -11,12 +11,6 @@
 namespace limen::world {
 namespace {
 
-/// Identities of moving things; 0xF… is no landblock's.
-enum class MovingThing : std::uint64_t { Door = 0xF1, Villager = 0xF2, Sprite = 0xF3 };
-std::uint64_t movingObject(MovingThing thing, std::size_t index) {
-    return static_cast<std::uint64_t>(thing) << 56 | static_cast<std::uint64_t>(index);
-}
-
 /// Both sides of an opening's polygon as a mesh, block-local; pictures laid on in metres.
 MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origin) {
     const std::span<const Vec3> polygon = polygonOf(world, portal);
@@ -291,6 +285,8 @@ void Assembly::addMoving(const MovingEntries& moving) {
     if (region_ != nullptr)
         world_.rainDrop =
             addSprite(plainMaterial(Vec4f(0.75f, 0.8f, 0.88f, 0.35f), SurfaceClass::Blended), kNone);
+    if (moving.player != 0)
+        addPlayer(moving.player);
 }
 
 /// By portal: shut when every opaque door is closed.

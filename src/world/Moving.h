@@ -59,6 +59,12 @@ struct Villager {
     double start = 0.0; ///< metres along the route at time 0
 };
 
+/// The body of whoever walks through the world. Its parts are there twice: as they are, and as glass, to fade when the eye comes
+/// near. None: no parts.
+struct Player {
+    MovingBody solid, ghost;
+};
+
 /// What sends out sprites that face the eye.
 struct Emitter {
     std::string name;

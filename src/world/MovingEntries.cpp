@@ -83,6 +83,10 @@ Result<MovingEntries> readMovingEntries(const Json& world, const std::string& fi
         return broken("villagers", entries.villagers.size());
     if (!readList(world, "emitters", entries.emitters))
         return broken("emitters", entries.emitters.size());
+    if (const auto player = world.find("player"); player != world.end()) {
+        if (!player->is_object() || !readId(*player, "model", entries.player) || entries.player == 0)
+            return fail(ErrorCode::Malformed, file, "\"player\" has no \"model\"");
+    }
     std::string weather = "clear";
     if (!readField(world, "weather", weather) || (weather != "clear" && weather != "rain"))
         return fail(ErrorCode::Malformed, file, "\"weather\" is \"clear\" or \"rain\"");

@@ -57,7 +57,8 @@ struct MovingEntries {
     std::vector<RouteEntry> routes;
     std::vector<VillagerEntry> villagers;
     std::vector<EmitterEntry> emitters;
-    bool rain = false; ///< at the start
+    dat::RecordId player = 0; ///< model of the body that walks through the world; 0: it is not seen
+    bool rain = false;        ///< at the start
 };
 
 /// Reads the moving things of a world file. `file` is for messages. Errors: an entry that is not of its shape.

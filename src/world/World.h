@@ -241,6 +241,7 @@ struct World {
     std::vector<RoutePoint> routePoints;
     std::vector<Villager> villagers;
     std::vector<Emitter> emitters;
+    Player player;
     std::vector<LooseObject> looseObjects;
     std::uint32_t rainDrop = kNone; ///< movingParts: a unit square in the colour of rain
     std::uint32_t spriteIds = 0;    ///< the first of kMostSprites ids by which sprites count as layers

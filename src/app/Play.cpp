@@ -1,0 +1,159 @@
+#include "app/Play.h"
+
+#include "app/FlyCamera.h"
+
+#include <algorithm>
+
+namespace limen::app {
+
+Play::Play(Session& session, FrameEye start)
+    : session_(session), eye_(std::move(start)), tracker_(eye_.root) {}
+
+Result<void> Play::step(const PlayInput& input) {
+    for (const PlayAct& act : input.acts)
+        this->act(act);
+    if (Result<void> moved = moveEye(input); !moved)
+        return moved;
+    const double seconds = input.isFrozen ? 0.0 : input.seconds;
+    moveDoors(seconds);
+    findDoor();
+    eye_.seconds += seconds;
+    eye_.size = input.size;
+    return {};
+}
+
+void Play::act(const PlayAct& act) {
+    switch (act.kind) {
+    case PlayAct::Kind::Walk:
+        walk_.isOn() ? walk_.end(eye_) : beginToWalk();
+        tracker_.place(eye_.root);
+        return;
+    case PlayAct::Kind::Chase:
+        walk_.chase(!walk_.isChased());
+        return;
+    case PlayAct::Kind::Doors:
+        swingDoors();
+        return;
+    case PlayAct::Kind::Use:
+        useDoor();
+        return;
+    case PlayAct::Kind::Weather:
+        eye_.weather = eye_.weather == Weather::Rain ? Weather::Clear : Weather::Rain;
+        return;
+    case PlayAct::Kind::Place:
+        goTo(static_cast<std::size_t>(std::max(act.value, 0.0)));
+        return;
+    case PlayAct::Kind::Time:
+        eye_.time = std::clamp(act.value, 0.0, 1.0);
+        return;
+    case PlayAct::Kind::AllDoors:
+        standDoors(act.value);
+        return;
+    case PlayAct::Kind::Distance:
+        walk_.keepDistance(act.value);
+        return;
+    }
+}
+
+/// Stands where the eye is, and falls to the ground. What cannot be walked on is flown over.
+void Play::beginToWalk() {
+    if (!walk_.begin(session_, eye_))
+        walk_.end(eye_);
+}
+
+/// All doors open, or shut if they are open or opening. They take a second.
+void Play::swingDoors() {
+    const double towards = doorsTowards_.value_or(eye_.doors.value_or(0.0));
+    doorsTowards_ = towards < 0.5 ? 1.0 : 0.0;
+    if (!eye_.doors)
+        eye_.doors = 1.0 - *doorsTowards_;
+}
+
+void Play::standDoors(double open) {
+    doorsTowards_.reset(); // a hand is on them
+    eye_.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
+}
+
+/// From here on doors stand each as it was left.
+void Play::useDoor() {
+    if (!door_)
+        return;
+    const world::World& world = session_.loaded().world;
+    if (eye_.doors)
+        doors_.putAll(world, *eye_.doors);
+    eye_.doors.reset();
+    doorsTowards_.reset();
+    doors_.use(world.doors[*door_]);
+}
+
+void Play::goTo(std::size_t place) {
+    const std::vector<world::Place>& places = session_.source().file.places;
+    if (place >= places.size())
+        return;
+    const Standpoint stand = standpointAt(places[place]);
+    if (!session_.load(stand.centre))
+        return; // its part of the world cannot be loaded: stay
+    Result<FrameEye> eye = placeEye(session_.loaded(), stand, eye_.size);
+    if (!eye)
+        return;
+    eye->camera.fovDegrees = eye_.camera.fovDegrees;
+    eye->time = eye_.time;
+    eye->weather = eye_.weather;
+    eye->seconds = eye_.seconds;
+    eye->doors = eye_.doors;
+    doors_.write(session_.loaded().world, eye->eachDoor);
+    eye_ = std::move(*eye);
+    tracker_.place(eye_.root);
+    if (walk_.isOn())
+        beginToWalk();
+}
+
+Result<void> Play::moveEye(const PlayInput& input) {
+    FlyInput hands;
+    hands.turnRight = input.turnRight;
+    hands.turnUp = input.turnUp;
+    if (walk_.isOn()) {
+        eye_.camera = fly(eye_.camera, hands);
+        if (Result<void> stepped = walk_.step(
+                session_, {input.forward, input.right, input.fast, input.jump, input.seconds}, eye_);
+            !stepped)
+            return stepped;
+    } else {
+        hands.forward = input.forward;
+        hands.right = input.right;
+        hands.up = input.up;
+        hands.fast = input.fast;
+        hands.seconds = input.seconds;
+        const Vec3 from = eye_.camera.eye;
+        eye_.camera = fly(eye_.camera, hands);
+        eye_.player = eye_.camera.eye;
+        eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, input.seconds);
+    }
+    if (!session_.follow(eye_.camera.eye, eye_.root))
+        return {};
+    tracker_.place(eye_.root);
+    return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{}; // its space has another number now
+}
+
+void Play::moveDoors(double seconds) {
+    const world::World& world = session_.loaded().world;
+    doors_.pass(seconds, world, walk_.isOn() ? std::make_optional(walk_.body().standing) : std::nullopt);
+    doors_.write(world, eye_.eachDoor);
+    if (!doorsTowards_ || !eye_.doors)
+        return;
+    const double way = *doorsTowards_ - *eye_.doors;
+    eye_.doors = *eye_.doors + std::clamp(way, -seconds, seconds);
+    if (*eye_.doors == *doorsTowards_)
+        doorsTowards_.reset();
+}
+
+void Play::findDoor() {
+    door_.reset();
+    if (!walk_.isOn())
+        return;
+    const world::World& world = session_.loaded().world;
+    const motion::BodyEye head = walk_.head(world);
+    door_ = motion::doorInReach(world, head.space, head.position, basisOf(eye_.camera.heading).forward);
+}
+
+} // namespace limen::app
