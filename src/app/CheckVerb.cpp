@@ -1,8 +1,11 @@
 #include "app/CheckDrawer.h"
 #include "app/CheckPicture.h"
+#include "app/FrameSource.h"
 #include "app/OutputFile.h"
 #include "app/Verbs.h"
+#include "app/ViewOfEye.h"
 #include "check/Run.h"
+#include "gpu/NullDevice.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,7 +19,7 @@ namespace {
 
 struct CheckOptions {
     SessionOptions session;
-    std::string kinds, size, block, directory, resume, doors = "rest", weather = "clear";
+    std::string kinds, size, block, directory, resume, walk, doors = "rest", weather = "clear";
     std::size_t views = 1000;
     std::uint64_t seed = 1;
     bool apart = false, json = false;
@@ -63,13 +66,46 @@ Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary
     return {};
 }
 
-Result<check::RunRequest> requestOf(const CheckOptions& options, const WorldSource& source) {
+/// Plays a walk again without a picture; each of its frames is looked at.
+Result<check::RunRequest> addWalk(const CheckOptions& options,
+                                  const std::shared_ptr<const WorldSource>& source, const Console& console,
+                                  check::RunRequest request) {
+    Result<WalkRecord> record = readWalk(options.walk);
+    if (!record)
+        return tl::unexpected(record.error());
+    gpu::NullDevice device;
+    Session session(source, options.session, device);
+    const Result<std::unique_ptr<ReplayedFrames>> frames = ReplayedFrames::open(session, std::move(*record));
+    if (!frames)
+        return tl::unexpected(frames.error());
+    std::vector<check::View> views;
+    for (std::size_t i = 0; i < (*frames)->count(); ++i) {
+        const Result<const FrameEye*> eye = (*frames)->next();
+        if (!eye)
+            return tl::unexpected(eye.error());
+        if (Result<void> drawn = session.draw(**eye, {}); !drawn)
+            return tl::unexpected(drawn.error());
+        views.push_back(viewOf(**eye, session.loaded().world));
+        views.back().kind = check::Kind::Path;
+        views.back().width = request.width;
+        views.back().height = request.height;
+        views.back().about = fmt::format("frame {} of the walk", i);
+    }
+    if (const std::string difference = differenceLine(**frames); !difference.empty())
+        console.note(difference);
+    request.tasks = check::tasksOf(views);
+    return request;
+}
+
+Result<check::RunRequest> requestOf(const CheckOptions& options,
+                                    const std::shared_ptr<const WorldSource>& source,
+                                    const Console& console) {
     const Result<std::vector<check::Kind>> kinds = kindsOf(options.kinds);
     if (!kinds)
         return tl::unexpected(kinds.error());
     check::RunRequest request;
     request.seed = options.seed;
-    request.tour = source.file.tour;
+    request.tour = source->file.tour;
     const Result<std::optional<double>> doors = parseDoors("--doors", options.doors);
     if (!doors)
         return tl::unexpected(doors.error());
@@ -86,14 +122,16 @@ Result<check::RunRequest> requestOf(const CheckOptions& options, const WorldSour
         request.width = request.sweepWidth = size->width;
         request.height = request.sweepHeight = size->height;
     }
-    Result<std::vector<check::BlockSummary>> blocks = check::blocksOf(source.archive);
+    if (!options.walk.empty())
+        return addWalk(options, source, console, request);
+    Result<std::vector<check::BlockSummary>> blocks = check::blocksOf(source->archive);
     if (!blocks)
         return tl::unexpected(blocks.error());
     if (Result<void> left = restrictTo(options.block, *blocks); !left)
         return tl::unexpected(left.error());
     const std::vector<check::Kind> placed = check::kindsWithPlaces(*kinds, *blocks);
     request.tasks =
-        check::planTasks(*blocks, source.file.tour, check::shareAmongKinds(options.views, placed));
+        check::planTasks(*blocks, source->file.tour, check::shareAmongKinds(options.views, placed));
     if (request.tasks.empty())
         return fail(ErrorCode::NotFound, "check", "this world has nothing that these kinds of view look at");
     return request;
@@ -112,9 +150,10 @@ std::string worldOptions(const CheckOptions& options, const WorldSource& source)
 /// Everything that decides which views are checked and how.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
     return fmt::format(
-        "views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' weather '{}' world '{}' samples {}",
+        "views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' weather '{}' world '{}' samples {}{}",
         options.views, options.kinds, options.seed, options.size, options.block, options.doors,
-        options.weather, world, options.session.samples);
+        options.weather, world, options.session.samples,
+        options.walk.empty() ? "" : " walk '" + options.walk + "'");
 }
 
 Result<check::Progress> progressOf(const CheckOptions& options, const std::string& run) {
@@ -187,7 +226,7 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
         openHeadless(std::make_shared<const WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
-    const Result<check::RunRequest> request = requestOf(options, headless->session->source());
+    const Result<check::RunRequest> request = requestOf(options, headless->session->shareSource(), console);
     if (!request)
         return tl::unexpected(request.error());
     CheckDrawer drawer(*headless->session, !options.directory.empty(), options.session.samples > 1);
@@ -224,6 +263,12 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "how far all doors stand open: rest, closed, half, open or 0..1 (rest)")
         ->type_name("STATE");
     verb->add_option("--weather", options->weather, "clear or rain (clear)")->type_name("WEATHER");
+    CLI::Option* walk =
+        verb->add_option("--walk", options->walk,
+                         "every frame of a walk that limen view --record has written, instead")
+            ->type_name("FILE");
+    for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--weather"})
+        walk->excludes(other);
     verb->add_flag("--apart", options->apart, "every cell its own zone, as --zones cells");
     verb->add_option("-o,--output", options->directory,
                      "a directory for a picture of each view with a finding; made if it is missing")

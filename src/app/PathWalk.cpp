@@ -34,13 +34,26 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
         .add_option("--path", arguments.path,
                     "way points, one line of shot's options each; the world's own tour unless said")
         ->type_name("FILE");
-    command.add_option("--size", arguments.size, "picture size in pixels (960x540)")->type_name("WxH");
+    CLI::Option* walk = command
+                            .add_option("--walk", arguments.walk,
+                                        "or a walk that limen view --record has written, frame by frame")
+                            ->type_name("FILE")
+                            ->excludes("--path");
+    command.add_option("--size", arguments.size, "picture size in pixels (960x540, of a walk as recorded)")
+        ->type_name("WxH");
     command
         .add_option("--frames", arguments.frames, fmt::format("how many frames, spread evenly ({})", frames))
-        ->type_name("N");
-    command.add_option("--fps", arguments.fps, "or how many for each second of walking")->type_name("F");
-    command.add_option("--fov", arguments.fov, "vertical field of view (60)")->type_name("DEG");
-    command.add_option("--time", arguments.time, "time of day, 0 and 1 midnight (0.5)")->type_name("0..1");
+        ->type_name("N")
+        ->excludes(walk);
+    command.add_option("--fps", arguments.fps, "or how many for each second of walking")
+        ->type_name("F")
+        ->excludes(walk);
+    command.add_option("--fov", arguments.fov, "vertical field of view (60)")
+        ->type_name("DEG")
+        ->excludes(walk);
+    command.add_option("--time", arguments.time, "time of day, 0 and 1 midnight (0.5)")
+        ->type_name("0..1")
+        ->excludes(walk);
 }
 
 std::size_t PathRequest::countOn(const CameraPath& path) const {
@@ -53,7 +66,7 @@ double PathRequest::timeOf(const CameraPath& path, std::size_t frame) const {
 
 Result<PathRequest> checkPath(const PathArguments& arguments, std::size_t frames) {
     PathRequest request;
-    const Result<PixelSize> size = parseSize("--size", arguments.size);
+    const Result<PixelSize> size = parseSize("--size", arguments.size.empty() ? "960x540" : arguments.size);
     if (!size)
         return tl::unexpected(size.error());
     request.size = *size;

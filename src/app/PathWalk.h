@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-// A camera that goes along a path, whatever is done with its frames: tour and probe.
+// A camera that goes along a path.
 namespace limen::app {
 
 /// What the command line says of it.
 struct PathArguments {
-    std::string path, size = "960x540", fov = "60", time = "0.5", frames, fps;
+    std::string path, walk, size, fov = "60", time = "0.5", frames, fps;
 };
 /// Adds the options of these. `frames`: how many there are unless said; told to the user.
 void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames);

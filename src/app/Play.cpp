@@ -7,7 +7,13 @@
 namespace limen::app {
 
 Play::Play(Session& session, FrameEye start)
-    : session_(session), eye_(std::move(start)), tracker_(eye_.root) {}
+    : session_(session), eye_(std::move(start)), tracker_(eye_.root) {
+    const std::vector<world::Door>& doors = session_.loaded().world.doors;
+    for (std::size_t i = 0; i < std::min(doors.size(), eye_.eachDoor.size()); ++i) {
+        if (eye_.eachDoor[i] != doors[i].open)
+            doors_.put(doors[i], eye_.eachDoor[i]);
+    }
+}
 
 Result<void> Play::step(const PlayInput& input) {
     for (const PlayAct& act : input.acts)

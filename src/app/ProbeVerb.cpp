@@ -1,4 +1,4 @@
-#include "app/PathWalk.h"
+#include "app/FrameSource.h"
 #include "app/Probe.h"
 #include "app/Verbs.h"
 #include "gpu/NullDevice.h"
@@ -17,36 +17,36 @@ struct ProbeOptions {
 constexpr std::size_t kFrames = 2000; // unless said
 
 Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
-    const Result<PathRequest> request = checkPath(options.path, kFrames);
-    if (!request)
-        return tl::unexpected(request.error());
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<std::vector<Standpoint>> points = wayPointsOf(options.path, source->file);
-    if (!points)
-        return tl::unexpected(points.error());
+    Result<FramesRequest> request = checkFrames(options.path, kFrames, source->file);
+    if (!request)
+        return tl::unexpected(request.error());
     gpu::NullDevice device; // what is decided does not depend on a driver
     Session session(std::make_shared<const WorldSource>(std::move(*source)), options.session, device);
-    const Result<PathStart> start = startPath(session, *points, *request);
-    if (!start)
-        return tl::unexpected(start.error());
-    const std::size_t count = request->countOn(start->path);
-    PathWalk walk(session, start->path, start->eye);
+    const Result<std::unique_ptr<FrameSource>> frames = openFrames(session, std::move(*request));
+    if (!frames)
+        return tl::unexpected(frames.error());
+    const std::size_t count = (*frames)->count();
     Probe probe;
     Progress progress(console, "probe", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
-        const double seconds = request->timeOf(start->path, frame);
-        const FrameEye& eye = walk.moveTo(seconds);
-        if (Result<void> drawn = session.draw(eye, {}); !drawn)
+        const Result<const FrameEye*> eye = (*frames)->next();
+        if (!eye)
+            return tl::unexpected(eye.error());
+        if (Result<void> drawn = session.draw(**eye, {}); !drawn)
             return tl::unexpected(drawn.error());
-        const std::string lines = probe.see({frame, seconds, session.loaded().world, eye, session.visible(),
-                                             session.plan(), session.figures().glCalls});
+        const std::string lines = probe.see({frame, (*eye)->seconds, session.loaded().world, **eye,
+                                             session.visible(), session.plan(), session.figures().glCalls});
         if (!lines.empty())
             console.data(lines);
         progress.step(frame + 1);
     }
-    return Exit::Done;
+    const std::string difference = differenceLine(**frames);
+    if (!difference.empty())
+        console.note(difference);
+    return difference.empty() ? Exit::Done : Exit::Finding;
 }
 
 } // namespace
@@ -58,6 +58,7 @@ void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
     addPathOptions(*verb, options->path, kFrames);
     addSessionOptions(*verb, options->session);
     verb->footer(
+        "With --walk it exits with 1 if the walk came out otherwise than when it was recorded.\n"
         "A line for every change: root (with the eye's way there), visits, spaces seen, outside, stages, "
         "blocks loaded, budgets. Nothing is drawn: no driver is needed.");
     verb->callback([&console, &choice, options] {

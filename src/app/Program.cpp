@@ -49,6 +49,7 @@ Exit runProgram(int argc, const char* const* argv, const Console& console) {
     addShotVerb(program, console, choice);
     addTourVerb(program, console, choice);
     addProbeVerb(program, console, choice);
+    addWalkVerb(program, console, choice);
     addCheckVerb(program, console, choice);
     addDatVerb(program, console, choice);
     addDemoVerb(program, console, choice);

@@ -237,6 +237,10 @@ Result<ListedView> readView(std::string_view line, const std::string& where, con
 
 } // namespace
 
+Result<ViewRequest> parseView(std::string_view line, const std::string& where) {
+    return readView(line, where, {}, {}, {}, 0).map([](ListedView listed) { return std::move(listed.view); });
+}
+
 Result<std::vector<ListedView>> readViews(const std::filesystem::path& file, const ViewArguments& common,
                                           const OutputPaths& commonOutputs,
                                           const std::filesystem::path& directory) {

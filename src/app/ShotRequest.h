@@ -62,6 +62,9 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs);
 /// Checks every argument. Errors: the first that makes no sense; no eye, or two.
 [[nodiscard]] Result<ViewRequest> checkView(const ViewArguments& arguments);
 
+/// The same, of one line of them. `where` begins messages.
+[[nodiscard]] Result<ViewRequest> parseView(std::string_view line, const std::string& where);
+
 /// One view of a views file.
 struct ListedView {
     ViewRequest view;

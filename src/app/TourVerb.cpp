@@ -1,5 +1,5 @@
+#include "app/FrameSource.h"
 #include "app/OutputFile.h"
-#include "app/PathWalk.h"
 #include "app/Picture.h"
 #include "app/Verbs.h"
 
@@ -46,15 +46,17 @@ std::string statsLine(const Session& session, const FrameEye& eye, std::size_t f
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Result<void> drawFrames(Session& session, const PathStart& start, const PathRequest& request,
-                        const TourOptions& options, const Console& console) {
-    const std::size_t count = request.countOn(start.path);
+Result<void> drawFrames(Session& session, FrameSource& frames, const TourOptions& options,
+                        const Console& console) {
+    const std::size_t count = frames.count();
     const std::filesystem::path directory = options.directory;
     ContactSheet sheet(count, kSheetTiles, 6, 320);
-    PathWalk walk(session, start.path, start.eye);
     Progress progress(console, "tour", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
-        const FrameEye& eye = walk.moveTo(request.timeOf(start.path, frame));
+        const Result<const FrameEye*> next = frames.next();
+        if (!next)
+            return tl::unexpected(next.error());
+        const FrameEye& eye = **next;
         if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
             return drawn;
         const Picture picture =
@@ -71,13 +73,7 @@ Result<void> drawFrames(Session& session, const PathStart& start, const PathRequ
     return writePicture(directory / "contact.png", sheet.compose());
 }
 
-/// Everything that a tour needs before its first frame.
-struct OpenTour {
-    HeadlessSession headless;
-    std::vector<Standpoint> points;
-};
-
-Result<OpenTour> openTour(const TourOptions& options) {
+Result<HeadlessSession> openTour(const TourOptions& options, std::optional<FramesRequest>& request) {
     if (Result<void> made = makeDirectory(options.directory); !made)
         return tl::unexpected(made.error());
     if (Result<void> writable = checkWritable(std::filesystem::path(options.directory) / "contact.png");
@@ -86,31 +82,28 @@ Result<OpenTour> openTour(const TourOptions& options) {
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<std::vector<Standpoint>> points = wayPointsOf(options.path, source->file);
-    if (!points)
-        return tl::unexpected(points.error());
-    Result<HeadlessSession> headless =
-        openHeadless(std::make_shared<const WorldSource>(std::move(*source)), options.session);
-    if (!headless)
-        return tl::unexpected(headless.error());
-    return OpenTour{std::move(*headless), std::move(*points)};
+    Result<FramesRequest> checked = checkFrames(options.path, kFrames, source->file);
+    if (!checked)
+        return tl::unexpected(checked.error());
+    request = std::move(*checked);
+    return openHeadless(std::make_shared<const WorldSource>(std::move(*source)), options.session);
 }
 
 Result<Exit> runTour(const TourOptions& options, const Console& console) {
-    const Result<PathRequest> request = checkPath(options.path, kFrames);
-    if (!request)
-        return tl::unexpected(request.error());
-    Result<OpenTour> tour = openTour(options);
-    if (!tour)
-        return tl::unexpected(tour.error());
-    Session& session = *tour->headless.session;
-    const Result<PathStart> start = startPath(session, tour->points, *request);
-    if (!start)
-        return tl::unexpected(start.error());
+    std::optional<FramesRequest> request;
+    Result<HeadlessSession> headless = openTour(options, request);
+    if (!headless)
+        return tl::unexpected(headless.error());
+    Session& session = *headless->session;
+    const Result<std::unique_ptr<FrameSource>> frames = openFrames(session, std::move(*request));
+    if (!frames)
+        return tl::unexpected(frames.error());
     if (const std::string findings = findingsLine(session.loaded().world); !findings.empty())
         console.note(findings);
-    if (Result<void> drawn = drawFrames(session, *start, *request, options, console); !drawn)
+    if (Result<void> drawn = drawFrames(session, **frames, options, console); !drawn)
         return tl::unexpected(drawn.error());
+    if (const std::string difference = differenceLine(**frames); !difference.empty())
+        console.note(difference);
     console.note(fmt::format("The frames and contact.png are in {}", options.directory));
     return Exit::Done;
 }

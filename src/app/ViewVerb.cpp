@@ -1,9 +1,12 @@
+#include "app/DecisionHash.h"
 #include "app/OutputFile.h"
 #include "app/Panel.h"
 #include "app/Play.h"
 #include "app/Probe.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
+#include "app/ViewOfEye.h"
+#include "app/WalkRecord.h"
 #include "app/Window.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +23,7 @@ namespace {
 struct ViewOptions {
     SessionOptions session;
     ViewArguments view;
-    std::string frames, screenshot;
+    std::string frames, screenshot, record;
     bool json = false, fly = false, chase = false;
 };
 
@@ -362,10 +365,14 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
     if (options.chase)
         viewer.act({PlayAct::Kind::Chase});
     std::size_t frames = 0;
+    std::string record = beginningLine(check::shotOptions(viewOf(start, session.loaded().world)));
     while (!viewer.isLeaving() && (limit == 0 || frames < limit)) {
         if (Result<void> drawn = viewer.frame(limit > 0 ? kScriptStep : 0.0); !drawn)
             return tl::unexpected(drawn.error());
         ++frames;
+        if (!options.record.empty())
+            record +=
+                frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.moment())});
         if (!viewer.probed().empty())
             console.data(viewer.probed());
         if (frames == limit && !options.screenshot.empty()) {
@@ -373,6 +380,10 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
                 return tl::unexpected(written.error());
         }
         window.show();
+    }
+    if (!options.record.empty()) {
+        if (Result<void> written = writeFile(options.record, record); !written)
+            return tl::unexpected(written.error());
     }
     if (options.json)
         console.data(stateJson(session, viewer, frames));
@@ -386,8 +397,8 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     if (!options.screenshot.empty() && *limit == 0)
         return fail(ErrorCode::BadArgument, "--screenshot",
                     "is taken of the last frame; give --frames N as well");
-    if (!options.screenshot.empty()) {
-        if (Result<void> writable = checkWritable(options.screenshot); !writable)
+    for (const std::string& output : {options.screenshot, options.record}) {
+        if (Result<void> writable = output.empty() ? Result<void>{} : checkWritable(output); !writable)
             return tl::unexpected(writable.error());
     }
     Result<WorldSource> source = openWorldSource(options.session.dat);
@@ -424,6 +435,10 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("N")
         ->group("Scripts");
     verb->add_option("--screenshot", options->screenshot, "the window's last frame, PNG")
+        ->type_name("FILE")
+        ->group("Scripts");
+    verb->add_option("--record", options->record,
+                     "what was done in each frame, for the --walk of tour, probe and check")
         ->type_name("FILE")
         ->group("Scripts");
     verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");

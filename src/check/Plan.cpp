@@ -96,7 +96,21 @@ std::vector<Kind> kindsWithPlaces(std::span<const Kind> kinds, std::span<const B
 }
 
 std::size_t BlockTask::total() const {
-    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    return std::accumulate(counts.begin(), counts.end(), given.size());
+}
+
+std::vector<BlockTask> tasksOf(std::span<const View> views) {
+    std::map<std::uint32_t, BlockTask> byBlock;
+    for (const View& view : views) {
+        const dat::BlockCoord block = centreOf(view);
+        BlockTask& task =
+            byBlock.try_emplace(dat::blockWord(block), BlockTask{block, {}, 0, {}}).first->second;
+        task.given.push_back(view);
+    }
+    std::vector<BlockTask> tasks;
+    for (auto& [word, task] : byBlock)
+        tasks.push_back(std::move(task));
+    return tasks;
 }
 
 std::vector<BlockTask> planTasks(std::span<const BlockSummary> blocks, std::span<const world::Place> tour,

@@ -38,8 +38,12 @@ struct BlockTask {
     dat::BlockCoord block;
     KindCounts counts{};       ///< of Path: the walks
     std::size_t tourViews = 0; ///< of the whole tour, 0: none of it here
+    std::vector<View> given{}; ///< looked at as they are, after all others
     [[nodiscard]] std::size_t total() const;
 };
+
+/// Tasks for views that are there already, each loaded as `limen shot` would; they stay in order within a block.
+[[nodiscard]] std::vector<BlockTask> tasksOf(std::span<const View> views);
 
 /// Shares views out among blocks: random, sweep and still ones and walks by the number of cells, outside ones among
 /// blocks with landscape, most to those with buildings, half of the path views along the tour where there is one.

@@ -163,6 +163,7 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
         views[i].doors = request.doors;
         views[i].rain = request.rain;
     }
+    views.insert(views.end(), task.given.begin(), task.given.end());
     return views;
 }
 

@@ -62,7 +62,7 @@ void DoorUse::use(const world::Door& door) {
 
 void DoorUse::putAll(const world::World& world, double open) {
     for (const world::Door& door : world.doors)
-        swings_[door.name] = {open, open > 0.0};
+        put(door, open);
 }
 
 void DoorUse::pass(double seconds, const world::World& world, const std::optional<Standing>& body,

@@ -15,7 +15,9 @@ class DoorUse {
 public:
     /// Opens a door, or shuts it if it stands open or is opening.
     void use(const world::Door& door);
-    /// Every door of a world, as far as `open`, 0..1, at once.
+    /// One door, as far as `open`, 0..1, at once.
+    void put(const world::Door& door, double open) { swings_[door.name] = {open, open > 0.0}; }
+    /// Every door of a world, likewise.
     void putAll(const world::World& world, double open);
     /// They swing on, a second from shut to open. One in whose opening `body` stands does not shut.
     void pass(double seconds, const world::World& world, const std::optional<Standing>& body = {},

@@ -81,13 +81,14 @@ TEST(FrameReport, reproductionNamesTheRoot) {
     eye.player = eye.camera.eye;
     EXPECT_EQ(reproduction(smallWorld(), eye, " --dat d"),
               "limen shot --dat d --eye=-1.25,2,0.1 --yaw=30 --pitch=-5 --fov=60 --size=1280x720 "
-              "--root=0xA9B40105 --time=0.5");
+              "--root=0xA9B40105");
     eye.player = {1, 2, 3};
     eye.seconds = 2.5;
     eye.doors = 0.5;
     eye.weather = Weather::Rain;
+    eye.time = 0.25;
     EXPECT_TRUE(reproduction(smallWorld(), eye, "")
-                    .ends_with(" --time=0.5 --seconds=2.5 --doors=0.5 --weather=rain --player=1,2,3"));
+                    .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --weather=rain --player=1,2,3"));
 }
 
 TEST(RegionOverlay, outlinesEveryVisitInItsColour) {

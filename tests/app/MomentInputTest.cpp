@@ -40,6 +40,16 @@ TEST(MomentInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
     EXPECT_TRUE(momentInput(f.world, eye).rain);
 }
 
+TEST(MomentInput, case18_aBodyIsInTheSpaceItSays) {
+    const HutWorld f;
+    FrameEye eye = f.eye(f.outside, f.outside);
+    eye.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
+    EXPECT_FALSE(momentInput(f.world, eye).rain) << "the body is inside, whatever else is said";
+    EXPECT_EQ(momentInput(f.world, eye).player, eye.body);
+    eye.body->space = world::kOutside; // as in a cave whose cells are nowhere by their place
+    EXPECT_TRUE(momentInput(f.world, eye).rain);
+}
+
 TEST(MomentInput, case23_nothingButTheWeatherDependsOnThePlayer) {
     const HutWorld f;
     const motion::MomentInput in = momentInput(f.world, f.eye(f.outside, f.inside, Weather::Clear)),

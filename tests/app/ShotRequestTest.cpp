@@ -44,7 +44,43 @@ TEST(CheckView, refusesEachArgumentThatMakesNoSense) {
     refuses(&ViewArguments::player, "1,2");
     refuses(&ViewArguments::time, "1.5");
     refuses(&ViewArguments::weather, "fog");
+    refuses(&ViewArguments::body, "1,2");
+    refuses(&ViewArguments::bodyYaw, "5"); // without a body
     EXPECT_FALSE(checkView(ViewArguments{}));
+}
+
+TEST(CheckView, takesABodyAndDoors) {
+    ViewArguments arguments = at("1,2,3");
+    arguments.body = "4,5,6";
+    arguments.bodyYaw = "90";
+    arguments.bodyRoot = "0xA9B40105";
+    arguments.bodyOpacity = "0.5";
+    arguments.eachDoor = {"inn.front=0.25", "a=b=1"};
+    const ViewRequest view = checkView(arguments).value();
+    ASSERT_TRUE(view.body);
+    EXPECT_EQ(view.body->feet, Vec3(4, 5, 6));
+    EXPECT_EQ(view.body->yaw, 90.0);
+    EXPECT_EQ(view.body->root.cell, 0xA9B40105u);
+    EXPECT_EQ(view.body->opacity, 0.5);
+    ASSERT_EQ(view.eachDoor.size(), 2u);
+    EXPECT_EQ(view.eachDoor[0].name, "inn.front");
+    EXPECT_EQ(view.eachDoor[0].open, 0.25);
+    EXPECT_EQ(view.eachDoor[1].name, "a=b");
+}
+
+TEST(CheckView, refusesDoorsThatMakeNoSense) {
+    for (const char* bad : {"front", "=1", "front=2", "front=", "front=open"}) {
+        ViewArguments arguments = at("1,2,3");
+        arguments.eachDoor = {bad};
+        EXPECT_FALSE(checkView(arguments)) << bad;
+    }
+    ViewArguments both = at("1,2,3");
+    both.eachDoor = {"front=1"};
+    both.doors = "open";
+    EXPECT_FALSE(checkView(both));
+    ViewArguments two = at("1,2,3");
+    two.player = two.body = "1,2,3";
+    EXPECT_FALSE(checkView(two)) << "the player is where its body is";
 }
 
 TEST(ReadViews, takesWhatALineDoesNotSayFromTheCommandLine) {

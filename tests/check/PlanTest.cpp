@@ -73,6 +73,23 @@ TEST(Plan, halfOfThePathIsTheTourWhereThereIsOne) {
     EXPECT_EQ(without[0].total(), 20u);
 }
 
+TEST(Plan, viewsThatAreThereAlreadyAreLookedAtBlockByBlock) {
+    const auto viewIn = [](dat::RecordId root, double yaw) {
+        View view;
+        view.root = root;
+        view.yaw = yaw;
+        return view;
+    };
+    const std::vector<View> views{viewIn(0xA9B40105, 1), viewIn(0xA9B30101, 2), viewIn(0xA9B40100, 3)};
+    const std::vector<BlockTask> tasks = tasksOf(views);
+    ASSERT_EQ(tasks.size(), 2u);
+    EXPECT_EQ(tasks[0].block, (dat::BlockCoord{0xA9, 0xB3}));
+    EXPECT_EQ(tasks[0].total(), 1u);
+    ASSERT_EQ(tasks[1].given.size(), 2u);
+    EXPECT_EQ(tasks[1].given[0].yaw, 1.0);
+    EXPECT_EQ(tasks[1].given[1].yaw, 3.0);
+}
+
 TEST(Plan, findsTheBlocksOfAnArchive) {
     test::House house;
     house.source.setFlatTerrain({0x21, 0x30}, 5); // beside the house

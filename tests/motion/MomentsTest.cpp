@@ -212,5 +212,57 @@ TEST(Moments, aWorldWithoutMovingThingsHasAnEmptyOne) {
     EXPECT_TRUE(moment.instances.empty() && moment.closed.empty() && moment.firstInSpace.empty());
 }
 
+TEST(Moments, thePlayersBodyIsThereWhenItIsSaidTo) {
+    Fixture f;
+    MomentInput input;
+    input.allDoors = 1.0;
+    f.moments.at(input, f.moment);
+    const std::size_t before = f.of(f.hut.body).size(); // the villager
+    input.player = PlayerBody{f.hut.at({16, 12.5, 2}), 90.0, f.rear, 1.0};
+    f.moments.at(input, f.moment);
+    const std::vector<world::Instance> bodies = f.of(f.hut.body);
+    ASSERT_EQ(bodies.size(), before + 1);
+    const world::Instance& player = bodies.back();
+    EXPECT_NE(player.object, bodies.front().object);
+    EXPECT_THAT(f.membersOf(player), ElementsAre(f.rear));
+    EXPECT_LT(glm::length(f.local(player.bounds.centre) - Vec3(16, 12.5, 2 + 1.75 / 2)), 0.01);
+    EXPECT_GT(
+        f.world.meshes[player.mesh].ranges[static_cast<std::size_t>(world::SurfaceClass::Opaque)].indexCount,
+        0u);
+    EXPECT_EQ(player.opacity, 1.0f);
+    input.player->opacity = 0.0;
+    f.moments.at(input, f.moment);
+    EXPECT_EQ(f.of(f.hut.body).size(), before) << "not seen";
+}
+
+TEST(Moments, aFadedBodyIsGlass) {
+    Fixture f;
+    MomentInput input;
+    input.player = PlayerBody{f.hut.at({16, 12.5, 2}), 0.0, f.rear, 0.25};
+    f.moments.at(input, f.moment);
+    const world::Instance ghost = f.of(f.hut.body).back();
+    const auto& ranges = f.world.meshes[ghost.mesh].ranges;
+    EXPECT_EQ(ghost.opacity, 0.25f);
+    EXPECT_EQ(ranges[static_cast<std::size_t>(world::SurfaceClass::Opaque)].indexCount, 0u);
+    EXPECT_EQ(ranges[static_cast<std::size_t>(world::SurfaceClass::Blended)].indexCount, 36u) << "a box";
+    const world::Material& material = f.world.materials[f.world.materialRefs[ghost.firstMaterial]];
+    EXPECT_EQ(material.surfaceClass, world::SurfaceClass::Blended);
+    EXPECT_EQ(material.flags & world::Material::kSplit, 0u);
+}
+
+TEST(Moments, thePlayersBodyIsInEverySpaceItReaches) {
+    Fixture f;
+    MomentInput input;
+    for (const double doors : {1.0, 0.0}) {
+        input.allDoors = doors;
+        input.player = PlayerBody{f.hut.at({10.2, 11.5, 2}), 0.0, f.front, 1.0};
+        f.moments.at(input, f.moment);
+        if (doors > 0.0)
+            EXPECT_THAT(f.membersOf(f.of(f.hut.body).back()), UnorderedElementsAre(f.front, kOutside));
+        else
+            EXPECT_THAT(f.membersOf(f.of(f.hut.body).back()), ElementsAre(f.front)) << "the door is shut";
+    }
+}
+
 } // namespace
 } // namespace limen::motion

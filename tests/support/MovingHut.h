@@ -6,7 +6,7 @@ namespace limen::test {
 
 /// A hut of two rooms on a flat meadow, with things that move: an opaque front door (room 1 to the outside), an opaque door
 /// between the rooms, a pane in the rear window (room 2 to the outside), a villager who walks from the meadow through both
-/// doors, one emitter in the meadow and one that the villager carries. Positions are block-local.
+/// doors, a player who looks like the villager, one emitter in the meadow and one that the villager carries. Positions are block-local.
 ///
 ///            y
 ///   14 +---------+---------+
@@ -48,6 +48,7 @@ struct MovingHut {
                         {at({16, 11.5, 2}), source.id(rear)}};
         moving.routes.push_back(route);
         moving.villagers.push_back({"anna", "through", body, 1.0, 0.0});
+        moving.player = body;
         world::EmitterEntry smoke;
         smoke.name = "smoke";
         smoke.surface = source.surfaceId("glass");

@@ -1,0 +1,139 @@
+#include "app/FootWalk.h"
+
+#include "app/DecisionHash.h"
+#include "app/ViewOfEye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limen::app {
+namespace {
+
+constexpr double kReached = 0.25;  // metres from a way point, on the level
+constexpr double kLevel = 1.0;     // metres that it may be above or below
+constexpr double kTurn = 240.0;    // degrees a second
+constexpr double kNod = 60.0;      // likewise
+constexpr double kAhead = 40.0;    // degrees beside which one turns before one goes
+constexpr double kPatience = 1.5;  // seconds without getting nearer
+constexpr double kNearer = 0.02;   // metres that count as nearer
+constexpr double kAtPlace = 1.0;   // metres from a place to a way point that lies there
+constexpr double kEyeHeight = 1.7; // way points are eyes
+
+double levelDistance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+class Walker {
+public:
+    Walker(Session& session, const FrameEye& start, const std::vector<Standpoint>& points,
+           const FootWalkOptions& options)
+        : session_(session), play_(session, start), points_(points), options_(options), size_(start.size) {
+        walk_.record.start = check::shotOptions(viewOf(start, session.loaded().world));
+    }
+
+    Result<FootWalk> run(const std::function<void(std::size_t)>& done) {
+        acts_.push_back({PlayAct::Kind::Walk});
+        if (options_.chase)
+            acts_.push_back({PlayAct::Kind::Chase});
+        if (Result<void> began = frame({}); !began)
+            return tl::unexpected(began.error());
+        for (std::size_t i = 0; i < points_.size();) {
+            const Result<bool> there = goTo(points_[i]);
+            if (!there)
+                return tl::unexpected(there.error());
+            walk_.reached += *there ? 1 : 0;
+            i = *there ? i + 1 : jumpBeyond(i);
+            if (done)
+                done(std::min(i, points_.size()));
+        }
+        return std::move(walk_);
+    }
+
+private:
+    [[nodiscard]] Vec3 feet() const { return play_.walk().body().standing.feet; }
+    [[nodiscard]] static Vec3 feetAt(const Standpoint& point) {
+        return point.camera.eye - Vec3(0.0, 0.0, kEyeHeight);
+    }
+
+    /// False where it gets no farther.
+    Result<bool> goTo(const Standpoint& point) {
+        const Vec3 target = feetAt(point);
+        double best = levelDistance(feet(), target), waited = 0.0;
+        while (best >= kReached) {
+            if (waited > kPatience)
+                return false;
+            if (waited > 0.5 * kPatience)
+                openTheDoor();
+            if (Result<void> stepped = frame(towards(target, point.camera.heading.pitch)); !stepped)
+                return tl::unexpected(stepped.error());
+            const double now = levelDistance(feet(), target);
+            waited = now < best - kNearer ? 0.0 : waited + 1.0 / options_.fps;
+            best = waited == 0.0 ? now : best;
+        }
+        return std::abs(feet().z - target.z) < kLevel;
+    }
+
+    [[nodiscard]] PlayInput towards(const Vec3& target, double pitch) const {
+        const Heading& heading = play_.eye().camera.heading;
+        const Vec3 way = target - feet();
+        const double turn = std::remainder(glm::degrees(std::atan2(way.x, way.y)) - heading.yaw, 360.0);
+        PlayInput input;
+        input.turnRight = std::clamp(turn, -kTurn / options_.fps, kTurn / options_.fps);
+        input.turnUp = std::clamp(pitch - heading.pitch, -kNod / options_.fps, kNod / options_.fps);
+        input.forward = std::abs(turn) < kAhead ? 1.0 : 0.0;
+        input.fast = options_.run;
+        return input;
+    }
+
+    void openTheDoor() {
+        const std::optional<std::size_t> door = play_.doorInReach();
+        if (door && !play_.opens(*door))
+            acts_.push_back({PlayAct::Kind::Use});
+    }
+
+    Result<void> frame(PlayInput input) {
+        input.seconds = 1.0 / options_.fps;
+        input.size = size_;
+        input.acts = std::exchange(acts_, {});
+        if (Result<void> stepped = play_.step(input); !stepped)
+            return stepped;
+        if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
+            return drawn;
+        const std::uint64_t decided = decisionHash(play_.eye(), session_.visible(), session_.moment());
+        walk_.record.frames.push_back({std::move(input), decided});
+        return {};
+    }
+
+    /// The way point after `from` at which a place lies, which is gone to with the next frame; none: their number.
+    std::size_t jumpBeyond(std::size_t from) {
+        const std::vector<world::Place>& places = session_.source().file.places;
+        for (std::size_t i = from + 1; i < points_.size(); ++i) {
+            for (std::size_t p = 0; p < places.size(); ++p) {
+                if (glm::length(places[p].eye - points_[i].camera.eye) > kAtPlace)
+                    continue;
+                acts_.push_back({PlayAct::Kind::Place, static_cast<double>(p)});
+                walk_.jumps.push_back(places[p].name);
+                return i;
+            }
+        }
+        return points_.size();
+    }
+
+    Session& session_;
+    Play play_;
+    const std::vector<Standpoint>& points_;
+    const FootWalkOptions& options_;
+    const PixelSize size_;
+    std::vector<PlayAct> acts_; ///< of the next frame
+    FootWalk walk_;
+};
+
+} // namespace
+
+Result<FootWalk> walkOnFoot(Session& session, const FrameEye& start, const std::vector<Standpoint>& points,
+                            const FootWalkOptions& options, const std::function<void(std::size_t)>& done) {
+    return Walker(session, start, points, options).run(done);
+}
+
+} // namespace limen::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/Play.h"
+#include "app/WalkRecord.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace limen::app {
+
+/// How somebody goes from way point to way point.
+struct FootWalkOptions {
+    double fps = 30.0; ///< frames a second of walking
+    bool chase = false, run = false;
+};
+
+struct FootWalk {
+    WalkRecord record;
+    std::size_t reached = 0;        ///< way points
+    std::vector<std::string> jumps; ///< places that were gone to where no way leads on foot
+};
+
+/// Walks from way point to way point: straight towards each, opening doors that are in the way. Where it gets no farther, it goes to
+/// the first of the world's places that lies at a later way point, and on from there; where there is none, the walk ends. The session
+/// should draw nothing (gpu::NullDevice). `done` is told of way points. Errors: the session's.
+[[nodiscard]] Result<FootWalk> walkOnFoot(Session& session, const FrameEye& start,
+                                          const std::vector<Standpoint>& points,
+                                          const FootWalkOptions& options,
+                                          const std::function<void(std::size_t)>& done = {});
+
+} // namespace limen::app

@@ -1,0 +1,116 @@
+#include "app/FrameSource.h"
+
+#include "app/DecisionHash.h"
+
+#include <fmt/format.h>
+
+namespace limen::app {
+namespace {
+
+class PathFrames final : public FrameSource {
+public:
+    PathFrames(Session& session, PathStart start, const PathRequest& request)
+        : start_(std::move(start)), request_(request), walk_(session, start_.path, start_.eye) {}
+    std::size_t count() const override { return request_.countOn(start_.path); }
+    Result<const FrameEye*> next() override { return &walk_.moveTo(request_.timeOf(start_.path, next_++)); }
+
+private:
+    const PathStart start_;
+    const PathRequest request_;
+    PathWalk walk_;
+    std::size_t next_ = 0;
+};
+
+/// All frames of one size, if that is asked for. What is seen may be another part of the world then, so nothing is compared.
+Result<void> resize(const std::string& text, WalkRecord& walk) {
+    if (text.empty())
+        return {};
+    const Result<PixelSize> size = parseSize("--size", text);
+    if (!size)
+        return tl::unexpected(size.error());
+    for (RecordedFrame& frame : walk.frames) {
+        frame.decided = frame.input.size == *size ? frame.decided : 0;
+        frame.input.size = *size;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(Session& session, WalkRecord record) {
+    const Result<ViewRequest> view = parseView(record.start, "the walk's beginning");
+    if (!view)
+        return tl::unexpected(view.error());
+    const Result<Standpoint> stand = standpointOf(*view, session.source().file);
+    if (!stand)
+        return tl::unexpected(stand.error());
+    if (Result<void> loaded = session.load(stand->centre); !loaded)
+        return tl::unexpected(loaded.error());
+    Result<FrameEye> start = placeEye(session.loaded(), *stand, record.frames.front().input.size);
+    if (!start)
+        return tl::unexpected(start.error());
+    if (Result<void> applied = applyMoment(session.loaded(), session.source().file, *view, *start); !applied)
+        return tl::unexpected(applied.error());
+    return std::unique_ptr<ReplayedFrames>(new ReplayedFrames(session, std::move(*start), std::move(record)));
+}
+
+void ReplayedFrames::compareLast() {
+    if (next_ == 0 || difference_)
+        return;
+    const std::uint64_t decided = record_.frames[next_ - 1].decided;
+    if (decided != 0 && decided != decisionHash(play_.eye(), session_.visible(), session_.moment()))
+        difference_ = next_ - 1;
+}
+
+Result<const FrameEye*> ReplayedFrames::next() {
+    compareLast();
+    if (Result<void> stepped = play_.step(record_.frames[next_++].input); !stepped)
+        return tl::unexpected(stepped.error());
+    return &play_.eye();
+}
+
+Result<FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
+                                  const world::WorldFile& file) {
+    FramesRequest request;
+    if (!arguments.walk.empty()) {
+        Result<WalkRecord> walk = readWalk(arguments.walk);
+        if (!walk)
+            return tl::unexpected(walk.error());
+        if (Result<void> sized = resize(arguments.size, *walk); !sized)
+            return tl::unexpected(sized.error());
+        request.walk = std::move(*walk);
+        return request;
+    }
+    const Result<PathRequest> path = checkPath(arguments, frames);
+    if (!path)
+        return tl::unexpected(path.error());
+    request.path = *path;
+    Result<std::vector<Standpoint>> points = wayPointsOf(arguments, file);
+    if (!points)
+        return tl::unexpected(points.error());
+    request.points = std::move(*points);
+    return request;
+}
+
+Result<std::unique_ptr<FrameSource>> openFrames(Session& session, FramesRequest request) {
+    if (request.walk)
+        return ReplayedFrames::open(session, std::move(*request.walk))
+            .map([](std::unique_ptr<ReplayedFrames> frames) -> std::unique_ptr<FrameSource> {
+                return frames;
+            });
+    return startPath(session, request.points, request.path)
+        .map([&](PathStart start) -> std::unique_ptr<FrameSource> {
+            return std::make_unique<PathFrames>(session, std::move(start), request.path);
+        });
+}
+
+std::string differenceLine(FrameSource& frames) {
+    const std::optional<std::size_t> first = frames.firstDifference();
+    return first ? fmt::format("limen: frame {} of the walk came out otherwise than when it was recorded: "
+                               "the world or the "
+                               "program is not the same",
+                               *first)
+                 : std::string();
+}
+
+} // namespace limen::app

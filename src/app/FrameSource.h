@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/PathWalk.h"
+#include "app/Play.h"
+#include "app/WalkRecord.h"
+
+#include <memory>
+
+// Frames one after the other, whatever is done with them: a camera on a path, or a walk played again.
+namespace limen::app {
+
+class FrameSource {
+public:
+    virtual ~FrameSource() = default;
+    [[nodiscard]] virtual std::size_t count() const = 0;
+    /// The next frame's eye. It must be drawn before the next call.
+    [[nodiscard]] virtual Result<const FrameEye*> next() = 0;
+    /// The first frame that came out otherwise than when it was recorded, of those that were drawn; none: nullopt.
+    [[nodiscard]] virtual std::optional<std::size_t> firstDifference() { return {}; }
+};
+
+/// A walk, played again in the session's world.
+class ReplayedFrames final : public FrameSource {
+public:
+    /// Loads what is around the beginning. Errors: the session's; a beginning that is nowhere.
+    [[nodiscard]] static Result<std::unique_ptr<ReplayedFrames>> open(Session& session, WalkRecord record);
+
+    std::size_t count() const override { return record_.frames.size(); }
+    Result<const FrameEye*> next() override;
+    std::optional<std::size_t> firstDifference() override {
+        compareLast();
+        return difference_;
+    }
+
+private:
+    ReplayedFrames(Session& session, FrameEye start, WalkRecord record)
+        : session_(session), play_(session, std::move(start)), record_(std::move(record)) {}
+    void compareLast();
+
+    Session& session_;
+    Play play_;
+    WalkRecord record_;
+    std::size_t next_ = 0;
+    std::optional<std::size_t> difference_;
+};
+
+/// What the command line says of frames, checked as far as that goes without a session.
+struct FramesRequest {
+    PathRequest path;
+    std::vector<Standpoint> points; ///< of the path
+    std::optional<WalkRecord> walk; ///< instead of it
+};
+/// `frames`: how many unless said. Errors: checkPath's, wayPointsOf's, readWalk's.
+[[nodiscard]] Result<FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
+                                                const world::WorldFile& file);
+/// Errors: the session's; a place that is nowhere.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> openFrames(Session& session, FramesRequest request);
+
+/// What is to be said of a walk that came out otherwise; empty if it did not.
+[[nodiscard]] std::string differenceLine(FrameSource& frames);
+
+} // namespace limen::app

@@ -1,0 +1,157 @@
+#include "app/WalkRecord.h"
+
+#include "app/OutputFile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace limen::app {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes: some days of walking
+constexpr std::array<const char*, PlayAct::kKinds> kActNames{
+    "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance"};
+
+/// The numbers and flags of an input by their names, for writing and reading alike; what is 0 or false is left out.
+template <class Input, class Number, class Flag>
+void eachField(Input& input, Number&& number, Flag&& flag) {
+    number("seconds", input.seconds);
+    number("forward", input.forward);
+    number("right", input.right);
+    number("up", input.up);
+    number("turn_right", input.turnRight);
+    number("turn_up", input.turnUp);
+    flag("fast", input.fast);
+    flag("jump", input.jump);
+    flag("frozen", input.isFrozen);
+}
+
+bool readAct(const Json& json, PlayAct& act) {
+    if (!json.is_array() || json.size() != 2 || !json[0].is_string() || !json[1].is_number())
+        return false;
+    const auto found = std::find(kActNames.begin(), kActNames.end(), json[0].get<std::string>());
+    act = {static_cast<PlayAct::Kind>(found - kActNames.begin()), json[1].get<double>()};
+    return found != kActNames.end() && std::isfinite(act.value);
+}
+
+bool readSide(const Json& json, std::uint32_t& side) {
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() == 0 || json.get<std::uint64_t>() > kMaxSide)
+        return false;
+    side = json.get<std::uint32_t>();
+    return true;
+}
+
+bool readHash(const Json& json, std::uint64_t& value) {
+    if (!json.is_string())
+        return false;
+    const std::string& text = json.get_ref<const std::string&>();
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value, 16);
+    return error == std::errc() && rest == end;
+}
+
+bool readFrame(const Json& json, RecordedFrame& frame) {
+    bool good = json.is_object();
+    const auto take = [&](const char* name, const auto& read) {
+        if (const auto found = good ? json.find(name) : json.end(); good && found != json.end())
+            good = read(*found);
+    };
+    eachField(
+        frame.input,
+        [&](const char* name, double& value) {
+            take(name, [&](const Json& v) {
+                value = v.is_number() ? v.get<double>() : std::nan("");
+                return std::isfinite(value);
+            });
+        },
+        [&](const char* name, bool& value) {
+            take(name, [&](const Json& v) {
+                value = v.is_boolean() && v.get<bool>();
+                return v.is_boolean();
+            });
+        });
+    take("size", [&](const Json& v) {
+        return v.is_array() && v.size() == 2 && readSide(v[0], frame.input.size.width) &&
+               readSide(v[1], frame.input.size.height);
+    });
+    take("acts", [&](const Json& v) {
+        frame.input.acts.resize(v.is_array() ? v.size() : 0);
+        std::size_t next = 0;
+        return v.is_array() && std::all_of(v.begin(), v.end(), [&](const Json& a) {
+                   return readAct(a, frame.input.acts[next++]);
+               });
+    });
+    take("decided", [&](const Json& v) { return readHash(v, frame.decided); });
+    return good && frame.input.seconds >= 0.0;
+}
+
+std::optional<std::string> readBeginning(const Json& json) {
+    const bool good = json.is_object() && json.value("format", Json()) == "limen walk" &&
+                      json.value("version", Json()) == 1 && json.contains("start") &&
+                      json["start"].is_string();
+    return good ? std::make_optional(json["start"].get<std::string>()) : std::nullopt;
+}
+
+} // namespace
+
+std::string beginningLine(const std::string& start) {
+    return nlohmann::ordered_json{{"format", "limen walk"}, {"version", 1}, {"start", start}}.dump() + "\n";
+}
+
+std::string frameLine(const RecordedFrame& frame) {
+    nlohmann::ordered_json json;
+    eachField(
+        frame.input,
+        [&](const char* name, const double& value) {
+            if (value != 0.0)
+                json[name] = value;
+        },
+        [&](const char* name, const bool& value) {
+            if (value)
+                json[name] = true;
+        });
+    json["size"] = {frame.input.size.width, frame.input.size.height};
+    for (const PlayAct& act : frame.input.acts)
+        json["acts"].push_back({kActNames[static_cast<std::size_t>(act.kind)], act.value});
+    json["decided"] = fmt::format("{:016x}", frame.decided);
+    return json.dump() + "\n";
+}
+
+Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
+    WalkRecord record;
+    std::size_t number = 0;
+    for (std::size_t begin = 0; begin < text.size(); ++number) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const Json json = Json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
+                                      text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+        begin = end + 1;
+        if (number == 0) {
+            const std::optional<std::string> start = readBeginning(json);
+            if (!start)
+                return fail(ErrorCode::Malformed, name, "is no walk that limen view --record has written");
+            record.start = *start;
+            continue;
+        }
+        if (!readFrame(json, record.frames.emplace_back()))
+            return fail(ErrorCode::Malformed, name, fmt::format("line {} is no frame of a walk", number + 1));
+    }
+    if (record.frames.empty())
+        return fail(ErrorCode::Malformed, name, "holds no frame");
+    return record;
+}
+
+Result<WalkRecord> readWalk(const std::filesystem::path& file) {
+    const Result<std::string> text = readTextFile(file, kLimit);
+    if (!text)
+        return tl::unexpected(text.error());
+    return parseWalk(*text, file.string());
+}
+
+} // namespace limen::app

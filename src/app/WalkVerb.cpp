@@ -1,0 +1,84 @@
+#include "app/FootWalk.h"
+#include "app/OutputFile.h"
+#include "app/PathWalk.h"
+#include "app/Verbs.h"
+#include "gpu/NullDevice.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+
+namespace limen::app {
+namespace {
+
+struct WalkOptions {
+    SessionOptions session;
+    PathArguments path;
+    std::string output;
+    FootWalkOptions foot;
+};
+
+Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
+    const Result<PathRequest> request = checkPath(options.path, 1);
+    if (!request)
+        return tl::unexpected(request.error());
+    if (Result<void> writable = checkWritable(options.output); !writable)
+        return tl::unexpected(writable.error());
+    Result<WorldSource> source = openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    const Result<std::vector<Standpoint>> points = wayPointsOf(options.path, source->file);
+    if (!points)
+        return tl::unexpected(points.error());
+    gpu::NullDevice device; // nobody looks
+    Session session(std::make_shared<const WorldSource>(std::move(*source)), options.session, device);
+    const Result<PathStart> start = startPath(session, *points, *request);
+    if (!start)
+        return tl::unexpected(start.error());
+    Progress progress(console, "walk", points->size());
+    const Result<FootWalk> walk = walkOnFoot(session, start->eye, *points, options.foot,
+                                             [&](std::size_t done) { progress.step(done); });
+    if (!walk)
+        return tl::unexpected(walk.error());
+    std::string text = beginningLine(walk->record.start);
+    for (const RecordedFrame& frame : walk->record.frames)
+        text += frameLine(frame);
+    if (Result<void> written = writeFile(options.output, text); !written)
+        return tl::unexpected(written.error());
+    console.note(fmt::format(
+        "{} frames, {} of {} way points{}", walk->record.frames.size(), walk->reached, points->size(),
+        walk->jumps.empty() ? "" : fmt::format("; jumped to {}", fmt::join(walk->jumps, ", "))));
+    return Exit::Done;
+}
+
+} // namespace
+
+void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb =
+        program.add_subcommand("walk", "walks a path on foot and writes what was done in each frame");
+    const auto options = std::make_shared<WalkOptions>();
+    verb->add_option("-o,--output", options->output, "the walk, for --walk of tour, probe and check")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--path", options->path.path,
+                     "way points, one line of shot's options each; the world's own tour unless said")
+        ->type_name("FILE");
+    verb->add_option("--size", options->path.size, "picture size in pixels (960x540)")->type_name("WxH");
+    verb->add_option("--fov", options->path.fov, "vertical field of view (60)")->type_name("DEG");
+    verb->add_option("--time", options->path.time, "time of day, 0 and 1 midnight (0.5)")->type_name("0..1");
+    verb->add_option("--fps", options->foot.fps, "frames for each second of walking (30)")
+        ->type_name("F")
+        ->check(CLI::Range(5.0, 1000.0));
+    verb->add_flag("--chase", options->foot.chase, "the eye behind the body");
+    verb->add_flag("--run", options->foot.run, "runs");
+    addSessionOptions(*verb, options->session);
+    verb->footer(
+        "Straight from way point to way point, through doors; where no way leads on foot, to the next place\n"
+        "that the world names. Nothing is drawn: no driver is needed.");
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runWalk(*options, console); };
+    });
+}
+
+} // namespace limen::app
