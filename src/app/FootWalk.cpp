@@ -10,12 +10,13 @@
 namespace limen::app {
 namespace {
 
-constexpr double kReached = 0.25;  // metres from a way point, on the level
+constexpr double kReached = 0.15;  // metres from a way point, on the level
 constexpr double kLevel = 1.0;     // metres that it may be above or below
 constexpr double kTurn = 240.0;    // degrees a second
 constexpr double kNod = 60.0;      // likewise
 constexpr double kAhead = 40.0;    // degrees beside which one turns before one goes
 constexpr double kPatience = 1.5;  // seconds without getting nearer
+constexpr std::size_t kTries = 8;  // way points that are missed one after the other before it jumps
 constexpr double kNearer = 0.02;   // metres that count as nearer
 constexpr double kAtPlace = 1.0;   // metres from a place to a way point that lies there
 constexpr double kEyeHeight = 1.7; // way points are eyes
@@ -38,12 +39,15 @@ public:
             acts_.push_back({PlayAct::Kind::Chase});
         if (Result<void> began = frame({}); !began)
             return tl::unexpected(began.error());
-        for (std::size_t i = 0; i < points_.size();) {
+        for (std::size_t i = 0, missed = 0; i < points_.size();) {
             const Result<bool> there = goTo(points_[i]);
             if (!there)
                 return tl::unexpected(there.error());
-            walk_.reached += *there ? 1 : 0;
-            i = *there ? i + 1 : jumpBeyond(i);
+            if (!*there)
+                walk_.missed.push_back(i);
+            missed = *there ? 0 : missed + 1;
+            i = missed < kTries ? i + 1 : jumpBeyond(i - missed + 1);
+            missed %= kTries;
             if (done)
                 done(std::min(i, points_.size()));
         }

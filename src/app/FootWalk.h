@@ -17,12 +17,13 @@ struct FootWalkOptions {
 
 struct FootWalk {
     WalkRecord record;
-    std::size_t reached = 0;        ///< way points
-    std::vector<std::string> jumps; ///< places that were gone to where no way leads on foot
+    std::vector<std::size_t> missed; ///< way points that could not be walked to
+    std::vector<std::string> jumps;  ///< places that were gone to where no way leads on foot
 };
 
-/// Walks from way point to way point: straight towards each, opening doors that are in the way. Where it gets no farther, it goes to
-/// the first of the world's places that lies at a later way point, and on from there; where there is none, the walk ends. The session
+/// Walks from way point to way point: straight towards each, opening doors that are in the way. Where it gets no farther it
+/// tries the next ones, and then goes to the first of the world's places that lies at a later way point, and on from there; where there is
+/// none, the walk ends. The session
 /// should draw nothing (gpu::NullDevice). `done` is told of way points. Errors: the session's.
 [[nodiscard]] Result<FootWalk> walkOnFoot(Session& session, const FrameEye& start,
                                           const std::vector<Standpoint>& points,

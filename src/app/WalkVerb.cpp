@@ -19,6 +19,11 @@ struct WalkOptions {
     FootWalkOptions foot;
 };
 
+template <class List>
+std::string listed(const char* title, const List& list) {
+    return list.empty() ? std::string() : fmt::format("{}{}", title, fmt::join(list, ", "));
+}
+
 Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     const Result<PathRequest> request = checkPath(options.path, 1);
     if (!request)
@@ -46,9 +51,8 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
         text += frameLine(frame);
     if (Result<void> written = writeFile(options.output, text); !written)
         return tl::unexpected(written.error());
-    console.note(fmt::format(
-        "{} frames, {} of {} way points{}", walk->record.frames.size(), walk->reached, points->size(),
-        walk->jumps.empty() ? "" : fmt::format("; jumped to {}", fmt::join(walk->jumps, ", "))));
+    console.note(fmt::format("{} frames to {} way points{}{}", walk->record.frames.size(), points->size(),
+                             listed("; not reached: ", walk->missed), listed("; jumped to ", walk->jumps)));
     return Exit::Done;
 }
 

@@ -10,6 +10,8 @@
 namespace limen::app {
 namespace {
 
+constexpr dat::RecordId kHumanMale = 0x02000001; // setup (docs/uncertain.md)
+
 Result<WorldSource> openDirectory(const std::filesystem::path& directory) {
     Result<dat::Archive> archive = dat::Archive::open(directory);
     if (!archive)
@@ -17,6 +19,10 @@ Result<WorldSource> openDirectory(const std::filesystem::path& directory) {
     Result<world::WorldFile> file = world::loadWorldFile(directory);
     if (!file)
         return tl::unexpected(file.error());
+    // Files of the original game have no world.json: whoever walks there looks as its own people do.
+    if (!std::filesystem::exists(directory / world::kWorldFileName) &&
+        archive->contains<dat::Setup>(kHumanMale))
+        file->moving.player = kHumanMale;
     return WorldSource{{}, std::move(*archive), std::move(*file), ""};
 }
 

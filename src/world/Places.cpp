@@ -44,7 +44,7 @@ bool readPlace(const Json& object, Place& out) {
 
 Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
     WorldFile world;
-    const std::filesystem::path path = directory / "world.json";
+    const std::filesystem::path path = directory / kWorldFileName;
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         return world;

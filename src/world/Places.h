@@ -20,6 +20,8 @@ struct Place {
     dat::RecordId cell = 0; ///< 0: outside
 };
 
+inline constexpr const char* kWorldFileName = "world.json";
+
 /// What `world.json` beside the dats says; everything is optional.
 struct WorldFile {
     std::vector<Place> places;
