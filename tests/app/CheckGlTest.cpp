@@ -31,6 +31,20 @@ TEST(Check, findsNothingWrongWithTheBuiltInWorld) {
     EXPECT_TRUE(std::filesystem::is_empty(runner.work() / "findings"));
 }
 
+// A body through two doorways, the eye behind it: case 23, frame by frame.
+TEST(Check, case23_findsNothingWrongAlongAWalkSeenFromBehind) {
+    const ProgramRunner runner;
+    putText(runner.work() / "path", "--at cottage.front\n--eye=32532.1,34664,31.9\n--eye=32532.1,34668,32\n"
+                                    "--eye=32532.1,34664,31.9\n--at cottage.front\n");
+    ASSERT_EQ(runner.run({"walk", "--path", "path", "--chase", "-o", "walk"}).exit, 0);
+    const ProgramRun run = runner.run({"check", "--walk", "walk", "--size", "96x54", "--json"});
+    EXPECT_EQ(run.exit, 0) << run.out << run.err;
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_GT(json["views"], 200);
+    EXPECT_EQ(json["disagreeing_pixels"], 0);
+    EXPECT_EQ(json["void_pixels"], 0);
+}
+
 TEST(Check, theSameSeedChecksTheSameAndZonesDoNotMatter) {
     const ProgramRunner runner;
     const auto pixels = [&](const std::vector<std::string>& more) {

@@ -11,6 +11,7 @@ using test::ProgramRun;
 using test::ProgramRunner;
 using test::putText;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Asserts what every refusal looks like: exit code 2, one line on standard error, nothing on standard output.
 void expectRefusal(const ProgramRunner& runner, const std::vector<std::string>& arguments,
@@ -31,6 +32,7 @@ TEST(Program, helpIsDataAndExitsWithZero) {
                                                                                       {"shot"},
                                                                                       {"tour"},
                                                                                       {"probe"},
+                                                                                      {"walk"},
                                                                                       {"dat"},
                                                                                       {"dat", "ls"},
                                                                                       {"dat", "show"},
@@ -65,6 +67,97 @@ TEST(Program, probeTellsTheWayIntoAHouse) {
     EXPECT_THAT(roots, testing::ElementsAre("outside", "0xA9B40100"));
     EXPECT_GT(visits, 1u);
     EXPECT_LT(visits, 40u);
+}
+
+/// Into the cottage and out again.
+void putRoundTrip(const ProgramRunner& runner) {
+    putText(runner.work() / "path", "--at cottage.front\n--eye=32532.1,34664,31.9\n--eye=32532.1,34668,32\n"
+                                    "--eye=32532.1,34664,31.9\n--at cottage.front\n");
+}
+
+/// The rooms that eyes are in along a walk, as probe tells it.
+std::vector<std::string> rootsAlong(const ProgramRunner& runner, const std::string& walk) {
+    const ProgramRun run = runner.run({"probe", "--walk", walk});
+    EXPECT_EQ(run.exit, 0) << run.err;
+    std::vector<std::string> roots;
+    std::istringstream lines(run.out);
+    for (std::string line; std::getline(lines, line);) {
+        const auto event = nlohmann::json::parse(line);
+        if (event["event"] == "root")
+            roots.push_back(event["root"]);
+    }
+    return roots;
+}
+
+// Needs no driver.
+TEST(Program, walksOnFootAndWalksAgain) {
+    const ProgramRunner runner;
+    putRoundTrip(runner);
+    for (const bool chase : {false, true}) {
+        SCOPED_TRACE(chase);
+        std::vector<std::string> arguments{"walk", "--path", "path", "-o", "walk"};
+        if (chase)
+            arguments.emplace_back("--chase");
+        const ProgramRun walked = runner.run(arguments);
+        ASSERT_EQ(walked.exit, 0) << walked.err;
+        EXPECT_THAT(walked.err, Not(HasSubstr("not reached")));
+        EXPECT_THAT(rootsAlong(runner, "walk"), testing::ElementsAre("outside", "0xA9B40100", "outside"))
+            << "and every frame came out as when it was recorded, or exit would be 1";
+    }
+}
+
+TEST(Program, saysWhenAWalkComesOutOtherwise) {
+    const ProgramRunner runner;
+    putRoundTrip(runner);
+    ASSERT_EQ(runner.run({"walk", "--path", "path", "-o", "walk"}).exit, 0);
+    std::string text = getText(runner.work() / "walk");
+    const std::size_t forward = text.find("\"forward\":1", text.size() / 2);
+    ASSERT_NE(forward, std::string::npos);
+    text.replace(forward, 11, "\"forward\":0");
+    putText(runner.work() / "walk", text);
+    const ProgramRun run = runner.run({"probe", "--walk", "walk"});
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("came out otherwise"));
+}
+
+TEST(Program, refusesWalksThatAreNone) {
+    const ProgramRunner runner;
+    putText(runner.work() / "text", "hello\n");
+    putText(runner.work() / "short", R"({"format":"limen walk","version":1,"start":"--eye=1,2,3"})"
+                                     "\n");
+    putText(runner.work() / "nowhere", R"({"format":"limen walk","version":1,"start":"--at nowhere"})"
+                                       "\n{}\n");
+    for (const char* walk : {"text", "short", "nowhere", "missing"}) {
+        expectRefusal(runner, {"probe", "--walk", walk});
+        expectRefusal(runner, {"probe", "--walk", walk, "--size", "0x0"});
+    }
+    expectRefusal(runner, {"probe", "--walk", "text", "--path", "text"}, "--path");
+    expectRefusal(runner, {"check", "--walk", "text", "--views", "5"}, "--views");
+    expectRefusal(runner, {"walk"}, "--output");
+    expectRefusal(runner, {"walk", "-o", "missing/walk"}, "missing");
+    expectRefusal(runner, {"walk", "-o", "walk", "--fps", "0"}, "--fps");
+}
+
+// Files of the original game have no world.json.
+TEST(Program, aWorldWithoutAWorldFileIsWalkedByASetupOfItsOwn) {
+    const ProgramRunner runner;
+    ASSERT_EQ(runner.run({"demo", "world"}).exit, 0);
+    const auto bodiesSeen = [&] {
+        const ProgramRun run = runner.run({"shot", "--dat", "world", "--reference", "--size", "64x36",
+                                           "--eye=32535.6,34653.6,31.6", "--yaw", "340", "--body",
+                                           "32534.6,34656.6,29.95", "--ids", "ids", "--json", "json"});
+        EXPECT_EQ(run.exit, 0) << run.err;
+        std::size_t bodies = 0;
+        for (const auto& [id, meaning] :
+             nlohmann::json::parse(getText(runner.work() / "json"))["ids"].items())
+            bodies += meaning["kind"] == "dynamic" && meaning["object"] == "0xF400000000000000" ? 1 : 0;
+        return bodies;
+    };
+    EXPECT_GT(bodiesSeen(), 0u) << "world.json names one";
+    std::filesystem::remove(runner.work() / "world" / "world.json");
+    EXPECT_GT(bodiesSeen(), 0u) << "setup 0x02000001";
+    putText(runner.work() / "world" / "world.json", R"({"format":"limen world","version":1})");
+    EXPECT_EQ(bodiesSeen(), 0u) << "a world file that names none";
 }
 
 TEST(Program, refusesBadUsageWithOneLine) {

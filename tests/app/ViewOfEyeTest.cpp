@@ -2,6 +2,8 @@
 
 #include "app/SmallWorld.h"
 
+#include <gtest/gtest.h>
+
 namespace limen::app {
 namespace {
 

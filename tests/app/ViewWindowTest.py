@@ -5,6 +5,7 @@ Usage: ViewWindowTest.py PROGRAM CACHE [unittest arguments]
 
 import functools
 import json
+import math
 import os
 import subprocess
 import sys
@@ -177,6 +178,45 @@ class ViewWindow(unittest.TestCase):
         stopped = self.drive(lambda: (use(1), self.hold("w", 2)), *view)
         self.assertEqual(stopped["root"], "outside")
         self.assertNotEqual(self.drive(lambda: self.hold("w", 2), *view)["root"], "outside")
+
+    @patiently
+    def test_c_puts_the_eye_behind_the_body_and_the_wheel_brings_it_nearer(self):
+        def apart(state):
+            return math.dist(state["eye"], state["body"]["feet"])
+
+        view = ("--at", "cottage.front", "--yaw", "0", "--pitch", "0")
+        head = self.drive(lambda: None, *view)
+        self.assertFalse(head["chased"])
+        self.assertEqual(head["body"]["opacity"], 0)
+        behind = self.drive(lambda: (self.xdotool("key", "c"), self.wait(2)), *view)
+        self.assertTrue(behind["chased"])
+        self.assertEqual(behind["body"]["opacity"], 1)
+        self.assertLess(behind["eye"][1], head["eye"][1] - 1.5)
+        near = self.drive(lambda: (self.xdotool("key", "c"), self.wait(2), self.xdotool("click", "4"), self.wait(0.3), self.xdotool("click", "4"),
+                                   self.wait(0.5)), *view)
+        self.assertLess(apart(near), apart(behind) - 0.3)
+        again = self.drive(lambda: (self.xdotool("key", "c"), self.wait(1), self.xdotool("key", "c"), self.wait(0.5)), *view)
+        self.assertEqual(again["eye"], head["eye"])
+
+    def test_a_recorded_walk_comes_out_the_same_again(self):
+        def walk():
+            self.hold("w", 1)
+            self.xdotool("key", "c")
+            self.hold("w", 1)
+            self.xdotool("key", "e")
+            self.wait(0.5)
+            self.xdotool("key", "r")
+            self.xdotool("key", "5")
+            self.hold("d", 1)
+            self.xdotool("key", "g")
+            self.hold("q", 0.5)
+
+        last = self.drive(walk, "--at", "cottage.front", "--record", "walk")
+        self.assertGreater(last["frames"], 5)
+        again = subprocess.run([PROGRAM, "probe", "--walk", "walk"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        events = [json.loads(line) for line in again.stdout.splitlines()]
+        self.assertEqual([e["root"] for e in events if e["event"] == "root"][-1], last["root"])
 
     @patiently
     def test_e_flies_up_and_q_down(self):
