@@ -118,6 +118,15 @@ std::vector<dat::RecordId> cellsSeen(const world::World& world, const visibility
     return cells;
 }
 
+Json bodyJson(const world::World& world, const std::optional<motion::PlayerBody>& body) {
+    if (!body)
+        return nullptr;
+    return {{"feet", vector(body->feet)},
+            {"yaw", number(body->yaw)},
+            {"space", spaceName(world, body->space)},
+            {"opacity", number(body->opacity)}};
+}
+
 Json frameJson(const world::World& world, const IdTable& table, const FrameEye& eye,
                const world::Moment& moment, const visibility::VisibleSet& visible,
                const frame::FramePlan& plan, const FrameFigures& figures,
@@ -132,6 +141,7 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
                 {"fov", number(eye.camera.fovDegrees)},
                 {"size", {eye.size.width, eye.size.height}},
                 {"player", vector(eye.player)},
+                {"body", bodyJson(world, eye.body)},
                 {"time", number(eye.time)},
                 {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
                 {"seconds", number(eye.seconds)},

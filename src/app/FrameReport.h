@@ -56,6 +56,10 @@ struct FrameEye {
                                                const frame::FramePlan& plan, const FrameFigures& figures,
                                                std::span<const std::uint32_t> ids);
 
+/// The player's body; null: none.
+[[nodiscard]] nlohmann::ordered_json bodyJson(const world::World& world,
+                                              const std::optional<motion::PlayerBody>& body);
+
 /// The cells that any visit may see, by id, each once, ascending; without the outside.
 [[nodiscard]] std::vector<dat::RecordId> cellsSeen(const world::World& world,
                                                    const visibility::VisibleSet& visible);

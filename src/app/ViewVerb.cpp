@@ -318,15 +318,6 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
     return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
 }
 
-nlohmann::ordered_json bodyJson(const world::World& world, const std::optional<motion::PlayerBody>& body) {
-    if (!body)
-        return nullptr;
-    return {{"feet", {body->feet.x, body->feet.y, body->feet.z}},
-            {"yaw", body->yaw},
-            {"space", spaceName(world, body->space)},
-            {"opacity", body->opacity}};
-}
-
 std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
     const FrameEye& eye = viewer.eye();
     const nlohmann::ordered_json json{

@@ -138,26 +138,38 @@ TEST(Program, refusesWalksThatAreNone) {
     expectRefusal(runner, {"walk", "-o", "walk", "--fps", "0"}, "--fps");
 }
 
-// Files of the original game have no world.json.
+/// Polygons of the player's body that show in a small view.
+std::size_t bodyPolygonsSeen(const ProgramRunner& runner) {
+    const ProgramRun run =
+        runner.run({"shot", "--dat", "world", "--reference", "--size", "64x36", "--eye=32535.6,34653.6,31.6",
+                    "--yaw", "340", "--body", "32534.6,34656.6,29.95", "--ids", "ids", "--json", "json"});
+    EXPECT_EQ(run.exit, 0) << run.err;
+    std::size_t seen = 0;
+    const auto json = nlohmann::json::parse(getText(runner.work() / "json"));
+    for (const auto& [id, meaning] : json["ids"].items())
+        seen += meaning["object"] == "F400000000000000" ? 1 : 0;
+    return seen;
+}
+
+// Files of the original game have no world.json, and their people are setup 0x02000001.
 TEST(Program, aWorldWithoutAWorldFileIsWalkedByASetupOfItsOwn) {
     const ProgramRunner runner;
-    ASSERT_EQ(runner.run({"demo", "world"}).exit, 0);
-    const auto bodiesSeen = [&] {
-        const ProgramRun run = runner.run({"shot", "--dat", "world", "--reference", "--size", "64x36",
-                                           "--eye=32535.6,34653.6,31.6", "--yaw", "340", "--body",
-                                           "32534.6,34656.6,29.95", "--ids", "ids", "--json", "json"});
-        EXPECT_EQ(run.exit, 0) << run.err;
-        std::size_t bodies = 0;
-        for (const auto& [id, meaning] :
-             nlohmann::json::parse(getText(runner.work() / "json"))["ids"].items())
-            bodies += meaning["kind"] == "dynamic" && meaning["object"] == "0xF400000000000000" ? 1 : 0;
-        return bodies;
-    };
-    EXPECT_GT(bodiesSeen(), 0u) << "world.json names one";
-    std::filesystem::remove(runner.work() / "world" / "world.json");
-    EXPECT_GT(bodiesSeen(), 0u) << "setup 0x02000001";
-    putText(runner.work() / "world" / "world.json", R"({"format":"limen world","version":1})");
-    EXPECT_EQ(bodiesSeen(), 0u) << "a world file that names none";
+    ASSERT_EQ(runner.run({"demo", "-o", "world"}).exit, 0);
+    const std::filesystem::path file = runner.work() / "world" / "world.json";
+    const std::string named = nlohmann::json::parse(getText(file))["player"]["model"];
+    EXPECT_GT(bodyPolygonsSeen(runner), 0u) << "world.json names one";
+    std::filesystem::remove(file);
+    EXPECT_EQ(bodyPolygonsSeen(runner), 0u) << "there is no such setup";
+
+    ASSERT_EQ(runner.run({"dat", "export", named, "--dat", "world", "--as", "raw", "-o", "records"}).exit, 0);
+    std::string setup = getText(runner.work() / "records" / (named.substr(2) + ".bin"));
+    setup.replace(0, 4, std::string("\x01\x00\x00\x02", 4)); // the id stands in the record, too
+    putText(runner.work() / "02000001.bin", setup);
+    const std::string portal = "world/client_portal.dat";
+    ASSERT_EQ(runner.run({"dat", "pack", "02000001.bin", "--base", portal, "-o", portal}).exit, 0);
+    EXPECT_GT(bodyPolygonsSeen(runner), 0u);
+    putText(file, R"({"format":"limen world","version":1})");
+    EXPECT_EQ(bodyPolygonsSeen(runner), 0u) << "a world file that names none";
 }
 
 TEST(Program, refusesBadUsageWithOneLine) {
