@@ -45,6 +45,17 @@ void drawRegionOutlines(const visibility::VisibleSet& visible) {
     }
 }
 
+/// The pyramids of a flood that is kept.
+void drawPyramids(const FrozenFlood& flood, const FrameEye& eye) {
+    constexpr double kShown = 6.0; // metres
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    for (const PyramidLine& line : pyramidLines(flood, viewOf(eye.camera, eye.size, eye.root), kShown)) {
+        const Rgb rgb = distinctColour(line.visit);
+        list->AddLine(screenPoint(line.from), screenPoint(line.to), IM_COL32(rgb[0], rgb[1], rgb[2], 200),
+                      1.5f);
+    }
+}
+
 /// Says at the foot of the window what the key does to the door in reach.
 void drawDoor(const PanelFacts& facts) {
     if (facts.door == nullptr)
@@ -86,6 +97,7 @@ void drawHelp() {
                              "F4                the panel",
                              "F5                check this view against traced rays",
                              "F6                tell what changes on standard output",
+                             "F7                keep the visits of this view, to look at them from elsewhere",
                              "F11               full screen",
                              "Esc               leave"})
         ImGui::TextUnformatted(text);
@@ -340,6 +352,8 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
         drawOver(pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
     if (switches.regions)
         drawRegionOutlines(facts.visible);
+    if (facts.frozen != nullptr)
+        drawPyramids(*facts.frozen, facts.eye);
     PanelChoice choice{-1, facts.eye.time, facts.eye.weather, facts.eye.doors};
     if (switches.panel)
         choice = drawPanel(facts, choice);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/FrameReport.h"
+#include "app/FrozenFlood.h"
 #include "app/Picked.h"
 #include "app/TimeWindow.h"
 #include "app/ViewCheck.h"
@@ -42,6 +43,7 @@ struct PanelFacts {
     bool doorOpens;                ///< it stands open, or is opening
     const Picked* picked;          ///< null: nothing is
     const ViewVerdict* verdict;    ///< on this very view; null: none
+    const FrozenFlood* frozen;     ///< to be shown in the picture; null: none
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
 };

@@ -83,6 +83,8 @@ public:
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
     [[nodiscard]] const Walk& walk() const { return play_.walk(); }
+    /// Of the flood that is kept; none is: 0.
+    [[nodiscard]] std::size_t frozenVisits() const { return frozen_ ? frozen_->visible.visits.size() : 0; }
     /// Names of doors that stand open, as far as they are loaded.
     [[nodiscard]] std::vector<std::string> openDoors() const {
         std::vector<std::string> names;
@@ -115,6 +117,9 @@ private:
         case Key::Probe:
             probe_ = probe_ ? std::nullopt : std::make_optional<Probe>();
             return;
+        case Key::Freeze:
+            freeze();
+            return;
         case Key::FullScreen:
             window_.switchFullScreen();
             return;
@@ -136,6 +141,14 @@ private:
         default:
             act({PlayAct::Kind::Place, static_cast<double>(key) - static_cast<double>(Key::Place1)});
         }
+    }
+
+    /// The last frame's flood is kept, to be flown around; once more: no longer.
+    void freeze() {
+        if (frozen_)
+            frozen_.reset();
+        else
+            frozen_ = FrozenFlood{viewOf(eye().camera, eye().size, eye().root), session_.visible()};
     }
 
     /// What hands ask of this frame.
@@ -240,6 +253,7 @@ private:
                                .doorOpens = door && play_.opens(*door),
                                .picked = picked_ ? &*picked_ : nullptr,
                                .verdict = verdict_ ? &*verdict_ : nullptr,
+                               .frozen = frozen_ ? &*frozen_ : nullptr,
                                .places = session_.source().file.places,
                                .ids = ids};
         const PanelChoice choice = panel_.draw(facts, switches_);
@@ -262,6 +276,7 @@ private:
     std::string probed_;
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
     FrameEye checkedFrom_;
+    std::optional<FrozenFlood> frozen_;
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
     FrameWindows times_;
@@ -338,6 +353,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
           {"panel", viewer.switches().panel}}},
         {"walking", viewer.walk().isOn()},
         {"chased", viewer.walk().isChased()},
+        {"frozen_visits", viewer.frozenVisits()},
         {"body", bodyJson(session.loaded().world, eye.body)},
         {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
@@ -441,7 +457,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->footer("Keys: W A S D walk, shift run, space jump, E use a door, C the eye behind the body, G fly "
                  "(E Q up and "
                  "down), drag to look, click to ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 "
-                 "panel, F5 check, F6 probe, F11 full screen, Esc leaves.");
+                 "panel, F5 check, F6 probe, F7 freeze the flood, F11 full screen, Esc leaves.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

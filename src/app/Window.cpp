@@ -34,6 +34,8 @@ std::optional<Key> keyOf(int key) {
         return Key::Check;
     case GLFW_KEY_F6:
         return Key::Probe;
+    case GLFW_KEY_F7:
+        return Key::Freeze;
     case GLFW_KEY_F11:
         return Key::FullScreen;
     case GLFW_KEY_G:

@@ -19,6 +19,7 @@ enum class Key {
     Panel,
     Check,
     Probe,
+    Freeze,
     FullScreen,
     Walk,
     Chase,

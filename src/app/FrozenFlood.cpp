@@ -1,0 +1,75 @@
+#include "app/FrozenFlood.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace limen::app {
+namespace {
+
+constexpr double kNearest = 0.02;  // metres before the eye that lines are cut at
+constexpr double kFarthest = 1e4;  // metres from the flood's eye: openings seen edge-on
+constexpr double kParallel = 1e-9; // of a ray and an opening: it comes in at the eye
+
+/// From where a ray of a region belongs to the visit, metres along the unit vector.
+double entryAlong(const visibility::Visit& visit, const Vec3& direction) {
+    const double towards = glm::dot(visit.entryPlane.n, direction);
+    return towards > kParallel ? std::clamp(-visit.entryPlane.d / towards, 0.0, kFarthest) : 0.0;
+}
+
+/// The line's part before the eye, in NDC.
+std::optional<std::pair<Vec2, Vec2>> project(const Vec3& a, const Vec3& b, const visibility::View& eye) {
+    const Mat3 screen = eye.screenFromEye();
+    Vec3 from = screen * (a - eye.eye), to = screen * (b - eye.eye);
+    if (from.z < kNearest && to.z < kNearest)
+        return std::nullopt;
+    const auto cut = [](const Vec3& before, const Vec3& behind) {
+        return behind + (before - behind) * ((kNearest - behind.z) / (before.z - behind.z));
+    };
+    if (from.z < kNearest)
+        from = cut(to, from);
+    else if (to.z < kNearest)
+        to = cut(from, to);
+    return std::pair(Vec2(from.x, from.y) / from.z, Vec2(to.x, to.y) / to.z);
+}
+
+struct Edge {
+    Vec3 start{0.0}, end{0.0}; ///< global
+};
+
+std::vector<Edge> edgesOf(const FrozenFlood& flood, const visibility::Visit& visit, double metres) {
+    const visibility::View& view = flood.view;
+    std::vector<Edge> edges;
+    for (const Vec3& corner : flood.visible.region(visit)) {
+        const Vec3 way = view.right * (corner.x * view.tanHalfX) + view.up * (corner.y * view.tanHalfY) +
+                         view.forward * corner.z;
+        const double length = glm::length(way);
+        if (!(length > 0.0))
+            continue; // the eye itself
+        const double entry = entryAlong(visit, way / length);
+        edges.push_back({view.eye + way * (entry / length), view.eye + way * ((entry + metres) / length)});
+    }
+    return edges;
+}
+
+} // namespace
+
+std::vector<PyramidLine> pyramidLines(const FrozenFlood& flood, const visibility::View& eye, double metres) {
+    std::vector<PyramidLine> lines;
+    for (std::uint32_t v = 0; v < flood.visible.visits.size(); ++v) {
+        const std::vector<Edge> edges = edgesOf(flood, flood.visible.visits[v], metres);
+        const auto add = [&](const Vec3& a, const Vec3& b) {
+            if (const auto line = project(a, b, eye))
+                lines.push_back({line->first, line->second, v});
+        };
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const Edge& next = edges[(i + 1) % edges.size()];
+            add(edges[i].start, next.start);
+            add(edges[i].start, edges[i].end);
+            add(edges[i].end, next.end);
+        }
+    }
+    return lines;
+}
+
+} // namespace limen::app
