@@ -85,12 +85,14 @@ void Moments::giveMembers(std::size_t firstInstance, world::Moment& out) const {
     }
 }
 
-void Moments::addBody(const world::MovingBody& body, const Pose& pose, world::SpaceIndex placedIn,
-                      world::Moment& out) {
-    for (std::uint32_t p = body.firstPart; p < body.firstPart + body.partCount; ++p) {
-        world::Instance part = world_.movingParts[p];
-        const Mat3 linear = pose.linear * Mat3(part.linear);
-        const Vec3 origin = pose.origin + pose.linear * Vec3(part.origin);
+void Moments::addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
+                      world::SpaceIndex placedIn, world::Moment& out) {
+    const PartPoses poses(world_, body, point);
+    for (std::uint32_t p = 0; p < body.partCount; ++p) {
+        world::Instance part = world_.movingParts[body.firstPart + p];
+        const PartPose within = poses.of(p);
+        const Mat3 linear = pose.linear * within.linear;
+        const Vec3 origin = pose.origin + pose.linear * within.origin;
         part.block = blockFor(origin);
         part.linear = glm::mat3(linear);
         part.origin = Vec3f(origin - world_.blocks[part.block].origin());
@@ -128,7 +130,7 @@ void Moments::addDoors(const MomentInput& input, world::Moment& out) {
             if (open == 0.0 && leaf.shut.partCount > 0)
                 addInPlace(leaf.shut, out);
             else
-                addBody(leaf.body, pose, portal.space, out);
+                addBody(leaf.body, pose, {}, portal.space, out);
             bothSides();
             membership_.extend({pose.origin + pose.linear * leaf.body.bounds.centre, leaf.body.bounds.radius},
                                out.closed, reached_);
@@ -170,8 +172,11 @@ void Moments::addVillagers(double seconds, world::Moment& out) {
     for (const world::Villager& villager : world_.villagers) {
         const Standing standing = this->standing(villager, seconds);
         const Pose pose{turnedTo(standing.yaw), standing.position};
+        const world::Gait gait = gaitAt(world_, villager.body, villager.speed);
+        const double metres = villager.start + villager.speed * seconds;
         const std::size_t first = out.instances.size();
-        addBody(villager.body, pose, standing.space, out);
+        addBody(villager.body, pose, cyclePoint(world_, villager.body, gait, metres, seconds), standing.space,
+                out);
         membership_.reach(
             standing.space,
             {pose.origin + pose.linear * villager.body.bounds.centre, villager.body.bounds.radius},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/PartPoses.h"
 #include "world/Membership.h"
 #include "world/Moment.h"
 #include "world/World.h"
@@ -52,8 +53,9 @@ private:
     void addLoose(world::Moment& out);
     void addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out);
     void addRain(const MomentInput& input, world::Moment& out);
-    void addBody(const world::MovingBody& body, const Pose& pose, world::SpaceIndex placedIn,
-                 world::Moment& out);
+    /// `point`: what its parts are at; {}: as they rest.
+    void addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
+                 world::SpaceIndex placedIn, world::Moment& out);
     void addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size, double opacity,
                    world::Moment& out);
     void giveMembers(std::size_t firstInstance, world::Moment& out) const;
