@@ -63,7 +63,7 @@ Leg legAt(const Stride& stride, double phase) {
     };
     const double angle = smooth(u, groundedAngle(onGround / 2.0), groundedAngle(-onGround / 2.0),
                                 slopeAt(onGround / 2.0, -kStep), slopeAt(-onGround / 2.0, kStep));
-    return {angle, hipAbove(angle) + stride.lift * std::pow(std::sin(u * kTurn / 2.0), 2.0)};
+    return {angle, hipAbove(angle) + stride.lift * std::sin(u * kTurn / 2.0)};
 }
 
 /// How a whole person stands.

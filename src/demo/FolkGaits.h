@@ -19,7 +19,7 @@ struct Stride {
     double grounded =
         0.6; ///< how long each foot is on the ground, as a share: above a half for walking, below for running
     double lift = 0.04;  ///< metres that a foot is carried over the ground
-    double bob = -0.03;  ///< metres that the body is higher half-way between two steps' middles than there
+    double bob = -0.03;  ///< metres that it is lifted while weight goes from foot to foot; negative: it sinks
     double arms = 0.4;   ///< radians that they swing each way
     double lean = 0.03;  ///< radians forward
     double twist = 0.06; ///< radians that the shoulders turn each way

@@ -78,7 +78,7 @@ CyclePoint cyclePoint(const World& world, const MovingBody& body, Gait gait, dou
 
 PartPoses::PartPoses(const World& world, const MovingBody& body, const CyclePoint& at)
     : world_(world), body_(body) {
-    if (at.cycle == kNone || body.firstSlot == kNone)
+    if (at.cycle == kNone || body.firstPosed == kNone)
         return;
     const Cycle& cycle = world.cycles[at.cycle];
     const Played played = playedAt(world, cycle, at.seconds);
@@ -103,20 +103,20 @@ PartPose PartPoses::of(std::uint32_t index) const {
     const PartPose rest{Mat3(resting.linear), Vec3(resting.origin)};
     if (stretch_ == nullptr)
         return rest;
-    const world::PartSlot& slot = world_.partSlots[body_.firstSlot + index];
-    const world::PartFrame* from = frame(*stretch_, step_, slot.part);
+    const world::PosedPart& posed = world_.posedParts[body_.firstPosed + index];
+    const world::PartFrame* from = frame(*stretch_, step_, posed.part);
     if (from == nullptr)
         return rest;
     Quat orientation = from->orientation;
     Vec3 origin = from->origin;
-    const world::PartFrame* to = frame(*then_, thenStep_, slot.part);
+    const world::PartFrame* to = frame(*then_, thenStep_, posed.part);
     if (to != nullptr && to != from && between_ > 0.0) {
         orientation = glm::slerp(orientation, to->orientation, between_); // the shorter way round
         origin += (to->origin - origin) * between_;
     }
     PartPose pose{glm::mat3_cast(orientation), origin};
     for (int axis = 0; axis < 3; ++axis)
-        pose.linear[axis] *= slot.scale[axis];
+        pose.linear[axis] *= posed.scale[axis];
     return pose;
 }
 

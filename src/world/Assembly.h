@@ -41,7 +41,7 @@ private:
     void addEmitter(const EmitterEntry& entry);
     [[nodiscard]] MovingBody addBody(dat::RecordId model, Kind kind, std::uint64_t object);
     /// Gives a body, whose parts were just added, what its model does.
-    void addCycles(dat::RecordId model, std::span<const PartSlot> slots, MovingBody& body);
+    void addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body);
     [[nodiscard]] std::uint32_t addRoute(const RouteEntry& entry);
     [[nodiscard]] MovingBody addShutBody(const Leaf& leaf, const Portal& portal);
     [[nodiscard]] std::uint32_t addFilling(const Door& door, std::uint64_t object);

@@ -21,10 +21,10 @@ Sphere ballAround(std::span<const Sphere> balls) {
 }
 
 /// A part's mesh at its size, in part space.
-Sphere ballOf(const World& world, const Instance& part, const PartSlot& slot) {
+Sphere ballOf(const World& world, const Instance& part, const PosedPart& posed) {
     const Sphere& mesh = world.meshes[part.mesh].bounds;
-    const Vec3 scale = glm::abs(slot.scale);
-    return {slot.scale * mesh.centre, mesh.radius * std::max({scale.x, scale.y, scale.z})};
+    const Vec3 scale = glm::abs(posed.scale);
+    return {posed.scale * mesh.centre, mesh.radius * std::max({scale.x, scale.y, scale.z})};
 }
 
 /// How far a point at `distance` from a part's origin is at most, between two frames, from where it would be if it went straight: the
@@ -62,19 +62,19 @@ void addBalls(const World& world, const Cycle& cycle, std::uint32_t number, std:
 } // namespace
 
 Sphere boundsInMotion(const World& world, const MovingBody& body) {
-    if (body.firstSlot == kNone)
+    if (body.firstPosed == kNone)
         return body.bounds;
     std::vector<Sphere> balls;
     if (body.bounds.radius >= 0.0)
         balls.push_back(body.bounds);
     for (std::uint32_t i = 0; i < body.partCount; ++i) {
-        const PartSlot& slot = world.partSlots[body.firstSlot + i];
-        const Sphere ball = ballOf(world, world.movingParts[body.firstPart + i], slot);
+        const PosedPart& posed = world.posedParts[body.firstPosed + i];
+        const Sphere ball = ballOf(world, world.movingParts[body.firstPart + i], posed);
         for (const std::uint32_t cycle : body.cycles) {
             if (cycle == kNone)
                 continue;
             for (std::uint32_t s = 0; s < world.cycles[cycle].stretchCount; ++s)
-                addBalls(world, world.cycles[cycle], s, slot.part, ball, balls);
+                addBalls(world, world.cycles[cycle], s, posed.part, ball, balls);
         }
     }
     return ballAround(balls);

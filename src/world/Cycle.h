@@ -35,8 +35,8 @@ struct Cycle {
     Vec3 velocity{0.0};
 };
 
-/// Of a moving part: which of its body's parts it shows, one level of detail of several, and at which size.
-struct PartSlot {
+/// Of a moving part: which part of its Setup it shows, perhaps one level of detail of several, and at which size.
+struct PosedPart {
     std::uint32_t part = 0; ///< index in the Setup, and so in each frame
     Vec3 scale{1.0};
 };

@@ -36,7 +36,7 @@ private:
 };
 
 /// The ball around a body in all its poses, in its own frame: around `body.bounds` as given, which is of its parts as they
-/// rest, and around the ball of each part at every moment of every cycle. Requires: parts, slots and cycles are in the world.
+/// rest, and around the ball of each part at every moment of every cycle. Requires: parts, what they show, and cycles are in the world.
 [[nodiscard]] Sphere boundsInMotion(const World& world, const MovingBody& body);
 
 } // namespace limen::world

@@ -17,7 +17,7 @@ struct MovingBody {
     Sphere bounds; ///< of all parts, in the thing's own frame, as they rest and at every moment of its cycles
     /// By Gait: index into World::cycles. kNone: it has none.
     std::array<std::uint32_t, kGaits> cycles{kNone, kNone, kNone};
-    std::uint32_t firstSlot = kNone; ///< run of World::partSlots, one a part; kNone: it has no cycles
+    std::uint32_t firstPosed = kNone; ///< run of World::posedParts, one a part; kNone: it has no cycles
 };
 
 /// One leaf of a door, or a pane: it turns about the vertical through its hinge.

@@ -18,10 +18,10 @@ struct Puppet {
 
     Puppet() {
         body.partCount = 2;
-        body.firstSlot = 0;
+        body.firstPosed = 0;
         world.movingParts.resize(2);
         world.movingParts[1].origin = Vec3f(0, 0, 7); // as it rests
-        world.partSlots = {{0, Vec3(1.0)}, {1, Vec3(1.0)}};
+        world.posedParts = {{0, Vec3(1.0)}, {1, Vec3(1.0)}};
         for (int k = 0; k < 16; ++k) {
             world.partFrames.push_back({Quat(1, 0, 0, 0), Vec3(k, 0, 0)});
             world.partFrames.push_back({Quat(1, 0, 0, 0), Vec3(0, k, 0)});
@@ -137,7 +137,7 @@ TEST(PartPoses, restWhereFramesHaveFewerParts) {
 
 TEST(PartPoses, haveTheSizeOfTheirPart) {
     Puppet p;
-    p.world.partSlots[0] = {1, Vec3(2, 3, 4)}; // a level of detail of the second part, say
+    p.world.posedParts[0] = {1, Vec3(2, 3, 4)}; // a level of detail of the second part, say
     p.world.partFrames[3].orientation = glm::angleAxis(glm::radians(90.0), Vec3(0, 0, 1));
     const PartPose pose = p.pose(p.add({Puppet::stretch(1, 1, 1.0)}), 0.5);
     EXPECT_EQ(pose.origin, Vec3(0, 1, 0)) << "places are not scaled";

@@ -110,7 +110,7 @@ TEST(Cycles, ofATableThatIsMissingAreNoneAndItIsSaid) {
     EXPECT_THAT(findingsOf(world), HasSubstr("09000077"));
     const MovingBody& body = world.villagers.at(0).body;
     EXPECT_THAT(body.cycles, ElementsAre(kNone, kNone, kNone));
-    EXPECT_EQ(body.firstSlot, kNone);
+    EXPECT_EQ(body.firstPosed, kNone);
     EXPECT_TRUE(world.partFrames.empty());
 }
 
@@ -158,7 +158,7 @@ TEST(Cycles, oneSetupsAreReadOnce) {
     ASSERT_EQ(world.villagers.size(), 2u);
     EXPECT_EQ(world.cycles.size(), 1u);
     EXPECT_EQ(world.villagers[0].body.cycles, world.villagers[1].body.cycles);
-    EXPECT_NE(world.villagers[0].body.firstSlot, world.villagers[1].body.firstSlot);
+    EXPECT_NE(world.villagers[0].body.firstPosed, world.villagers[1].body.firstPosed);
 }
 
 TEST(Cycles, areNotForDoors) {
@@ -171,11 +171,11 @@ TEST(Cycles, areNotForDoors) {
     puppet.hut.moving.emitters.clear();
     const World world = puppet.hut.load();
     EXPECT_EQ(world.leaves.at(0).body.partCount, 2u);
-    EXPECT_EQ(world.leaves.at(0).body.firstSlot, kNone);
+    EXPECT_EQ(world.leaves.at(0).body.firstPosed, kNone);
     EXPECT_TRUE(world.cycles.empty());
 }
 
-TEST(PartSlots, nameTheSetupsPartForEveryLevelOfDetailAndItsSize) {
+TEST(PosedParts, nameTheSetupsPartForEveryLevelOfDetailAndItsSize) {
     Puppet puppet;
     const std::uint32_t coarse = puppet.hut.source.addModel(test::boxExterior({-1, -1, 0}, {1, 1, 1}));
     const std::uint32_t fine =
@@ -190,13 +190,13 @@ TEST(PartSlots, nameTheSetupsPartForEveryLevelOfDetailAndItsSize) {
     const World world = puppet.load();
     const MovingBody& body = world.villagers.at(0).body;
     ASSERT_EQ(body.partCount, 3u);
-    const auto slots = std::span(world.partSlots).subspan(body.firstSlot, body.partCount);
-    EXPECT_EQ(slots[0].part, 1u);
-    EXPECT_EQ(slots[1].part, 2u);
-    EXPECT_EQ(slots[2].part, 2u) << "the coarse level";
+    const auto posed = std::span(world.posedParts).subspan(body.firstPosed, body.partCount);
+    EXPECT_EQ(posed[0].part, 1u);
+    EXPECT_EQ(posed[1].part, 2u);
+    EXPECT_EQ(posed[2].part, 2u) << "the coarse level";
     EXPECT_EQ(world.movingParts[body.firstPart + 2].record, coarse);
-    EXPECT_EQ(slots[0].scale, Vec3(1.0));
-    EXPECT_EQ(slots[2].scale, Vec3(1, 2, 3));
+    EXPECT_EQ(posed[0].scale, Vec3(1.0));
+    EXPECT_EQ(posed[2].scale, Vec3(1, 2, 3));
 }
 
 TEST(BoundsInMotion, areThoseOfTheRestingBodyWithoutCycles) {
