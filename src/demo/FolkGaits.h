@@ -14,15 +14,14 @@ enum class Role { Body, Head, LeftArm, RightArm, LeftLeg, RightLeg, Held, Wheel 
 
 /// One way of going forward.
 struct Stride {
-    double length = 1.0; ///< metres for a step of each leg
-    int frames = 30;     ///< likewise, at 30 a second
-    double grounded =
-        0.6; ///< how long each foot is on the ground, as a share: above a half for walking, below for running
-    double lift = 0.04;  ///< metres that a foot is carried over the ground
-    double bob = -0.03;  ///< metres that it is lifted while weight goes from foot to foot; negative: it sinks
-    double arms = 0.4;   ///< radians that they swing each way
-    double lean = 0.03;  ///< radians forward
-    double twist = 0.06; ///< radians that the shoulders turn each way
+    double length = 1.0;   ///< metres for a step of each leg
+    int frames = 30;       ///< likewise, at 30 a second
+    double grounded = 0.6; ///< share of that for which a foot is on the ground; less than half: running
+    double lift = 0.04;    ///< metres that a foot is carried over the ground
+    double bob = -0.03;    ///< metres that the body rises from foot to foot; negative: it sinks
+    double arms = 0.4;     ///< radians that they swing each way
+    double lean = 0.03;    ///< radians forward
+    double twist = 0.06;   ///< radians that the shoulders turn each way
 };
 
 /// The two ways in which people go.

@@ -12,11 +12,11 @@ using world::kNone;
 
 /// A world with nothing but one body of two parts; frames are given by hand. In frame k of any animation the first part is at (k, 0, 0), the
 /// second at (0, k, 0).
-struct Puppet {
+struct HandMade {
     world::World world;
     world::MovingBody body;
 
-    Puppet() {
+    HandMade() {
         body.partCount = 2;
         body.firstPosed = 0;
         world.movingParts.resize(2);
@@ -47,8 +47,8 @@ struct Puppet {
 };
 
 TEST(PartPoses, playForwardsAndBeginAgainAfterTheLast) {
-    Puppet p;
-    const std::uint32_t cycle = p.add({Puppet::stretch(2, 5, 10.0)});
+    HandMade p;
+    const std::uint32_t cycle = p.add({HandMade::stretch(2, 5, 10.0)});
     EXPECT_EQ(p.at(cycle, 0.0), 2.0);
     EXPECT_NEAR(p.at(cycle, 0.1), 3.0, 1e-12);
     EXPECT_NEAR(p.at(cycle, 0.325), 5.0 - 0.25 * 3.0, 1e-12) << "on the way back to the first";
@@ -59,16 +59,16 @@ TEST(PartPoses, playForwardsAndBeginAgainAfterTheLast) {
 
 /// docs/uncertain.md: the original shows the frame that was reached.
 TEST(PartPoses, goEvenlyFromFrameToFrame) {
-    Puppet p;
-    const std::uint32_t cycle = p.add({Puppet::stretch(0, 3, 10.0)});
+    HandMade p;
+    const std::uint32_t cycle = p.add({HandMade::stretch(0, 3, 10.0)});
     EXPECT_NEAR(p.at(cycle, 0.025), 0.25, 1e-12);
     EXPECT_NEAR(p.at(cycle, 0.15), 1.5, 1e-12);
     EXPECT_NEAR(p.pose(cycle, 0.15, 1).origin.y, 1.5, 1e-12) << "all parts at once";
 }
 
 TEST(PartPoses, playBackwardsFromTheLast) {
-    Puppet p;
-    const std::uint32_t cycle = p.add({Puppet::stretch(2, 5, -10.0)});
+    HandMade p;
+    const std::uint32_t cycle = p.add({HandMade::stretch(2, 5, -10.0)});
     EXPECT_EQ(p.at(cycle, 0.0), 5.0);
     EXPECT_NEAR(p.at(cycle, 0.1), 4.0, 1e-12);
     EXPECT_NEAR(p.at(cycle, 0.25), 2.5, 1e-12);
@@ -77,9 +77,9 @@ TEST(PartPoses, playBackwardsFromTheLast) {
 }
 
 TEST(PartPoses, playASequenceOnceAndItsLastForEver) {
-    Puppet p;
+    HandMade p;
     const std::uint32_t cycle =
-        p.add({Puppet::stretch(0, 1, 10.0), Puppet::stretch(4, 6, -20.0), Puppet::stretch(8, 9, 10.0)});
+        p.add({HandMade::stretch(0, 1, 10.0), HandMade::stretch(4, 6, -20.0), HandMade::stretch(8, 9, 10.0)});
     EXPECT_EQ(p.at(cycle, 0.0), 0.0);
     EXPECT_NEAR(p.at(cycle, 0.15), 3.5, 1e-12) << "from frame 1 to the first of what follows, frame 6";
     EXPECT_NEAR(p.at(cycle, 0.2), 6.0, 1e-12);
@@ -92,9 +92,9 @@ TEST(PartPoses, playASequenceOnceAndItsLastForEver) {
 }
 
 TEST(PartPoses, stayWhereTheRateIsNone) {
-    Puppet p;
-    const std::uint32_t still = p.add({Puppet::stretch(3, 5, 0.0)});
-    const std::uint32_t stuck = p.add({Puppet::stretch(3, 5, 0.0), Puppet::stretch(8, 9, 10.0)});
+    HandMade p;
+    const std::uint32_t still = p.add({HandMade::stretch(3, 5, 0.0)});
+    const std::uint32_t stuck = p.add({HandMade::stretch(3, 5, 0.0), HandMade::stretch(8, 9, 10.0)});
     for (const double seconds : {0.0, 1.0, 1e9}) {
         EXPECT_EQ(p.at(still, seconds), 3.0);
         EXPECT_EQ(p.at(stuck, seconds), 3.0) << "what follows is never reached";
@@ -102,8 +102,8 @@ TEST(PartPoses, stayWhereTheRateIsNone) {
 }
 
 TEST(PartPoses, areSomeFrameForAnyNumber) {
-    Puppet p;
-    const std::uint32_t cycle = p.add({Puppet::stretch(0, 1, 10.0), Puppet::stretch(2, 5, -1e30)});
+    HandMade p;
+    const std::uint32_t cycle = p.add({HandMade::stretch(0, 1, 10.0), HandMade::stretch(2, 5, -1e30)});
     for (const double seconds : {1e300, -1e300, 1e-300, std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_GE(p.at(cycle, seconds), 0.0);
@@ -112,34 +112,34 @@ TEST(PartPoses, areSomeFrameForAnyNumber) {
 }
 
 TEST(PartPoses, turnTheShorterWay) {
-    Puppet p;
+    HandMade p;
     const auto about = [](double degrees) { return glm::angleAxis(glm::radians(degrees), Vec3(1, 0, 0)); };
     p.world.partFrames[0].orientation = about(10.0);
     p.world.partFrames[2].orientation = -about(70.0); // the same turn, told the other way
-    const std::uint32_t cycle = p.add({Puppet::stretch(0, 1, 1.0)});
+    const std::uint32_t cycle = p.add({HandMade::stretch(0, 1, 1.0)});
     const Mat3 quarter = p.pose(cycle, 0.25).linear, expected = glm::mat3_cast(about(25.0));
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(glm::length(quarter[axis] - expected[axis]), 0.0, 1e-12);
 }
 
 TEST(PartPoses, restWhereFramesHaveFewerParts) {
-    Puppet p;
+    HandMade p;
     // Frames of one part: every second of the list is the second part's no more.
     const std::uint32_t one = p.add({{0, 1, 4, 10.0}});
     EXPECT_EQ(p.pose(one, 0.1, 1).origin, Vec3(0, 0, 7));
     EXPECT_NEAR(p.pose(one, 0.2, 0).origin.x, 1.0, 1e-12);
     // The part stays as it was last told until it is told again.
-    const std::uint32_t both = p.add({Puppet::stretch(3, 3, 10.0), {0, 1, 1, 10.0}});
+    const std::uint32_t both = p.add({HandMade::stretch(3, 3, 10.0), {0, 1, 1, 10.0}});
     EXPECT_EQ(p.pose(both, 0.05, 1).origin, Vec3(0, 3, 0));
     EXPECT_EQ(p.pose(both, 0.15, 1).origin, Vec3(0, 0, 7));
     EXPECT_EQ(p.pose(kNone, 3.0, 1).origin, Vec3(0, 0, 7)) << "no cycle at all";
 }
 
 TEST(PartPoses, haveTheSizeOfTheirPart) {
-    Puppet p;
+    HandMade p;
     p.world.posedParts[0] = {1, Vec3(2, 3, 4)}; // a level of detail of the second part, say
     p.world.partFrames[3].orientation = glm::angleAxis(glm::radians(90.0), Vec3(0, 0, 1));
-    const PartPose pose = p.pose(p.add({Puppet::stretch(1, 1, 1.0)}), 0.5);
+    const PartPose pose = p.pose(p.add({HandMade::stretch(1, 1, 1.0)}), 0.5);
     EXPECT_EQ(pose.origin, Vec3(0, 1, 0)) << "places are not scaled";
     EXPECT_NEAR(glm::length(pose.linear * Vec3(1, 0, 0) - Vec3(0, 2, 0)), 0.0, 1e-12);
     EXPECT_NEAR(glm::length(pose.linear * Vec3(0, 1, 0) - Vec3(-3, 0, 0)), 0.0, 1e-12);
@@ -161,21 +161,21 @@ int framesOfTheOriginal(int low, int high, double fps, int ticks, double ticksPe
 }
 
 RC_GTEST_PROP(PartPoses, areTheOriginalsAtEveryWholeFrame, ()) {
-    Puppet p;
+    HandMade p;
     const int low = *rc::gen::inRange(0, 15), high = *rc::gen::inRange(low, 15);
     const double fps = *rc::gen::element(1.0, 7.5, 30.0, 60.0) * (*rc::gen::arbitrary<bool>() ? 1.0 : -1.0);
     const int steps = *rc::gen::inRange(0, 60);
     const std::uint32_t cycle =
-        p.add({Puppet::stretch(static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high), fps)});
+        p.add({HandMade::stretch(static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high), fps)});
     // Half a frame on, so that neither rounds to the one before.
     const int frame = framesOfTheOriginal(low, high, fps, 4 * steps + 2, 4.0);
     RC_ASSERT(std::abs(p.at(cycle, steps / std::abs(fps) + 1e-10) - frame) < 1e-6);
 }
 
 TEST(Gaits, areChosenByWhichVelocityIsNearer) {
-    Puppet p;
-    p.body.cycles = {kNone, p.add({Puppet::stretch(0, 1, 1.0)}, {0, 1.5, 0}),
-                     p.add({Puppet::stretch(0, 1, 1.0)}, {0, 4.5, 0})};
+    HandMade p;
+    p.body.cycles = {kNone, p.add({HandMade::stretch(0, 1, 1.0)}, {0, 1.5, 0}),
+                     p.add({HandMade::stretch(0, 1, 1.0)}, {0, 4.5, 0})};
     EXPECT_EQ(gaitAt(p.world, p.body, 0.0), Gait::Stand);
     EXPECT_EQ(gaitAt(p.world, p.body, 0.1), Gait::Walk);
     EXPECT_EQ(gaitAt(p.world, p.body, 2.9), Gait::Walk);
@@ -188,10 +188,10 @@ TEST(Gaits, areChosenByWhichVelocityIsNearer) {
 }
 
 TEST(CyclePoints, followTheWayThatIsGoneWhereTheCycleSaysHowFast) {
-    Puppet p;
-    const std::uint32_t stand = p.add({Puppet::stretch(0, 1, 1.0)}, {0, 9, 0}),
-                        walk = p.add({Puppet::stretch(0, 1, 1.0)}, {0, 1.5, 0}),
-                        run = p.add({Puppet::stretch(0, 1, 1.0)});
+    HandMade p;
+    const std::uint32_t stand = p.add({HandMade::stretch(0, 1, 1.0)}, {0, 9, 0}),
+                        walk = p.add({HandMade::stretch(0, 1, 1.0)}, {0, 1.5, 0}),
+                        run = p.add({HandMade::stretch(0, 1, 1.0)});
     p.body.cycles = {stand, walk, run};
     const auto at = [&](Gait gait) { return cyclePoint(p.world, p.body, gait, -3.0, 20.0); };
     EXPECT_EQ(at(Gait::Walk).cycle, walk);
@@ -203,8 +203,8 @@ TEST(CyclePoints, followTheWayThatIsGoneWhereTheCycleSaysHowFast) {
 }
 
 TEST(CyclePoints, makeDoWithTheCyclesThereAre) {
-    Puppet p;
-    const std::uint32_t one = p.add({Puppet::stretch(0, 1, 1.0)}, {0, 2, 0});
+    HandMade p;
+    const std::uint32_t one = p.add({HandMade::stretch(0, 1, 1.0)}, {0, 2, 0});
     const auto at = [&](Gait gait) { return cyclePoint(p.world, p.body, gait, 3.0, 20.0); };
     p.body.cycles = {kNone, one, kNone};
     EXPECT_EQ(at(Gait::Run).cycle, one);
