@@ -27,6 +27,11 @@ struct Puppet {
         table.styleDefaults = {{kPuppetStyle, kPuppetStands}};
     }
 
+    /// Gives it other parts; more than the two rest at the body's origin.
+    void setParts(std::vector<std::uint32_t> parts) {
+        setup.placementFrames.front().second.parts.resize(parts.size(), frameAt({0, 0, 0}));
+        setup.parts = std::move(parts);
+    }
     /// Adds an animation, a pose of all parts for each frame, and yields its id.
     std::uint32_t animation(const std::vector<std::vector<dat::Frame>>& frames) {
         dat::Animation animation;

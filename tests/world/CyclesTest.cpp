@@ -183,7 +183,7 @@ TEST(PosedParts, nameTheSetupsPartForEveryLevelOfDetailAndItsSize) {
                                    {{test::TestWorld::kItself, dat::DegradeLevel::kMesh, 0, 5, 10},
                                     {coarse, dat::DegradeLevel::kMesh, 10, 20, 30}});
     const std::uint32_t absent = 0x01000FFF; // no such record: the part has no mesh
-    puppet.setup.parts = {absent, puppet.trunk, fine};
+    puppet.setParts({absent, puppet.trunk, fine});
     puppet.setup.flags |= dat::Setup::kScales;
     puppet.setup.scales = {Vec3f(1.0f), Vec3f(1.0f), Vec3f(1.0f, 2.0f, 3.0f)};
     puppet.cycle(kPuppetStands, {{puppet.sliding(2), 0, -1, 10.0f}});
@@ -211,7 +211,7 @@ TEST(BoundsInMotion, holdWhatSwingsBetweenTwoFrames) {
     // From hanging down to standing up on its joint in one step: half-way the leg points straight ahead, 0.9 m, farther than in
     // either frame.
     Puppet puppet;
-    puppet.setup.parts = {puppet.leg};
+    puppet.setParts({puppet.leg});
     const std::uint32_t animation =
         puppet.animation({{test::swungAt({0, 0, 0.9}, 0.0)}, {test::swungAt({0, 0, 0.9}, 179.0)}});
     puppet.cycle(kPuppetStands, {{animation, 0, -1, 10.0f}});
