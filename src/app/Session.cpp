@@ -205,7 +205,8 @@ Result<void> applyMoment(const LoadedWorld& loaded, const world::WorldFile& file
     const Result<world::SpaceIndex> space = findRoot(loaded.world, view.body->root, middle, ambiguous);
     if (!space)
         return tl::unexpected(space.error());
-    eye.body = motion::PlayerBody{view.body->feet, view.body->yaw, *space, view.body->opacity};
+    eye.body = motion::PlayerBody{view.body->feet,    view.body->yaw,   *space,
+                                  view.body->opacity, view.body->speed, view.body->metres};
     return {};
 }
 

@@ -96,6 +96,8 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     add("--body-yaw", a.bodyYaw, "DEG", "where it faces (0)");
     add("--body-root", a.bodyRoot, "auto|outside|0xCELL", "the space its middle is in (auto)");
     add("--body-opacity", a.bodyOpacity, "0..1", "how much of it is seen (1)");
+    add("--body-speed", a.bodySpeed, "M/S", "how fast it walks or runs (0: it stands)");
+    add("--body-metres", a.bodyMetres, "M", "how far it has walked: where it is in its stride (0)");
 }
 
 void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
@@ -136,7 +138,7 @@ Result<void> checkDoors(const ViewArguments& a, ViewRequest& view) {
 
 Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
     if (a.body.empty()) {
-        if (!a.bodyYaw.empty() || !a.bodyRoot.empty() || !a.bodyOpacity.empty())
+        if (!(a.bodyYaw + a.bodyRoot + a.bodyOpacity + a.bodySpeed + a.bodyMetres).empty())
             return fail(ErrorCode::BadArgument, "--body", "missing: where the body's feet are, X,Y,Z");
         return {};
     }
@@ -149,6 +151,10 @@ Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
     if (Result<void> r = take(a.bodyYaw, "--body-yaw", parseNumber, body.yaw); !r)
         return r;
     if (Result<void> r = take(a.bodyRoot, "--body-root", parseRoot, body.root); !r)
+        return r;
+    if (Result<void> r = take(a.bodySpeed, "--body-speed", parseNumber, body.speed); !r)
+        return r;
+    if (Result<void> r = take(a.bodyMetres, "--body-metres", parseNumber, body.metres); !r)
         return r;
     return take(a.bodyOpacity, "--body-opacity", opacity, body.opacity);
 }

@@ -20,7 +20,7 @@ namespace limen::app {
 /// line of `shot`, each line of its views file and each line of a tour's path file.
 struct ViewArguments {
     std::string eye, at, yaw, pitch, fov, size, root, player, time, weather, seconds, doors;
-    std::string body, bodyYaw, bodyRoot, bodyOpacity;
+    std::string body, bodyYaw, bodyRoot, bodyOpacity, bodySpeed, bodyMetres;
     std::vector<std::string> eachDoor;
 };
 
@@ -50,6 +50,7 @@ struct ViewRequest {
         double yaw = 0.0;
         RootChoice root;
         double opacity = 1.0;
+        double speed = 0.0, metres = 0.0;
     };
     std::optional<Body> body;
 };

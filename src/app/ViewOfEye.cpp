@@ -33,7 +33,7 @@ FrameEye eyeOf(const check::View& view, const world::World& world, world::SpaceI
         const check::View::Body& body = *view.body;
         const world::SpaceIndex space = body.root == 0 ? world::kOutside : world::findCell(world, body.root);
         if (space != world::kNone)
-            eye.body = motion::PlayerBody{body.feet, body.yaw, space, body.opacity};
+            eye.body = motion::PlayerBody{body.feet, body.yaw, space, body.opacity, body.speed, body.metres};
     }
     eye.time = view.time;
     eye.seconds = view.seconds;
@@ -53,8 +53,8 @@ check::View viewOf(const FrameEye& eye, const world::World& world) {
     view.height = eye.size.height;
     view.root = cellIdOf(world, eye.root);
     if (eye.body)
-        view.body = check::View::Body{eye.body->feet, eye.body->yaw, cellIdOf(world, eye.body->space),
-                                      eye.body->opacity};
+        view.body = check::View::Body{eye.body->feet,    eye.body->yaw,   cellIdOf(world, eye.body->space),
+                                      eye.body->opacity, eye.body->speed, eye.body->metres};
     else if (eye.player != eye.camera.eye)
         view.player = eye.player;
     view.time = eye.time;

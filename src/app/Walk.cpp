@@ -43,6 +43,7 @@ Result<void> Walk::begin(const Session& session, const FrameEye& eye) {
     body_ = motion::bodyAt({feet, motion::sweep(world, eye.root, eye.camera.eye, middle)});
     lag_ = 0.0;
     yaw_ = eye.camera.heading.yaw;
+    speed_ = metres_ = 0.0;
     chase_ = {};
     drop(); // what was coming is of elsewhere
     Reading around = read(session.shareSource(), session.shareLoaded(), blockOfBody(session.loaded()));
@@ -151,6 +152,15 @@ void Walk::face(const WalkInput& input, double seconds, double yaw) {
     yaw_ = std::remainder(yaw_ + std::clamp(turn, -kTurn * seconds, kTurn * seconds), 360.0);
 }
 
+/// What its legs do: at the speed that is asked of them, where it gets on at all.
+void Walk::stride(const WalkInput& input, const Vec3& from) {
+    constexpr double kStill = 1e-4; // metres
+    const double way = std::hypot(body_.standing.feet.x - from.x, body_.standing.feet.y - from.y);
+    const bool goes = body_.isOnGround && way > kStill && (input.forward != 0.0 || input.right != 0.0);
+    speed_ = !goes ? 0.0 : input.run ? shape_.runSpeed : shape_.walkSpeed;
+    metres_ += goes ? way : 0.0;
+}
+
 void Walk::carryEye(const Session& session, double seconds, FrameEye& eye) {
     const world::World& world = session.loaded().world;
     motion::BodyEye at = head(world);
@@ -165,7 +175,7 @@ void Walk::carryEye(const Session& session, double seconds, FrameEye& eye) {
     eye.root = at.space;
     eye.rootAmbiguous = false;
     eye.player = shape_.capsule.middle(body_.standing.feet);
-    eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity};
+    eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity, speed_, metres_};
 }
 
 Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye& eye) {
@@ -184,6 +194,8 @@ Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye
     const bool isOnFoot = before.isOnGround && body_.isOnGround;
     smooth(isOnFoot ? body_.standing.feet.z - before.standing.feet.z : 0.0, seconds);
     face(input, seconds, eye.camera.heading.yaw);
+    if (seconds > 0.0) // else its space only has another number
+        stride(input, before.standing.feet);
     carryEye(session, seconds, eye);
     return {};
 }

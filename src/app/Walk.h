@@ -58,12 +58,14 @@ private:
     [[nodiscard]] Result<void> takeSurroundings(const Session& session, dat::BlockCoord centre);
     void smooth(double fellOrRose, double seconds);
     void face(const WalkInput& input, double seconds, double yaw);
+    void stride(const WalkInput& input, const Vec3& from);
     void carryEye(const Session& session, double seconds, FrameEye& eye);
 
     bool isOn_ = false;
     motion::BodyState body_;
     motion::BodyShape shape_;
-    double yaw_ = 0.0; ///< where the body faces
+    double yaw_ = 0.0;                  ///< where the body faces
+    double speed_ = 0.0, metres_ = 0.0; ///< as in PlayerBody
     double lag_ = 0.0; ///< metres that the eye is still above where it belongs: it climbs steps smoothly
     bool isChased_ = false;
     motion::ChaseState chase_;

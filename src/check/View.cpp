@@ -39,7 +39,9 @@ std::string playerOptions(const View& view) {
         const View::Body& body = *view.body;
         return fmt::format(" --body={},{},{} --body-yaw={} --body-root={}", body.feet.x, body.feet.y,
                            body.feet.z, body.yaw, rootOption(body.root)) +
-               (body.opacity != 1.0 ? fmt::format(" --body-opacity={}", body.opacity) : "");
+               (body.opacity != 1.0 ? fmt::format(" --body-opacity={}", body.opacity) : "") +
+               (body.speed != 0.0 ? fmt::format(" --body-speed={}", body.speed) : "") +
+               (body.metres != 0.0 ? fmt::format(" --body-metres={}", body.metres) : "");
     }
     return view.player ? fmt::format(" --player={},{},{}", view.player->x, view.player->y, view.player->z)
                        : "";

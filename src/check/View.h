@@ -53,6 +53,8 @@ struct View {
         double yaw = 0.0;       ///< it faces that way, degrees
         dat::RecordId root = 0; ///< cell that its middle is in; 0: outside
         double opacity = 1.0;   ///< 0: not seen
+        double speed = 0.0;     ///< metres a second that it walks or runs; 0: it stands
+        double metres = 0.0;    ///< that it has walked
     };
     std::optional<Body> body;
     std::string about; ///< where it comes from, for people

@@ -1,10 +1,12 @@
 #include "demo/FolkModels.h"
 
+#include "demo/FolkGaits.h"
+
 namespace limen::demo {
 
 namespace {
 
-constexpr double kHip = 0.88, kShoulder = 1.42, kNeck = 1.48;
+constexpr double kShoulder = 1.42, kNeck = 1.48;
 
 struct Clothes {
     Material coat = Material::BrownCloth, legs = Material::GreenCloth;
@@ -22,14 +24,23 @@ void addRing(MeshBuilder& mesh, double z0, double z1, double lower, double upper
                    .caps = caps});
 }
 
-/// Shoulders are wider than a body is deep.
-void flatten(MeshBuilder& mesh, double depth) {
+constexpr double kWaist = 1.02, kHem = 0.10; ///< of a gown, metres
+constexpr double kFlat = 0.68;               ///< shoulders are wider than a body is deep
+
+/// Below the waist of a gown, more and more as deep as wide, so that legs have room to step.
+double depthAt(const Clothes& c, double z) {
+    return c.gown ? std::clamp(1.0 - (1.0 - kFlat) * (z - kHem) / (kWaist - kHem), kFlat, 1.0) : kFlat;
+}
+
+void flatten(MeshBuilder& mesh, const Clothes& c) {
     for (Face& face : mesh.faces()) {
-        for (Vec3& p : face.points) {
-            p.y *= depth;
-        }
-        for (Vec3& n : face.normals) {
-            n = glm::normalize(Vec3(n.x, n.y / depth, n.z));
+        for (std::size_t k = 0; k < face.points.size(); ++k) {
+            const double depth = depthAt(c, face.points[k].z);
+            face.points[k].y *= depth;
+            if (k < face.normals.size()) {
+                const Vec3 n = face.normals[k];
+                face.normals[k] = glm::normalize(Vec3(n.x, n.y / depth, n.z));
+            }
         }
     }
 }
@@ -37,16 +48,20 @@ void flatten(MeshBuilder& mesh, double depth) {
 MeshBuilder bodyMesh(const Clothes& c) {
     MeshBuilder mesh;
     if (c.gown) {
-        addRing(mesh, 0.10, 1.02, 0.32, 0.185, c.coat, true);
+        addRing(mesh, kHem, kWaist, 0.36, 0.185, c.coat, true);
     } else {
-        addRing(mesh, 0.74, 1.02, 0.235, 0.195, c.coat, true);
+        addRing(mesh, 0.74, kWaist, 0.235, 0.195, c.coat, true);
     }
-    addRing(mesh, 1.02, 1.07, 0.20, 0.20, Material::Hair, true);
+    addRing(mesh, kWaist, 1.07, 0.20, 0.20, Material::Hair, true);
     addRing(mesh, 1.07, 1.36, 0.19, 0.235, c.coat, true);
     addRing(mesh, 1.36, kNeck, 0.235, 0.10, c.coat, true);
-    flatten(mesh, 0.68);
-    if (c.apron) {
+    flatten(mesh, c);
+    if (c.apron && c.gown) {
+        mesh.strut({0, 0.135, 1.03}, {0, 0.275, 0.45}, {1, 0, 0}, 0.28, 0.03, Material::Linen);
+    } else if (c.apron) {
         mesh.box({-0.13, 0.12, 0.50}, {0.13, 0.215, 1.03}, Material::Linen);
+    }
+    if (c.apron) {
         mesh.box({-0.11, 0.10, 1.05}, {0.11, 0.17, 1.30}, Material::Linen);
     }
     return mesh;
@@ -93,7 +108,7 @@ MeshBuilder legMesh(const Clothes& c) {
     MeshBuilder mesh; // origin at the hip
     addRing(mesh, -0.46, 0.0, 0.075, 0.105, c.legs, true);
     addRing(mesh, -0.82, -0.44, 0.058, 0.078, c.legs, true);
-    mesh.box({-0.055, -0.09, -kHip}, {0.055, 0.17, -0.79}, Material::Hair);
+    mesh.box({-0.055, kHeel, -kHip}, {0.055, kToe, -0.79}, Material::Hair);
     return mesh;
 }
 
@@ -128,12 +143,11 @@ MeshBuilder lanternMesh() {
 /// A wheel in the plane across x, its hub at the origin.
 MeshBuilder wheelMesh() {
     MeshBuilder mesh;
-    constexpr int kSpokes = 8;
-    constexpr double kRadius = 0.52;
+    constexpr double kRim = 0.52;
     for (int k = 0; k < kSpokes; ++k) {
         const auto at = [](double turns) {
             const double a = 6.283185307179586 * turns / kSpokes;
-            return Vec3(0.0, kRadius * std::cos(a), kRadius * std::sin(a));
+            return Vec3(0.0, kRim * std::cos(a), kRim * std::sin(a));
         };
         mesh.strut(at(k - 0.02), at(k + 1.02), {1, 0, 0}, 0.07, 0.08, Material::OldPlanks);
         mesh.strut({0, 0, 0}, at(k) * 0.97, {1, 0, 0}, 0.036, 0.045, Material::OldPlanks);
@@ -166,32 +180,55 @@ MeshBuilder cartMesh() {
     return mesh;
 }
 
+/// The arm with the lantern keeps still, as does the lantern: what shines hangs where world.json says.
+dat::RecordId addWatchman(ModelSink& sink) {
+    std::vector<SetupPart> parts =
+        person(sink, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
+    parts.push_back({sink.addMesh(lanternMesh(), false), {kLantern, 0.0}});
+    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::Held,
+                                  Role::LeftLeg, Role::RightLeg, Role::Held};
+    return sink.addSetup(parts, {}, addGaits(sink, parts, roles, longStrides()));
+}
+
+/// Both hands are at the cart, which rolls.
+dat::RecordId addCarter(ModelSink& sink) {
+    std::vector<SetupPart> parts =
+        person(sink, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});
+    const dat::RecordId wheel = sink.addMesh(wheelMesh(), false);
+    parts.push_back({sink.addMesh(cartMesh(), false), {{0.0, -2.1, 0.0}, 0.0}});
+    parts.push_back({wheel, {{-0.70, -2.1, kWheelRadius}, 0.0}});
+    parts.push_back({wheel, {{0.70, -2.1, kWheelRadius}, 0.0}});
+    const std::vector<Role> roles{Role::Body,     Role::Head, Role::Held,  Role::Held, Role::LeftLeg,
+                                  Role::RightLeg, Role::Held, Role::Wheel, Role::Wheel};
+    return sink.addSetup(parts, {}, addGaits(sink, parts, roles, longStrides()));
+}
+
 } // namespace
 
 FolkModels addFolkModels(ModelSink& sink) {
+    const std::vector<Role> bare{Role::Body,     Role::Head,    Role::LeftArm,
+                                 Role::RightArm, Role::LeftLeg, Role::RightLeg};
+    const std::vector<SetupPart> farmer =
+        person(sink, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
+    const dat::RecordId free = addGaits(sink, farmer, bare, longStrides());
+    const dat::RecordId gowned = addGaits(sink, farmer, bare, shortStrides());
     FolkModels m;
     m.innkeeper = sink.addSetup(
-        person(sink, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}));
+        person(sink, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}), {},
+        gowned);
     m.maid = sink.addSetup(
         person(sink, {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
-               {0.6, 0.6}));
-    m.farmer = sink.addSetup(
-        person(sink, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3}));
+               {0.6, 0.6}),
+        {}, gowned);
+    m.farmer = sink.addSetup(farmer, {}, free);
     m.elder = sink.addSetup(
-        person(sink, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}));
-    std::vector<SetupPart> watch =
-        person(sink, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
-    watch.push_back({sink.addMesh(lanternMesh(), false), {kLantern, 0.0}});
-    m.watchman = sink.addSetup(watch);
-    std::vector<SetupPart> carter =
-        person(sink, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});
-    const dat::RecordId wheel = sink.addMesh(wheelMesh(), false);
-    carter.push_back({sink.addMesh(cartMesh(), false), {{0.0, -2.1, 0.0}, 0.0}});
-    carter.push_back({wheel, {{-0.70, -2.1, 0.555}, 0.0}});
-    carter.push_back({wheel, {{0.70, -2.1, 0.555}, 0.0}});
-    m.carter = sink.addSetup(carter);
+        person(sink, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}), {},
+        gowned);
+    m.watchman = addWatchman(sink);
+    m.carter = addCarter(sink);
     m.traveller = sink.addSetup(
-        person(sink, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}));
+        person(sink, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}), {},
+        free);
     return m;
 }
 

@@ -5,7 +5,7 @@
 namespace limen::demo {
 
 /// People about 1.75 m tall in six parts (body, head, arms, legs), feet at z = 0, front to the north. Arms and legs
-/// have their origin at the joint.
+/// have their origin at the joint. How they stand, walk and run is in FolkGaits.
 struct FolkModels {
     dat::RecordId innkeeper = 0, maid = 0, farmer = 0, elder = 0;
     dat::RecordId watchman = 0;  ///< carries a lantern at `kLantern`

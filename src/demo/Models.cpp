@@ -90,7 +90,23 @@ dat::RecordId ModelSink::addMesh(const MeshBuilder& mesh, bool solid) {
     return records_.gfxObjs.back().id;
 }
 
-dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps) {
+dat::RecordId ModelSink::addAnimation(std::vector<dat::AnimationFrame> frames) {
+    dat::Animation animation;
+    animation.id = nextAnimation_++;
+    animation.partCount = frames.empty() ? 0 : static_cast<std::uint32_t>(frames.front().parts.size());
+    animation.frames = std::move(frames);
+    records_.animations.push_back(std::move(animation));
+    return records_.animations.back().id;
+}
+
+dat::RecordId ModelSink::addMotionTable(dat::MotionTable table) {
+    table.id = nextMotionTable_++;
+    records_.motionTables.push_back(std::move(table));
+    return records_.motionTables.back().id;
+}
+
+dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps,
+                                  dat::RecordId motionTable) {
     std::map<dat::RecordId, const dat::GfxObj*> meshes;
     for (const dat::GfxObj& object : records_.gfxObjs) {
         meshes[object.id] = &object;
@@ -121,6 +137,7 @@ dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std
     for (std::size_t k = 0; k < lamps.size(); ++k) {
         setup.lights.emplace_back(static_cast<std::int32_t>(k), toLight(lamps[k]));
     }
+    setup.motionTable = motionTable;
     records_.setups.push_back(std::move(setup));
     return records_.setups.back().id;
 }

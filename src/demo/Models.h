@@ -25,13 +25,20 @@ public:
 
     /// `solid`: with physics polygons, except for what one can walk through (foliage, flames, glass).
     dat::RecordId addMesh(const MeshBuilder& mesh, bool solid = true);
-    dat::RecordId addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps = {});
+    /// `motionTable`: what it does, 0 for what only stands.
+    dat::RecordId addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps = {},
+                           dat::RecordId motionTable = 0);
+    /// Frames of as many parts each as the first.
+    dat::RecordId addAnimation(std::vector<dat::AnimationFrame> frames);
+    dat::RecordId addMotionTable(dat::MotionTable table); ///< its id is filled in
     [[nodiscard]] WorldRecords& records() { return records_; }
 
 private:
     WorldRecords& records_;
     dat::RecordId nextGfxObj_ = 0x01000100;
     dat::RecordId nextSetup_ = 0x02000100;
+    dat::RecordId nextAnimation_ = 0x03000100;
+    dat::RecordId nextMotionTable_ = 0x09000100;
 };
 
 /// The frame of a placement; exact for quarter turns.

@@ -52,6 +52,8 @@ Result<void> writeWorldFiles(const WorldRecords& records, const std::filesystem:
     }
     addAll(portal, records.gfxObjs);
     addAll(portal, records.setups);
+    addAll(portal, records.animations);
+    addAll(portal, records.motionTables);
     addAll(portal, records.environments);
     addAll(portal, records.scenes);
     addAll(portal, records.regions);

@@ -4,6 +4,7 @@
 #include "dat/records/Cells.h"
 #include "dat/records/Landscape.h"
 #include "dat/records/Models.h"
+#include "dat/records/Motion.h"
 #include "dat/records/Textures.h"
 
 #include <nlohmann/json.hpp>
@@ -20,6 +21,8 @@ struct WorldRecords {
     std::vector<std::pair<dat::RecordId, dat::Surface>> surfaces;
     std::vector<dat::GfxObj> gfxObjs;
     std::vector<dat::Setup> setups;
+    std::vector<dat::Animation> animations;
+    std::vector<dat::MotionTable> motionTables;
     std::vector<dat::Environment> environments;
     std::vector<dat::Scene> scenes;
     std::vector<dat::Region> regions;

@@ -55,7 +55,7 @@ void Moments::at(const MomentInput& input, world::Moment& out) {
     addDoors(input, out);
     addVillagers(input.seconds, out);
     if (input.player)
-        addPlayer(*input.player, out);
+        addPlayer(*input.player, input.seconds, out);
     addLoose(out);
     for (const world::Emitter& emitter : world_.emitters)
         addSprites(input, emitter, out);
@@ -87,12 +87,14 @@ void Moments::giveMembers(std::size_t firstInstance, world::Moment& out) const {
     }
 }
 
-void Moments::addBody(const world::MovingBody& body, const Pose& pose, world::SpaceIndex placedIn,
-                      world::Moment& out) {
-    for (std::uint32_t p = body.firstPart; p < body.firstPart + body.partCount; ++p) {
-        world::Instance part = world_.movingParts[p];
-        const Mat3 linear = pose.linear * Mat3(part.linear);
-        const Vec3 origin = pose.origin + pose.linear * Vec3(part.origin);
+void Moments::addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
+                      world::SpaceIndex placedIn, world::Moment& out) {
+    const PartPoses poses(world_, body, point);
+    for (std::uint32_t p = 0; p < body.partCount; ++p) {
+        world::Instance part = world_.movingParts[body.firstPart + p];
+        const PartPose within = poses.of(p);
+        const Mat3 linear = pose.linear * within.linear;
+        const Vec3 origin = pose.origin + pose.linear * within.origin;
         part.block = blockFor(origin);
         part.linear = glm::mat3(linear);
         part.origin = Vec3f(origin - world_.blocks[part.block].origin());
@@ -130,7 +132,7 @@ void Moments::addDoors(const MomentInput& input, world::Moment& out) {
             if (open == 0.0 && leaf.shut.partCount > 0)
                 addInPlace(leaf.shut, out);
             else
-                addBody(leaf.body, pose, portal.space, out);
+                addBody(leaf.body, pose, {}, portal.space, out);
             bothSides();
             membership_.extend({pose.origin + pose.linear * leaf.body.bounds.centre, leaf.body.bounds.radius},
                                out.closed, reached_);
@@ -172,8 +174,11 @@ void Moments::addVillagers(double seconds, world::Moment& out) {
     for (const world::Villager& villager : world_.villagers) {
         const Standing standing = this->standing(villager, seconds);
         const Pose pose{turnedTo(standing.yaw), standing.position};
+        const world::Gait gait = gaitAt(world_, villager.body, villager.speed);
+        const double metres = villager.start + villager.speed * seconds;
         const std::size_t first = out.instances.size();
-        addBody(villager.body, pose, standing.space, out);
+        addBody(villager.body, pose, cyclePoint(world_, villager.body, gait, metres, seconds), standing.space,
+                out);
         membership_.reach(
             standing.space,
             {pose.origin + pose.linear * villager.body.bounds.centre, villager.body.bounds.radius},
@@ -182,14 +187,15 @@ void Moments::addVillagers(double seconds, world::Moment& out) {
     }
 }
 
-void Moments::addPlayer(const PlayerBody& player, world::Moment& out) {
+void Moments::addPlayer(const PlayerBody& player, double seconds, world::Moment& out) {
     if (!(player.opacity > 0.0))
         return;
     const bool isSolid = player.opacity >= 1.0;
     const world::MovingBody& body = isSolid ? world_.player.solid : world_.player.ghost;
     const Pose pose{turnedTo(player.yaw), player.feet};
+    const world::Gait gait = gaitAt(world_, body, player.speed);
     const std::size_t first = out.instances.size();
-    addBody(body, pose, player.space, out);
+    addBody(body, pose, cyclePoint(world_, body, gait, player.metres, seconds), player.space, out);
     for (std::size_t i = first; i < out.instances.size() && !isSolid; ++i)
         out.instances[i].opacity = static_cast<float>(player.opacity);
     membership_.reach(player.space, {pose.origin + pose.linear * body.bounds.centre, body.bounds.radius},

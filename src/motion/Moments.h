@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/PartPoses.h"
 #include "world/Membership.h"
 #include "world/Moment.h"
 #include "world/World.h"
@@ -16,6 +17,8 @@ struct PlayerBody {
     double yaw = 0.0;                          ///< compass direction that it faces, degrees
     world::SpaceIndex space = world::kOutside; ///< that its middle is in
     double opacity = 1.0;                      ///< 0: not seen .. 1: solid
+    double speed = 0.0;                        ///< metres a second that it walks or runs; 0: it stands
+    double metres = 0.0;                       ///< that it has walked: where it is in its stride
     friend bool operator==(const PlayerBody&, const PlayerBody&) = default;
 };
 
@@ -59,12 +62,13 @@ private:
     void addInPlace(const world::MovingBody& body, world::Moment& out) const;
     void addDoors(const MomentInput& input, world::Moment& out);
     void addVillagers(double seconds, world::Moment& out);
-    void addPlayer(const PlayerBody& player, world::Moment& out);
+    void addPlayer(const PlayerBody& player, double seconds, world::Moment& out);
     void addLoose(world::Moment& out);
     void addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out);
     void addRain(const MomentInput& input, world::Moment& out);
-    void addBody(const world::MovingBody& body, const Pose& pose, world::SpaceIndex placedIn,
-                 world::Moment& out);
+    /// `point`: what its parts are at; {}: as they rest.
+    void addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
+                 world::SpaceIndex placedIn, world::Moment& out);
     void addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size, double opacity,
                    world::Moment& out);
     void giveMembers(std::size_t firstInstance, world::Moment& out) const;

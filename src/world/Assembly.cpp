@@ -16,7 +16,8 @@ Plane toGlobal(const Plane& plane, const Vec3& origin) {
 } // namespace
 
 Assembly::Assembly(Records& records, Models& models, const dat::Region* region)
-    : records_(records), models_(models), region_(region), materials_(records, world_), arena_(world_) {
+    : records_(records), models_(models), region_(region), materials_(records, world_), arena_(world_),
+      cycles_(records, world_) {
     Space outside;
     outside.zone = kOutsideZone;
     outside.seenOutside = true;

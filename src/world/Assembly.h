@@ -1,6 +1,7 @@
 #pragma once
 
 #include "world/BlockContent.h"
+#include "world/Cycles.h"
 #include "world/Lights.h"
 #include "world/Materials.h"
 #include "world/MeshArena.h"
@@ -48,6 +49,8 @@ private:
     [[nodiscard]] MovingBody addGhost(const MovingBody& solid);
     [[nodiscard]] std::uint32_t ghostMaterials(std::uint32_t firstMaterial, std::size_t count);
     [[nodiscard]] MovingBody addBody(dat::RecordId model, Kind kind, std::uint64_t object);
+    /// Gives a body, whose parts were just added, what its model does.
+    void addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body);
     [[nodiscard]] std::uint32_t addRoute(const RouteEntry& entry);
     [[nodiscard]] MovingBody addShutBody(const Leaf& leaf, const Portal& portal);
     [[nodiscard]] std::uint32_t addFilling(const Door& door, std::uint64_t object);
@@ -67,6 +70,7 @@ private:
     World world_;
     Materials materials_;
     MeshArena arena_;
+    Cycles cycles_;
     std::unordered_map<dat::RecordId, std::uint32_t> partMaterials_;
     std::map<std::uint32_t, TerrainCell> painted_; ///< by palette code
     std::vector<Portal> outdoorPortals_;           ///< moved to the front at the end

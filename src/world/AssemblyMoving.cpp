@@ -74,6 +74,7 @@ MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t obj
     std::vector<ModelPart> parts = model.parts;
     if (kind != Kind::Filling) // what shuts an opening is the same from everywhere
         parts.insert(parts.end(), model.farther.begin(), model.farther.end());
+    std::vector<PosedPart> posed;
     for (const ModelPart& part : parts) {
         const PartMesh* mesh = models_.part(part.gfxObj);
         if (mesh == nullptr || mesh->mesh.empty())
@@ -90,9 +91,21 @@ MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t obj
         if (kind != Kind::Filling)
             instance.reach = part.reach;
         world_.movingParts.push_back(instance);
+        posed.push_back({part.part, part.scale});
     }
     body.partCount = static_cast<std::uint32_t>(world_.movingParts.size()) - body.firstPart;
+    if (kind != Kind::Filling) // doors are moved by their hinges alone
+        addCycles(modelId, posed, body);
     return body;
+}
+
+void Assembly::addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body) {
+    body.cycles = cycles_.of(model);
+    if (std::all_of(body.cycles.begin(), body.cycles.end(), [](std::uint32_t c) { return c == kNone; }))
+        return;
+    body.firstPosed = static_cast<std::uint32_t>(world_.posedParts.size());
+    world_.posedParts.insert(world_.posedParts.end(), posed.begin(), posed.end());
+    body.bounds = boundsInMotion(world_, body);
 }
 
 void Assembly::addDoor(const DoorEntry& entry, std::size_t index) {

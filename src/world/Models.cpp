@@ -96,22 +96,24 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
     return levels;
 }
 
-void Models::addPart(Model& model, dat::RecordId gfxObj, const Mat3& linear, const Vec3& origin) {
-    const std::vector<Level> levels = levelsOf(gfxObj);
+void Models::addPart(Model& model, const ModelPart& posed) {
+    const std::vector<Level> levels = levelsOf(posed.gfxObj);
     if (levels.front().gfxObj == 0)
         return;
     for (const Level& level : levels) {
         if (level.gfxObj == 0)
             continue;
         auto& list = level.reach.beyond == 0 ? model.parts : model.farther;
-        list.push_back({level.gfxObj, linear, origin, level.reach});
+        list.push_back(posed);
+        list.back().gfxObj = level.gfxObj;
+        list.back().reach = level.reach;
     }
 }
 
 Model Models::read(dat::RecordId id) {
     Model model;
     if (id >> 24 == 0x01) {
-        addPart(model, id, Mat3(1.0), Vec3(0.0));
+        addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, 0, Vec3(1.0)});
     } else if (const dat::Setup* setup = records_.setup(id)) {
         const dat::AnimationFrame* frames = restingPose(*setup);
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
@@ -121,7 +123,7 @@ Model Models::read(dat::RecordId id) {
             Mat3 linear = glm::mat3_cast(pose.orientation);
             for (int axis = 0; axis < 3; ++axis)
                 linear[axis] *= scale[axis];
-            addPart(model, setup->parts[i], linear, pose.origin);
+            addPart(model, {setup->parts[i], linear, pose.origin, {}, static_cast<std::uint32_t>(i), scale});
         }
         model.lights = lightsOf(*setup);
     }

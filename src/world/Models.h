@@ -20,6 +20,8 @@ struct ModelPart {
     Mat3 linear{1.0}; ///< rotation and scale
     Vec3 origin{0.0};
     Reach reach;
+    std::uint32_t part = 0; ///< index in the Setup; levels of detail of one part share it
+    Vec3 scale{1.0};        ///< what `linear` has of it
 };
 
 struct ModelLight {
@@ -54,7 +56,8 @@ private:
     };
     /// What of a GfxObj is seen, the nearest first: itself, others, or nothing, as of marks that only editors show.
     [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);
-    void addPart(Model& model, dat::RecordId gfxObj, const Mat3& linear, const Vec3& origin);
+    /// Adds all levels of detail of `posed`.
+    void addPart(Model& model, const ModelPart& posed);
     [[nodiscard]] std::unique_ptr<PartMesh> build(dat::RecordId gfxObj);
 
     Records& records_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/Bounds.h"
+#include "world/Cycle.h"
 #include "world/Index.h"
 
 #include <cstdint>
@@ -10,10 +11,13 @@
 // Lengths in metres, angles in degrees, compass directions (0 north, 90 east).
 namespace limen::world {
 
-/// The parts of one moving thing: a run of World::movingParts, posed in the thing's own frame.
+/// The parts of one moving thing: a run of World::movingParts, posed in the thing's own frame as they rest.
 struct MovingBody {
     std::uint32_t firstPart = 0, partCount = 0;
-    Sphere bounds; ///< of all parts, in the thing's own frame
+    Sphere bounds; ///< of all parts, in the thing's own frame, as they rest and at every moment of its cycles
+    /// By Gait: index into World::cycles. kNone: it has none.
+    std::array<std::uint32_t, kGaits> cycles{kNone, kNone, kNone};
+    std::uint32_t firstPosed = kNone; ///< run of World::posedParts, one a part; kNone: it has no cycles
 };
 
 /// One leaf of a door, or a pane: it turns about the vertical through its hinge.

@@ -20,6 +20,8 @@ public:
     [[nodiscard]] const dat::GfxObj* gfxObj(dat::RecordId id) { return get(id, gfxObjs_); }
     [[nodiscard]] const dat::DegradeInfo* degradeInfo(dat::RecordId id) { return get(id, degradeInfos_); }
     [[nodiscard]] const dat::Setup* setup(dat::RecordId id) { return get(id, setups_); }
+    [[nodiscard]] const dat::Animation* animation(dat::RecordId id) { return get(id, animations_); }
+    [[nodiscard]] const dat::MotionTable* motionTable(dat::RecordId id) { return get(id, motionTables_); }
     [[nodiscard]] const dat::Environment* environment(dat::RecordId id) { return get(id, environments_); }
     [[nodiscard]] const dat::Scene* scene(dat::RecordId id) { return get(id, scenes_); }
     [[nodiscard]] const dat::Surface* surface(dat::RecordId id) { return get(id, surfaces_); }
@@ -51,6 +53,8 @@ private:
     Cache<dat::GfxObj> gfxObjs_;
     Cache<dat::DegradeInfo> degradeInfos_;
     Cache<dat::Setup> setups_;
+    Cache<dat::Animation> animations_;
+    Cache<dat::MotionTable> motionTables_;
     Cache<dat::Environment> environments_;
     Cache<dat::Scene> scenes_;
     Cache<dat::Surface> surfaces_;

@@ -235,6 +235,10 @@ struct World {
     // What moves. Parts are instances in the frame of the thing they are part of; block, members and placedIn are the
     // moment's (world/Moment.h).
     std::vector<Instance> movingParts;
+    std::vector<PosedPart> posedParts;
+    std::vector<Cycle> cycles;
+    std::vector<Stretch> stretches;
+    std::vector<PartFrame> partFrames; ///< frame after frame, in each the parts in order
     std::vector<Door> doors;
     std::vector<Leaf> leaves;
     std::vector<Route> routes;

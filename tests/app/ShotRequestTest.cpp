@@ -46,6 +46,7 @@ TEST(CheckView, refusesEachArgumentThatMakesNoSense) {
     refuses(&ViewArguments::weather, "fog");
     refuses(&ViewArguments::body, "1,2");
     refuses(&ViewArguments::bodyYaw, "5"); // without a body
+    refuses(&ViewArguments::bodyMetres, "5");
     EXPECT_FALSE(checkView(ViewArguments{}));
 }
 

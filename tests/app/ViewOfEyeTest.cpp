@@ -64,12 +64,12 @@ TEST(ViewOfEye, namesOnlyDoorsThatDoNotRest) {
 
 TEST(ViewOfEye, shotOptionsSayAllOfIt) {
     FrameEye eye = someEye();
-    eye.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5};
+    eye.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5, 2.2, 17.5};
     EXPECT_EQ(
         check::shotOptions(viewOf(eye, worldWithDoors())),
         "--eye=1,2,3 --yaw=30 --pitch=-5 --fov=75 --size=640x360 --root=0xA9B40105 --time=0.25 --seconds=7.5 "
         "--door='c=0.75' --weather=rain --body=7,8,9 --body-yaw=180 --body-root=0xA9B40105 "
-        "--body-opacity=0.5");
+        "--body-opacity=0.5 --body-speed=2.2 --body-metres=17.5");
 }
 
 } // namespace

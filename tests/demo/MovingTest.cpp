@@ -1,15 +1,13 @@
 #include "demo/BuiltIn.h"
 
-#include "dat/Archive.h"
 #include "demo/Demo.h"
+#include "demo/Loaded.h"
 #include "demo/TerrainShape.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <set>
-#include <unistd.h>
 
 // Doors, routes, villagers and emitters of world.json, held against the records and against the loaded world.
 namespace limen::demo::test {
@@ -202,25 +200,6 @@ TEST(Doors, panesAreTranslucentAndLeavesAreNot) {
         }
         EXPECT_EQ(blended(gfxObj), !door.at("opaque").get<bool>()) << door.at("name");
     }
-}
-
-/// The built-in world as a program loads it; its files are gone afterwards.
-const world::World& loaded() {
-    static const world::World result = [] {
-        const std::filesystem::path folder =
-            std::filesystem::temp_directory_path() / ("limen_moving_test_" + std::to_string(::getpid()));
-        world::World out;
-        if (writeBuiltInWorld(folder).has_value()) {
-            const auto archive = dat::Archive::open(folder);
-            auto loading = world::loadWorld(*archive, kVillage, {});
-            if (loading.has_value()) {
-                out = std::move(*loading);
-            }
-        }
-        std::filesystem::remove_all(folder);
-        return out;
-    }();
-    return result;
 }
 
 struct RoutePoint {

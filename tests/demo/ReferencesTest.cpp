@@ -84,6 +84,30 @@ TEST_F(References, ofModelsAndCellsResolve) {
     }
 }
 
+TEST_F(References, ofMotionsResolve) {
+    const auto animations = idsOf(world().animations);
+    const auto tables = idsOf(world().motionTables);
+    std::set<std::uint32_t> used, played;
+    for (const dat::Setup& setup : world().setups) {
+        EXPECT_TRUE(setup.motionTable == 0 || tables.count(setup.motionTable) == 1);
+        used.insert(setup.motionTable);
+    }
+    for (const dat::MotionTable& table : world().motionTables) {
+        EXPECT_EQ(dat::kindOf(dat::FileRole::Portal, table.id), dat::RecordKind::MotionTable);
+        EXPECT_EQ(used.count(table.id), 1u) << "what nobody does";
+        for (const auto& [key, data] : table.cycles) {
+            for (const dat::AnimationRange& range : data.animations) {
+                EXPECT_EQ(animations.count(range.animation), 1u);
+                played.insert(range.animation);
+            }
+        }
+    }
+    for (const dat::Animation& animation : world().animations) {
+        EXPECT_EQ(dat::kindOf(dat::FileRole::Portal, animation.id), dat::RecordKind::Animation);
+        EXPECT_EQ(played.count(animation.id), 1u);
+    }
+}
+
 TEST_F(References, ofTheRegionResolve) {
     const dat::Region& region = world().regions.at(0);
     const auto scenes = idsOf(world().scenes);
@@ -201,6 +225,8 @@ TEST(Files, readBackToTheRecordsThatAreBuiltAnew) {
     expectStored(*archive, again.renderSurfaces);
     expectStored(*archive, again.gfxObjs);
     expectStored(*archive, again.setups);
+    expectStored(*archive, again.animations);
+    expectStored(*archive, again.motionTables);
     expectStored(*archive, again.environments);
     expectStored(*archive, again.scenes);
     expectStored(*archive, again.regions);

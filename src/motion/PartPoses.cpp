@@ -1,0 +1,123 @@
+#include "motion/PartPoses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::motion {
+namespace {
+
+using world::Cycle;
+using world::Gait;
+using world::kNone;
+using world::MovingBody;
+using world::Stretch;
+using world::World;
+
+/// Slower, and a cycle says no velocity; metres a second.
+constexpr double kLeastVelocity = 0.01;
+
+std::uint32_t cycleOf(const MovingBody& body, Gait gait) {
+    return body.cycles[static_cast<std::size_t>(gait)];
+}
+
+/// What a cycle goes at; 0: it does not say.
+double velocityOf(const World& world, std::uint32_t cycle) {
+    const double velocity = cycle != kNone ? glm::length(world.cycles[cycle].velocity) : 0.0;
+    return velocity >= kLeastVelocity && std::isfinite(velocity) ? velocity : 0.0;
+}
+
+/// Steps from the first frame of what never ends: 0 <= steps < frameCount.
+double stepsAround(const Stretch& stretch, double steps) {
+    const double count = stretch.frameCount;
+    double around = std::fmod(steps, count);
+    if (around < 0.0)
+        around += count;
+    return around >= 0.0 && around < count ? around : 0.0; // rounded up to a whole round, or no number
+}
+
+/// The stretch of a cycle that is played, and how many steps of it have been.
+struct Played {
+    std::uint32_t stretch = 0;
+    double steps = 0.0;
+};
+Played playedAt(const World& world, const Cycle& cycle, double seconds) {
+    const std::uint32_t last = cycle.stretchCount - 1;
+    const auto stretches = std::span(world.stretches).subspan(cycle.firstStretch, cycle.stretchCount);
+    // Before its first frame, a cycle is taken to have gone on for ever as it will after it.
+    for (std::uint32_t i = 0; i < last && seconds >= 0.0; ++i) {
+        const double rate = std::abs(stretches[i].rate);
+        if (seconds * rate < stretches[i].frameCount)
+            return {i, seconds * rate};
+        seconds = std::max(seconds - stretches[i].frameCount / rate, 0.0);
+    }
+    return {last, stepsAround(stretches[last], seconds * std::abs(stretches[last].rate))};
+}
+
+} // namespace
+
+Gait gaitAt(const World& world, const MovingBody& body, double speed) {
+    if (speed == 0.0)
+        return Gait::Stand;
+    const double walk = velocityOf(world, cycleOf(body, Gait::Walk));
+    const double run = velocityOf(world, cycleOf(body, Gait::Run));
+    return walk > 0.0 && run > walk && std::abs(speed) > (walk + run) / 2.0 ? Gait::Run : Gait::Walk;
+}
+
+CyclePoint cyclePoint(const World& world, const MovingBody& body, Gait gait, double metres, double seconds) {
+    if (gait != Gait::Stand) {
+        std::uint32_t cycle = cycleOf(body, gait);
+        if (cycle == kNone)
+            cycle = cycleOf(body, gait == Gait::Walk ? Gait::Run : Gait::Walk);
+        if (cycle != kNone) {
+            const double velocity = velocityOf(world, cycle);
+            return {cycle, velocity > 0.0 ? metres / velocity : seconds};
+        }
+    }
+    return {cycleOf(body, Gait::Stand), seconds};
+}
+
+PartPoses::PartPoses(const World& world, const MovingBody& body, const CyclePoint& at)
+    : world_(world), body_(body) {
+    if (at.cycle == kNone || body.firstPosed == kNone)
+        return;
+    const Cycle& cycle = world.cycles[at.cycle];
+    const Played played = playedAt(world, cycle, at.seconds);
+    stretch_ = &world.stretches[cycle.firstStretch + played.stretch];
+    step_ = static_cast<std::uint32_t>(played.steps);
+    between_ = played.steps - step_;
+    const world::NextFrame next = world::nextFrame(cycle, *stretch_, played.stretch, step_);
+    then_ = &world.stretches[cycle.firstStretch + next.stretch];
+    thenStep_ = next.step;
+}
+
+const world::PartFrame* PartPoses::frame(const Stretch& stretch, std::uint32_t step,
+                                         std::uint32_t part) const {
+    if (part >= stretch.partCount)
+        return nullptr;
+    return &world_.partFrames[stretch.firstPartFrame + world::frameAt(stretch, step) * stretch.partCount +
+                              part];
+}
+
+PartPose PartPoses::of(std::uint32_t index) const {
+    const world::Instance& resting = world_.movingParts[body_.firstPart + index];
+    const PartPose rest{Mat3(resting.linear), Vec3(resting.origin)};
+    if (stretch_ == nullptr)
+        return rest;
+    const world::PosedPart& posed = world_.posedParts[body_.firstPosed + index];
+    const world::PartFrame* from = frame(*stretch_, step_, posed.part);
+    if (from == nullptr)
+        return rest;
+    Quat orientation = from->orientation;
+    Vec3 origin = from->origin;
+    const world::PartFrame* to = frame(*then_, thenStep_, posed.part);
+    if (to != nullptr && to != from && between_ > 0.0) {
+        orientation = glm::slerp(orientation, to->orientation, between_); // the shorter way round
+        origin += (to->origin - origin) * between_;
+    }
+    PartPose pose{glm::mat3_cast(orientation), origin};
+    for (int axis = 0; axis < 3; ++axis)
+        pose.linear[axis] *= posed.scale[axis];
+    return pose;
+}
+
+} // namespace limen::motion

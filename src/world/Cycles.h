@@ -1,0 +1,42 @@
+#pragma once
+
+#include "world/Records.h"
+
+#include <optional>
+
+namespace limen::world {
+
+/// Reads what models do while they stand, walk and run into a world's arrays: each Setup's cycles and each Animation's frames
+/// once. What is missing or damaged is said in the records' findings, and is left out of the cycle that names it; a cycle
+/// of which nothing is left is none.
+class Cycles {
+public:
+    Cycles(Records& records, World& world) : records_(records), world_(world) {}
+
+    /// By Gait, as in MovingBody::cycles. Standing is the default substate of its motion table's default style, else the
+    /// Setup's own animation; walking and running are of the same style. All kNone for what is no Setup or has neither.
+    [[nodiscard]] std::array<std::uint32_t, kGaits> of(dat::RecordId model);
+
+private:
+    /// Frames of an Animation in World::partFrames.
+    struct Frames {
+        std::uint32_t first = 0, partCount = 0, frameCount = 0;
+    };
+    [[nodiscard]] std::array<std::uint32_t, kGaits> read(const dat::Setup& setup);
+    /// kNone if there is nothing to play.
+    [[nodiscard]] std::uint32_t addCycle(std::span<const dat::AnimationRange> ranges, const Vec3& velocity);
+    [[nodiscard]] std::uint32_t addCycle(const dat::MotionTable& table, std::uint32_t substate);
+    [[nodiscard]] std::optional<Stretch> stretchOf(const dat::AnimationRange& range);
+    [[nodiscard]] const Frames& framesOf(dat::RecordId animation);
+
+    Records& records_;
+    World& world_;
+    std::unordered_map<dat::RecordId, std::array<std::uint32_t, kGaits>> bySetup_;
+    std::unordered_map<dat::RecordId, Frames> byAnimation_;
+};
+
+/// The ball around a body in all its poses, in its own frame: around `body.bounds` as given, which is of its parts as they
+/// rest, and around the ball of each part at every moment of every cycle. Requires: parts, what they show, and cycles are in the world.
+[[nodiscard]] Sphere boundsInMotion(const World& world, const MovingBody& body);
+
+} // namespace limen::world
