@@ -107,7 +107,7 @@ MeshBuilder armMesh(const Clothes& c, double bend) {
 }
 
 MeshBuilder legMesh(const Clothes& c) {
-    MeshBuilder mesh; // origin at the hip
+    MeshBuilder mesh;                                      // origin at the hip
     addRing(mesh, -0.18, 0.0, 0.095, 0.045, c.legs, true); // stays inside the coat while the leg swings
     addRing(mesh, -0.46, -0.18, 0.075, 0.095, c.legs, true);
     addRing(mesh, -0.82, -0.44, 0.058, 0.078, c.legs, true);
