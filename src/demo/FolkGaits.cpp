@@ -181,9 +181,9 @@ Strides longStrides() {
 }
 
 Strides shortStrides() {
-    return {{.length = 0.9, .frames = 24, .lift = 0.03, .bob = -0.015, .arms = 0.2, .twist = 0.04},
-            {.length = 1.3,
-             .frames = 18,
+    return {{.length = 0.8, .frames = 22, .lift = 0.03, .bob = -0.015, .arms = 0.2, .twist = 0.04},
+            {.length = 1.1,
+             .frames = 15,
              .grounded = 0.4,
              .lift = 0.05,
              .bob = 0.03,

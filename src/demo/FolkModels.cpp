@@ -25,39 +25,41 @@ void addRing(MeshBuilder& mesh, double z0, double z1, double lower, double upper
 }
 
 constexpr double kWaist = 1.02, kHem = 0.10; ///< of a gown, metres
-constexpr double kFlat = 0.68;               ///< shoulders are wider than a body is deep
 
-/// Below the waist of a gown, more and more as deep as wide, so that legs have room to step.
-double depthAt(const Clothes& c, double z) {
-    return c.gown ? std::clamp(1.0 - (1.0 - kFlat) * (z - kHem) / (kWaist - kHem), kFlat, 1.0) : kFlat;
-}
-
-void flatten(MeshBuilder& mesh, const Clothes& c) {
+/// Shoulders are wider than a body is deep.
+void flatten(MeshBuilder& mesh, double depth) {
     for (Face& face : mesh.faces()) {
-        for (std::size_t k = 0; k < face.points.size(); ++k) {
-            const double depth = depthAt(c, face.points[k].z);
-            face.points[k].y *= depth;
-            if (k < face.normals.size()) {
-                const Vec3 n = face.normals[k];
-                face.normals[k] = glm::normalize(Vec3(n.x, n.y / depth, n.z));
-            }
+        for (Vec3& p : face.points) {
+            p.y *= depth;
+        }
+        for (Vec3& n : face.normals) {
+            n = glm::normalize(Vec3(n.x, n.y / depth, n.z));
         }
     }
 }
 
+/// Nearly as deep as wide, so that legs have room to step.
+MeshBuilder skirtMesh(const Clothes& c) {
+    MeshBuilder mesh;
+    addRing(mesh, kHem, kWaist, 0.36, 0.15, c.coat, true);
+    flatten(mesh, 0.9);
+    if (c.apron) {
+        mesh.strut({0, 0.13, 1.03}, {0, 0.25, 0.45}, {1, 0, 0}, 0.28, 0.03, Material::Linen);
+    }
+    return mesh;
+}
+
 MeshBuilder bodyMesh(const Clothes& c) {
     MeshBuilder mesh;
-    if (c.gown) {
-        addRing(mesh, kHem, kWaist, 0.36, 0.185, c.coat, true);
-    } else {
+    if (!c.gown) {
         addRing(mesh, 0.74, kWaist, 0.235, 0.195, c.coat, true);
     }
     addRing(mesh, kWaist, 1.07, 0.20, 0.20, Material::Hair, true);
     addRing(mesh, 1.07, 1.36, 0.19, 0.235, c.coat, true);
     addRing(mesh, 1.36, kNeck, 0.235, 0.10, c.coat, true);
-    flatten(mesh, c);
-    if (c.apron && c.gown) {
-        mesh.strut({0, 0.135, 1.03}, {0, 0.275, 0.45}, {1, 0, 0}, 0.28, 0.03, Material::Linen);
+    flatten(mesh, 0.68);
+    if (c.gown) {
+        mesh.append(skirtMesh(c), {});
     } else if (c.apron) {
         mesh.box({-0.13, 0.12, 0.50}, {0.13, 0.215, 1.03}, Material::Linen);
     }
@@ -105,8 +107,9 @@ MeshBuilder armMesh(const Clothes& c, double bend) {
 }
 
 MeshBuilder legMesh(const Clothes& c) {
-    MeshBuilder mesh; // origin at the hip
-    addRing(mesh, -0.46, 0.0, 0.075, 0.105, c.legs, true);
+    MeshBuilder mesh;                                      // origin at the hip
+    addRing(mesh, -0.18, 0.0, 0.095, 0.045, c.legs, true); // stays inside the coat while the leg swings
+    addRing(mesh, -0.46, -0.18, 0.075, 0.095, c.legs, true);
     addRing(mesh, -0.82, -0.44, 0.058, 0.078, c.legs, true);
     mesh.box({-0.055, kHeel, -kHip}, {0.055, kToe, -0.79}, Material::Hair);
     return mesh;
