@@ -11,6 +11,7 @@ namespace limen::app {
 namespace {
 
 constexpr double kReached = 0.15;  // metres from a way point, on the level
+constexpr double kStep = 2.5;      // metres a second: half of what is run, so that steps do not lead past
 constexpr double kLevel = 1.0;     // metres that it may be above or below
 constexpr double kTurn = 240.0;    // degrees a second
 constexpr double kNod = 60.0;      // likewise
@@ -63,8 +64,9 @@ private:
     /// False where it gets no farther.
     Result<bool> goTo(const Standpoint& point) {
         const Vec3 target = feetAt(point);
+        const double reached = std::max(kReached, kStep / options_.fps);
         double best = levelDistance(feet(), target), waited = 0.0;
-        while (best >= kReached) {
+        while (best >= reached) {
             if (waited > kPatience)
                 return false;
             if (waited > 0.5 * kPatience)

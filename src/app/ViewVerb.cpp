@@ -10,6 +10,7 @@
 #include "app/Window.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
@@ -167,11 +168,21 @@ private:
         input_.turnRight = held.lookX * kDegreesPerPixel;
         input_.turnUp = -held.lookY * kDegreesPerPixel;
         input_.fast = held.fast;
+        if (held.sticks)
+            addSticks(inputOf(*held.sticks, seconds));
         input_.jump = held.jump;
         input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
         input_.size = window_.size();
         input_.acts = std::exchange(acts_, {});
         return input_;
+    }
+
+    void addSticks(const StickInput& sticks) {
+        input_.forward = std::clamp(input_.forward + sticks.forward, -1.0, 1.0);
+        input_.right = std::clamp(input_.right + sticks.right, -1.0, 1.0);
+        input_.turnRight += sticks.turnRight;
+        input_.turnUp += sticks.turnUp;
+        input_.fast = input_.fast || sticks.fast;
     }
 
     /// What is there is told in the panel; the same thing again, or the void: nothing is any more.

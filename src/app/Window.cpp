@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace limen::app {
 namespace {
@@ -59,6 +60,13 @@ std::optional<Key> keyOf(int key) {
         return static_cast<Key>(static_cast<int>(Key::Place1) + key - GLFW_KEY_1);
     return {};
 }
+
+/// Buttons of a gamepad that do what keys do.
+constexpr std::array<std::pair<int, Key>, 5> kPadKeys{{{GLFW_GAMEPAD_BUTTON_X, Key::Use},
+                                                       {GLFW_GAMEPAD_BUTTON_Y, Key::Chase},
+                                                       {GLFW_GAMEPAD_BUTTON_B, Key::Walk},
+                                                       {GLFW_GAMEPAD_BUTTON_START, Key::Help},
+                                                       {GLFW_GAMEPAD_BUTTON_BACK, Key::Panel}}};
 
 /// The screen that shows a place of the desktop; else the first; null: there is none.
 GLFWmonitor* monitorOf(int x, int y) {
@@ -175,6 +183,7 @@ void Window::poll(bool mouseIsTaken) {
     held_.down = down(GLFW_KEY_Q, GLFW_KEY_LEFT_CONTROL);
     held_.fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     held_.wheel = mouseIsTaken ? 0.0 : wheel_;
+    pollGamepad();
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_, &x, &y);
     const bool button = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
@@ -191,6 +200,29 @@ void Window::poll(bool mouseIsTaken) {
     dragging_ = drags;
     mouseX_ = x;
     mouseY_ = y;
+}
+
+void Window::pollGamepad() {
+    GLFWgamepadstate pad{};
+    int joystick = GLFW_JOYSTICK_1;
+    while (joystick <= GLFW_JOYSTICK_LAST && glfwGetGamepadState(joystick, &pad) != GLFW_TRUE)
+        ++joystick;
+    std::uint32_t down = 0;
+    if (joystick <= GLFW_JOYSTICK_LAST) {
+        held_.sticks = Sticks{pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X], pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y],
+                              pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]};
+        for (int button = 0; button <= GLFW_GAMEPAD_BUTTON_LAST; ++button)
+            down |= pad.buttons[button] == GLFW_PRESS ? 1u << button : 0u;
+    }
+    const auto isDown = [down](int button) { return (down >> button & 1u) != 0; };
+    held_.jump |= isDown(GLFW_GAMEPAD_BUTTON_A);
+    held_.up |= isDown(GLFW_GAMEPAD_BUTTON_A);
+    held_.down |= isDown(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER);
+    for (const auto& [button, key] : kPadKeys) {
+        if (isDown(button) && (padButtons_ >> button & 1u) == 0)
+            pressed_.push_back(key);
+    }
+    padButtons_ = down;
 }
 
 bool Window::wantsToClose() const {

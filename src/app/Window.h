@@ -1,8 +1,10 @@
 #pragma once
 
+#include "app/Gamepad.h"
 #include "app/Parse.h"
 #include "app/Picture.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -45,6 +47,7 @@ struct HeldInput {
     bool jump = false;               ///< one of the keys for up, too
     double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
     double wheel = 0.0;              ///< notches turned since the last poll, away from the hand
+    std::optional<Sticks> sticks;    ///< of the first gamepad, if there is one
 };
 
 /// A pixel, from the window's upper left corner.
@@ -86,6 +89,7 @@ public:
 
 private:
     explicit Window(GLFWwindow* window);
+    void pollGamepad();
     [[nodiscard]] std::optional<PixelPlace> pixelAt(double x, double y) const;
     GLFWwindow* window_;
     std::vector<Key> pending_, pressed_;
@@ -102,6 +106,7 @@ private:
     double cursorX_ = 0.0, cursorY_ = 0.0; ///< as last received
     std::optional<PixelPlace> clicked_;
     double wheel_ = 0.0;
+    std::uint32_t padButtons_ = 0; ///< of the gamepad, that were down at the last poll; a bit each
     /// Where the window was before it filled the screen.
     struct Frame {
         int x = 0, y = 0, width = 0, height = 0;
