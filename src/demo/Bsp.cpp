@@ -80,11 +80,14 @@ struct Split {
     std::vector<Fragment> front, back, inPlane;
 };
 
-Split splitBy(const Plane& plane, std::vector<Fragment>&& fragments) {
+/// By the plane of one of them, which lies in it, however bent it is: else it would be cut again and again.
+Split splitBy(std::size_t splitter, std::vector<Fragment>&& fragments) {
+    const Plane plane = fragments[splitter].plane;
     Split out;
     std::vector<Vec3> part;
-    for (Fragment& f : fragments) {
-        switch (classify(f, plane)) {
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        Fragment& f = fragments[i];
+        switch (i == splitter ? Where::InPlane : classify(f, plane)) {
         case Where::Front:
             out.front.push_back(std::move(f));
             break;
@@ -151,9 +154,9 @@ private:
         dat::BspNode n;
         n.tag = dat::BspTag::BPIN;
         n.sphere = sphereOf(fragments);
-        const Plane plane = fragments[chooseSplitter(fragments)].plane;
-        n.plane = toRecord(plane);
-        Split split = splitBy(plane, std::move(fragments));
+        const std::size_t splitter = chooseSplitter(fragments);
+        n.plane = toRecord(fragments[splitter].plane);
+        Split split = splitBy(splitter, std::move(fragments));
         for (const Fragment& f : split.inPlane) {
             if (f.portal < 0) {
                 addOnce(n.polygonIds, f.polygon);
@@ -196,10 +199,11 @@ private:
                 addOnce(n.polygonIds, f.polygon);
             }
         } else {
-            const Plane plane = fragments[chooseSplitter(fragments)].plane;
+            const std::size_t splitter = chooseSplitter(fragments);
+            const Plane plane = fragments[splitter].plane;
             n.tag = dat::BspTag::BPIN;
             n.plane = toRecord(plane);
-            Split split = splitBy(plane, std::move(fragments));
+            Split split = splitBy(splitter, std::move(fragments));
             for (Fragment& f : split.inPlane) {
                 f.attached = true;
                 (glm::dot(f.plane.n, plane.n) >= 0.0 ? split.front : split.back).push_back(std::move(f));

@@ -202,5 +202,24 @@ TEST(Noise, tiles) {
     }
 }
 
+// A bent face was cut by its own plane again and again.
+TEST(Bsp, aBentFaceIsCutOnce) {
+    std::vector<Face> faces;
+    for (const double bend : {0.0, 0.02, 0.5}) {
+        Face face;
+        face.points = {{0, 0, bend}, {1, 0, 0}, {1, 1, bend}, {0, 1, 0}};
+        faces.push_back(face);
+    }
+    const dat::BspTree drawing = buildDrawingBsp(faces);
+    EXPECT_LT(drawing.nodes.size(), 64u);
+    const std::uint16_t ids[] = {0, 1, 2};
+    EXPECT_LT(buildPhysicsBsp(faces, ids).nodes.size(), 64u);
+    std::set<std::uint16_t> listed;
+    for (const dat::BspNode& node : drawing.nodes) {
+        listed.insert(node.polygonIds.begin(), node.polygonIds.end());
+    }
+    EXPECT_EQ(listed.size(), 3u);
+}
+
 } // namespace
 } // namespace limen::demo
