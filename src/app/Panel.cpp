@@ -132,18 +132,35 @@ void drawStages(const PanelFacts& facts) {
     ImGui::EndTable();
 }
 
+/// The last seconds' frames, from nothing up to twice the p95.
+void drawFrameTimes(const TimeWindow& frame) {
+    if (frame.count() == 0)
+        return;
+    const auto value = [](void* window, int index) {
+        return static_cast<float>(
+            static_cast<const TimeWindow*>(window)->value(static_cast<std::size_t>(index)));
+    };
+    // ImGui takes what it hands back as it is, but not as const.
+    ImGui::PlotLines("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()), 0,
+                     nullptr, 0.0f, static_cast<float>(2.0 * frame.p95()), {-1.0f, 40.0f});
+}
+
 /// How the one at the keys gets about.
 std::string footingOf(const PanelFacts& facts) {
     if (facts.body == nullptr)
         return "flying";
-    return fmt::format("body in {}, {}", spaceName(facts.world, facts.body->standing.space),
-                       facts.body->isOnGround ? "on the ground" : "in the air");
+    return fmt::format("body in {}, {}{}", spaceName(facts.world, facts.body->standing.space),
+                       facts.body->isOnGround ? "on the ground" : "in the air",
+                       facts.body->recoveries > 0
+                           ? fmt::format(", fell out of the world {} times", facts.body->recoveries)
+                           : "");
 }
 
 void drawFigures(const PanelFacts& facts) {
     const Camera& camera = facts.eye.camera;
     const TimeWindow& frame = facts.times.frame;
     line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
+    drawFrameTimes(frame);
     line(fmt::format("root {}", spaceName(facts.world, facts.eye.root)));
     line(footingOf(facts));
     line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));

@@ -19,6 +19,8 @@ public:
     [[nodiscard]] double median() const { return quantile(0.5); }
     [[nodiscard]] double p95() const { return quantile(0.95); }
     [[nodiscard]] std::size_t count() const { return samples_.size(); }
+    /// The one that was added as the `index`-th of those that are kept, 0..count()-1.
+    [[nodiscard]] double value(std::size_t index) const { return samples_[index].value; }
 
 private:
     struct Sample {
