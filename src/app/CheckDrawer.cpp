@@ -41,7 +41,10 @@ private:
 } // namespace
 
 Result<std::unique_ptr<check::Drawer>> CheckDrawer::makeHelper() {
-    Result<HeadlessSession> headless = openHeadless(session_.shareSource(), session_.options());
+    // Not bindless: zink (Mesa 25.0) crashes where two contexts sample by handles at a time. Array pages give the same pictures.
+    SessionOptions options = session_.options();
+    options.textures = gpu::TextureMode::ArrayPages;
+    Result<HeadlessSession> headless = openHeadless(session_.shareSource(), options);
     if (!headless)
         return tl::unexpected(headless.error());
     return std::make_unique<HelpingDrawer>(session_, std::move(*headless), outlines_, multisampled_);
