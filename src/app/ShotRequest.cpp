@@ -142,7 +142,7 @@ Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
             return fail(ErrorCode::BadArgument, "--body", "missing: where the body's feet are, X,Y,Z");
         return {};
     }
-    ViewRequest::Body& body = view.body.emplace();
+    BodyRequest& body = view.body.emplace();
     const auto opacity = [](std::string_view option, std::string_view text) {
         return parseNumberBetween(option, text, 0.0, 1.0);
     };

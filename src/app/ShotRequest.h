@@ -30,6 +30,15 @@ struct OutputPaths {
     [[nodiscard]] std::vector<std::filesystem::path> all() const; ///< those that are asked for
 };
 
+/// The player's body in a frame.
+struct BodyRequest {
+    Vec3 feet{0.0};
+    double yaw = 0.0;
+    RootChoice root;
+    double opacity = 1.0;
+    double speed = 0.0, metres = 0.0;
+};
+
 /// One frame, checked as far as that goes without a world.
 struct ViewRequest {
     std::optional<Vec3> eye;
@@ -44,15 +53,7 @@ struct ViewRequest {
     double seconds = 0.0;        ///< since the world began
     std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as eachDoor says
     std::vector<check::View::DoorState> eachDoor; ///< doors that do not rest
-    /// The player's body.
-    struct Body {
-        Vec3 feet{0.0};
-        double yaw = 0.0;
-        RootChoice root;
-        double opacity = 1.0;
-        double speed = 0.0, metres = 0.0;
-    };
-    std::optional<Body> body;
+    std::optional<BodyRequest> body;
 };
 
 /// Adds the options of ViewArguments to a command. `withSize` leaves out --size where the verb has one for

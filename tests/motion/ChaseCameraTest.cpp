@@ -17,7 +17,7 @@ using test::Hut;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNorth = 0.0, kEast = 90.0, kSouth = 180.0, kWest = 270.0;
+constexpr double kNorth = 0.0, kEast = 90.0, kWest = 270.0;
 constexpr double kFrame = 0.03;
 constexpr double kRadius = ChaseShape().radius;
 
