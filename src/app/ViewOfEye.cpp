@@ -1,15 +1,12 @@
 #include "app/ViewOfEye.h"
 
+#include "check/Standing.h"
 #include "world/Loader.h"
 
 #include <algorithm>
 
 namespace limen::app {
 namespace {
-
-dat::RecordId cellIdOf(const world::World& world, world::SpaceIndex space) {
-    return space < world.spaces.size() ? world.spaces[space].cellId : 0;
-}
 
 std::vector<double> eachDoor(const std::vector<check::View::DoorState>& states, const world::World& world) {
     std::vector<double> open;
@@ -51,10 +48,11 @@ check::View viewOf(const FrameEye& eye, const world::World& world) {
     view.fov = eye.camera.fovDegrees;
     view.width = eye.size.width;
     view.height = eye.size.height;
-    view.root = cellIdOf(world, eye.root);
+    view.root = check::cellIdOf(world, eye.root);
     if (eye.body)
-        view.body = check::View::Body{eye.body->feet,    eye.body->yaw,   cellIdOf(world, eye.body->space),
-                                      eye.body->opacity, eye.body->speed, eye.body->metres};
+        view.body =
+            check::View::Body{eye.body->feet,    eye.body->yaw,   check::cellIdOf(world, eye.body->space),
+                              eye.body->opacity, eye.body->speed, eye.body->metres};
     else if (eye.player != eye.camera.eye)
         view.player = eye.player;
     view.time = eye.time;
