@@ -105,8 +105,7 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Mome
     drawGroups(sidesOf(view.view), moment);
     device_.setState({.program = scene_->program(frame::Program::SkyPlain)});
     device_.drawVertices(0, 3);
-    device_.endFrame();
-    return {};
+    return device_.endFrame();
 }
 
 void ClassicPath::begin(gpu::RenderTarget& target) {

@@ -110,14 +110,15 @@ Result<void> ClassicScene::upload(const world::World& world) {
     addStorage(layout::kBindTextures, "classic texture references", bytesOf(refs));
     packed_ = scene.instances;
     staticMembers_ = static_cast<std::uint32_t>(scene.members.size());
+    const gpu::BufferHandle members = add("classic members", bytesOf(scene.members));
+    if (missing_) {
+        return tl::unexpected(*missing_);
+    }
     // Instances are all in the frame's memory, and there are no pieces, so that nothing reads these arrays.
     return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
         .and_then([&] { return addTexels(layout::kUnitInstances, "classic instances", vertices_); })
         .and_then([&] { return addTexels(layout::kUnitPieces, "classic pieces", vertices_); })
-        .and_then([&] {
-            return addTexels(layout::kUnitMembers, "classic members",
-                             add("classic members", bytesOf(scene.members)));
-        });
+        .and_then([&] { return addTexels(layout::kUnitMembers, "classic members", members); });
 }
 
 Result<void> ClassicScene::addPages(std::span<const frame::TextureUpload> textures) {
@@ -188,8 +189,13 @@ gpu::BufferHandle ClassicScene::add(std::string_view label, std::span<const std:
     std::vector<std::byte> padded(bytes.begin(), bytes.end());
     const std::size_t texels = (bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
     padded.resize(std::max(texels * kBytesPerTexel, kSmallestRange));
-    owned_.push_back(device_.createBuffer(label, padded));
-    return owned_.back();
+    const Result<gpu::BufferHandle> buffer = device_.createBuffer(label, padded);
+    if (!buffer) {
+        missing_ = buffer.error();
+        return gpu::BufferHandle::Invalid;
+    }
+    owned_.push_back(*buffer);
+    return *buffer;
 }
 
 void ClassicScene::addStorage(std::uint32_t binding, std::string_view label,

@@ -66,6 +66,7 @@ private:
     [[nodiscard]] Result<void> addPrograms();
     void addGroups(const world::World& world, const world::Moment& moment);
     [[nodiscard]] ClassicGroup groupOf(const world::World& world, const world::Instance& instance) const;
+    /// What fails is in `missing_`.
     gpu::BufferHandle add(std::string_view label, std::span<const std::byte> bytes);
     void addStorage(std::uint32_t binding, std::string_view label, std::span<const std::byte> bytes);
     [[nodiscard]] Result<void> addTexels(std::uint32_t unit, std::string_view label,
@@ -81,6 +82,7 @@ private:
     std::array<gpu::ProgramHandle, static_cast<std::size_t>(frame::Program::Blended) + 1> programs_{};
     std::vector<gpu::BufferHandle> owned_;
     std::vector<gpu::TextureHandle> texels_;
+    std::optional<Error> missing_; ///< a buffer that could not be made
     gpu::BufferHandle vertices_ = gpu::BufferHandle::Invalid, indices_ = gpu::BufferHandle::Invalid;
     Storage storage_{};
     Textures textures_{};

@@ -163,6 +163,8 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
                 {"bytes_written", figures.bytesWritten},
                 {"ring_stalls", figures.ringStalls},
                 {"resident", residentJson(figures.resident)}};
+    if (!figures.trouble.empty())
+        report["trouble"] = figures.trouble;
     if (!ids.empty()) {
         report["void_pixels"] = voids;
         report["ids"] = idsJson(table, moment, ids);

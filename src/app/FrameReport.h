@@ -30,6 +30,7 @@ struct FrameFigures {
     std::uint32_t glCalls = 0;
     std::uint32_t ringStalls = 0; ///< frames that waited for the GPU, and times the ring grew, so far
     std::size_t bytesWritten = 0; ///< by the frame
+    std::string trouble;          ///< as gpu::FrameReport has it
     gpu::DeviceObjects resident;
     double floodMs = 0.0, planMs = 0.0, submitMs = 0.0, gpuMs = 0.0;
 };

@@ -179,6 +179,8 @@ void drawFigures(const PanelFacts& facts) {
     line(fmt::format("ring {:.1f} MiB, {} stalls, {:.1f} KiB this frame",
                      static_cast<double>(resident.ringBytes) / (1 << 20), facts.figures.ringStalls,
                      static_cast<double>(facts.figures.bytesWritten) / 1024.0));
+    if (!facts.figures.trouble.empty())
+        line("goes on without culling: " + facts.figures.trouble);
     drawStages(facts);
 }
 

@@ -321,6 +321,7 @@ FrameFigures Session::figures() const {
     figures.textures = renderer_.driver().textureMode;
     figures.glCalls = report.glCalls;
     figures.ringStalls = report.ringStalls;
+    figures.trouble = report.trouble;
     figures.bytesWritten = report.bytesWritten;
     figures.resident = device_.objects();
     figures.floodMs = floodMs_;

@@ -68,19 +68,23 @@ bool CheckedDevice::holds(const Bytes& references, std::uint64_t handle) {
     return references && anyHandle(*references, [&](std::uint64_t other) { return other == handle; });
 }
 
-BufferHandle CheckedDevice::createBuffer(std::string_view label, std::span<const std::byte> bytes) {
+Result<BufferHandle> CheckedDevice::createBuffer(std::string_view label, std::span<const std::byte> bytes) {
     expectBetweenFrames("a buffer is made");
-    const BufferHandle buffer = ForwardingDevice::createBuffer(label, bytes);
-    buffers_[buffer] = capabilities().bindless
-                           ? std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end())
-                           : nullptr;
+    Result<BufferHandle> buffer = ForwardingDevice::createBuffer(label, bytes);
+    if (buffer) {
+        buffers_[*buffer] = capabilities().bindless
+                                ? std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end())
+                                : nullptr;
+    }
     return buffer;
 }
 
-BufferHandle CheckedDevice::createScratch(std::string_view label, std::size_t bytes) {
+Result<BufferHandle> CheckedDevice::createScratch(std::string_view label, std::size_t bytes) {
     expectBetweenFrames("a buffer is made");
-    const BufferHandle buffer = ForwardingDevice::createScratch(label, bytes);
-    buffers_[buffer] = nullptr;
+    Result<BufferHandle> buffer = ForwardingDevice::createScratch(label, bytes);
+    if (buffer) {
+        buffers_[*buffer] = nullptr;
+    }
     return buffer;
 }
 
@@ -257,11 +261,12 @@ void CheckedDevice::drawIndirect(std::size_t offset, std::uint32_t count) {
     ForwardingDevice::drawIndirect(offset, count);
 }
 
-void CheckedDevice::endFrame() {
-    ForwardingDevice::endFrame();
+Result<void> CheckedDevice::endFrame() {
+    Result<void> ended = ForwardingDevice::endFrame();
     underWay_.push_back(std::move(sampled_));
     sampled_.clear();
     inFrame_ = false;
+    return ended;
 }
 
 } // namespace limen::gpu

@@ -23,9 +23,9 @@ public:
     /// What was done wrong, in words, in the order it happened; the first hundred.
     [[nodiscard]] std::span<const std::string> faults() const { return faults_; }
 
-    [[nodiscard]] BufferHandle createBuffer(std::string_view label,
-                                            std::span<const std::byte> bytes) override;
-    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override;
+    [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
+                                                    std::span<const std::byte> bytes) override;
+    [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
@@ -46,7 +46,7 @@ public:
     void setState(const DrawState& state) override;
     void drawVertices(std::uint32_t first, std::uint32_t count) override;
     void drawIndirect(std::size_t offset, std::uint32_t count) override;
-    void endFrame() override;
+    [[nodiscard]] Result<void> endFrame() override;
 
 private:
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;

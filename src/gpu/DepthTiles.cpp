@@ -16,15 +16,22 @@ std::uint32_t tilesAcross(std::uint32_t pixels) {
 
 } // namespace
 
-void DepthTiles::prepare(std::uint32_t width, std::uint32_t height) {
+Result<void> DepthTiles::prepare(std::uint32_t width, std::uint32_t height) {
     count_ = tilesAcross(width) * tilesAcross(height);
     if (count_ > capacity_) {
-        capacity_ = (count_ + kTilesPerStep - 1) / kTilesPerStep * kTilesPerStep;
+        const std::size_t capacity = (count_ + kTilesPerStep - 1) / kTilesPerStep * kTilesPerStep;
+        capacity_ = 0;
         buffer_.reset();
-        buffer_ = {*device_,
-                   device_->createScratch("depth tiles", capacity_ * kFramesInFlight * sizeof(float))};
+        const Result<BufferHandle> made =
+            device_->createScratch("depth tiles", capacity * kFramesInFlight * sizeof(float));
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        buffer_ = {*device_, *made};
+        capacity_ = capacity;
     }
     place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
+    return {};
 }
 
 StorageRange DepthTiles::range() const {

@@ -9,8 +9,8 @@ class DepthTiles {
 public:
     explicit DepthTiles(Device& device) : device_(&device) {}
 
-    /// For a frame of that many pixels. Not during a frame.
-    void prepare(std::uint32_t width, std::uint32_t height);
+    /// For a frame of that many pixels. Not during a frame. Errors: Driver, if there is no memory for them.
+    [[nodiscard]] Result<void> prepare(std::uint32_t width, std::uint32_t height);
     /// Those of this frame.
     [[nodiscard]] std::uint32_t count() const { return count_; }
     /// The depth of each, row by row from the bottom.

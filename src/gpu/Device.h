@@ -110,11 +110,11 @@ public:
 
     // Resources. None of these during a frame.
 
-    /// Immutable copy of `bytes`; may be empty.
-    [[nodiscard]] virtual BufferHandle createBuffer(std::string_view label,
-                                                    std::span<const std::byte> bytes) = 0;
+    /// Immutable copy of `bytes`; may be empty. Errors, of all that is made: Driver, naming it, if it has no memory.
+    [[nodiscard]] virtual Result<BufferHandle> createBuffer(std::string_view label,
+                                                            std::span<const std::byte> bytes) = 0;
     /// Memory that only the GPU writes and reads.
-    [[nodiscard]] virtual BufferHandle createScratch(std::string_view label, std::size_t bytes) = 0;
+    [[nodiscard]] virtual Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) = 0;
     virtual void destroyBuffer(BufferHandle buffer) = 0;
     /// A buffer as texels of four words. Destroyed as a texture, before the buffer. Errors: Unsupported, if longer than the
     /// capabilities allow.
@@ -172,7 +172,8 @@ public:
     virtual void drawIndirect(std::size_t offset, std::uint32_t count) = 0;
     /// Averages the samples of the target's colour into what is read and shown. Only for multisampled targets.
     virtual void resolve() = 0;
-    virtual void endFrame() = 0;
+    /// Errors: Driver, naming it, once it has lost what it held: nothing will be drawn any more.
+    [[nodiscard]] virtual Result<void> endFrame() = 0;
 
     // What happened.
 

@@ -14,6 +14,9 @@ constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices a fra
 // (the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL 4.5).
 constexpr std::size_t kLargestCapacity = (std::size_t{1} << 27) / sizeof(std::uint32_t) / kFramesInFlight;
 
+// Times that memory is asked for in vain.
+constexpr std::uint32_t kMostFailures = 3;
+
 bool isIndexed(frame::Program program) {
     return program != frame::Program::Ownership && program != frame::Program::SkyPlain;
 }
@@ -39,13 +42,24 @@ Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::str
         [&](ProgramHandle program) { return DrawCulling(device, OwnedProgram(device, program), which); });
 }
 
-void DrawCulling::reserve(std::size_t indices) {
+Result<void> DrawCulling::reserve(std::size_t indices) {
     if (!kept_.empty() && indices <= capacity_) {
-        return;
+        return {};
     }
     capacity_ = std::clamp(indices + indices / 2, kSmallestCapacity, kLargestCapacity);
     kept_.reset();
-    kept_ = {*device_, device_->createScratch("kept indices", capacity_ * kFramesInFlight * kIndexSize)};
+    return device_->createScratch("kept indices", capacity_ * kFramesInFlight * kIndexSize)
+        .map([&](BufferHandle buffer) {
+            kept_ = {*device_, buffer};
+        });
+}
+
+bool DrawCulling::isMade(const Result<void>& made) {
+    if (!made) {
+        ++failures_;
+        failure_ = made.error();
+    }
+    return made.has_value();
 }
 
 void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& options,
@@ -61,13 +75,11 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
         }
     }
     keepsTriangles_ = target.options().samples > 0 || culling_ == Culling::None || indices > kLargestCapacity;
-    if (!keepsTriangles_) {
-        reserve(indices);
-    }
+    keepsTriangles_ = keepsTriangles_ || failures_ >= kMostFailures || !isMade(reserve(indices));
     firstHideable_ = slotCount_;
-    leavesOutHidden_ = culling_ == Culling::Hidden && options.occlusion && !keepsTriangles_;
+    leavesOutHidden_ = culling_ == Culling::Hidden && options.occlusion && !keepsTriangles_ &&
+                       isMade(tiles_.prepare(target.width(), target.height()));
     if (leavesOutHidden_) {
-        tiles_.prepare(target.width(), target.height());
         if (plan.firstHideable < firstSlots_.size()) {
             firstHideable_ = firstSlots_[plan.firstHideable];
         }

@@ -7,6 +7,8 @@
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
 
+#include <optional>
+
 namespace limen::gpu {
 
 /// Makes the draw commands of a plan's pieces, on the device, and leaves out triangles that show nothing (shaders/cull.comp). Never
@@ -18,8 +20,10 @@ public:
                                                     Culling culling);
 
     /// Takes up what a frame draws by indices. All triangles are drawn of multisampled frames, and where there are more than
-    /// memory is kept for. Not during a frame.
+    /// memory is kept for, or can be had: then the frame goes on without. Not during a frame.
     void prepare(const frame::FramePlan& plan, const RenderOptions& options, const RenderTarget& target);
+    /// Why frames are drawn without what they were to have; none if they have it.
+    [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
     /// How many draw commands that makes: each has a slot.
     [[nodiscard]] std::uint32_t slotCount() const { return slotCount_; }
     /// Fills in all slots, straight into the frame's memory. Plan and options are those of `prepare`.
@@ -47,7 +51,9 @@ private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);
     DrawCulling(Device& device, OwnedProgram program, Culling culling)
         : device_(&device), program_(std::move(program)), culling_(culling), tiles_(device) {}
-    void reserve(std::size_t indices);
+    [[nodiscard]] Result<void> reserve(std::size_t indices);
+    /// Whether something was made. What is not is asked for again by the next frames, but not for ever.
+    [[nodiscard]] bool isMade(const Result<void>& made);
     /// `purpose`: one of kCullFirst, ...
     void run(std::uint32_t purpose, std::uint32_t groups);
 
@@ -61,6 +67,8 @@ private:
     bool keepsTriangles_ = false; ///< this frame's, as all that follow
     bool leavesOutHidden_ = false;
     std::uint32_t slotCount_ = 0, firstHideable_ = 0;
+    std::uint32_t failures_ = 0;
+    std::optional<Error> failure_;          ///< the last
     std::vector<std::uint32_t> firstSlots_; ///< by batch
 };
 

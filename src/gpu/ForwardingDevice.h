@@ -11,11 +11,11 @@ public:
     explicit ForwardingDevice(Device& device) : device_(device) {}
 
     [[nodiscard]] const Capabilities& capabilities() const override { return device_.capabilities(); }
-    [[nodiscard]] BufferHandle createBuffer(std::string_view label,
-                                            std::span<const std::byte> bytes) override {
+    [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
+                                                    std::span<const std::byte> bytes) override {
         return device_.createBuffer(label, bytes);
     }
-    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override {
+    [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override {
         return device_.createScratch(label, bytes);
     }
     void destroyBuffer(BufferHandle buffer) override { device_.destroyBuffer(buffer); }
@@ -75,7 +75,7 @@ public:
         device_.drawIndirect(offset, count);
     }
     void resolve() override { device_.resolve(); }
-    void endFrame() override { device_.endFrame(); }
+    [[nodiscard]] Result<void> endFrame() override { return device_.endFrame(); }
     [[nodiscard]] std::uint32_t glCalls() const override { return device_.glCalls(); }
     [[nodiscard]] std::uint32_t ringStalls() const override { return device_.ringStalls(); }
     [[nodiscard]] StageTimes stageTimes() override { return device_.stageTimes(); }

@@ -24,6 +24,7 @@ struct FrameReport {
     std::array<StageReport, frame::kStageCount> stages;
     std::uint32_t ringStalls = 0; ///< since the device was made
     std::size_t bytesWritten = 0; ///< ring memory that the frame took
+    std::string trouble;          ///< what it went on without, and why, for a person; empty: nothing
 };
 
 /// What the renderer runs on.

@@ -20,6 +20,13 @@ const void* byteOffset(std::size_t offset) {
 
 } // namespace
 
+std::string lossMessage(unsigned status) {
+    const char* cause = status == GL_GUILTY_CONTEXT_RESET     ? "by what was drawn"
+                        : status == GL_INNOCENT_CONTEXT_RESET ? "by another program"
+                                                              : "and does not say why";
+    return fmt::format("the graphics device was reset {}; start again", cause);
+}
+
 void GlDevice::restoreState() {
     glDisable(GL_DITHER);
     glDisable(GL_SCISSOR_TEST);
@@ -60,6 +67,7 @@ void GlDevice::waitForFence(std::size_t slot, bool counted) {
             result = glClientWaitSync(fences_[slot], GL_SYNC_FLUSH_COMMANDS_BIT, kFenceTimeoutNanoseconds);
         }
     }
+    isLost_ = isLost_ || result == GL_WAIT_FAILED;
     call(glDeleteSync, fences_[slot]);
     fences_[slot] = nullptr;
     if (!counted) {
@@ -226,7 +234,7 @@ void GlDevice::resolve() {
          GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
 }
 
-void GlDevice::endFrame() {
+Result<void> GlDevice::endFrame() {
     LIMEN_ASSERT(frameTarget_ != nullptr, "a frame was begun");
     // The state every frame starts from, so that all frames make the same calls.
     if (state_.enableDepthWrite()) {
@@ -238,6 +246,10 @@ void GlDevice::endFrame() {
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});
     frameTarget_ = nullptr;
     lastFrameCalls_ = frameCalls_;
+    if (isLost_) {
+        return fail(ErrorCode::Driver, driver_, lossMessage(glGetGraphicsResetStatus()));
+    }
+    return {};
 }
 
 } // namespace limen::gpu

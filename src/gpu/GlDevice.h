@@ -8,6 +8,9 @@
 
 namespace limen::gpu {
 
+/// For a person: why a device that lost all it held did so, by what glGetGraphicsResetStatus says.
+[[nodiscard]] std::string lossMessage(unsigned status);
+
 /// The device on the OpenGL context that is current. The context must outlive it and stay current on the
 /// thread that uses it. Counts every GL call it makes in a frame but timer queries.
 class GlDevice final : public Device {
@@ -18,9 +21,9 @@ public:
     ~GlDevice() override;
 
     [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
-    [[nodiscard]] BufferHandle createBuffer(std::string_view label,
-                                            std::span<const std::byte> bytes) override;
-    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override;
+    [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
+                                                    std::span<const std::byte> bytes) override;
+    [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
@@ -53,7 +56,7 @@ public:
     void drawVertices(std::uint32_t first, std::uint32_t count) override;
     void drawIndirect(std::size_t offset, std::uint32_t count) override;
     void resolve() override;
-    void endFrame() override;
+    [[nodiscard]] Result<void> endFrame() override;
 
     [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }
     [[nodiscard]] std::uint32_t ringStalls() const override { return ringStalls_; }
@@ -97,6 +100,7 @@ private:
     [[nodiscard]] Result<void> makePasses(Target& target);
 
     Capabilities capabilities_;
+    std::string driver_; ///< a lost context no longer tells
     std::vector<Buffer> buffers_;
     std::vector<Texture> textures_;
     std::vector<Program> programs_;
@@ -113,6 +117,7 @@ private:
 
     const Target* frameTarget_ = nullptr; // between beginFrame and endFrame
     std::uint32_t frameCalls_ = 0, lastFrameCalls_ = 0, ringStalls_ = 0;
+    bool isLost_ = false;
 };
 
 } // namespace limen::gpu

@@ -69,7 +69,8 @@ Result<void> makeFramebuffer(Framebuffer& out, const char* label, std::span<cons
 } // namespace
 
 GlDevice::GlDevice(Capabilities capabilities)
-    : capabilities_(std::move(capabilities)), vertexArray_(VertexArray::create("mesh vertices")) {
+    : capabilities_(std::move(capabilities)), driver_(driverString()),
+      vertexArray_(VertexArray::create("mesh vertices")) {
     describeVertices(vertexArray_.id());
     restoreState();
 }
@@ -90,12 +91,16 @@ Result<std::unique_ptr<GlDevice>> GlDevice::create() {
     return std::unique_ptr<GlDevice>(new GlDevice(std::move(*capabilities)));
 }
 
-BufferHandle GlDevice::createBuffer(std::string_view label, std::span<const std::byte> bytes) {
-    return static_cast<BufferHandle>(placeNamed(buffers_, Buffer::createStatic(label, bytes)));
+Result<BufferHandle> GlDevice::createBuffer(std::string_view label, std::span<const std::byte> bytes) {
+    return Buffer::createStatic(label, bytes).map([&](Buffer buffer) {
+        return static_cast<BufferHandle>(placeNamed(buffers_, std::move(buffer)));
+    });
 }
 
-BufferHandle GlDevice::createScratch(std::string_view label, std::size_t bytes) {
-    return static_cast<BufferHandle>(placeNamed(buffers_, Buffer::createScratch(label, bytes)));
+Result<BufferHandle> GlDevice::createScratch(std::string_view label, std::size_t bytes) {
+    return Buffer::createScratch(label, bytes).map([&](Buffer buffer) {
+        return static_cast<BufferHandle>(placeNamed(buffers_, std::move(buffer)));
+    });
 }
 
 void GlDevice::destroyBuffer(BufferHandle buffer) {
@@ -111,9 +116,11 @@ Result<TextureHandle> GlDevice::createTexture(std::string_view label, const Text
                                 shape.width, shape.height, capabilities_.renderer));
     }
     const float anisotropy = std::min(shape.anisotropy, capabilities_.maxAnisotropy);
-    Texture texture = Texture::createArray(label, shape.width, shape.height, shape.layers, shape.levels,
-                                           shape.clamp, anisotropy);
-    return static_cast<TextureHandle>(placeNamed(textures_, std::move(texture)));
+    return Texture::createArray(label, shape.width, shape.height, shape.layers, shape.levels, shape.clamp,
+                                anisotropy)
+        .map([&](Texture texture) {
+            return static_cast<TextureHandle>(placeNamed(textures_, std::move(texture)));
+        });
 }
 
 Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandle buffer) {
@@ -248,9 +255,8 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     target->width = width;
     target->height = height;
     makeImages(*target, options);
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        return fail(ErrorCode::Driver, driverString(),
-                    fmt::format("has no memory for a picture of {}x{}", width, height));
+    if (Result<void> checked = checkMemory(fmt::format("a picture of {}x{}", width, height)); !checked) {
+        return tl::unexpected(checked.error());
     }
     if (Result<void> made = makePasses(*target); !made) {
         return tl::unexpected(made.error());

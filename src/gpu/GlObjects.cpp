@@ -56,6 +56,13 @@ std::optional<std::string> attachStage(GLuint program, const ShaderStage& stage)
     return log;
 }
 
+Result<Buffer> kept(Buffer buffer, std::string_view name) {
+    if (Result<void> checked = checkMemory(fmt::format("'{}', {} bytes", name, buffer.size())); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    return buffer;
+}
+
 } // namespace
 
 namespace detail {
@@ -79,7 +86,7 @@ void deleteQuery(GLuint id) {
 }
 } // namespace detail
 
-Buffer Buffer::createStatic(std::string_view name, std::span<const std::byte> bytes) {
+Result<Buffer> Buffer::createStatic(std::string_view name, std::span<const std::byte> bytes) {
     GLuint id = 0;
     glCreateBuffers(1, &id);
     label(GL_BUFFER, id, name);
@@ -91,16 +98,16 @@ Buffer Buffer::createStatic(std::string_view name, std::span<const std::byte> by
         std::copy(bytes.begin(), bytes.end(), padded.begin());
         glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), padded.data(), 0);
     }
-    return {id, size, {}};
+    return kept(Buffer(id, size, {}), name);
 }
 
-Buffer Buffer::createScratch(std::string_view name, std::size_t size) {
+Result<Buffer> Buffer::createScratch(std::string_view name, std::size_t size) {
     GLuint id = 0;
     glCreateBuffers(1, &id);
     label(GL_BUFFER, id, name);
     size = std::max(size, kSmallestBuffer);
     glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), nullptr, 0);
-    return {id, size, {}};
+    return kept(Buffer(id, size, {}), name);
 }
 
 Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
@@ -110,8 +117,9 @@ Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
     const GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), nullptr, flags);
     void* bytes = glMapNamedBufferRange(id, 0, static_cast<GLsizeiptr>(size), flags);
-    Buffer buffer(id, size, {static_cast<std::byte*>(bytes), bytes == nullptr ? 0 : size});
-    if (bytes == nullptr) {
+    Result<Buffer> buffer =
+        kept(Buffer(id, size, {static_cast<std::byte*>(bytes), bytes == nullptr ? 0 : size}), name);
+    if (buffer && bytes == nullptr) {
         return fail(ErrorCode::Driver, driverString(), fmt::format("cannot map a buffer of {} bytes", size));
     }
     return buffer;
@@ -152,8 +160,9 @@ Texture Texture::createSampledImage(std::string_view name, GLenum format, std::u
     return Texture(id);
 }
 
-Texture Texture::createArray(std::string_view name, std::uint32_t width, std::uint32_t height,
-                             std::uint32_t layers, std::uint32_t levels, bool clamp, float anisotropy) {
+Result<Texture> Texture::createArray(std::string_view name, std::uint32_t width, std::uint32_t height,
+                                     std::uint32_t layers, std::uint32_t levels, bool clamp,
+                                     float anisotropy) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
     label(GL_TEXTURE, id, name);
@@ -167,7 +176,12 @@ Texture Texture::createArray(std::string_view name, std::uint32_t width, std::ui
     if (anisotropy > 1.0f) {
         glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
     }
-    return Texture(id);
+    Texture texture(id);
+    const std::string what = fmt::format("'{}', {} layers of {} x {} texels", name, layers, width, height);
+    if (Result<void> checked = checkMemory(what); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    return texture;
 }
 
 std::uint64_t Texture::residentHandle() {
@@ -252,6 +266,20 @@ std::optional<std::uint64_t> Query::poll() const {
     GLuint64 nanoseconds = 0;
     glGetQueryObjectui64v(id(), GL_QUERY_RESULT, &nanoseconds);
     return nanoseconds;
+}
+
+Result<void> checkMemory(std::string_view what) {
+    constexpr int kMostErrors = 16; // of each kind one waits; a lost context may have no end of them
+    bool isShort = false;
+    GLenum error = glGetError();
+    for (int i = 0; error != GL_NO_ERROR && i < kMostErrors; ++i) {
+        isShort = isShort || error == GL_OUT_OF_MEMORY;
+        error = glGetError();
+    }
+    if (isShort) {
+        return fail(ErrorCode::Driver, driverString(), fmt::format("has no memory for {}", what));
+    }
+    return {};
 }
 
 std::string driverString() {

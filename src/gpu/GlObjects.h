@@ -57,10 +57,12 @@ void deleteQuery(GLuint id);
 class Buffer : public GlName<detail::deleteBuffer> {
 public:
     Buffer() = default;
-    /// Holds a copy of `bytes`; at least 16 bytes long, zero-filled, so that it can always be bound.
-    [[nodiscard]] static Buffer createStatic(std::string_view label, std::span<const std::byte> bytes);
+    /// Holds a copy of `bytes`; at least 16 bytes long, zero-filled, so that it can always be bound. Errors, here and below:
+    /// Driver, if it has no memory.
+    [[nodiscard]] static Result<Buffer> createStatic(std::string_view label,
+                                                     std::span<const std::byte> bytes);
     /// `size` bytes that only the GPU writes and reads.
-    [[nodiscard]] static Buffer createScratch(std::string_view label, std::size_t size);
+    [[nodiscard]] static Result<Buffer> createScratch(std::string_view label, std::size_t size);
     /// `size` bytes, mapped for writing until destroyed, coherent. Errors: Driver, if it cannot be mapped.
     [[nodiscard]] static Result<Buffer> createMapped(std::string_view label, std::size_t size);
 
@@ -94,10 +96,10 @@ public:
     [[nodiscard]] static Texture createSampledImage(std::string_view label, GLenum format,
                                                     std::uint32_t width, std::uint32_t height,
                                                     std::uint32_t samples);
-    /// RGBA8 array with `levels` mips, trilinear.
-    [[nodiscard]] static Texture createArray(std::string_view label, std::uint32_t width,
-                                             std::uint32_t height, std::uint32_t layers, std::uint32_t levels,
-                                             bool clamp, float anisotropy);
+    /// RGBA8 array with `levels` mips, trilinear. Errors: Driver, if it has no memory.
+    [[nodiscard]] static Result<Texture> createArray(std::string_view label, std::uint32_t width,
+                                                     std::uint32_t height, std::uint32_t layers,
+                                                     std::uint32_t levels, bool clamp, float anisotropy);
 
     /// Bytes of a buffer as texels of four words. The buffer must outlive it; `offset` is a multiple of what the driver asks.
     [[nodiscard]] static Texture createBufferView(std::string_view label, GLuint buffer, std::size_t offset,
@@ -176,6 +178,10 @@ public:
 private:
     explicit Query(GLuint id) : GlName(id) {}
 };
+
+/// Takes all errors that wait to be asked for. Errors: Driver, naming it and `what`, if one of them is that it has no memory; the others
+/// are the programmer's, and DebugOutput's to tell.
+[[nodiscard]] Result<void> checkMemory(std::string_view what);
 
 /// The driver, in one line: vendor, renderer, version.
 [[nodiscard]] std::string driverString();

@@ -46,22 +46,32 @@ EGLConfig configFor(EGLDisplay display) {
     return config;
 }
 
+EGLContext createContext(EGLDisplay display, bool debug, bool tellsOfResets) {
+    const std::array<EGLint, 11> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                            4,
+                                            EGL_CONTEXT_MINOR_VERSION,
+                                            5,
+                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                            EGL_CONTEXT_OPENGL_DEBUG,
+                                            debug ? EGL_TRUE : EGL_FALSE,
+                                            tellsOfResets ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+                                                          : EGL_NONE,
+                                            EGL_LOSE_CONTEXT_ON_RESET,
+                                            EGL_NONE};
+    return eglCreateContext(display, configFor(display), EGL_NO_CONTEXT, attributes.data());
+}
+
 // A context of this display, made current; null if it has none to give.
 EGLContext contextOn(EGLDisplay display, bool debug) {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
         !eglBindAPI(EGL_OPENGL_API)) {
         return EGL_NO_CONTEXT;
     }
-    const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                           4,
-                                           EGL_CONTEXT_MINOR_VERSION,
-                                           5,
-                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                           EGL_CONTEXT_OPENGL_DEBUG,
-                                           debug ? EGL_TRUE : EGL_FALSE,
-                                           EGL_NONE};
-    EGLContext context = eglCreateContext(display, configFor(display), EGL_NO_CONTEXT, attributes.data());
+    EGLContext context = createContext(display, debug, true);
+    if (context == EGL_NO_CONTEXT) { // drivers may refuse to tell of resets
+        context = createContext(display, debug, false);
+    }
     if (context == EGL_NO_CONTEXT) {
         return EGL_NO_CONTEXT;
     }

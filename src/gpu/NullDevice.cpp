@@ -16,14 +16,14 @@ Capabilities NullDevice::defaultCapabilities() {
     return capabilities;
 }
 
-BufferHandle NullDevice::createBuffer(std::string_view, std::span<const std::byte> bytes) {
+Result<BufferHandle> NullDevice::createBuffer(std::string_view, std::span<const std::byte> bytes) {
     ++objects_.buffers;
     objects_.bufferBytes += bytes.size();
     buffers_.emplace_back(bytes.begin(), bytes.end());
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
-BufferHandle NullDevice::createScratch(std::string_view, std::size_t bytes) {
+Result<BufferHandle> NullDevice::createScratch(std::string_view, std::size_t bytes) {
     ++objects_.buffers;
     objects_.bufferBytes += bytes;
     buffers_.emplace_back(bytes);
@@ -193,10 +193,11 @@ void NullDevice::resolve() {
     record(Command::Kind::Resolve, 0, 0, 1);
 }
 
-void NullDevice::endFrame() {
+Result<void> NullDevice::endFrame() {
     frameCalls_ += std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.disableCulling()} +
                    1; // and the fence
     lastFrameCalls_ = frameCalls_;
+    return {};
 }
 
 } // namespace limen::gpu

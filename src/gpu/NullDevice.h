@@ -51,9 +51,9 @@ public:
     }
 
     [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
-    [[nodiscard]] BufferHandle createBuffer(std::string_view label,
-                                            std::span<const std::byte> bytes) override;
-    [[nodiscard]] BufferHandle createScratch(std::string_view label, std::size_t bytes) override;
+    [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
+                                                    std::span<const std::byte> bytes) override;
+    [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
@@ -86,7 +86,7 @@ public:
     void drawVertices(std::uint32_t first, std::uint32_t count) override;
     void drawIndirect(std::size_t offset, std::uint32_t count) override;
     void resolve() override;
-    void endFrame() override;
+    [[nodiscard]] Result<void> endFrame() override;
 
     [[nodiscard]] std::uint32_t glCalls() const override { return lastFrameCalls_; }
     [[nodiscard]] std::uint32_t ringStalls() const override { return 0; }

@@ -15,6 +15,9 @@ namespace {
 
 namespace layout = frame::gpu;
 
+// Of an upload that the driver has no memory for.
+constexpr int kUploadAttempts = 3;
+
 // A plan that breaks these would make the GPU read astray or loop.
 void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
     LIMEN_ASSERT(!plan.visits.empty() && plan.visits.size() == plan.constants.visitCount,
@@ -81,6 +84,11 @@ Renderer::~Renderer() = default;
 
 Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     Result<std::unique_ptr<ResidentScene>> scene = ResidentScene::create(*device_, upload, options_);
+    for (int tried = 1; tried < kUploadAttempts && !scene && scene.error().code == ErrorCode::Driver;
+         ++tried) {
+        device_->finishFrames(); // drivers keep what is destroyed until then
+        scene = ResidentScene::create(*device_, upload, options_);
+    }
     if (!scene) {
         return tl::unexpected(scene.error());
     }
@@ -211,16 +219,19 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     if (multisampled) {
         device_->resolve();
     }
-    device_->endFrame();
+    Result<void> ended = device_->endFrame();
     report_.cpuMs = watch.milliseconds();
     report_.bytesWritten = ring.size();
-    return {};
+    return ended;
 }
 
 FrameReport Renderer::report() const {
     FrameReport report = report_;
     report.glCalls = device_->glCalls();
     report.ringStalls = device_->ringStalls();
+    if (scene_ != nullptr && scene_->culling().failure()) {
+        report.trouble = scene_->culling().failure()->message();
+    }
     const StageTimes times = device_->stageTimes();
     for (std::size_t i = 0; i < times.size(); ++i) {
         report.stages[i].gpuMs = times[i];

@@ -24,12 +24,13 @@ public:
     Renderer& operator=(const Renderer&) = delete;
     ~Renderer();
 
-    /// Replaces the static scene. Errors: BadArgument for indices that lead nowhere; what textures and
-    /// programs report. On an error the scene that was there stays.
+    /// Replaces the static scene. Tries again, but not for ever, where the driver fails. Errors: BadArgument for indices that lead
+    /// nowhere; what textures, buffers and programs report. On an error the scene that was there stays.
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
     /// Draws one frame. Requires an uploaded scene and a plan made for it: at least one visit, parents before
     /// children, batches within the runs, runs within the pieces. The first frame of its kind builds its programs. Errors: Driver, if they
-    /// do not build or memory for the frame's arrays cannot be had.
+    /// do not build, memory for the frame's arrays cannot be had, or the driver has lost all it held. Without memory for what only makes
+    /// frames faster they go on: FrameReport::trouble.
     [[nodiscard]] Result<void> render(const frame::FramePlan& plan, RenderTarget& target,
                                       const RenderOptions& options = {});
 

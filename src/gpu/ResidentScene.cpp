@@ -78,27 +78,34 @@ ResidentScene::~ResidentScene() {
 }
 
 Result<void> ResidentScene::upload(const frame::SceneUpload& scene) {
-    vertices_ = add("vertices", bytesOf(scene.vertices));
-    addStorage(layout::kBindMaterials, "materials", bytesOf(scene.materials));
-    addStorage(layout::kBindMaterialRefs, "material references", bytesOf(scene.materialRefs));
-    addStorage(layout::kBindTerrain, "terrain cells", bytesOf(scene.terrainCells));
-    addStorage(layout::kBindLightSets, "light sets", bytesOf(scene.lightSets));
-    addStorage(layout::kBindLights, "lights", bytesOf(scene.lights));
-    addStorage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
-    addStorage(layout::kBindIndices, "indices", bytesOf(scene.indices));
-    // From kUnitVertices on.
+    const auto storage = [&](std::uint32_t binding, std::string_view label,
+                             std::span<const std::byte> bytes) {
+        return [=, this] { return addStorage(binding, label, bytes); };
+    };
+    const auto texels = [&](std::string_view label, std::span<const std::byte> bytes) {
+        return [=, this] { return addTexels(label, bytes); };
+    };
     Result<void> added =
-        addTexels("vertices", vertices_)
-            .and_then([&] { return addTexels("instances", add("instances", bytesOf(scene.instances))); })
-            .and_then([&] { return addTexels("members", add("members", bytesOf(scene.members))); })
-            .and_then([&] { return addTexels("pieces", add("pieces", bytesOf(scene.pieces))); });
+        storage(layout::kBindMaterials, "materials", bytesOf(scene.materials))()
+            .and_then(storage(layout::kBindMaterialRefs, "material references", bytesOf(scene.materialRefs)))
+            .and_then(storage(layout::kBindTerrain, "terrain cells", bytesOf(scene.terrainCells)))
+            .and_then(storage(layout::kBindLightSets, "light sets", bytesOf(scene.lightSets)))
+            .and_then(storage(layout::kBindLights, "lights", bytesOf(scene.lights)))
+            .and_then(storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs())))
+            .and_then(storage(layout::kBindIndices, "indices", bytesOf(scene.indices)))
+            // From kUnitVertices on.
+            .and_then(texels("vertices", bytesOf(scene.vertices)))
+            .map([&] { vertices_ = owned_.back(); })
+            .and_then(texels("instances", bytesOf(scene.instances)))
+            .and_then(texels("members", bytesOf(scene.members)))
+            .and_then(texels("pieces", bytesOf(scene.pieces)));
     pieces_ = static_cast<std::uint32_t>(scene.pieces.size());
     bound_ = texels_;
     bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());
     return added;
 }
 
-BufferHandle ResidentScene::add(std::string_view label, std::span<const std::byte> bytes) {
+Result<BufferHandle> ResidentScene::add(std::string_view label, std::span<const std::byte> bytes) {
     const std::size_t texels = (bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
     const std::size_t size = std::max(texels * kBytesPerTexel, kSmallestRange);
     std::vector<std::byte> padded;
@@ -107,22 +114,24 @@ BufferHandle ResidentScene::add(std::string_view label, std::span<const std::byt
         padded.resize(size);
         bytes = padded;
     }
-    owned_.push_back(device_.createBuffer(label, bytes));
-    return owned_.back();
-}
-
-void ResidentScene::addStorage(std::uint32_t binding, std::string_view label,
-                               std::span<const std::byte> bytes) {
-    storage_[binding] = {add(label, bytes), 0, std::max(bytes.size(), kSmallestRange)};
-}
-
-Result<void> ResidentScene::addTexels(std::string_view label, BufferHandle buffer) {
-    const Result<TextureHandle> texels = device_.createTexels(label, buffer);
-    if (!texels) {
-        return tl::unexpected(texels.error());
+    Result<BufferHandle> buffer = device_.createBuffer(label, bytes);
+    if (buffer) {
+        owned_.push_back(*buffer);
     }
-    texels_.push_back(*texels);
-    return {};
+    return buffer;
+}
+
+Result<void> ResidentScene::addStorage(std::uint32_t binding, std::string_view label,
+                                       std::span<const std::byte> bytes) {
+    return add(label, bytes).map([&](BufferHandle buffer) {
+        storage_[binding] = {buffer, 0, std::max(bytes.size(), kSmallestRange)};
+    });
+}
+
+Result<void> ResidentScene::addTexels(std::string_view label, std::span<const std::byte> bytes) {
+    return add(label, bytes)
+        .and_then([&](BufferHandle buffer) { return device_.createTexels(label, buffer); })
+        .map([&](TextureHandle texels) { texels_.push_back(texels); });
 }
 
 } // namespace limen::gpu

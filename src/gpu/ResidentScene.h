@@ -37,9 +37,10 @@ private:
         : device_(device), textures_(std::move(textures)), programs_(std::move(programs)),
           culling_(std::move(culling)) {}
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
-    [[nodiscard]] BufferHandle add(std::string_view label, std::span<const std::byte> bytes);
-    void addStorage(std::uint32_t binding, std::string_view label, std::span<const std::byte> bytes);
-    [[nodiscard]] Result<void> addTexels(std::string_view label, BufferHandle buffer);
+    [[nodiscard]] Result<BufferHandle> add(std::string_view label, std::span<const std::byte> bytes);
+    [[nodiscard]] Result<void> addStorage(std::uint32_t binding, std::string_view label,
+                                          std::span<const std::byte> bytes);
+    [[nodiscard]] Result<void> addTexels(std::string_view label, std::span<const std::byte> bytes);
 
     Device& device_;
     TextureStore textures_;

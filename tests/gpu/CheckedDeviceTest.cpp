@@ -33,7 +33,7 @@ struct Watched {
     BufferHandle makeReferences(std::uint64_t of) {
         layout::TextureRef reference;
         reference.place = {static_cast<std::uint32_t>(of), static_cast<std::uint32_t>(of >> 32), 2, 2};
-        return device.createBuffer("references", std::as_bytes(std::span(&reference, 1)));
+        return *device.createBuffer("references", std::as_bytes(std::span(&reference, 1)));
     }
     void begin() {
         static_cast<void>(device.beginFrame(target));
@@ -49,7 +49,7 @@ struct Watched {
     void frame() {
         begin();
         draw(byHandle);
-        device.endFrame();
+        EXPECT_TRUE(device.endFrame());
     }
     /// The only fault.
     std::string fault() const {

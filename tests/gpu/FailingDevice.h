@@ -4,31 +4,58 @@
 
 namespace limen::gpu::test {
 
-/// Another device whose next requests for textures fail when told to: a driver short of memory for a moment.
+/// Another device that fails when told to: a driver short of memory for a moment, or reset.
 class FailingDevice final : public ForwardingDevice {
 public:
     using ForwardingDevice::ForwardingDevice;
 
-    /// Textures, of buffers too, that are still made before one fails, once; none: all are made.
-    std::optional<std::uint32_t> texturesBeforeFailure;
+    /// Buffers and textures that are still made before `failures` requests for one fail; none: all are made.
+    std::optional<std::uint32_t> madeBeforeFailure;
+    std::uint32_t failures = 1;
+    /// Scratch buffers whose request fails.
+    std::uint32_t scratchFailures = 0, scratchRequests = 0;
+    bool isReset = false;
 
+    [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
+                                                    std::span<const std::byte> bytes) override {
+        return failsNow() ? outOfMemory(label) : device().createBuffer(label, bytes);
+    }
+    [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override {
+        ++scratchRequests;
+        if (scratchFailures > 0) {
+            --scratchFailures;
+            return outOfMemory(label);
+        }
+        return device().createScratch(label, bytes);
+    }
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override {
-        return failsNow() ? fail(ErrorCode::Driver, std::string(label), "out of memory")
-                          : device().createTexels(label, buffer);
+        return failsNow() ? outOfMemory(label) : device().createTexels(label, buffer);
     }
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
                                                       const TextureShape& shape) override {
-        return failsNow() ? fail(ErrorCode::Driver, std::string(label), "out of memory")
-                          : device().createTexture(label, shape);
+        return failsNow() ? outOfMemory(label) : device().createTexture(label, shape);
+    }
+    [[nodiscard]] Result<void> endFrame() override {
+        Result<void> ended = device().endFrame();
+        return isReset ? fail(ErrorCode::Driver, "a driver", "was reset") : ended;
     }
 
 private:
+    static tl::unexpected<Error> outOfMemory(std::string_view label) {
+        return fail(ErrorCode::Driver, std::string(label), "out of memory");
+    }
     bool failsNow() {
-        const bool fails = texturesBeforeFailure && (*texturesBeforeFailure)-- == 0;
-        if (fails) {
-            texturesBeforeFailure.reset();
+        if (!madeBeforeFailure) {
+            return false;
         }
-        return fails;
+        if (*madeBeforeFailure > 0) {
+            --*madeBeforeFailure;
+            return false;
+        }
+        if (--failures == 0) {
+            madeBeforeFailure.reset();
+        }
+        return true;
     }
 };
 

@@ -9,6 +9,8 @@ namespace {
 
 using UploadGl = GlTest;
 
+constexpr std::uint32_t kForGood = 1000;
+
 /// A wall with a picture before another that has none.
 void buildScene(SceneBuilder& scene, std::uint32_t id, std::uint8_t shade) {
     scene.root(0);
@@ -28,9 +30,11 @@ TEST_F(UploadGl, case21_aFailedUploadLeavesTheOldSceneAndTheNextOneIsComplete) {
     const Frame expected = render(after);
     ASSERT_TRUE(renderer.upload(before.upload));
     const Frame old = renderWith(renderer, before.finish(), 8, 8);
-    for (const std::uint32_t made : {0u, 1u, 2u, 4u}) { // pages, then arrays
-        failing.texturesBeforeFailure = made;
+    for (const std::uint32_t made : {0u, 1u, 2u, 3u, 9u, 10u, 16u}) { // pages, buffers, their texels
+        failing.madeBeforeFailure = made;
+        failing.failures = kForGood;
         const Result<void> failed = renderer.upload(after.upload);
+        failing.madeBeforeFailure.reset();
         ASSERT_FALSE(failed) << "after " << made;
         EXPECT_EQ(failed.error().what, "out of memory");
         const Frame still = renderWith(renderer, before.finish(), 8, 8);
@@ -44,6 +48,75 @@ TEST_F(UploadGl, case21_aFailedUploadLeavesTheOldSceneAndTheNextOneIsComplete) {
     EXPECT_EQ(now.colour, expected.colour);
     EXPECT_EQ(now.depth, expected.depth);
     EXPECT_NE(now.colour, old.colour);
+}
+
+// A few failures are of the moment, and nobody hears of them.
+TEST(Upload, isTriedAgainButNotForEver) {
+    NullDevice device;
+    FailingDevice failing(device);
+    Renderer renderer(failing, {.textures = {.mode = TextureMode::ArrayPages}});
+    SceneBuilder scene;
+    buildScene(scene, 'A', 200);
+    failing.madeBeforeFailure = 5;
+    failing.failures = 2;
+    EXPECT_TRUE(renderer.upload(scene.upload));
+    EXPECT_FALSE(failing.madeBeforeFailure.has_value()) << "it did fail";
+    failing.madeBeforeFailure = 5;
+    failing.failures = kForGood;
+    EXPECT_FALSE(renderer.upload(scene.upload));
+    EXPECT_EQ(failing.failures, kForGood - 3);
+}
+
+TEST_F(UploadGl, framesGoOnWithoutMemoryForCullingAndAskForItThreeTimes) {
+    FailingDevice failing(*device_);
+    Renderer renderer(failing), other(*device_);
+    SceneBuilder scene;
+    buildScene(scene, 'A', 200);
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    ASSERT_TRUE(other.upload(scene.upload));
+    scene.finish();
+    const Frame expected = renderWith(other, scene.plan, 8, 8);
+    EXPECT_EQ(other.report().trouble, "");
+    failing.scratchFailures = kForGood;
+    for (std::uint32_t asked : {1u, 2u, 3u, 3u, 3u}) {
+        const Frame frame = renderWith(renderer, scene.plan, 8, 8);
+        EXPECT_EQ(failing.scratchRequests, asked);
+        EXPECT_EQ(frame.ids, expected.ids);
+        EXPECT_EQ(frame.colour, expected.colour);
+        EXPECT_EQ(frame.depth, expected.depth);
+        EXPECT_NE(renderer.report().trouble.find("out of memory"), std::string::npos);
+    }
+}
+
+TEST_F(UploadGl, aFrameTellsOfADeviceThatWasReset) {
+    FailingDevice failing(*device_);
+    Renderer renderer(failing);
+    SceneBuilder scene;
+    buildScene(scene, 'A', 200);
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    Result<RenderTarget> target = RenderTarget::create(failing, 8, 8);
+    ASSERT_TRUE(target);
+    failing.isReset = true;
+    const Result<void> drawn = renderer.render(scene.finish(), *target);
+    ASSERT_FALSE(drawn);
+    EXPECT_EQ(drawn.error().message(), "a driver: was reset");
+}
+
+TEST_F(UploadGl, whatTheDriverHasNoMemoryForIsAnErrorThatNamesIt) {
+    constexpr std::size_t kTooMuch = std::size_t{1} << 50;
+    const Result<BufferHandle> buffer = device_->createScratch("far too much", kTooMuch);
+    ASSERT_FALSE(buffer);
+    EXPECT_EQ(buffer.error().code, ErrorCode::Driver);
+    EXPECT_NE(buffer.error().message().find(device_->capabilities().renderer), std::string::npos);
+    EXPECT_NE(buffer.error().message().find("far too much"), std::string::npos);
+    debug_->clear(); // the driver said so itself
+    EXPECT_TRUE(device_->createScratch("little", 64)) << "it goes on";
+}
+
+TEST(DeviceLoss, isToldWithWhatIsKnownOfItsCause) {
+    EXPECT_NE(lossMessage(GL_GUILTY_CONTEXT_RESET).find("by what was drawn"), std::string::npos);
+    EXPECT_NE(lossMessage(GL_INNOCENT_CONTEXT_RESET).find("by another program"), std::string::npos);
+    EXPECT_NE(lossMessage(GL_NO_ERROR).find("does not say why"), std::string::npos);
 }
 
 TEST_F(UploadGl, twoRenderersOnOneDeviceDrawTheirOwnScenesInTurns) {
@@ -73,10 +146,11 @@ TEST(Upload, case21_aFailureLeavesNothingBehindOnTheDevice) {
     buildScene(scene, 'A', 200);
     ASSERT_TRUE(renderer.upload(scene.upload));
     const std::size_t objects = device.liveObjects();
-    for (const std::uint32_t made : {0u, 1u, 2u, 4u}) { // pages, then arrays
-        failing.texturesBeforeFailure = made;
+    for (const std::uint32_t made : {0u, 1u, 2u, 3u, 9u, 10u, 16u}) { // pages, buffers, their texels
+        failing.madeBeforeFailure = made;
+        failing.failures = kForGood;
         EXPECT_FALSE(renderer.upload(scene.upload));
-        EXPECT_FALSE(failing.texturesBeforeFailure.has_value()) << "it did fail";
+        failing.madeBeforeFailure.reset();
         EXPECT_EQ(device.liveObjects(), objects);
     }
     EXPECT_TRUE(renderer.upload(scene.upload));
