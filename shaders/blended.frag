@@ -7,8 +7,9 @@
 layout(location = kOutputBlended) out vec4 outColour;
 
 void main() {
-    vec2 dx = dFdx(vUv);
-    vec2 dy = dFdy(vUv);
+    Painted painted = paintedHere();
+    vec2 dx = dFdx(painted.uv);
+    vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     if (!keep.kept) {
@@ -17,7 +18,7 @@ void main() {
     Material material = materials[vSurface];
     vec4 texel = vec4(1.0);
     if (material.texture != kNoTexture) {
-        texel = sampleTexture(material.texture, vUv, dx, dy);
+        texel = sampleTexture(material.texture, painted.uv, dx, dy);
     }
     float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * instance.opacity;
@@ -25,8 +26,8 @@ void main() {
     if (isSplit(material) && (alpha >= kSolidAlpha + 1.0 / 512.0 || alpha < kLeastAlpha)) {
         discard;
     }
-    vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, vEyeRelative, vNormal);
+    vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, painted.at, painted.normal);
     colour = highlighted(colour, instance.highlight) * alpha;
     float covered = (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha;
-    outColour = vec4(mix(colour, frame.fogColour.rgb * covered, fogShare(keep, vEyeRelative)), covered);
+    outColour = vec4(mix(colour, frame.fogColour.rgb * covered, fogShare(keep, painted.at)), covered);
 }

@@ -25,8 +25,9 @@ float exactAlpha(Material material, vec2 uv) {
 
 void main() {
 #ifndef FLAT
-    vec2 dx = dFdx(vUv);
-    vec2 dy = dFdy(vUv);
+    Painted painted = paintedHere();
+    vec2 dx = dFdx(painted.uv);
+    vec2 dy = dFdy(painted.uv);
 #endif
     Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
@@ -34,7 +35,7 @@ void main() {
 #ifdef FLAT
     float alpha = 1.0;
 #else
-    vec4 colour = materialColour(material, dx, dy);
+    vec4 colour = materialColour(material, painted.uv, dx, dy);
     float alpha = colour.a;
 #endif
     if (isExact()) {
@@ -53,7 +54,7 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
-    outColour = opaqueColour(colour.rgb, material.luminosity, material.diffuse, instance, keep);
+    outColour = opaqueColour(colour.rgb, material.luminosity, material.diffuse, painted, instance, keep);
 #endif
     outId = vId;
 }

@@ -17,7 +17,7 @@ layout(location = 5) in vec3 inRest;
 invariant gl_Position;
 layout(location = 0) SMOOTH out vec3 vEyeRelative;
 layout(location = 1) SMOOTH out vec3 vNormal;
-layout(location = 2) SMOOTH out vec2 vUv;
+layout(location = 2) SMOOTH out vec3 vUv; // z: see paintAround
 layout(location = 3) flat out uint vInstance; // and kGated
 layout(location = 4) flat out uint vSurface;
 layout(location = 5) flat out uint vId;
@@ -27,6 +27,10 @@ layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vF
 layout(location = 8) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
 layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenFromEye
 #endif
+
+vec3 turned(vec3 normal, Instance instance) {
+    return vec3(dot(instance.row0.xyz, normal), dot(instance.row1.xyz, normal), dot(instance.row2.xyz, normal));
+}
 
 #ifdef EXACT
 vec3 corners[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0)); // vCorners
@@ -84,9 +88,34 @@ void drawAround(vec2 pixelsFromMiddle) {
     gl_Position = vec4(pixelsFromMiddle / (frame.viewport.xy * 0.5), 0.5, 1.0);
 }
 
+float cross2(vec2 a, vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+// What a triangle around another shows, at one of its corners. The three corners share in what is seen at a place of the window by
+// what is linear there, and so is their sum, which is 0 at the plane's horizon: both are interpolated, and divided fragment by
+// fragment.
+void paintAround(vec2 pixelsFromMiddle, Instance instance) {
+    vec2 across[3];
+    for (uint i = 0u; i < 3u; ++i) {
+        vec3 onScreen = screenFromEye(outlineCorner(i));
+        across[i] = onScreen.xy - pixelsFromMiddle * onScreen.z;
+    }
+    vec3 shares = vec3(cross2(across[1], across[2]), cross2(across[2], across[0]), cross2(across[0], across[1]));
+    vUv = vec3(0.0);
+    vNormal = vec3(0.0);
+    vEyeRelative = vec3(0.0);
+    for (uint i = 0u; i < 3u; ++i) {
+        float share = i == 0u ? shares.x : i == 1u ? shares.y : shares.z;
+        vUv += share * vec3(uvAt(triangle + i), 1.0);
+        vNormal += share * turned(normalAt(triangle + i), instance);
+        vEyeRelative += share * outlineCorner(i);
+    }
+}
+
 // Moves the corner of a triangle that faces the eye outwards, with what is interpolated from it. All three corners must
 // come to the same decisions, so each of them takes them for the triangle as a whole, in the same order.
-void drawLarger(uint own, vec3 before, vec3 after) {
+void drawLarger(uint own, vec3 before, vec3 after, Instance instance) {
     vec4 clip[3] = vec4[3](clipFromEye(corners[0]), clipFromEye(corners[1]), clipFromEye(corners[2]));
     bool mayThin = mayBeThin(clip[0], clip[1], clip[2]);
     if (mayThin) {
@@ -99,7 +128,9 @@ void drawLarger(uint own, vec3 before, vec3 after) {
     bool all = mayThin || mayFail(clip[0], clip[1], clip[2]);
     Growth growth = growthOf(Around(clipFromEye(before), gl_Position, clipFromEye(after)), all);
     if (growth.fails) {
-        drawAround(aroundTriangle(clip[0], clip[1], clip[2], own));
+        vec2 at = aroundTriangle(clip[0], clip[1], clip[2], own);
+        drawAround(at);
+        paintAround(at, instance);
         return;
     }
     vec3 at = outlineCorner(own);
@@ -107,7 +138,7 @@ void drawLarger(uint own, vec3 before, vec3 after) {
     vec2 uvAfter = uvAt(triangle + (own + 1u) % 3u);
     at += growth.before * (at - before) + growth.after * (at - after);
     vEyeRelative = at;
-    vUv = inUv + growth.before * (inUv - uvBefore) + growth.after * (inUv - uvAfter);
+    vUv.xy = inUv + growth.before * (inUv - uvBefore) + growth.after * (inUv - uvAfter);
     vec4 moved = clipFromEye(at);
     moved.xy += growth.shift * moved.w / (frame.viewport.xy * 0.5);
     gl_Position = moved;
@@ -120,9 +151,8 @@ void main() {
     vec3 eyeRelative = eyeFromModel(inPosition, inRest, instance);
     gl_Position = clipFromEye(eyeRelative);
     vEyeRelative = eyeRelative;
-    vNormal = vec3(dot(instance.row0.xyz, inNormal.xyz), dot(instance.row1.xyz, inNormal.xyz),
-                   dot(instance.row2.xyz, inNormal.xyz));
-    vUv = inUv;
+    vNormal = turned(inNormal.xyz, instance);
+    vUv = vec3(inUv, 0.0);
     vInstance = drawn;
 #ifdef TERRAIN
     vSurface = instance.firstMaterial + (inPolygonSurface >> 16);
@@ -144,7 +174,7 @@ void main() {
     vCorners = corners;
     vOutline = vec3[3](screenFromEye(corners[0]), screenFromEye(corners[1]), screenFromEye(corners[2]));
     if (facet.w < 0.0) {
-        drawLarger(corner, before, after);
+        drawLarger(corner, before, after, instance);
         gl_Position.z *= kBeforeNear;
     } else {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // faces away, or has no area

@@ -6,8 +6,9 @@ layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
 
 void main() {
-    vec2 dx = dFdx(vUv);
-    vec2 dy = dFdy(vUv);
+    Painted painted = paintedHere();
+    vec2 dx = dFdx(painted.uv);
+    vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     if (!keep.kept) {
@@ -17,8 +18,8 @@ void main() {
     outColour = colourOfId(vId);
 #else
     Material material = materials[vSurface];
-    vec3 albedo = materialColour(material, dx, dy).rgb;
-    outColour = opaqueColour(albedo, material.luminosity, material.diffuse, instance, keep);
+    vec3 albedo = materialColour(material, painted.uv, dx, dy).rgb;
+    outColour = opaqueColour(albedo, material.luminosity, material.diffuse, painted, instance, keep);
 #endif
     outId = vId;
 }

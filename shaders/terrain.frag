@@ -1,5 +1,5 @@
 // Landscape: a base texture, up to three terrain overlays and up to two roads per landcell, blended in that order
-// (formats: landscape.md section 7). In: vUv is the position within the landcell, (0,0) at its south-west corner.
+// (formats: landscape.md section 7). In: uv is the position within the landcell, (0,0) at its south-west corner.
 // Out: colour; the landcell triangle's id. FLAT: the colour is the id's.
 #include "surface.glsl"
 #include "idcolour.glsl"
@@ -78,8 +78,9 @@ vec3 blendedTerrain(uint cell, CellUv uv) {
 }
 
 void main() {
-    vec2 dx = dFdx(vUv);
-    vec2 dy = dFdy(vUv);
+    Painted painted = paintedHere();
+    vec2 dx = dFdx(painted.uv);
+    vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
     Keep keep = keepOf(instance);
     if (!keep.kept) {
@@ -88,9 +89,9 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
-    CellUv uv = CellUv(vec2(vUv.x, 1.0 - vUv.y), vec2(dx.x, -dx.y), vec2(dy.x, -dy.y));
+    CellUv uv = CellUv(vec2(painted.uv.x, 1.0 - painted.uv.y), vec2(dx.x, -dx.y), vec2(dy.x, -dy.y));
     vec3 albedo = blendedTerrain(vSurface, uv);
-    outColour = opaqueColour(albedo, 0.0, 1.0, instance, keep);
+    outColour = opaqueColour(albedo, 0.0, 1.0, painted, instance, keep);
 #endif
     outId = vId;
 }

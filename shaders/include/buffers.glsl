@@ -134,6 +134,12 @@ vec2 uvAt(uint vertex) {
     return uintBitsToFloat(vertexTexel(vertex, 1u).xy);
 }
 
+// Signed normalised 10-10-10-2, as the vertex fetch reads it.
+vec3 normalAt(uint vertex) {
+    int bits = int(vertexTexel(vertex, 0u).w);
+    return max(vec3(ivec3(bits << 22, bits << 12, bits << 2) >> 22) / 511.0, -1.0);
+}
+
 vec3 facetAt(uint vertex) {
     return uintBitsToFloat(uvec3(vertexTexel(vertex, 1u).w, vertexTexel(vertex, 2u).xy));
 }

@@ -242,7 +242,7 @@ bool findOnPolygon(uint kind, out Place place) {
 #else
 
 vec2 uvOnPolygon() {
-    return vUv;
+    return vUv.xy;
 }
 
 bool findOnPolygon(uint kind, out Place place) {

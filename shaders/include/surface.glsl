@@ -4,7 +4,7 @@
 
 layout(location = 0) SMOOTH in vec3 vEyeRelative;
 layout(location = 1) SMOOTH in vec3 vNormal;
-layout(location = 2) SMOOTH in vec2 vUv;
+layout(location = 2) SMOOTH in vec3 vUv; // z: see paintedHere
 layout(location = 3) flat in uint vInstance; // and kGated
 layout(location = 4) flat in uint vSurface;
 layout(location = 5) flat in uint vId;
@@ -28,6 +28,19 @@ bool isSplit(Material material) {
     return (material.flags & kMaterialSplit) != 0u && (frame.flags & kFrameSplits) != 0u;
 }
 
+// What is interpolated over a triangle, here.
+struct Painted {
+    vec2 uv;
+    vec3 normal; // of any length
+    vec3 at;     // eye-relative
+};
+
+// Of a triangle that is drawn as one around the window, vUv.z is a share of all three that is 0 at its plane's horizon; else it is 0.
+Painted paintedHere() {
+    float whole = vUv.z == 0.0 ? 1.0 : 1.0 / vUv.z;
+    return Painted(vUv.xy * whole, vNormal * whole, vEyeRelative * whole);
+}
+
 Instance drawnInstance() {
     return instanceAt(vInstance & ~kGated);
 }
@@ -46,17 +59,17 @@ Keep keepOf(Instance instance) {
 }
 
 // Colour and alpha of the material here. Derivatives are parameters: see textures.glsl.
-vec4 materialColour(Material material, vec2 dx, vec2 dy) {
+vec4 materialColour(Material material, vec2 uv, vec2 dx, vec2 dy) {
     vec4 colour = material.colour;
     if (material.texture != kNoTexture) {
-        colour *= sampleTexture(material.texture, vUv, dx, dy);
+        colour *= sampleTexture(material.texture, uv, dx, dy);
     }
     return colour;
 }
 
 // Lit, fogged and highlighted colour of an opaque surface.
-vec4 opaqueColour(vec3 albedo, float luminosity, float diffuse, Instance instance, Keep keep) {
-    vec3 colour = lit(albedo, luminosity, diffuse, keep, vEyeRelative, vNormal);
-    colour = mix(colour, frame.fogColour.rgb, fogShare(keep, vEyeRelative));
+vec4 opaqueColour(vec3 albedo, float luminosity, float diffuse, Painted painted, Instance instance, Keep keep) {
+    vec3 colour = lit(albedo, luminosity, diffuse, keep, painted.at, painted.normal);
+    colour = mix(colour, frame.fogColour.rgb, fogShare(keep, painted.at));
     return vec4(highlighted(colour, instance.highlight), 1.0);
 }

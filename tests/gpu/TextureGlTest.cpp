@@ -56,6 +56,49 @@ TEST_F(TextureGlTest, bindlessAndArrayPagesGiveTheSameImage) {
     EXPECT_EQ(pages.depth, bindless.depth);
 }
 
+// An eye that looks straight ahead, right over the edge of a floor: corners at no depth at all lie nowhere in the window, and the
+// triangle is drawn as one around the window. Its texture lies where it belongs all the same.
+TEST_F(TextureGlTest, liesInPlaceOnAFloorWhoseCornersAreBeneathTheEye) {
+    constexpr std::uint32_t kTexels = 64, kSize = 32;
+    constexpr double kHalf = 4.0, kLength = 8.0, kBelow = 1.0; // metres
+    std::vector<std::uint8_t> ramp;
+    for (std::uint32_t row = 0; row < kTexels; ++row) {
+        for (std::uint32_t column = 0; column < kTexels; ++column) {
+            ramp.insert(ramp.end(),
+                        {static_cast<std::uint8_t>(4 * column), static_cast<std::uint8_t>(4 * row), 0, 255});
+        }
+    }
+    SceneBuilder scene;
+    scene.root(0);
+    QuadOptions options;
+    options.material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(kTexels, kTexels, ramp));
+    scene.addQuad('F',
+                  {glm::vec3{-kHalf, 0, -kBelow},
+                   {kHalf, 0, -kBelow},
+                   {kHalf, kLength, -kBelow},
+                   {-kHalf, kLength, -kBelow}},
+                  options);
+    const Frame frame = render(scene, kSize);
+    std::size_t compared = 0;
+    for (std::uint32_t y = 0; y < kSize; ++y) {
+        for (std::uint32_t x = 0; x < kSize; ++x) {
+            if (frame.ids[y * kSize + x] != 'F') {
+                continue;
+            }
+            const double right = (x + 0.5) / (kSize / 2) - 1.0, down = (y + 0.5) / (kSize / 2) - 1.0;
+            const double along = kBelow / down; // metres ahead
+            if (along > kLength / 3) {
+                continue; // mips of the ramp end at its edges
+            }
+            const double u = (right * along + kHalf) / (2 * kHalf), v = 1.0 - along / kLength;
+            EXPECT_NEAR(frame.at(x, y).x, 4.0 * (u * kTexels - 0.5), 6.0) << x << ", " << y;
+            EXPECT_NEAR(frame.at(x, y).y, 4.0 * (v * kTexels - 0.5), 6.0) << x << ", " << y;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, kSize * kSize / 5);
+}
+
 TEST_F(TextureGlTest, drawsAreAsIfEachHadItsTextureAlone) {
     // The same quads, each in a scene of one texture only: what one page and no divergence give.
     SceneBuilder all = manyTextures();
