@@ -31,6 +31,8 @@ std::optional<GeneratedKind> kindOf(std::string_view name) {
         return GeneratedKind::Complex;
     if (name == "terrain")
         return GeneratedKind::Terrain;
+    if (name == "map")
+        return GeneratedKind::Map;
     return std::nullopt;
 }
 
@@ -68,13 +70,13 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
             "--kind", chosen->kind,
             "built-in: the world the program carries; dungeon: rooms, corridors and shafts; town: houses "
             "and streets; complex: convex cells with openings of every shape; terrain: cells that the "
-            "ground runs through")
+            "ground runs through; map: all 255 x 255 landblocks with towns and dungeons")
         ->type_name("KIND")
-        ->check(CLI::IsMember({"built-in", "dungeon", "town", "complex", "terrain"}))
+        ->check(CLI::IsMember({"built-in", "dungeon", "town", "complex", "terrain", "map"}))
         ->capture_default_str();
     CLI::Option* size =
         verb->add_option("--size", chosen->size,
-                         "how many cells (dungeon, complex), houses (town) or sites (terrain)")
+                         "how many cells (dungeon, complex, map), houses (town) or sites (terrain)")
             ->type_name("N")
             ->capture_default_str();
     CLI::Option* seed = verb->add_option("--seed", chosen->seed,

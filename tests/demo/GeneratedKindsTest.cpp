@@ -53,6 +53,39 @@ TEST(GeneratedDungeon, hasLoopsDeadEndsRampsShaftsAndTwinOpenings) {
     EXPECT_GT(sloped, 10u);
 }
 
+TEST(GeneratedMap, isTheWholeMapWithTownsAndDungeons) {
+    const GeneratedWorld generated({GeneratedKind::Map, 3000, 2});
+    std::size_t land = 0, dungeons = 0, cells = 0;
+    for (const dat::BlockCoord coord : generated.blocks()) {
+        const auto info = generated.archive().load<dat::LandBlockInfo>(dat::landBlockInfoId(coord));
+        const auto block = generated.archive().load<dat::LandBlock>(dat::landBlockId(coord));
+        ASSERT_TRUE(block);
+        ASSERT_EQ(block->hasObjects != 0, info.has_value());
+        cells += info ? info->numCells : 0;
+        const bool isDungeon = world::isDungeon(generated.archive(), coord);
+        dungeons += isDungeon ? 1 : 0;
+        land += isDungeon ? 0 : 1;
+    }
+    EXPECT_EQ(land + dungeons, 255u * 255u);
+    EXPECT_EQ(dungeons, 14u) << "of 200 cells each";
+    EXPECT_NEAR(static_cast<double>(cells), 3000.0, 100.0);
+    for (const char* name : {"middle", "east", "north", "town", "room."}) {
+        const auto& places = generated.file().places;
+        const auto place = std::find_if(places.begin(), places.end(),
+                                        [&](const auto& p) { return p.name.starts_with(name); });
+        ASSERT_NE(place, places.end()) << name;
+        const dat::BlockCoord coord =
+            place->cell != 0 ? dat::blockOf(place->cell) : world::blockAt(place->eye);
+        const world::World world = generated.load(coord, true, place->cell != 0 ? 0 : 1);
+        EXPECT_TRUE(world.findings.empty()) << name;
+        EXPECT_EQ(world.spaces.size() > 1, std::string_view(name) == "town" || place->cell != 0) << name;
+        if (place->cell == 0) { // head's height above the ground
+            EXPECT_NEAR(place->eye.z - world::terrainHeight(world, place->eye.x, place->eye.y), 1.7, 0.01)
+                << name;
+        }
+    }
+}
+
 TEST(GeneratedDungeon, overlapsAsMuchAsAskedFor) {
     for (const double share : {0.0, 0.02, 0.05}) {
         const DungeonLayout layout = layOutDungeon(3000, share, Random(7));

@@ -15,6 +15,8 @@ std::uint32_t largest(GeneratedKind kind) {
         return 2000;
     case GeneratedKind::Complex:
         return 5000;
+    case GeneratedKind::Map:
+        return 1000000;
     case GeneratedKind::Terrain:
         break;
     }
@@ -29,6 +31,8 @@ WorldRecords build(const GeneratedSpec& spec) {
         return buildTown(spec);
     case GeneratedKind::Complex:
         return buildComplex(spec);
+    case GeneratedKind::Map:
+        return buildMap(spec);
     case GeneratedKind::Terrain:
         break;
     }

@@ -10,6 +10,7 @@ namespace limen::demo {
 [[nodiscard]] WorldRecords buildTown(const GeneratedSpec& spec);
 [[nodiscard]] WorldRecords buildComplex(const GeneratedSpec& spec);
 [[nodiscard]] WorldRecords buildTerrainWorld(const GeneratedSpec& spec);
+[[nodiscard]] WorldRecords buildMap(const GeneratedSpec& spec);
 
 /// A random stream of a spec's own.
 [[nodiscard]] inline std::uint64_t seedOf(const GeneratedSpec& spec) {

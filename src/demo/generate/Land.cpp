@@ -1,6 +1,7 @@
 #include "demo/generate/Land.h"
 
 #include <algorithm>
+#include <set>
 
 namespace limen::demo {
 
@@ -53,21 +54,41 @@ double Land::heightAt(double x, double y) const {
                           : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
 }
 
+dat::LandBlock Land::recordOf(int bx, int by) const {
+    dat::LandBlock block;
+    block.id = dat::landBlockId(blockAt(bx, by));
+    for (int x = 0; x <= kCellsPerBlock; ++x) {
+        for (int y = 0; y <= kCellsPerBlock; ++y) {
+            const auto at = static_cast<std::size_t>(x * (kCellsPerBlock + 1) + y);
+            const std::size_t from = indexOf(bx * kCellsPerBlock + x, by * kCellsPerBlock + y);
+            block.heights[at] = heights_[from];
+            block.terrain[at] = words_[from];
+        }
+    }
+    return block;
+}
+
 void Land::addTo(WorldRecords& records) const {
     for (int bx = 0; bx < blocksX_; ++bx) {
         for (int by = 0; by < blocksY_; ++by) {
-            dat::LandBlock block;
-            block.id = dat::landBlockId(blockAt(bx, by));
-            block.hasObjects = 1;
-            for (int x = 0; x <= kCellsPerBlock; ++x) {
-                for (int y = 0; y <= kCellsPerBlock; ++y) {
-                    const auto at = static_cast<std::size_t>(x * (kCellsPerBlock + 1) + y);
-                    const std::size_t from = indexOf(bx * kCellsPerBlock + x, by * kCellsPerBlock + y);
-                    block.heights[at] = heights_[from];
-                    block.terrain[at] = words_[from];
-                }
+            records.landBlocks.push_back(recordOf(bx, by));
+            records.landBlocks.back().hasObjects = 1;
+        }
+    }
+}
+
+void Land::addTo(WorldRecords& records, const std::function<bool(int, int)>& isLand) const {
+    std::set<dat::RecordId> known;
+    for (const dat::LandBlockInfo& info : records.landBlockInfos) {
+        known.insert(info.id);
+    }
+    for (int bx = 0; bx < blocksX_; ++bx) {
+        for (int by = 0; by < blocksY_; ++by) {
+            if (isLand(bx, by)) {
+                records.landBlocks.push_back(recordOf(bx, by));
+                records.landBlocks.back().hasObjects =
+                    known.contains(dat::landBlockInfoId(blockAt(bx, by))) ? 1 : 0;
             }
-            records.landBlocks.push_back(block);
         }
     }
 }

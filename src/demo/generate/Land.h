@@ -4,6 +4,8 @@
 #include "demo/TerrainShape.h"
 #include "demo/WorldRecords.h"
 
+#include <functional>
+
 namespace limen::demo {
 
 /// The ground of generated worlds: some landblocks, heights by index of the Region's table.
@@ -26,10 +28,13 @@ public:
     }
     /// Adds the LandBlocks; each has a LandBlockInfo.
     void addTo(WorldRecords& records) const;
+    /// Those that lie where `isLand` says, counted from the south-west; a LandBlockInfo those that the records have one of.
+    void addTo(WorldRecords& records, const std::function<bool(int, int)>& isLand) const;
 
 private:
     [[nodiscard]] std::size_t indexOf(int vx, int vy) const;
     [[nodiscard]] bool splitsSouthWest(int cx, int cy) const;
+    [[nodiscard]] dat::LandBlock recordOf(int bx, int by) const;
 
     dat::BlockCoord southWest_;
     int blocksX_, blocksY_, verticesX_, verticesY_;
