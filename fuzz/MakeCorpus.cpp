@@ -4,11 +4,12 @@
 #include "dat/Writer.h"
 
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
-// Writes the seeds of both fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container and
-// DIRECTORY/records.
+// Writes the seeds of the fuzzers that need some: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records and
+// DIRECTORY/text.
 namespace {
 
 using namespace limen::dat;
@@ -51,6 +52,28 @@ bool saveFiles(const fs::path& directory) {
     return good;
 }
 
+bool saveTexts(const fs::path& directory) {
+    // The first byte picks what it is in TextFuzzer.
+    const char* const texts[] = {
+        R"(0{"places":{"a":{"eye":[1,2,3],"yaw":90,"pitch":-5,"cell":"0x00010100"}},"tour":[{"x":1,"y":2,"z":3}]})",
+        R"(0{"doors":[{"name":"d","cell":"0x00010100","portal":0,"opaque":true,"open":0.5,"leaves":[{"model":"0x01000001","hinge":[1,2,3],"yaw":0,"swing":90}]}]})",
+        R"(0{"routes":{"r":{"points":[{"at":[1,2,3],"cell":0},{"at":[4,5,6],"cell":0}]}},"villagers":[{"name":"v","route":"r","model":"0x02000001","speed":1}]})",
+        R"(1{"format":"limen walk","version":1,"start":"--eye 1,2,3"}
+{"forward":1.0,"seconds":0.03,"size":[64,36],"decided":"0123456789abcdef"}
+)",
+        "2--eye 1,2,3 --yaw 90 --pitch -5 --time 0.3 --weather rain",
+        "2--at 42.1N,33.6E --root outside --doors half --body 1,2,3 --door d=0.5"};
+    bool good = true;
+    int number = 0;
+    for (const char* text : texts) {
+        const std::string_view all(text);
+        Bytes bytes(all.size());
+        std::memcpy(bytes.data(), all.data(), all.size());
+        good = save(directory / std::to_string(number++), bytes) && good;
+    }
+    return good;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -63,7 +86,9 @@ int main(int argc, char** argv) {
     std::error_code error;
     fs::create_directories(container, error);
     fs::create_directories(records, error);
-    bool good = saveFiles(container);
+    const fs::path texts = fs::path(argv[1]) / "text";
+    fs::create_directories(texts, error);
+    bool good = saveTexts(texts) && saveFiles(container);
     RecordTypes::forEach([&]<class Record>(std::type_identity<Record>) {
         good = saveRecords<Record>(records, static_cast<std::uint8_t>(kKindOf<Record>)) && good;
     });

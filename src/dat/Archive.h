@@ -11,6 +11,10 @@ public:
     /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that
     /// has another role than its name says.
     [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
+    /// Of files that are open already. For tests and fuzzing.
+    [[nodiscard]] static Archive of(File portal, File cell) {
+        return Archive("memory", std::move(portal), std::move(cell));
+    }
 
     [[nodiscard]] const File& portal() const { return portal_; }
     [[nodiscard]] const File& cell() const { return cell_; }

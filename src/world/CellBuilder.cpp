@@ -115,6 +115,12 @@ std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BakedG
         const auto found = handles.find(id);
         draft.portals.push_back(found == handles.end() ? kNone : found->second);
     }
+    const bool hasOpening = std::any_of(draft.portals.begin(), draft.portals.end(),
+                                        [](std::uint32_t handle) { return handle != kNone; });
+    if (draft.polygons.empty() && !hasOpening) {
+        note(findings, cell.id, "none of its polygons can be used");
+        return std::nullopt;
+    }
     return draft;
 }
 

@@ -43,25 +43,29 @@ bool readPlace(const Json& object, Place& out) {
 } // namespace
 
 Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
-    WorldFile world;
     const std::filesystem::path path = directory / kWorldFileName;
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-        return world;
+        return WorldFile();
     const Result<std::string> text = readText(path);
     if (!text)
         return tl::unexpected(text.error());
-    const Json json = Json::parse(*text, nullptr, false);
+    return parseWorldFile(*text, path.string());
+}
+
+Result<WorldFile> parseWorldFile(const std::string& text, const std::string& file) {
+    WorldFile world;
+    const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object())
-        return fail(ErrorCode::Malformed, path.string(), "is not a JSON object");
+        return fail(ErrorCode::Malformed, file, "is not a JSON object");
     if (const auto places = json.find("places"); places != json.end()) {
         if (!places->is_object())
-            return fail(ErrorCode::Malformed, path.string(), "\"places\" must be an object of named places");
+            return fail(ErrorCode::Malformed, file, "\"places\" must be an object of named places");
         for (const auto& [name, value] : places->items()) {
             Place place;
             place.name = name;
             if (!readPlace(value, place))
-                return fail(ErrorCode::Malformed, path.string(),
+                return fail(ErrorCode::Malformed, file,
                             "place \"" + name +
                                 "\" needs \"eye\": [x, y, z] and may have yaw, pitch and cell");
             world.places.push_back(std::move(place));
@@ -69,17 +73,17 @@ Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
     }
     if (const auto tour = json.find("tour"); tour != json.end()) {
         if (!tour->is_array())
-            return fail(ErrorCode::Malformed, path.string(), "\"tour\" must be an array of way points");
+            return fail(ErrorCode::Malformed, file, "\"tour\" must be an array of way points");
         for (const Json& value : *tour) {
             Place place;
             if (!readPlace(value, place))
-                return fail(ErrorCode::Malformed, path.string(),
+                return fail(ErrorCode::Malformed, file,
                             "way point " + std::to_string(world.tour.size()) +
                                 " of the tour needs x, y and z");
             world.tour.push_back(std::move(place));
         }
     }
-    Result<MovingEntries> moving = readMovingEntries(json, path.string());
+    Result<MovingEntries> moving = readMovingEntries(json, file);
     if (!moving)
         return tl::unexpected(moving.error());
     world.moving = std::move(*moving);

@@ -32,5 +32,7 @@ struct WorldFile {
 /// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: unreadable or not of this
 /// shape.
 [[nodiscard]] Result<WorldFile> loadWorldFile(const std::filesystem::path& directory);
+/// Its text; `file` begins messages.
+[[nodiscard]] Result<WorldFile> parseWorldFile(const std::string& text, const std::string& file);
 
 } // namespace limen::world

@@ -71,6 +71,8 @@ private:
     /// false.
     template <class Visit>
     static bool forEachKey(const Aabb& box, Visit visit) {
+        if (box.empty())
+            return true; // a cell of nothing is nowhere
         const glm::i64vec3 low(glm::floor(box.min / kSide)), high(glm::floor(box.max / kSide));
         const glm::i64vec3 size = high - low + glm::i64vec3(1);
         if (box.empty() || size.x > kMostKeys || size.y > kMostKeys || size.z > kMostKeys ||

@@ -203,6 +203,41 @@ TEST(LoadWorld, reportsADamagedCellAndLoadsTheRest) {
     EXPECT_EQ(world->findings[0].record, source.id(lost));
 }
 
+// A box around nothing has no end: its corners are no places to look for neighbours at.
+TEST(LoadWorld, leavesOutACellNoneOfWhosePolygonsCanBeUsed) {
+    House house;
+    const test::TempDir directory;
+    ASSERT_TRUE(house.source.write(directory.path()));
+    const auto whole = dat::Archive::open(directory.path());
+    ASSERT_TRUE(whole);
+    const auto copied = [](const dat::File& file, dat::Writer writer, dat::RecordId broken) {
+        dat::Bytes scratch;
+        EXPECT_TRUE(file.forEach([&](const dat::Entry& entry) {
+            const auto payload = *file.read(entry, scratch);
+            writer.add(entry.id, dat::Bytes(payload.begin(), payload.end()));
+            if (entry.id == broken) {
+                dat::Environment shape = *dat::decode<dat::Environment>(entry.id, payload);
+                for (auto& [key, vertex] : shape.cells.front().second.vertexArray.vertices)
+                    vertex.position = Vec3f(1e30f);
+                writer.add(shape);
+            }
+            return true;
+        }));
+        return *dat::File::fromBytes(writer.build(), "copy");
+    };
+    const auto front = whole->load<dat::EnvCell>(house.source.id(house.front));
+    ASSERT_TRUE(front);
+    const dat::Archive archive = dat::Archive::of(
+        copied(whole->portal(), dat::Writer(dat::FileTraits::portal()), 0x0D000000u | front->environment),
+        copied(whole->cell(), dat::Writer(dat::FileTraits::cell()), 0));
+    const Result<World> world = loadWorld(archive, house.source.home(), {});
+    ASSERT_TRUE(world) << world.error().message();
+    EXPECT_EQ(findCell(*world, house.source.id(house.front)), kNone);
+    EXPECT_NE(findCell(*world, house.source.id(house.rear)), kNone);
+    EXPECT_NE(test::findingsOf(*world).find("none of its polygons can be used"), std::string::npos)
+        << test::findingsOf(*world);
+}
+
 TEST(FindCell, findsExactlyTheResidentCells) {
     House house;
     const World world = test::loadTestWorld(house.source);

@@ -1,0 +1,47 @@
+#include "Check.h"
+
+#include "app/ShotRequest.h"
+#include "app/WalkRecord.h"
+#include "world/Places.h"
+
+// Any text as what people may write by hand, or cut short: a world file, a recorded walk, a line of a views file. The first byte picks. What
+// is refused is refused with a reason.
+namespace {
+
+using namespace limen;
+
+template <class T>
+void expectReason(const Result<T>& read) {
+    FUZZ_CHECK(read.has_value() || !read.error().what.empty());
+}
+
+void checkWalk(const std::string& text) {
+    const Result<app::WalkRecord> walk = app::parseWalk(text, "walk");
+    expectReason(walk);
+    if (!walk)
+        return;
+    std::string again = app::beginningLine(walk->start);
+    for (const app::RecordedFrame& frame : walk->frames)
+        again += app::frameLine(frame);
+    const Result<app::WalkRecord> same = app::parseWalk(again, "walk");
+    FUZZ_CHECK(same.has_value() && same->start == walk->start && same->frames.size() == walk->frames.size());
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0)
+        return 0;
+    const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+    switch (data[0] % 3) {
+    case 0:
+        expectReason(world::parseWorldFile(text, "world.json"));
+        break;
+    case 1:
+        checkWalk(text);
+        break;
+    default:
+        expectReason(app::parseView(text, "views:1"));
+    }
+    return 0;
+}
