@@ -82,7 +82,7 @@ TEST(Body, isStoppedByShutDoors) {
     moving.doors.push_back({"front", hut.source.id(hut.front), hut.door.index, true, 0.0, {}});
     Walker walker(hut.source, moving);
     for (const bool shut : {true, false}) {
-        walker.closed.assign(walker.world().portals.size(), shut ? 1 : 0);
+        walker.doors.assign(1, shut ? 0.0 : 1.0);
         walker.put({7, 11.5, 2.01}, kOutside);
         walker.go(kEast, 2.0);
         EXPECT_EQ(walker.body.standing.space, shut ? kOutside : walker.space(hut.front));
@@ -173,7 +173,7 @@ TEST(Body, jumpsAndLands) {
     jump.jump = true;
     double highest = 0.0;
     for (int i = 0; i < 60; ++i) {
-        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.closed);
+        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.doors);
         jump.jump = false;
         highest = std::max(highest, walker.feet().z);
     }
@@ -193,7 +193,7 @@ TEST(Body, bumpsItsHead) {
     jump.jump = true;
     double highest = 0.0;
     for (int i = 0; i < 60; ++i) {
-        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.closed);
+        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.doors);
         jump.jump = false;
         highest = std::max(highest, walker.feet().z);
     }
@@ -256,7 +256,7 @@ TEST(Body, neverLeavesTheWorld) {
             const bool isThere = space == kOutside ? locate(walker.world(), middle).space == kOutside
                                                    : cellContains(walker.world(), space, middle);
             ASSERT_TRUE(isThere) << life << " " << i;
-            ASSERT_LT(glm::length(walker.collisions().wayOut({}, walker.body.standing, walker.closed)), 0.01);
+            ASSERT_LT(glm::length(walker.collisions().wayOut({}, walker.body.standing, walker.doors)), 0.01);
         }
     }
 }
