@@ -28,8 +28,9 @@ public:
          const BodyShape& shape)
         : body_(body), around_(around), doors_(doors), shape_(shape) {}
 
-    [[nodiscard]] BodyState take(const BodyInput& input, double seconds) {
-        leaveOverlaps();
+    [[nodiscard]] BodyState take(const BodyInput& input, double seconds, bool isFirst) {
+        if (isFirst) // what moved or came since; its own steps overlap nothing
+            leaveOverlaps();
         steer(input, seconds);
         if (body_.isOnGround)
             walk(Vec3(body_.velocity.x, body_.velocity.y, 0.0) * seconds);
@@ -227,7 +228,7 @@ BodyState moved(const BodyState& body, const BodyInput& input, double seconds, c
     BodyState now = body;
     const int steps = static_cast<int>(std::ceil(std::max(seconds, 0.0) / kLongestStep));
     for (int i = 0; i < steps; ++i)
-        now = Step(now, around, doors, shape).take(input, seconds / steps);
+        now = Step(now, around, doors, shape).take(input, seconds / steps, i == 0);
     return now;
 }
 

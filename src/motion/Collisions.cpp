@@ -127,11 +127,16 @@ public:
         const Vec3 towards = solids_.origin + at - middle;
         const double distance = glm::length(towards);
         const double share = distance > kBefore ? (distance - kBefore) / distance : 0.0;
+        const Vec3 before = middle + towards * share;
         world::SpaceIndex space = sweep(world_, standing_.space, start, middle);
-        space = sweep(world_, space, middle, middle + towards * share);
-        const world::Solid& solid = solidAt(index);
-        const auto members = std::span(solids_.members).subspan(solid.firstMember, solid.memberCount);
-        return std::find(members.begin(), members.end(), space) != members.end();
+        space = sweep(world_, space, middle, before);
+        if (isMember(index, space))
+            return true;
+        // What lies in an opening's plane is met from both sides: the wall around the smaller one of two that are not alike.
+        const Vec3 beyond =
+            distance > kBefore ? middle + towards * ((distance + kBefore) / distance) : middle;
+        const world::SpaceIndex next = sweep(world_, space, before, beyond);
+        return next != space && isMember(index, next);
     }
 
     [[nodiscard]] const world::Solid& solidAt(int index) const {
@@ -139,6 +144,11 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isMember(int index, world::SpaceIndex space) const {
+        const world::Solid& solid = solidAt(index);
+        const auto members = std::span(solids_.members).subspan(solid.firstMember, solid.memberCount);
+        return std::find(members.begin(), members.end(), space) != members.end();
+    }
     [[nodiscard]] double openness(std::uint32_t door) const {
         return door < doors_.size() ? doors_[door] : world_.doors[door].open;
     }

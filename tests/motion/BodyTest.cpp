@@ -76,6 +76,25 @@ TEST(Body, goesThroughOpenDoorsAndKnowsWhereItIs) {
     EXPECT_EQ(walker.body.standing.space, kOutside) << "and out again";
 }
 
+TEST(Body, isStoppedByTheWallAroundTheSmallerOfTwoOpeningsThatAreNotAlike) {
+    TestWorld source;
+    const auto west = source.addBox({10, 10, 2}, {14, 14, 5}), east = source.addBox({14, 10, 2}, {18, 14, 5});
+    TestWorld::LinkOptions options;
+    options.exact = false;
+    options.polygonInB = test::rectangle({14, 11, 2}, {14, 12, 4});
+    source.link(west, test::rectangle({14, 10.2, 2}, {14, 13.5, 4.8}), east, options);
+    Walker walker(source);
+    for (const double y : {10.6, 12.9}) {
+        walker.put({12, y, 2.01}, walker.space(west));
+        walker.go(kEast, 2.0);
+        EXPECT_NEAR(walker.feet().x, 14.0 - 0.3, kNear) << y;
+        EXPECT_EQ(walker.body.standing.space, walker.space(west));
+    }
+    walker.put({12, 11.5, 2.01}, walker.space(west));
+    walker.go(kEast, 2.0);
+    EXPECT_EQ(walker.body.standing.space, walker.space(east));
+}
+
 TEST(Body, isStoppedByShutDoors) {
     Hut hut;
     world::MovingEntries moving;
