@@ -17,6 +17,7 @@ constexpr double kTurn = 240.0;    // degrees a second
 constexpr double kNod = 60.0;      // likewise
 constexpr double kAhead = 40.0;    // degrees beside which one turns before one goes
 constexpr double kPatience = 1.5;  // seconds without getting nearer
+constexpr double kSwing = 1.5;     // seconds that a door takes, and to get back to where it was met
 constexpr std::size_t kTries = 8;  // way points that are missed one after the other before it jumps
 constexpr double kNearer = 0.02;   // metres that count as nearer
 constexpr double kAtPlace = 1.0;   // metres from a place to a way point that lies there
@@ -69,8 +70,8 @@ private:
         while (best >= reached) {
             if (waited > kPatience)
                 return false;
-            if (waited > 0.5 * kPatience)
-                openTheDoor();
+            if (waited > 0.5 * kPatience && openTheDoor())
+                waited = -kSwing; // its leaf may push one back first
             if (Result<void> stepped = frame(towards(target, point.camera.heading.pitch)); !stepped)
                 return tl::unexpected(stepped.error());
             const double now = levelDistance(feet(), target);
@@ -92,10 +93,12 @@ private:
         return input;
     }
 
-    void openTheDoor() {
+    bool openTheDoor() {
         const std::optional<std::size_t> door = play_.doorInReach();
-        if (door && !play_.opens(*door))
-            acts_.push_back({PlayAct::Kind::Use});
+        if (!door || play_.opens(*door))
+            return false;
+        acts_.push_back({PlayAct::Kind::Use});
+        return true;
     }
 
     Result<void> frame(PlayInput input) {

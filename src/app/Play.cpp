@@ -18,10 +18,10 @@ Play::Play(Session& session, FrameEye start)
 Result<void> Play::step(const PlayInput& input) {
     for (const PlayAct& act : input.acts)
         this->act(act);
+    const double seconds = input.isFrozen ? 0.0 : input.seconds;
+    moveDoors(seconds); // first: who is pushed is seen where that is
     if (Result<void> moved = moveEye(input); !moved)
         return moved;
-    const double seconds = input.isFrozen ? 0.0 : input.seconds;
-    moveDoors(seconds);
     findDoor();
     eye_.seconds += seconds;
     eye_.size = input.size;
@@ -77,7 +77,10 @@ void Play::swingDoors() {
 
 void Play::standDoors(double open) {
     doorsTowards_.reset(); // a hand is on them
-    eye_.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
+    if (open >= 0.0 && eye_.doors)
+        swingAllTo(std::min(open, 1.0));
+    else
+        eye_.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
 }
 
 /// From here on doors stand each as it was left.
@@ -138,19 +141,25 @@ Result<void> Play::moveEye(const PlayInput& input) {
     if (!session_.follow(eye_.camera.eye, eye_.root))
         return {};
     tracker_.place(eye_.root);
+    doors_.write(session_.loaded().world, eye_.eachDoor);
     return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{}; // its space has another number now
 }
 
 void Play::moveDoors(double seconds) {
-    const world::World& world = session_.loaded().world;
-    doors_.pass(seconds, world, walk_.isOn() ? std::make_optional(walk_.body().standing) : std::nullopt);
-    doors_.write(world, eye_.eachDoor);
+    const bool areAllAlike = eye_.doors.has_value(); // nobody sees how each would stand
+    walk_.isOn() && !areAllAlike ? walk_.passDoors(doors_, seconds) : doors_.pass(seconds);
+    doors_.write(session_.loaded().world, eye_.eachDoor);
     if (!doorsTowards_ || !eye_.doors)
         return;
     const double way = *doorsTowards_ - *eye_.doors;
-    eye_.doors = *eye_.doors + std::clamp(way, -seconds, seconds);
+    swingAllTo(*eye_.doors + std::clamp(way, -seconds, seconds));
     if (*eye_.doors == *doorsTowards_)
         doorsTowards_.reset();
+}
+
+/// As far as a body lets them.
+void Play::swingAllTo(double open) {
+    eye_.doors = walk_.isOn() ? walk_.swingAllDoors(*eye_.doors, open) : open;
 }
 
 void Play::findDoor() {

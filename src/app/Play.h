@@ -36,6 +36,7 @@ private:
     void goTo(std::size_t place);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);
     void moveDoors(double seconds);
+    void swingAllTo(double open);
     void findDoor();
 
     Session& session_;

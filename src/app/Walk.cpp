@@ -167,7 +167,7 @@ void Walk::carryEye(const Session& session, double seconds, FrameEye& eye) {
     double opacity = 0.0;
     if (isChased_) {
         chase_ = motion::chased(chase_, body_, basisOf(eye.camera.heading).forward, seconds,
-                                around_->collisions, session.moment().closed, lag_, shape_, chaseShape_);
+                                around_->collisions, doors_, lag_, shape_, chaseShape_);
         opacity = opacityAt(glm::length(chase_.eye.position - at.position));
         at = chase_.eye;
     }
@@ -178,9 +178,26 @@ void Walk::carryEye(const Session& session, double seconds, FrameEye& eye) {
     eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity, speed_, metres_};
 }
 
+void Walk::readDoors(const world::World& world, const FrameEye& eye) {
+    doors_.clear();
+    for (std::size_t i = 0; i < world.doors.size(); ++i) {
+        const double open = i < eye.eachDoor.size() ? eye.eachDoor[i] : world.doors[i].open;
+        doors_.push_back(eye.doors.value_or(open));
+    }
+}
+
+void Walk::passDoors(motion::DoorUse& doors, double seconds) {
+    doors.pass(seconds, around_->collisions, body_, shape_);
+}
+
+double Walk::swingAllDoors(double from, double to) {
+    return motion::swingAll(from, to, body_, around_->collisions, doors_, shape_);
+}
+
 Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye& eye) {
     if (Result<void> kept = keepSurroundings(session); !kept)
         return kept;
+    readDoors(session.loaded().world, eye);
     motion::BodyInput asked;
     asked.forward = input.forward;
     asked.right = input.right;
@@ -190,7 +207,7 @@ Result<void> Walk::step(const Session& session, const WalkInput& input, FrameEye
     constexpr double kLongest = 0.25; // after a stall it does not leap; on a slow machine it still gets on
     const double seconds = std::clamp(input.seconds, 0.0, kLongest);
     const motion::BodyState before = body_;
-    body_ = motion::moved(body_, asked, seconds, around_->collisions, session.moment().closed, shape_);
+    body_ = motion::moved(body_, asked, seconds, around_->collisions, doors_, shape_);
     const bool isOnFoot = before.isOnGround && body_.isOnGround;
     smooth(isOnFoot ? body_.standing.feet.z - before.standing.feet.z : 0.0, seconds);
     face(input, seconds, eye.camera.heading.yaw);

@@ -2,6 +2,7 @@
 
 #include "app/Session.h"
 #include "motion/ChaseCamera.h"
+#include "motion/DoorUse.h"
 
 #include <future>
 
@@ -36,6 +37,11 @@ public:
     /// was here. Requires a body. Errors: as begin's.
     [[nodiscard]] Result<void> step(const Session& session, const WalkInput& input, FrameEye& eye);
 
+    /// Doors swing for a while, and push the body out of their way. Requires a body.
+    void passDoors(motion::DoorUse& doors, double seconds);
+    /// How far all doors come that swing alike from one openness to another. Requires a body.
+    [[nodiscard]] double swingAllDoors(double from, double to);
+
     [[nodiscard]] const motion::BodyState& body() const { return body_; }
     /// Where its eyes would be.
     [[nodiscard]] motion::BodyEye head(const world::World& world) const;
@@ -56,12 +62,14 @@ private:
     [[nodiscard]] Result<void> keepSurroundings(const Session& session);
     [[nodiscard]] dat::BlockCoord blockOfBody(const LoadedWorld& loaded) const;
     [[nodiscard]] Result<void> takeSurroundings(const Session& session, dat::BlockCoord centre);
+    void readDoors(const world::World& world, const FrameEye& eye);
     void smooth(double fellOrRose, double seconds);
     void face(const WalkInput& input, double seconds, double yaw);
     void stride(const WalkInput& input, const Vec3& from);
     void carryEye(const Session& session, double seconds, FrameEye& eye);
 
     bool isOn_ = false;
+    std::vector<double> doors_; ///< how far each is open in this frame
     motion::BodyState body_;
     motion::BodyShape shape_;
     double yaw_ = 0.0;                  ///< where the body faces

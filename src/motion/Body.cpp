@@ -24,21 +24,30 @@ const Vec3 kUp(0.0, 0.0, 1.0);
 /// One step of a body.
 class Step {
 public:
-    Step(const BodyState& body, const Collisions& around, std::span<const std::uint8_t> closed,
+    Step(const BodyState& body, const Collisions& around, std::span<const double> doors,
          const BodyShape& shape)
-        : body_(body), around_(around), closed_(closed), shape_(shape) {}
+        : body_(body), around_(around), doors_(doors), shape_(shape) {}
 
-    [[nodiscard]] BodyState take(const BodyInput& input, double seconds) {
-        leaveOverlaps();
+    [[nodiscard]] BodyState take(const BodyInput& input, double seconds, bool isFirst) {
+        if (isFirst) // what moved or came since; its own steps overlap nothing
+            leaveOverlaps();
         steer(input, seconds);
         if (body_.isOnGround)
-            walk(seconds);
+            walk(Vec3(body_.velocity.x, body_.velocity.y, 0.0) * seconds);
         else
-            fly(seconds);
+            slide(body_.velocity * seconds, false);
         if (body_.isOnGround)
             body_.safe = body_.standing;
         if (!isFinite(body_.standing.feet) || body_.standing.feet.z < body_.safe.feet.z - kDeepestFall)
             recover();
+        return body_;
+    }
+
+    [[nodiscard]] BodyState giveWay(const Vec3& way) {
+        if (body_.isOnGround)
+            walk(way);
+        else
+            slide(way, true);
         return body_;
     }
 
@@ -55,7 +64,7 @@ private:
             return false;
         const Vec3 above = bump.at + beyond * (kBehindEdge / level) + kUp * kAboveEdge;
         const std::optional<Vec3> surface =
-            around_.surfaceBelow(shape_.capsule, body_.standing, above, 2.0 * kAboveEdge, closed_);
+            around_.surfaceBelow(shape_.capsule, body_.standing, above, 2.0 * kAboveEdge, doors_);
         return surface && isGround(*surface);
     }
 
@@ -74,7 +83,7 @@ private:
             return std::nullopt;
         const Vec3 from = body_.standing.feet, direction = way / length;
         const std::optional<Bump> bump =
-            around_.sweep(shape_.capsule, body_.standing, from + direction * (length + kSkin), closed_);
+            around_.sweep(shape_.capsule, body_.standing, from + direction * (length + kSkin), doors_);
         const double free = bump ? bump->share * (length + kSkin) - kSkin : length;
         if (free > 0.0)
             goTo(from + direction * std::min(free, length));
@@ -151,11 +160,8 @@ private:
         }
     }
 
-    void fly(double seconds) { slide(body_.velocity * seconds, false); }
-
     /// On the level, and if that is shorter over a step; then down onto the ground again.
-    void walk(double seconds) {
-        const Vec3 way = Vec3(body_.velocity.x, body_.velocity.y, 0.0) * seconds;
+    void walk(const Vec3& way) {
         const BodyState start = body_;
         slide(way, true);
         settle(shape_.stepDown);
@@ -186,7 +192,7 @@ private:
 
     void leaveOverlaps() {
         for (int i = 0; i < kMostWaysOut; ++i) {
-            const Vec3 out = around_.wayOut(shape_.capsule, body_.standing, closed_);
+            const Vec3 out = around_.wayOut(shape_.capsule, body_.standing, doors_);
             if (glm::length(out) < 1e-6)
                 return;
             goTo(body_.standing.feet + out);
@@ -205,7 +211,7 @@ private:
     BodyState body_;
     Vec3 touched_{0.0}; ///< by the feet, when they settled last
     const Collisions& around_;
-    std::span<const std::uint8_t> closed_;
+    std::span<const double> doors_;
     const BodyShape& shape_;
 };
 
@@ -218,12 +224,17 @@ BodyState bodyAt(const Standing& standing) {
 }
 
 BodyState moved(const BodyState& body, const BodyInput& input, double seconds, const Collisions& around,
-                std::span<const std::uint8_t> closed, const BodyShape& shape) {
+                std::span<const double> doors, const BodyShape& shape) {
     BodyState now = body;
     const int steps = static_cast<int>(std::ceil(std::max(seconds, 0.0) / kLongestStep));
     for (int i = 0; i < steps; ++i)
-        now = Step(now, around, closed, shape).take(input, seconds / steps);
+        now = Step(now, around, doors, shape).take(input, seconds / steps, i == 0);
     return now;
+}
+
+BodyState shoved(const BodyState& body, const Vec3& way, const Collisions& around,
+                 std::span<const double> doors, const BodyShape& shape) {
+    return Step(body, around, doors, shape).giveWay(way);
 }
 
 BodyEye eyeOf(const BodyState& body, const world::World& world, const BodyShape& shape) {

@@ -37,10 +37,15 @@ struct BodyState {
 
 /// A body a while later: a pure function, whose steps do not depend on frames longer than 10 ms being cut otherwise. It slides along
 /// what it bumps into, climbs steps, falls, and keeps track of the space its middle is in. One that falls below everything is put back
-/// where it stood last. `closed`: as Moment::closed.
+/// where it stood last. `doors`: as in Collisions::sweep.
 [[nodiscard]] BodyState moved(const BodyState& body, const BodyInput& input, double seconds,
-                              const Collisions& around, std::span<const std::uint8_t> closed,
+                              const Collisions& around, std::span<const double> doors,
                               const BodyShape& shape = {});
+
+/// A body that something moves aside, by `way` metres on the level: along what is in the way, and up and down steps, as if it walked, but
+/// at once. What it overlaps is left in no other direction than `way`.
+[[nodiscard]] BodyState shoved(const BodyState& body, const Vec3& way, const Collisions& around,
+                               std::span<const double> doors, const BodyShape& shape = {});
 
 /// The eye of a body, and the space that is in.
 struct BodyEye {

@@ -13,13 +13,13 @@ constexpr double kSkin = 0.005; // metres beside the ball: two sweeps of one way
 /// A ball that goes where nothing is in its way.
 class Ball {
 public:
-    Ball(double radius, const Standing& start, const Collisions& around, std::span<const std::uint8_t> closed)
-        : shape_{radius, 2.0 * radius}, at_(start), around_(around), closed_(closed) {}
+    Ball(double radius, const Standing& start, const Collisions& around, std::span<const double> doors)
+        : shape_{radius, 2.0 * radius}, at_(start), around_(around), doors_(doors) {}
 
     /// Metres of a straight way, along a unit vector, that are free, of at most so many.
     [[nodiscard]] double freeAlong(const Vec3& direction, double most) const {
         const std::optional<Bump> bump =
-            around_.sweep(shape_, at_, at_.feet + direction * (most + kSkin), closed_);
+            around_.sweep(shape_, at_, at_.feet + direction * (most + kSkin), doors_);
         return bump ? std::clamp(bump->share * (most + kSkin) - kSkin, 0.0, most) : most;
     }
 
@@ -36,7 +36,7 @@ private:
     Capsule shape_;
     Standing at_;
     const Collisions& around_;
-    std::span<const std::uint8_t> closed_;
+    std::span<const double> doors_;
 };
 
 /// What was so long, and may be as long as is free: shorter at once, longer by and by.
@@ -50,13 +50,13 @@ double after(double length, double free, double seconds, const ChaseShape& shape
 } // namespace
 
 ChaseState chased(const ChaseState& before, const BodyState& body, const Vec3& forward, double seconds,
-                  const Collisions& around, std::span<const std::uint8_t> closed, double headRise,
+                  const Collisions& around, std::span<const double> doors, double headRise,
                   const BodyShape& bodyShape, const ChaseShape& shape) {
     const Vec3 up(0.0, 0.0, 1.0);
     const Capsule& capsule = bodyShape.capsule;
     const double radius = std::min(shape.radius, capsule.radius);
     const Vec3 middle = capsule.middle(body.standing.feet);
-    Ball ball(radius, {middle - up * radius, body.standing.space}, around, closed);
+    Ball ball(radius, {middle - up * radius, body.standing.space}, around, doors);
     const double head = bodyShape.eyeHeight - 0.5 * capsule.height + headRise;
     ball.go(up * std::copysign(ball.freeAlong(up * std::copysign(1.0, head), std::abs(head)), head));
     ChaseState now;

@@ -23,10 +23,10 @@ struct ChaseState {
 /// The camera a while later: a ball that is swept from within the body to its head, behind that, and up, so that it is in nothing, and
 /// its space is the one that the way leads to, through whatever openings. What is in the way pushes it in at once; it comes out again by and
 /// by, and then rests to the bit. A pure function. `forward`: where it looks, a unit vector; `headRise`: metres that the head is
-/// above where it belongs (it climbs steps smoothly); `closed`: as Moment::closed.
+/// above where it belongs (it climbs steps smoothly); `doors`: as in Collisions::sweep.
 [[nodiscard]] ChaseState chased(const ChaseState& before, const BodyState& body, const Vec3& forward,
-                                double seconds, const Collisions& around,
-                                std::span<const std::uint8_t> closed, double headRise = 0.0,
-                                const BodyShape& bodyShape = {}, const ChaseShape& shape = {});
+                                double seconds, const Collisions& around, std::span<const double> doors,
+                                double headRise = 0.0, const BodyShape& bodyShape = {},
+                                const ChaseShape& shape = {});
 
 } // namespace limen::motion

@@ -1,5 +1,6 @@
 #include "motion/Collisions.h"
 
+#include "geometry/Compass.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ Vec3 fromBullet(const btVector3& v) {
 
 } // namespace
 
-/// Bullet's collision world. Its coordinates are relative to Solids::origin.
+/// Bullet's collision world, and the leaves of doors. Its coordinates are relative to Solids::origin.
 struct Collisions::Bodies {
     Bodies(const world::World& of, world::Solids from) : world(of), solids(std::move(from)) {
         indices.resize(solids.corners.size());
@@ -30,8 +31,10 @@ struct Collisions::Bodies {
             add(static_cast<int>(i));
     }
     ~Bodies() {
-        for (const auto& object : objects)
-            bullet.removeCollisionObject(object.get());
+        for (const auto& object : objects) {
+            if (object->getBroadphaseHandle() != nullptr)
+                bullet.removeCollisionObject(object.get());
+        }
     }
     Bodies(const Bodies&) = delete;
     Bodies& operator=(const Bodies&) = delete;
@@ -54,7 +57,19 @@ struct Collisions::Bodies {
         objects.push_back(std::make_unique<btCollisionObject>());
         objects.back()->setCollisionShape(shapes.back().get());
         objects.back()->setUserIndex(index);
-        bullet.addCollisionObject(objects.back().get());
+        if (solid.leaf == world::kNone)
+            bullet.addCollisionObject(objects.back().get());
+        else
+            leaves.push_back({index, world.leaves[solid.leaf].hinge - solids.origin, reachOf(solid)});
+    }
+
+    /// How far a leaf's corners are from its hinge.
+    [[nodiscard]] double reachOf(const world::Solid& solid) const {
+        double reach = 0.0;
+        for (std::uint32_t i = 3 * solid.firstTriangle; i < 3 * (solid.firstTriangle + solid.triangleCount);
+             ++i)
+            reach = std::max(reach, glm::length(solids.corners[i]));
+        return reach;
     }
 
     const world::World& world;
@@ -66,7 +81,16 @@ struct Collisions::Bodies {
     btCollisionWorld bullet{&dispatcher, &broadphase, &configuration};
     std::vector<std::unique_ptr<btTriangleIndexVertexArray>> meshes;
     std::vector<std::unique_ptr<btBvhTriangleMeshShape>> shapes;
-    std::vector<std::unique_ptr<btCollisionObject>> objects;
+    std::vector<std::unique_ptr<btCollisionObject>> objects; ///< by solid
+    struct HungLeaf {
+        int index = 0;   ///< of its solid
+        Vec3 hinge{0.0}; ///< relative to Solids::origin
+        double reach = 0.0;
+    };
+    /// `door`: kNone, of everything.
+    [[nodiscard]] Vec3 wayOut(const Capsule& capsule, const Standing& standing, std::span<const double> open,
+                              std::uint32_t door);
+    std::vector<HungLeaf> leaves; ///< not in Bullet's world: they are posed for each question
 };
 
 namespace {
@@ -74,13 +98,27 @@ namespace {
 /// What a body in one place meets of all that is near.
 class Meets {
 public:
+    /// `door`: of that door's alone; kNone: of all.
     Meets(const world::World& world, const world::Solids& solids, const Capsule& capsule,
-          const Standing& standing, std::span<const std::uint8_t> closed)
-        : world_(world), solids_(solids), capsule_(capsule), standing_(standing), closed_(closed) {}
+          const Standing& standing, std::span<const double> doors, std::uint32_t door = world::kNone)
+        : world_(world), solids_(solids), capsule_(capsule), standing_(standing), doors_(doors), door_(door) {
+    }
 
     [[nodiscard]] bool isThere(int index) const {
-        const world::PortalIndex portal = solidAt(index).portal;
-        return portal == world::kNone || (portal < closed_.size() && closed_[portal] != 0);
+        const world::Solid& solid = solidAt(index);
+        if (door_ != world::kNone && solid.door != door_)
+            return false;
+        return solid.door == world::kNone || solid.leaf != world::kNone || openness(solid.door) <= 0.0;
+    }
+
+    /// Where a leaf hangs, relative to Solids::origin.
+    [[nodiscard]] btTransform poseOf(int index) const {
+        const world::Solid& solid = solidAt(index);
+        const world::Leaf& leaf = world_.leaves[solid.leaf];
+        const Mat3 turn = turnedTo(leaf.yaw + leaf.swing * openness(solid.door));
+        return btTransform(btMatrix3x3(turn[0][0], turn[1][0], turn[2][0], turn[0][1], turn[1][1], turn[2][1],
+                                       turn[0][2], turn[1][2], turn[2][2]),
+                           toBullet(leaf.hinge - solids_.origin));
     }
 
     /// Whether it meets a solid at a place, relative to Solids::origin, with its feet there.
@@ -89,22 +127,37 @@ public:
         const Vec3 towards = solids_.origin + at - middle;
         const double distance = glm::length(towards);
         const double share = distance > kBefore ? (distance - kBefore) / distance : 0.0;
+        const Vec3 before = middle + towards * share;
         world::SpaceIndex space = sweep(world_, standing_.space, start, middle);
-        space = sweep(world_, space, middle, middle + towards * share);
+        space = sweep(world_, space, middle, before);
+        if (isMember(index, space))
+            return true;
+        // What lies in an opening's plane is met from both sides: the wall around the smaller one of two that are not alike.
+        const Vec3 beyond =
+            distance > kBefore ? middle + towards * ((distance + kBefore) / distance) : middle;
+        const world::SpaceIndex next = sweep(world_, space, before, beyond);
+        return next != space && isMember(index, next);
+    }
+
+    [[nodiscard]] const world::Solid& solidAt(int index) const {
+        return solids_.solids[static_cast<std::size_t>(index)];
+    }
+
+private:
+    [[nodiscard]] bool isMember(int index, world::SpaceIndex space) const {
         const world::Solid& solid = solidAt(index);
         const auto members = std::span(solids_.members).subspan(solid.firstMember, solid.memberCount);
         return std::find(members.begin(), members.end(), space) != members.end();
     }
-
-private:
-    [[nodiscard]] const world::Solid& solidAt(int index) const {
-        return solids_.solids[static_cast<std::size_t>(index)];
+    [[nodiscard]] double openness(std::uint32_t door) const {
+        return door < doors_.size() ? doors_[door] : world_.doors[door].open;
     }
     const world::World& world_;
     const world::Solids& solids_;
     const Capsule& capsule_;
     const Standing& standing_;
-    std::span<const std::uint8_t> closed_;
+    std::span<const double> doors_;
+    std::uint32_t door_;
 };
 
 int indexOf(const btCollisionObject* object) {
@@ -192,7 +245,40 @@ btCapsuleShapeZ shapeOf(const Capsule& capsule) {
     return {capsule.radius, std::max(capsule.height - 2.0 * capsule.radius, 1e-3)};
 }
 
+/// Calls visit(solid) for each leaf whose hinge is near a straight way, relative to Solids::origin.
+template <class Leaves, class Visit>
+void eachLeafNear(const Leaves& leaves, const Vec3& from, const Vec3& to, double radius, Visit&& visit) {
+    const Vec3 middle = (from + to) * 0.5;
+    const double around = radius + 0.5 * glm::length(to - from);
+    for (const auto& leaf : leaves) {
+        if (glm::length(leaf.hinge - middle) <= leaf.reach + around)
+            visit(leaf.index);
+    }
+}
+
 } // namespace
+
+Vec3 Collisions::Bodies::wayOut(const Capsule& capsule, const Standing& standing,
+                                std::span<const double> open, std::uint32_t door) {
+    const Meets meets(world, solids, capsule, standing, open, door);
+    Overlaps overlaps(meets, standing.feet);
+    const Vec3 middle = capsule.middle(standing.feet) - solids.origin;
+    btCapsuleShapeZ shape = shapeOf(capsule);
+    btCollisionObject body;
+    body.setCollisionShape(&shape);
+    body.setWorldTransform(at(middle));
+    bullet.contactTest(&body, overlaps);
+    eachLeafNear(leaves, middle, middle, 0.5 * capsule.height, [&](int index) {
+        if (!meets.isThere(index))
+            return;
+        btCollisionObject leaf;
+        leaf.setCollisionShape(objects[static_cast<std::size_t>(index)]->getCollisionShape());
+        leaf.setWorldTransform(meets.poseOf(index));
+        leaf.setUserIndex(index);
+        bullet.contactPairTest(&body, &leaf, overlaps);
+    });
+    return overlaps.way;
+}
 
 Collisions::Collisions(const world::World& world, world::Solids solids)
     : bodies_(std::make_unique<Bodies>(world, std::move(solids))) {}
@@ -211,15 +297,20 @@ int Collisions::radius() const {
 }
 
 std::optional<Bump> Collisions::sweep(const Capsule& capsule, const Standing& from, const Vec3& to,
-                                      std::span<const std::uint8_t> closed) const {
+                                      std::span<const double> doors) const {
     if (from.feet == to || !isFinite(to))
         return std::nullopt;
-    const Meets meets(bodies_->world, bodies_->solids, capsule, from, closed);
+    const Meets meets(bodies_->world, bodies_->solids, capsule, from, doors);
     FirstBump first(meets, from.feet, to);
     const btCapsuleShapeZ shape = shapeOf(capsule);
     const Vec3 origin = bodies_->solids.origin;
-    bodies_->bullet.convexSweepTest(&shape, at(capsule.middle(from.feet) - origin),
-                                    at(capsule.middle(to) - origin), first);
+    const Vec3 start = capsule.middle(from.feet) - origin, end = capsule.middle(to) - origin;
+    bodies_->bullet.convexSweepTest(&shape, at(start), at(end), first);
+    eachLeafNear(bodies_->leaves, start, end, 0.5 * capsule.height, [&](int index) {
+        btCollisionObject* leaf = bodies_->objects[static_cast<std::size_t>(index)].get();
+        btCollisionWorld::objectQuerySingle(&shape, at(start), at(end), leaf, leaf->getCollisionShape(),
+                                            meets.poseOf(index), first, 0.0);
+    });
     if (!first.hasHit())
         return std::nullopt;
     return Bump{std::clamp(double{first.m_closestHitFraction}, 0.0, 1.0), first.normal, origin + first.at};
@@ -227,11 +318,17 @@ std::optional<Bump> Collisions::sweep(const Capsule& capsule, const Standing& fr
 
 std::optional<Vec3> Collisions::surfaceBelow(const Capsule& capsule, const Standing& standing,
                                              const Vec3& above, double depth,
-                                             std::span<const std::uint8_t> closed) const {
-    const Meets meets(bodies_->world, bodies_->solids, capsule, standing, closed);
+                                             std::span<const double> doors) const {
+    const Meets meets(bodies_->world, bodies_->solids, capsule, standing, doors);
     const Vec3 from = above - bodies_->solids.origin, to = from - Vec3(0.0, 0.0, depth);
     FirstSurface first(meets, standing.feet, from, to);
     bodies_->bullet.rayTest(toBullet(from), toBullet(to), first);
+    eachLeafNear(bodies_->leaves, from, to, 0.0, [&](int index) {
+        btCollisionObject* leaf = bodies_->objects[static_cast<std::size_t>(index)].get();
+        btCollisionWorld::rayTestSingle(btTransform(btMatrix3x3::getIdentity(), toBullet(from)),
+                                        btTransform(btMatrix3x3::getIdentity(), toBullet(to)), leaf,
+                                        leaf->getCollisionShape(), meets.poseOf(index), first);
+    });
     const double length = glm::length(first.normal);
     if (!first.hasHit() || !(length > 0.0))
         return std::nullopt;
@@ -240,15 +337,13 @@ std::optional<Vec3> Collisions::surfaceBelow(const Capsule& capsule, const Stand
 }
 
 Vec3 Collisions::wayOut(const Capsule& capsule, const Standing& standing,
-                        std::span<const std::uint8_t> closed) const {
-    const Meets meets(bodies_->world, bodies_->solids, capsule, standing, closed);
-    Overlaps overlaps(meets, standing.feet);
-    btCapsuleShapeZ shape = shapeOf(capsule);
-    btCollisionObject body;
-    body.setCollisionShape(&shape);
-    body.setWorldTransform(at(capsule.middle(standing.feet) - bodies_->solids.origin));
-    bodies_->bullet.contactTest(&body, overlaps);
-    return overlaps.way;
+                        std::span<const double> doors) const {
+    return bodies_->wayOut(capsule, standing, doors, world::kNone);
+}
+
+Vec3 Collisions::wayOutOf(std::uint32_t door, const Capsule& capsule, const Standing& standing,
+                          std::span<const double> doors) const {
+    return bodies_->wayOut(capsule, standing, doors, door);
 }
 
 } // namespace limen::motion

@@ -29,7 +29,8 @@ struct Bump {
 
 /// A world's solids, ready to be bumped into. A body meets a place of a solid if a straight line from the body's middle leads, through
 /// open openings, into a space where the solid is: so a cellar is not blocked by the ground that it lies under, nor a room by the wall
-/// of the house around it, and a doorway is blocked by what stands in it on either side.
+/// of the house around it, and a doorway is blocked by what stands in it on either side. Leaves of doors are where the doors' state puts
+/// them, which every call says anew.
 class Collisions {
 public:
     /// The world must outlive it.
@@ -38,19 +39,23 @@ public:
     Collisions(Collisions&&) noexcept;
     Collisions& operator=(Collisions&&) noexcept;
 
-    /// The first thing met by a capsule that moves from where it stands in a straight line. `closed`: as Moment::closed.
+    /// The first thing met by a capsule that moves from where it stands in a straight line. `doors`: how far each of World::doors
+    /// stands open, 0..1; those beyond its end stand as they rest.
     [[nodiscard]] std::optional<Bump> sweep(const Capsule& capsule, const Standing& from, const Vec3& to,
-                                            std::span<const std::uint8_t> closed) const;
+                                            std::span<const double> doors) const;
 
     /// The normal, upwards, of the surface that a line down from `above` meets first within `depth` metres; of those that a body meets
     /// which stands there.
     [[nodiscard]] std::optional<Vec3> surfaceBelow(const Capsule& capsule, const Standing& standing,
                                                    const Vec3& above, double depth,
-                                                   std::span<const std::uint8_t> closed) const;
+                                                   std::span<const double> doors) const;
 
     /// The shortest steps out of what a capsule overlaps, added; zero if that is nothing.
     [[nodiscard]] Vec3 wayOut(const Capsule& capsule, const Standing& standing,
-                              std::span<const std::uint8_t> closed) const;
+                              std::span<const double> doors) const;
+    /// The same of what one door consists of: its leaves, and while it is shut what fills the opening.
+    [[nodiscard]] Vec3 wayOutOf(std::uint32_t door, const Capsule& capsule, const Standing& standing,
+                                std::span<const double> doors) const;
 
     [[nodiscard]] const world::World& world() const;
     /// The blocks that are known.

@@ -11,20 +11,11 @@ namespace {
 constexpr double kSwing = 1.0;      // seconds from shut to open
 constexpr double kReach = 2.5;      // metres from the eye to the opening
 constexpr double kLeastAhead = 0.5; // cosine of the angle between the look and the opening
-constexpr double kRoom = 0.1;       // metres beside a body that a door leaves
 
 bool canSwing(const world::World& world, const world::Door& door) {
     const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
     return std::any_of(leaves.begin(), leaves.end(),
                        [](const world::Leaf& leaf) { return leaf.swing != 0.0; });
-}
-
-bool standsIn(const world::World& world, const world::Door& door, const Standing& body,
-              const Capsule& capsule) {
-    const world::Portal& portal = world.portals[door.portal];
-    const Vec3 middle = capsule.middle(body.feet);
-    return std::abs(portal.plane.signedDistance(middle)) < capsule.radius + kRoom &&
-           containsProjection(world::cornersOf(world, portal), portal.plane.n, middle, capsule.radius);
 }
 
 /// The cosine of the angle between a look and an opening: 1 if it goes through, else to the nearest of its corners and its
@@ -65,15 +56,28 @@ void DoorUse::putAll(const world::World& world, double open) {
         put(door, open);
 }
 
-void DoorUse::pass(double seconds, const world::World& world, const std::optional<Standing>& body,
-                   const Capsule& capsule) {
+void DoorUse::swingOn(Swing& swing, double seconds) {
+    swing.open = std::clamp(swing.open + (swing.opens ? seconds : -seconds) / kSwing, 0.0, 1.0);
+}
+
+void DoorUse::pass(double seconds) {
+    for (auto& [name, swing] : swings_)
+        swingOn(swing, seconds);
+}
+
+void DoorUse::pass(double seconds, const Collisions& around, BodyState& body, const BodyShape& shape) {
+    const world::World& world = around.world();
+    write(world, open_);
     for (auto& [name, swing] : swings_) {
-        const auto door = std::find_if(world.doors.begin(), world.doors.end(),
-                                       [&name = name](const world::Door& d) { return d.name == name; });
-        const bool isInTheWay =
-            !swing.opens && body && door != world.doors.end() && standsIn(world, *door, *body, capsule);
-        if (!isInTheWay)
-            swing.open = std::clamp(swing.open + (swing.opens ? seconds : -seconds) / kSwing, 0.0, 1.0);
+        const double before = swing.open;
+        swingOn(swing, seconds);
+        for (std::uint32_t i = 0; i < world.doors.size() && swing.open != before; ++i) {
+            if (world.doors[i].name != name)
+                continue;
+            motion::swing(i, swing.open, open_, body, around, shape);
+            swing.open = open_[i];
+            break;
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/Collisions.h"
+#include "motion/DoorSwing.h"
 
 #include <map>
 #include <optional>
@@ -19,9 +19,10 @@ public:
     void put(const world::Door& door, double open) { swings_[door.name] = {open, open > 0.0}; }
     /// Every door of a world, likewise.
     void putAll(const world::World& world, double open);
-    /// They swing on, a second from shut to open. One in whose opening `body` stands does not shut.
-    void pass(double seconds, const world::World& world, const std::optional<Standing>& body = {},
-              const Capsule& capsule = {});
+    /// They swing on, a second from shut to open.
+    void pass(double seconds);
+    /// The same beside a body, which gives way or holds them up (motion::swing).
+    void pass(double seconds, const Collisions& around, BodyState& body, const BodyShape& shape = {});
     /// How far each door of a world stands open, for MomentInput::doors.
     void write(const world::World& world, std::vector<double>& openness) const;
     /// Whether a door stands open, or is opening.
@@ -32,7 +33,9 @@ private:
         double open = 0.0;
         bool opens = false;
     };
+    static void swingOn(Swing& swing, double seconds);
     std::map<std::string, Swing, std::less<>> swings_;
+    std::vector<double> open_; ///< by World::doors, for scratch
 };
 
 /// The door that one uses whose eye is in a space and looks forward (a unit vector): of those that can swing, lie at that space and are

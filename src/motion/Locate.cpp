@@ -3,6 +3,7 @@
 #include "geometry/ConvexPolygon.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace limen::motion {
@@ -41,15 +42,26 @@ bool cellContains(const world::World& world, world::SpaceIndex index, const Vec3
     if (index >= world.spaces.size() || !isFinite(position))
         return false;
     const world::Space& space = world.spaces[index];
+    // Behind these the cell may go on: nodes that the point lies in the plane of, as good as in front of them. A point is in
+    // more such planes at once than this only where a tree says the same twice.
+    std::array<std::uint32_t, 16> others{};
+    std::size_t otherCount = 0;
     std::uint32_t node = 0;
-    // A node names a later one or none, but the bound costs nothing.
-    for (std::uint32_t steps = 0; steps < space.bspNodeCount && node < space.bspNodeCount; ++steps) {
+    // Children follow their parents, but the bound costs nothing.
+    for (std::uint32_t steps = 0; steps < space.bspNodeCount; ++steps) {
+        if (node >= space.bspNodeCount) {
+            if (otherCount == 0)
+                return false;
+            node = others[--otherCount];
+        }
         const world::CellBspNode& at = world.cellBspNodes[space.firstBspNode + node];
-        if (at.plane.signedDistance(position) < -kPlaneSlack)
-            return false;
-        if (at.positive == world::kNone)
+        const double distance = at.plane.signedDistance(position);
+        const bool isInFront = distance >= -kPlaneSlack;
+        if (isInFront && at.positive == world::kNone)
             return true;
-        node = at.positive;
+        if (isInFront && distance <= kPlaneSlack && at.negative != world::kNone && otherCount < others.size())
+            others[otherCount++] = at.negative;
+        node = isInFront ? at.positive : at.negative;
     }
     return false;
 }

@@ -64,7 +64,7 @@ void Assembly::addSpaces(const BlockContent& block) {
         space.firstBspNode = static_cast<std::uint32_t>(world_.cellBspNodes.size());
         space.bspNodeCount = static_cast<std::uint32_t>(cell.bsp.size());
         for (const CellBspNode& node : cell.bsp)
-            world_.cellBspNodes.push_back({toGlobal(node.plane, origin), node.positive});
+            world_.cellBspNodes.push_back({toGlobal(node.plane, origin), node.positive, node.negative});
         world_.spaces.push_back(space);
     }
     for (const std::vector<std::uint32_t>& members : block.zones) {

@@ -126,7 +126,8 @@ void Assembly::addDoor(const DoorEntry& entry, std::size_t index) {
     door.reciprocal = portal.reciprocal;
     door.firstLeaf = static_cast<std::uint32_t>(world_.leaves.size());
     for (const LeafEntry& leaf : entry.leaves) {
-        world_.leaves.push_back({addBody(leaf.model, Kind::Filling, movingObject(MovingThing::Door, index)),
+        world_.leaves.push_back({leaf.model,
+                                 addBody(leaf.model, Kind::Filling, movingObject(MovingThing::Door, index)),
                                  leaf.position,
                                  leaf.yaw,
                                  leaf.swing,

@@ -4,6 +4,7 @@
 #include "world/CellPortals.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace limen::world {
 namespace {
@@ -32,27 +33,49 @@ void addToShape(CellShape& shape, std::span<const Vec3> points) {
     }
 }
 
-/// The chain of positive children, in block-local planes. A tree whose planes make no sense contains nothing.
-std::vector<CellBspNode> chainOf(const dat::BspTree& tree, const Pose& pose) {
-    std::vector<CellBspNode> chain;
-    std::size_t at = 0;
-    while (at < tree.nodes.size() && tree.nodes[at].tag != dat::BspTag::Leaf &&
-           chain.size() < tree.nodes.size()) {
-        const Vec3 n(tree.nodes[at].plane.n);
-        const double length = glm::length(n), d = tree.nodes[at].plane.d;
-        if (!(length > 1e-6) || !std::isfinite(length) || !std::isfinite(d))
+/// A plane of a cell's tree, block-local; none: it has no direction.
+std::optional<Plane> planeIn(const dat::BspNode& node, const Pose& pose) {
+    const Vec3 n(node.plane.n);
+    const double length = glm::length(n), d = node.plane.d;
+    if (!(length > 1e-6) || !std::isfinite(length) || !std::isfinite(d))
+        return std::nullopt;
+    const Vec3 turned = pose.orientation * (n / length);
+    return Plane{turned, d / length - glm::dot(turned, pose.origin)};
+}
+
+/// A cell's tree in block-local planes. One whose planes make no sense contains nothing.
+std::vector<CellBspNode> treeOf(const dat::BspTree& tree, const Pose& pose) {
+    struct Child {
+        std::int32_t record = 0;
+        std::uint32_t parent = kNone;
+        bool isNegative = false;
+    };
+    std::vector<CellBspNode> nodes;
+    std::vector<Child> open;
+    if (!tree.nodes.empty() && tree.nodes[0].tag != dat::BspTag::Leaf)
+        open.push_back({});
+    while (!open.empty() && nodes.size() < tree.nodes.size()) {
+        const Child child = open.back();
+        open.pop_back();
+        if (child.record < 0 || static_cast<std::size_t>(child.record) >= tree.nodes.size())
+            continue;
+        const dat::BspNode& record = tree.nodes[static_cast<std::size_t>(child.record)];
+        const bool isLeaf = record.tag == dat::BspTag::Leaf;
+        if (isLeaf && !child.isNegative)
+            continue; // in front of all planes: inside, as where there is no child
+        const std::optional<Plane> plane = isLeaf ? Plane{} : planeIn(record, pose); // {}: all is before it
+        if (!plane)
             return {};
-        CellBspNode node;
-        node.plane.n = pose.orientation * (n / length);
-        node.plane.d = d / length - glm::dot(node.plane.n, pose.origin);
-        if (!chain.empty())
-            chain.back().positive = static_cast<std::uint32_t>(chain.size());
-        chain.push_back(node);
-        if (tree.nodes[at].positive < 0)
-            break;
-        at = static_cast<std::size_t>(tree.nodes[at].positive);
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        if (child.parent != kNone)
+            (child.isNegative ? nodes[child.parent].negative : nodes[child.parent].positive) = index;
+        nodes.push_back({*plane, kNone, kNone});
+        if (isLeaf)
+            continue;
+        open.push_back({record.negative, index, true});
+        open.push_back({record.positive, index, false});
     }
-    return chain;
+    return nodes;
 }
 
 /// Which polygon each portal of the cell means.
@@ -146,7 +169,7 @@ void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& 
         }
     }
     cell.shell = builder.finish();
-    cell.bsp = chainOf(draft.shape->cellBsp, poseOf(draft.record.position));
+    cell.bsp = treeOf(draft.shape->cellBsp, poseOf(draft.record.position));
     if (!draft.shape->cellBsp.nodes.empty() && cell.bsp.empty() &&
         draft.shape->cellBsp.nodes[0].tag != dat::BspTag::Leaf)
         note(block.findings, cell.id, "its cell tree has a plane without direction");

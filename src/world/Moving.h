@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dat/Ids.h"
 #include "geometry/Bounds.h"
 #include "world/Cycle.h"
 #include "world/Index.h"
@@ -22,6 +23,7 @@ struct MovingBody {
 
 /// One leaf of a door, or a pane: it turns about the vertical through its hinge.
 struct Leaf {
+    dat::RecordId model = 0; ///< a GfxObj or Setup
     MovingBody body;
     Vec3 hinge{0.0};    ///< global
     double yaw = 0.0;   ///< when closed

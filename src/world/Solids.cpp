@@ -3,6 +3,7 @@
 #include "world/BlockBuilder.h"
 #include "world/CellBuilder.h"
 #include "world/Loader.h"
+#include "world/Membership.h"
 #include "world/Nearby.h"
 #include "world/PolygonSource.h"
 
@@ -55,17 +56,16 @@ public:
         }
     }
 
-    /// What shuts an opening: both sides meet it.
+    /// What shuts an opening, which both sides meet, and the leaves.
     void addDoors() {
-        for (const Door& door : world_.doors) {
+        const Membership membership(world_);
+        for (std::uint32_t d = 0; d < world_.doors.size(); ++d) {
+            const Door& door = world_.doors[d];
             const Portal& portal = world_.portals[door.portal];
-            if (portal.destination == kNone || portal.vertexCount < 3)
-                continue;
-            offset_ = Vec3(0.0) - out_.origin;
-            const SpaceIndex sides[] = {portal.space, portal.destination};
-            add(Kind::Filling, sides, [&] { addFan(polygonOf(world_, portal), Placement()); });
-            if (!out_.solids.empty() && out_.solids.back().kind == Kind::Filling)
-                out_.solids.back().portal = door.portal;
+            if (portal.destination != kNone && portal.vertexCount >= 3)
+                addFilling(d, portal);
+            for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l)
+                addLeaf(d, l, membership);
         }
     }
 
@@ -79,8 +79,37 @@ private:
         if (count == 0)
             return;
         out_.solids.push_back({kind, first, count, static_cast<std::uint32_t>(out_.members.size()),
-                               static_cast<std::uint32_t>(members.size()), kNone});
+                               static_cast<std::uint32_t>(members.size()), kNone, kNone});
         out_.members.insert(out_.members.end(), members.begin(), members.end());
+    }
+
+    void addFilling(std::uint32_t door, const Portal& portal) {
+        const SpaceIndex sides[] = {portal.space, portal.destination};
+        const std::size_t before = out_.solids.size();
+        offset_ = -out_.origin;
+        add(Kind::Filling, sides, [&] { addFan(polygonOf(world_, portal), Placement()); });
+        for (std::size_t i = before; i < out_.solids.size(); ++i)
+            out_.solids[i].door = door;
+    }
+
+    /// It is met in the spaces that it may reach, however far it is open.
+    void addLeaf(std::uint32_t door, std::uint32_t index, const Membership& membership) {
+        const Portal& portal = world_.portals[world_.doors[door].portal];
+        const Leaf& leaf = world_.leaves[index];
+        std::vector<SpaceIndex> members{portal.space};
+        if (portal.destination != kNone && portal.destination != portal.space)
+            members.push_back(portal.destination);
+        const Vec3 centre = leaf.body.bounds.centre;
+        const Vec3 axis(0.0, 0.0, centre.z);
+        membership.extend({leaf.hinge + axis, leaf.body.bounds.radius + glm::length(centre - axis)}, {},
+                          members);
+        const std::size_t before = out_.solids.size();
+        offset_ = Vec3(0.0);
+        add(Kind::Filling, members, [&] { addModel(leaf.model, Placement()); });
+        for (std::size_t i = before; i < out_.solids.size(); ++i) {
+            out_.solids[i].door = door;
+            out_.solids[i].leaf = index;
+        }
     }
 
     void addFan(std::span<const Vec3> points, const Placement& placement) {

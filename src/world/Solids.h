@@ -6,19 +6,21 @@
 
 namespace limen::world {
 
-/// One thing that bodies bump into: a cell's walls, a block's ground, a building's exterior, an object, or what shuts a door.
+/// One thing that bodies bump into: a cell's walls, a block's ground, a building's exterior, an object, what shuts a door, or a leaf.
 struct Solid {
     Kind kind = Kind::Static;
     std::uint32_t firstTriangle = 0, triangleCount = 0; ///< Solids::corners, three each
     std::uint32_t firstMember = 0, memberCount = 0;     ///< Solids::members: the spaces it is met in
-    PortalIndex portal = kNone;                         ///< of a filling: it is there while this is shut
+    std::uint32_t door = kNone; ///< World::doors, of a filling: it is there while this is shut
+    std::uint32_t leaf =
+        kNone; ///< World::leaves: corners are in the leaf's own frame, and it is there always
 };
 
 /// What stands around a place for bodies, by the records' physics shapes (formats/geometry.md): polygons of cells and models,
 /// cylinders and spheres of setups as prisms and polyhedra around them. Either side is met. Plain data beside a World.
 struct Solids {
-    Vec3 origin{0.0}; ///< global; corners are relative to it, metres
-    std::vector<Vec3> corners;
+    Vec3 origin{0.0};          ///< global; corners are relative to it, metres
+    std::vector<Vec3> corners; ///< those of leaves apart
     std::vector<SpaceIndex> members;
     std::vector<Solid> solids;
     int radius = 0; ///< blocks each way around `centre` that it holds

@@ -56,11 +56,12 @@ struct Space {
                   bspNodeCount = 0; ///< cell BSP in World::cellBspNodes; none: contains nothing
 };
 
-/// A node of a cell BSP in global coordinates: a point with signedDistance < -0.2 mm is outside the cell;
-/// else the walk goes on in `positive` (kNone: inside). formats/cells.md, "Point in cell".
+/// A node of a cell BSP in global coordinates: for a point with signedDistance < -0.2 mm the walk goes on in `negative` (kNone: it is outside the
+/// cell), else in `positive` (kNone: inside). Children follow their parent. formats/cells.md, "Point in cell".
 struct CellBspNode {
     Plane plane;
     std::uint32_t positive = kNone; ///< index relative to the space's firstBspNode
+    std::uint32_t negative = kNone; ///< likewise; of cells that are not convex
 };
 
 /// An opening that leads out of `space`. The outside's portals are its buildings' portals, with the polygon of the

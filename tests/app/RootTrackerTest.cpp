@@ -75,6 +75,16 @@ TEST(RootTracker, keepsTheSpaceWhileNothingIsWrong) {
         EXPECT_EQ(tracker.move(world, {2, 2, 1}, {1, 3, 2}, 1.0), 1u);
 }
 
+TEST(RootTracker, keepsARoomThatIsNotConvex) {
+    world::World world = houseWorld();
+    world.spaces[1].bspNodeCount = 2;
+    world.cellBspNodes = {{{{-1, 0, 0}, 2.0}, world::kNone, 1},
+                          {{{0, -1, 0}, 2.0}, world::kNone, world::kNone}};
+    RootTracker tracker(1);
+    EXPECT_EQ(tracker.move(world, {1, 3, 1}, {3, 1, 1}, 1.0), 1u);
+    EXPECT_EQ(tracker.move(world, {3, 1, 1}, {3.5, 1, 1}, 1.0), 1u);
+}
+
 TEST(RootTracker, trustsTheSweepWhereACellHasNoTree) {
     world::World world = houseWorld();
     world.spaces[1].bspNodeCount = 0;

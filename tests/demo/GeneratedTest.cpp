@@ -1,8 +1,10 @@
 // What holds for generated worlds of every kind, size and seed.
 #include "demo/GeneratedWorlds.h"
+#include "motion/Locate.h"
 
 #include <fmt/format.h>
 #include <fstream>
+#include <random>
 
 namespace limen::demo::test {
 namespace {
@@ -51,15 +53,20 @@ std::size_t cellsOf(const world::World& world) {
     return world.spaces.size() - 1;
 }
 
-bool holds(const world::World& world, const world::Space& space, const Vec3& point) {
-    std::uint32_t node = space.bspNodeCount > 0 ? 0 : world::kNone;
-    bool inside = node != world::kNone;
-    while (inside && node != world::kNone) {
-        const world::CellBspNode& n = world.cellBspNodes[space.firstBspNode + node];
-        inside = n.plane.signedDistance(point) >= -0.0002;
-        node = n.positive;
+/// Points around a block's cells that a tree says its cell holds lie where the cell is.
+void expectTreesHoldNothingFarOff(const world::World& world, std::uint32_t seed) {
+    constexpr double kSlack = 0.02; // metres
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<> dice(-30.0, 30.0);
+    for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s) {
+        const Aabb& bounds = world.spaces[s].bounds;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 at = bounds.centre() + Vec3(dice(random), dice(random), dice(random));
+            const bool isNear = glm::all(glm::greaterThan(at, bounds.min - kSlack)) &&
+                                glm::all(glm::lessThan(at, bounds.max + kSlack));
+            EXPECT_TRUE(isNear || !motion::cellContains(world, s, at)) << s;
+        }
     }
-    return inside;
 }
 
 void expectPlacesInTheirCells(const GeneratedWorld& generated, const world::World& world,
@@ -70,7 +77,7 @@ void expectPlacesInTheirCells(const GeneratedWorld& generated, const world::Worl
         }
         const world::SpaceIndex space = world::findCell(world, place.cell);
         ASSERT_NE(space, world::kNone) << place.name;
-        EXPECT_TRUE(holds(world, world.spaces[space], place.eye)) << place.name;
+        EXPECT_TRUE(motion::cellContains(world, space, place.eye)) << place.name;
     }
 }
 
@@ -84,6 +91,7 @@ TEST_P(EveryGeneratedWorld, loadsWithoutFindingsAndHangsTogether) {
         EXPECT_EQ(limen::test::findingsOf(world), "");
         expectPaired(world);
         expectPlacesInTheirCells(generated, world, block);
+        expectTreesHoldNothingFarOff(world, GetParam().seed);
         cells += cellsOf(world);
         const bool dungeon = world.spaces[world::kOutside].portalCount == 0;
         if (cellsOf(world) > 0) {

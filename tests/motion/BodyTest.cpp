@@ -76,13 +76,32 @@ TEST(Body, goesThroughOpenDoorsAndKnowsWhereItIs) {
     EXPECT_EQ(walker.body.standing.space, kOutside) << "and out again";
 }
 
+TEST(Body, isStoppedByTheWallAroundTheSmallerOfTwoOpeningsThatAreNotAlike) {
+    TestWorld source;
+    const auto west = source.addBox({10, 10, 2}, {14, 14, 5}), east = source.addBox({14, 10, 2}, {18, 14, 5});
+    TestWorld::LinkOptions options;
+    options.exact = false;
+    options.polygonInB = test::rectangle({14, 11, 2}, {14, 12, 4});
+    source.link(west, test::rectangle({14, 10.2, 2}, {14, 13.5, 4.8}), east, options);
+    Walker walker(source);
+    for (const double y : {10.6, 12.9}) {
+        walker.put({12, y, 2.01}, walker.space(west));
+        walker.go(kEast, 2.0);
+        EXPECT_NEAR(walker.feet().x, 14.0 - 0.3, kNear) << y;
+        EXPECT_EQ(walker.body.standing.space, walker.space(west));
+    }
+    walker.put({12, 11.5, 2.01}, walker.space(west));
+    walker.go(kEast, 2.0);
+    EXPECT_EQ(walker.body.standing.space, walker.space(east));
+}
+
 TEST(Body, isStoppedByShutDoors) {
     Hut hut;
     world::MovingEntries moving;
     moving.doors.push_back({"front", hut.source.id(hut.front), hut.door.index, true, 0.0, {}});
     Walker walker(hut.source, moving);
     for (const bool shut : {true, false}) {
-        walker.closed.assign(walker.world().portals.size(), shut ? 1 : 0);
+        walker.doors.assign(1, shut ? 0.0 : 1.0);
         walker.put({7, 11.5, 2.01}, kOutside);
         walker.go(kEast, 2.0);
         EXPECT_EQ(walker.body.standing.space, shut ? kOutside : walker.space(hut.front));
@@ -173,7 +192,7 @@ TEST(Body, jumpsAndLands) {
     jump.jump = true;
     double highest = 0.0;
     for (int i = 0; i < 60; ++i) {
-        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.closed);
+        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.doors);
         jump.jump = false;
         highest = std::max(highest, walker.feet().z);
     }
@@ -193,7 +212,7 @@ TEST(Body, bumpsItsHead) {
     jump.jump = true;
     double highest = 0.0;
     for (int i = 0; i < 60; ++i) {
-        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.closed);
+        walker.body = moved(walker.body, jump, 0.02, walker.collisions(), walker.doors);
         jump.jump = false;
         highest = std::max(highest, walker.feet().z);
     }
@@ -256,7 +275,7 @@ TEST(Body, neverLeavesTheWorld) {
             const bool isThere = space == kOutside ? locate(walker.world(), middle).space == kOutside
                                                    : cellContains(walker.world(), space, middle);
             ASSERT_TRUE(isThere) << life << " " << i;
-            ASSERT_LT(glm::length(walker.collisions().wayOut({}, walker.body.standing, walker.closed)), 0.01);
+            ASSERT_LT(glm::length(walker.collisions().wayOut({}, walker.body.standing, walker.doors)), 0.01);
         }
     }
 }

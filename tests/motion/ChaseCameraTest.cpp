@@ -35,9 +35,9 @@ struct Chase {
     }
     void frame(double yaw, double pitch = 0.0, double walks = 0.0) {
         const BodyInput input{.forward = walks, .yaw = yaw};
-        walker.body = moved(walker.body, input, kFrame, walker.collisions(), walker.closed);
+        walker.body = moved(walker.body, input, kFrame, walker.collisions(), walker.doors);
         camera =
-            chased(camera, walker.body, direction(yaw, pitch), kFrame, walker.collisions(), walker.closed);
+            chased(camera, walker.body, direction(yaw, pitch), kFrame, walker.collisions(), walker.doors);
     }
     void go(double yaw, double seconds, double pitch = 0.0, double walks = 0.0) {
         for (double t = 0.0; t < seconds; t += kFrame)
@@ -49,7 +49,7 @@ struct Chase {
     [[nodiscard]] bool isInNothing() const {
         const Capsule ball{kRadius, 2.0 * kRadius};
         const Standing at{camera.eye.position - Vec3(0.0, 0.0, kRadius), camera.eye.space};
-        return glm::length(walker.collisions().wayOut(ball, at, walker.closed)) < 0.002;
+        return glm::length(walker.collisions().wayOut(ball, at, walker.doors)) < 0.002;
     }
     [[nodiscard]] bool isWhereItSays() const {
         return camera.eye.space == locate(walker.world(), camera.eye.position).space;
@@ -169,7 +169,7 @@ TEST(ChaseCamera, staysOnTheBodysSideOfAShutDoor) {
     Chase chase(hut, moving);
     for (const bool shut : {true, false}) {
         SCOPED_TRACE(shut);
-        chase.walker.closed.assign(chase.walker.world().portals.size(), shut ? 1 : 0);
+        chase.walker.doors.assign(1, shut ? 0.0 : 1.0);
         chase.put({10.6, 11.5, 2.01}, chase.walker.space(hut.front));
         chase.go(kEast, 3.0);
         EXPECT_EQ(chase.camera.eye.space, shut ? chase.walker.space(hut.front) : kOutside);

@@ -7,6 +7,7 @@ namespace {
 
 using test::rectangle;
 using test::TestWorld;
+using world::kNone;
 using world::kOutside;
 using world::World;
 
@@ -65,6 +66,60 @@ TEST(CellContains, reachesATenthOfAMillimetreBeyondItsWalls) {
     EXPECT_TRUE(cellContains(hut.world, 1, hut.at(10, 10, 2)));
     EXPECT_TRUE(cellContains(hut.world, 1, hut.at(9.9999, 12, 3)));
     EXPECT_FALSE(cellContains(hut.world, 1, hut.at(9.9995, 12, 3)));
+}
+
+/// An L: the box 0..4 each way but for the quarter x > 2, y > 2. Seen from within: in front of the plane x = 2 all is kept; behind it,
+/// what is south of y = 2.
+world::World ell() {
+    world::World world;
+    world.spaces.resize(2);
+    world.spaces[1].bspNodeCount = 4;
+    world.cellBspNodes = {{{{0, 0, 1}, 0.0}, 1, kNone}, // above the floor
+                          {{{-1, 0, 0}, 4.0}, 2, kNone},
+                          {{{-1, 0, 0}, 2.0}, kNone, 3}, // x < 2: inside
+                          {{{0, -1, 0}, 2.0}, kNone, kNone}};
+    return world;
+}
+
+TEST(CellContains, goesOnBehindAPlaneOfACellThatIsNotConvex) {
+    const world::World world = ell();
+    EXPECT_TRUE(cellContains(world, 1, {1, 3, 1}));
+    EXPECT_TRUE(cellContains(world, 1, {3, 1, 1})) << "behind a plane, and inside";
+    EXPECT_FALSE(cellContains(world, 1, {3, 3, 1}));
+    EXPECT_FALSE(cellContains(world, 1, {5, 1, 1}));
+    EXPECT_FALSE(cellContains(world, 1, {1, 1, -1}));
+}
+
+TEST(CellContains, triesBothSidesOfAPlaneThatThePointLiesIn) {
+    world::World world = ell();
+    std::swap(world.cellBspNodes[2], world.cellBspNodes[3]); // now the first ends where the second goes on
+    world.cellBspNodes[2] = {{{-1, 0, 0}, 2.0}, 4, 3};
+    world.cellBspNodes[3] = {{{0, -1, 0}, 2.0}, kNone, kNone};
+    world.cellBspNodes.push_back({{{0, 1, 0}, -3.0}, kNone, kNone}); // x < 2 only north of y = 3
+    world.spaces[1].bspNodeCount = 5;
+    EXPECT_TRUE(cellContains(world, 1, {2.0, 1.0, 1.0}));
+    EXPECT_TRUE(cellContains(world, 1, {2.0, 3.5, 1.0}));
+    EXPECT_FALSE(cellContains(world, 1, {2.0, 2.5, 1.0}));
+}
+
+TEST(CellContains, readsNegativeChildrenOfRecords) {
+    Hut hut;
+    dat::BspNode x, y, leaf;
+    x.tag = dat::BspTag::BPIN;
+    x.plane = {Vec3f(-1, 0, 0), 16.0f};
+    x.positive = 1;
+    x.negative = 2;
+    y.tag = dat::BspTag::BPIn;
+    y.plane = {Vec3f(0, -1, 0), 12.0f};
+    y.positive = 3;
+    TestWorld::CellOptions options;
+    options.tree = dat::BspTree{{x, leaf, y, leaf}};
+    const TestWorld::Cell odd = hut.source.addBox({14, 20, 2}, {18, 24, 5}, "grey", options);
+    const world::World world = test::loadTestWorld(hut.source);
+    const world::SpaceIndex space = world::findCell(world, hut.source.id(odd));
+    EXPECT_TRUE(cellContains(world, space, hut.at(15, 22, 3)));
+    EXPECT_TRUE(cellContains(world, space, hut.at(17, 11, 3)));
+    EXPECT_FALSE(cellContains(world, space, hut.at(17, 22, 3)));
 }
 
 TEST(Sweep, followsPortalsBothWays) {

@@ -1,13 +1,12 @@
-// Bodies in the built-in world: one walks its tour, through rooms, up and down stairs, into a cellar, an inn, a tower, a cave and a
-// dungeon, and over the land between them; others wander from its places at random. LIMEN_TEST_BODIES: how many from each (1).
+// A body walks the built-in world's tour, through rooms, up and down stairs, into a cellar, an inn, a tower, a cave and a dungeon, and
+// over the land between them.
 #include "demo/Demo.h"
 #include "motion/Body.h"
 #include "motion/Locate.h"
 #include "support/LoadTestWorld.h"
 #include "world/Places.h"
 
-#include <cstdlib>
-#include <random>
+#include <cmath>
 
 namespace limen::motion {
 namespace {
@@ -50,27 +49,6 @@ public:
         if (body.standing.space == world::kOutside)
             return locate(here_->world, middle).space == world::kOutside;
         return space.bspNodeCount == 0 || cellContains(here_->world, body.standing.space, middle);
-    }
-
-    void go(const BodyInput& input, double seconds) {
-        body = moved(body, input, seconds, here_->collisions, {});
-    }
-    /// Metres that it is deep in things.
-    [[nodiscard]] double depth() const {
-        return glm::length(here_->collisions.wayOut(shape_.capsule, body.standing, {}));
-    }
-    /// Metres that its feet are under the land it is out on; round feet touch slopes beside their lowest point.
-    [[nodiscard]] double underGround() const {
-        const Vec3& feet = body.standing.feet;
-        return body.standing.space == world::kOutside
-                   ? world::terrainHeight(here_->world, feet.x, feet.y) - feet.z
-                   : 0.0;
-    }
-    /// Where it may fall off the land that is loaded.
-    [[nodiscard]] bool isNearTheEdge() const {
-        const Vec3 local =
-            body.standing.feet - Vec3(here_->centre.x, here_->centre.y, 0.0) * world::kBlockSize;
-        return std::min(local.x, local.y) < -150.0 || std::max(local.x, local.y) > world::kBlockSize + 150.0;
     }
 
     BodyState body;
@@ -137,35 +115,6 @@ TEST(WalkTour, reachesEveryWayPointThatIsNotFlownTo) {
             << "way point " << i << ": " << point.eye.x << " " << point.eye.y << " " << point.eye.z;
         ASSERT_TRUE(wanderer.isWhereItSays()) << "way point " << i;
         ASSERT_EQ(wanderer.body.recoveries, 0u);
-    }
-}
-
-TEST(RandomBodies, stayInTheWorld) {
-    const BuiltIn builtIn;
-    Wanderer wanderer(*builtIn.archive);
-    const char* asked = std::getenv("LIMEN_TEST_BODIES");
-    const int lives = asked != nullptr ? std::atoi(asked) : 1;
-    std::mt19937 random(1);
-    const auto dice = [&] { return std::uniform_real_distribution<>(0.0, 1.0)(random); };
-    for (const world::Place& place : builtIn.file->places) {
-        for (int life = 0; life < lives; ++life) {
-            wanderer.put(place);
-            BodyInput input{.forward = 1.0, .yaw = place.yaw};
-            for (int step = 0; step < 60 && !wanderer.isNearTheEdge(); ++step) {
-                input.yaw = dice() < 0.4 ? 360.0 * dice() : input.yaw;
-                input.run = dice() < 0.5;
-                input.jump = dice() < 0.15;
-                for (int frame = 0; frame < 15; ++frame) {
-                    wanderer.go(input, 1.0 / 30.0);
-                    input.jump = false;
-                }
-                SCOPED_TRACE(::testing::Message() << place.name << ", body " << life << ", step " << step);
-                ASSERT_EQ(wanderer.body.recoveries, 0u) << "it fell out of the world";
-                ASSERT_TRUE(wanderer.isWhereItSays());
-                ASSERT_LT(wanderer.depth(), 0.02) << "it is in a wall";
-                ASSERT_FALSE(wanderer.underGround() > 0.35);
-            }
-        }
     }
 }
 

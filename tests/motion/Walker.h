@@ -19,7 +19,6 @@ public:
         Result<world::Solids> solids = world::loadSolids(*archive, world_, source.home(), 1);
         EXPECT_TRUE(solids) << "no solids";
         collisions_.emplace(world_, std::move(*solids));
-        closed.assign(world_.portals.size(), 0);
     }
 
     [[nodiscard]] const world::World& world() const { return world_; }
@@ -36,19 +35,19 @@ public:
     void go(double yaw, double seconds, bool run = false, bool jump = false) {
         motion::BodyInput input{.forward = 1.0, .right = 0.0, .yaw = yaw, .run = run, .jump = jump};
         for (double t = 0.0; t < seconds; t += 0.03) {
-            body = motion::moved(body, input, 0.03, *collisions_, closed);
+            body = motion::moved(body, input, 0.03, *collisions_, doors);
             input.jump = false;
         }
     }
     void stand(double seconds) {
         for (double t = 0.0; t < seconds; t += 0.03)
-            body = motion::moved(body, {}, 0.03, *collisions_, closed);
+            body = motion::moved(body, {}, 0.03, *collisions_, doors);
     }
     /// Where its feet are, block-local.
     [[nodiscard]] Vec3 feet() const { return body.standing.feet - at(0, 0, 0); }
 
     motion::BodyState body;
-    std::vector<std::uint8_t> closed; ///< by portal
+    std::vector<double> doors; ///< how far each is open; those beyond its end stand as they rest
 
 private:
     TestWorld& source_;

@@ -63,6 +63,7 @@ TestWorld::Cell TestWorld::addCell(Walls walls, const CellOptions& options) {
     cell.record.position = options.frame;
     cell.walls = std::move(walls);
     cell.bsp = options.bsp;
+    cell.tree = options.tree;
     cells_.push_back(std::move(cell));
     return cells_.size() - 1;
 }
@@ -245,7 +246,7 @@ dat::CellStruct TestWorld::cellStruct(CellData& cell) {
     shape.vertexArray = std::move(mesh.vertices);
     shape.physicsPolygons.assign(mesh.polygons.begin() + std::ssize(cell.portals), mesh.polygons.end());
     shape.polygons = std::move(mesh.polygons);
-    shape.cellBsp = cell.bsp ? chainTree(planes) : leafTree();
+    shape.cellBsp = cell.tree ? *cell.tree : cell.bsp ? chainTree(planes) : leafTree();
     shape.physicsBsp = leafTree();
     return shape;
 }

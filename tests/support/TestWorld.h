@@ -31,6 +31,7 @@ public:
         dat::Frame frame; ///< where the record places the cell; its vertices are stored relative to it
         bool seenOutside = false;
         bool bsp = true; ///< write the cell BSP, one plane a wall: right for convex cells only
+        std::optional<dat::BspTree> tree; ///< that instead
     };
     struct LinkOptions {
         bool exact = true;            ///< flag bit 0, on both sides
@@ -132,6 +133,7 @@ private:
         Walls walls;
         std::vector<std::vector<Vec3>> portals;
         bool bsp = true;
+        std::optional<dat::BspTree> tree;
     };
     Portal addPortal(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options,
                      std::uint16_t otherCell);

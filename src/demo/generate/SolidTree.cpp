@@ -26,6 +26,14 @@ bool inPlane(const Piece& piece, const Plane& plane) {
                        [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) <= kInPlane; });
 }
 
+/// Faces of a convex solid bend by what corners are off: such slivers bound nothing, and a tree that went on behind them would hold what
+/// is far outside.
+bool isDeepBehind(const Polygon& piece, const Plane& plane) {
+    constexpr double kSliver = 0.005;
+    return std::any_of(piece.begin(), piece.end(),
+                       [&](const Vec3& p) { return plane.signedDistance(p) < -kSliver; });
+}
+
 Parting part(const std::vector<Piece>& pieces, const Plane& plane) {
     Parting out;
     for (const Piece& piece : pieces) {
@@ -39,7 +47,7 @@ Parting part(const std::vector<Piece>& pieces, const Plane& plane) {
         if (!halves.front.empty()) {
             out.front.push_back({std::move(halves.front), piece.plane});
         }
-        if (!halves.back.empty()) {
+        if (isDeepBehind(halves.back, plane)) {
             out.back.push_back({std::move(halves.back), piece.plane});
         }
     }
