@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
@@ -17,6 +18,11 @@ namespace {
 
 void line(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
+}
+
+/// A length for letters of 13 units, for those that there are.
+float scaled(float length) {
+    return length * ImGui::GetFontSize() / 13.0f;
 }
 
 ImVec2 screenPoint(const Vec2& ndc) {
@@ -56,55 +62,69 @@ void drawPyramids(const FrozenFlood& flood, const FrameEye& eye) {
     }
 }
 
-/// Says at the foot of the window what the key does to the door in reach.
-void drawDoor(const PanelFacts& facts) {
-    if (facts.door == nullptr)
-        return;
+constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
+                                   ImGuiWindowFlags_NoFocusOnAppearing;
+
+/// A line over the picture, in the middle of its width, at a share of its height.
+void drawBanner(const char* name, const std::string& text, float height, float pivot) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x * 0.5f, size.y - 24.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+    ImGui::SetNextWindowPos({size.x * 0.5f, size.y * height}, ImGuiCond_Always, {0.5f, pivot});
     ImGui::SetNextWindowBgAlpha(0.6f);
-    ImGui::Begin("Door", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
-    line(facts.doorOpens ? "E   shut the door" : "E   open the door");
+    ImGui::Begin(name, nullptr, kBare);
+    line(text);
     ImGui::End();
 }
 
-void drawHelp() {
+/// Says near the foot of the window what the key does to the door in reach.
+void drawDoor(const PanelFacts& facts) {
+    if (facts.door != nullptr)
+        drawBanner("Door",
+                   fmt::format("{}   {} the door", keysText(facts.bindings, Action::Use),
+                               facts.doorOpens ? "shut" : "open"),
+                   0.96f, 1.0f);
+}
+
+/// The button that changes an action's keys, and the one that adds one.
+void drawKeyButtons(const PanelFacts& facts, const HelpLine& help, PanelChoice& choice) {
+    const Action action = *help.action;
+    ImGui::PushID(static_cast<int>(action));
+    const bool waits = facts.rebinding && facts.rebinding->action == action;
+    const std::string label = (waits ? "press a key" : help.keys) + "###keys";
+    if (ImGui::SmallButton(label.c_str()))
+        choice.rebinding = Rebinding{action, false};
+    ImGui::SameLine();
+    if (ImGui::SmallButton("+"))
+        choice.rebinding = Rebinding{action, true};
+    ImGui::PopID();
+}
+
+/// What keys do; a click on one changes it.
+void drawHelp(const PanelFacts& facts, PanelChoice& choice) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f},
+                                        {size.x * 0.98f, size.y * 0.98f}); // the rest is scrolled
     ImGui::Begin("Keys", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoCollapse);
-    for (const char* text :
-         {"W A S D, arrows   walk, or fly",
-          "shift             run",
-          "space             jump; flying: up",
-          "Q or control      flying: down",
-          "G                 walk or fly",
-          "C                 the eye behind the body, or in its head",
-          "wheel             nearer to the body, farther",
-          "drag the mouse    look around",
-          "click             tell what is there",
-          "1 .. 9            go to a place",
-          "E                 open or shut a door",
-          "O                 open or shut all doors",
-          "R                 rain",
-          "T                 an hour later",
-          "F1                this help",
-          "F2                ids as colours",
-          "F3                regions of the visits",
-          "F4                the panel",
-          "F5                check this view against traced rays",
-          "F6                tell what changes on standard output",
-          "F7                keep the visits of this view, to look at them from elsewhere",
-          "F11               full screen",
-          "Esc               leave",
-          "",
-          "gamepad           left stick walks (all the way: runs), right looks, A jumps, X uses a door,",
-          "                  Y the eye behind the body, B walk or fly, start this help, back the panel"})
-        ImGui::TextUnformatted(text);
+    line("A click on a key changes it: press the new one, or Escape. + adds one.");
+    if (ImGui::SmallButton("all as at first"))
+        choice.keysAsAtFirst = true;
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const HelpLine& help : helpLines(facts.bindings)) {
+            ImGui::TableNextColumn();
+            if (help.action)
+                drawKeyButtons(facts, help, choice);
+            else
+                line(help.keys);
+            ImGui::TableNextColumn();
+            line(help.does);
+        }
+        ImGui::EndTable();
+    }
+    line("gamepad: left stick walks (all the way: runs), right looks, A jumps, X uses a door,\n"
+         "Y the eye behind the body, B walk or fly, start this help, back the panel");
     ImGui::End();
 }
 
@@ -282,12 +302,15 @@ int drawPlaces(std::span<const world::Place> places) {
 }
 
 PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
-    ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({scaled(8.0f), scaled(8.0f)}, ImGuiCond_FirstUseEver);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSizeConstraints({330.0f, 0.0f},
-                                        {room.x - 16.0f, room.y - 16.0f}); // the rest is scrolled
+    const ImVec2 most{std::max(room.x - scaled(16.0f), 1.0f), std::max(room.y - scaled(16.0f), 1.0f)};
+    ImGui::SetNextWindowSizeConstraints({std::min(scaled(330.0f), most.x), 0.0f},
+                                        most); // the rest is scrolled
     ImGui::SetNextWindowBgAlpha(0.75f);
-    ImGui::Begin("Limen (F1 for help)", nullptr,
+    const std::string title =
+        fmt::format("Limen ({} for help)###panel", keysText(facts.bindings, Action::Help));
+    ImGui::Begin(title.c_str(), nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     drawControls(choice);
     drawFigures(facts);
@@ -337,13 +360,14 @@ struct Panel::OverTexture {
     }
 };
 
-Panel::Panel(const Window& window) : over_(std::make_unique<OverTexture>()) {
+Panel::Panel(const Window& window) : over_(std::make_unique<OverTexture>()), window_(window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // leaves no file behind
     ImGui::StyleColorsDark();
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); // chains to the window's own callbacks
     ImGui_ImplOpenGL3_Init("#version 450 core");
+    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now: else the first frame would, and the font may change before
 }
 
 Panel::~Panel() {
@@ -352,8 +376,27 @@ Panel::~Panel() {
     ImGui::DestroyContext();
 }
 
-bool Panel::takesMouse() const {
-    return ImGui::GetIO().WantCaptureMouse;
+Taken Panel::takes() const {
+    return {ImGui::GetIO().WantCaptureMouse, ImGui::GetIO().WantTextInput};
+}
+
+void Panel::fitScale() {
+    const UiScale wanted = uiScaleOf(window_.sizes());
+    if (wanted == scale_)
+        return;
+    constexpr float kLetters = 13.0f; // pixels, of the font that is built in
+    ImGuiIO& io = ImGui::GetIO();
+    ImFontConfig font;
+    font.SizePixels = std::round(kLetters * static_cast<float>(wanted.pixels));
+    io.Fonts->Clear();
+    io.Fonts->AddFontDefault(&font);
+    io.FontGlobalScale = static_cast<float>(wanted.units / wanted.pixels);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    ImGui::GetStyle() = ImGuiStyle();
+    ImGui::StyleColorsDark();
+    ImGui::GetStyle().ScaleAllSizes(static_cast<float>(wanted.units));
+    scale_ = wanted;
 }
 
 void Panel::drawOver(const Picture& picture, int opacity) {
@@ -366,6 +409,7 @@ void Panel::drawOver(const Picture& picture, int opacity) {
 }
 
 PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches) {
+    fitScale();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -377,12 +421,17 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
         drawRegionOutlines(facts.visible);
     if (facts.frozen != nullptr)
         drawPyramids(*facts.frozen, facts.eye);
-    PanelChoice choice{-1, facts.eye.time, facts.eye.weather, facts.eye.doors};
+    PanelChoice choice;
+    choice.time = facts.eye.time;
+    choice.weather = facts.eye.weather;
+    choice.doors = facts.eye.doors;
     if (switches.panel)
         choice = drawPanel(facts, choice);
     drawDoor(facts);
+    if (!facts.notice.empty())
+        drawBanner("Notice", std::string(facts.notice), 0.04f, 0.0f);
     if (switches.help)
-        drawHelp();
+        drawHelp(facts, choice);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return choice;

@@ -30,6 +30,13 @@ struct FrameWindows {
     void add(double now, double frameMs, const FrameFigures& figures);
 };
 
+/// A key is to be bound: alone, or besides those that do the same.
+struct Rebinding {
+    Action action = Action::Forward;
+    bool adds = false;
+    friend bool operator==(const Rebinding&, const Rebinding&) = default;
+};
+
 /// What the panel tells of a frame.
 struct PanelFacts {
     const world::World& world;
@@ -46,6 +53,9 @@ struct PanelFacts {
     const FrozenFlood* frozen;     ///< to be shown in the picture; null: none
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
+    const KeyBindings& bindings;
+    const std::optional<Rebinding>& rebinding; ///< what the next key will do
+    std::string_view notice;                   ///< empty: there is nothing to say
 };
 
 /// What was chosen in the panel: as it was, where nothing was.
@@ -53,28 +63,35 @@ struct PanelChoice {
     int place = -1; ///< that was clicked; -1: none
     double time = 0.5;
     Weather weather = Weather::Clear;
-    std::optional<double> doors; ///< as in FrameEye
+    std::optional<double> doors;        ///< as in FrameEye
+    std::optional<Rebinding> rebinding; ///< the next key is to be that
+    bool keysAsAtFirst = false;
 };
 
 /// The overlay stage of the window: panel, help, places, outlines. Owns the Dear ImGui context and its GL
 /// objects.
 class Panel {
 public:
+    /// The window must outlive it.
     explicit Panel(const Window& window);
     ~Panel();
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;
 
-    /// True while the mouse is over the panel.
-    [[nodiscard]] bool takesMouse() const;
+    /// The mouse while it is over the panel, keys while a number is typed into it.
+    [[nodiscard]] Taken takes() const;
     /// Draws into the bound framebuffer.
     PanelChoice draw(const PanelFacts& facts, const OverlaySwitches& switches);
 
 private:
+    /// Letters and boxes as large as the window's screen wants them.
+    void fitScale();
     /// Over the whole window; `opacity` 0..255.
     void drawOver(const Picture& picture, int opacity);
     struct OverTexture;
     std::unique_ptr<OverTexture> over_;
+    const Window& window_;
+    UiScale scale_;
 };
 
 } // namespace limen::app

@@ -3,6 +3,7 @@
 #include "app/Panel.h"
 #include "app/Play.h"
 #include "app/Probe.h"
+#include "app/Screenshots.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
 #include "app/ViewOfEye.h"
@@ -24,16 +25,38 @@ namespace {
 struct ViewOptions {
     SessionOptions session;
     ViewArguments view;
-    std::string frames, screenshot, record;
-    bool json = false, fly = false, chase = false;
+    std::string frames, step, screenshot, screenshots, record, keys;
+    bool json = false, tell = false, fly = false, chase = false;
+};
+
+/// The options of `shot` that are the session's and change pictures.
+std::string pictureOptions(const SessionOptions& options) {
+    const world::LoadOptions usual;
+    std::string text;
+    if (options.load.radius != usual.radius)
+        text += fmt::format(" --radius {}", options.load.radius);
+    if (options.load.detail != usual.detail)
+        text += fmt::format(" --detail {}", options.load.detail);
+    if (options.samples > 1)
+        text += fmt::format(" --msaa {}", options.samples);
+    return text;
+}
+
+/// Which keys do what, and the file that says so.
+struct Keys {
+    KeyBindings bindings;
+    std::filesystem::path file; ///< empty: there is no place for one
 };
 
 /// The window's frame loop: hands to play, its eye to the frame, the frame to the window.
 class Viewer {
 public:
-    Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start)
+    /// Pictures are kept in `screenshots`.
+    Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start, Keys keys,
+           std::filesystem::path screenshots)
         : window_(window), device_(device), session_(session), panel_(window),
-          play_(session, std::move(start)) {
+          play_(session, std::move(start)), bindings_(std::move(keys.bindings)),
+          keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
         lastSeconds_ = window_.seconds();
         device_.restoreState(); // the panel has set up its own things
     }
@@ -43,12 +66,11 @@ public:
 
     /// One frame; `fixedSeconds` > 0 takes that for the time since the last one.
     [[nodiscard]] Result<void> frame(double fixedSeconds) {
-        window_.poll(panel_.takesMouse());
+        window_.poll(panel_.takes(), bindings_);
         const double now = window_.seconds();
         frameSeconds_ = now - lastSeconds_;
         lastSeconds_ = now;
-        for (const Key key : window_.pressed())
-            press(key);
+        takeKeys();
         if (Result<void> moved = play_.step(takeInput(fixedSeconds > 0.0 ? fixedSeconds : frameSeconds_));
             !moved)
             return moved;
@@ -59,6 +81,10 @@ public:
         if (wantsCheck_) {
             if (Result<void> checked = check(); !checked)
                 return checked;
+        }
+        if (wantsPicture_) {
+            if (Result<void> kept = keepPicture(); !kept)
+                return kept;
         }
         if (verdict_ && !isSameView(eye(), checkedFrom_))
             verdict_.reset();
@@ -75,6 +101,12 @@ public:
         return {};
     }
 
+    /// Nobody sees the window: nothing is drawn and no time passes until something happens to it.
+    void rest() {
+        window_.rest();
+        lastSeconds_ = window_.seconds();
+    }
+
     /// What changed with the last frame in what was decided, if that is to be told.
     [[nodiscard]] const std::string& probed() const { return probed_; }
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
@@ -84,6 +116,17 @@ public:
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
     [[nodiscard]] const Walk& walk() const { return play_.walk(); }
+    /// The name of the door that a key would open or shut; empty: none.
+    [[nodiscard]] std::string doorInReach() const {
+        const std::optional<std::size_t> door = play_.doorInReach();
+        return door ? session_.loaded().world.doors[*door].name : std::string();
+    }
+    /// What is said over the picture just now.
+    [[nodiscard]] std::string noticeText() const {
+        return lastSeconds_ < notice_.until ? notice_.text : std::string();
+    }
+    [[nodiscard]] const std::optional<Rebinding>& rebinding() const { return rebinding_; }
+    [[nodiscard]] const KeyBindings& bindings() const { return bindings_; }
     /// Of the flood that is kept; none is: 0.
     [[nodiscard]] std::size_t frozenVisits() const { return frozen_ ? frozen_->visible.visits.size() : 0; }
     /// Names of doors that stand open, as far as they are loaded.
@@ -98,50 +141,102 @@ public:
     }
 
 private:
-    void press(Key key) {
-        switch (key) {
-        case Key::Help:
+    /// What keys and buttons ask for; while a key is waited for, the next one is that.
+    void takeKeys() {
+        if (rebinding_ && !window_.pressedKeys().empty()) {
+            rebind(window_.pressedKeys().front());
+            return;
+        }
+        for (const Action action : window_.pressed())
+            press(action);
+    }
+
+    void press(Action action) {
+        switch (action) {
+        case Action::Help:
             switches_.help = !switches_.help;
             return;
-        case Key::Ids:
+        case Action::Ids:
             switches_.ids = !switches_.ids;
             return;
-        case Key::Regions:
+        case Action::Regions:
             switches_.regions = !switches_.regions;
             return;
-        case Key::Panel:
+        case Action::Panel:
             switches_.panel = !switches_.panel;
             return;
-        case Key::Check:
+        case Action::Check:
             wantsCheck_ = true;
             return;
-        case Key::Probe:
+        case Action::Probe:
             probe_ = probe_ ? std::nullopt : std::make_optional<Probe>();
             return;
-        case Key::Freeze:
+        case Action::Freeze:
             freeze();
             return;
-        case Key::FullScreen:
+        case Action::Screenshot:
+            wantsPicture_ = true;
+            return;
+        case Action::FullScreen:
             window_.switchFullScreen();
             return;
-        case Key::Walk:
+        case Action::Walk:
             return act({PlayAct::Kind::Walk});
-        case Key::Chase:
+        case Action::Chase:
             return act({PlayAct::Kind::Chase});
-        case Key::Doors:
+        case Action::Doors:
             return act({PlayAct::Kind::Doors});
-        case Key::Use:
+        case Action::Use:
             return act({PlayAct::Kind::Use});
-        case Key::Rain:
+        case Action::Rain:
             return act({PlayAct::Kind::Weather});
-        case Key::Later:
+        case Action::Later:
             return act({PlayAct::Kind::Time, std::fmod(eye().time + 1.0 / 24.0, 1.0)});
-        case Key::Leave:
+        case Action::Leave:
             leaving_ = true;
             return;
         default:
-            act({PlayAct::Kind::Place, static_cast<double>(key) - static_cast<double>(Key::Place1)});
+            if (action >= Action::Place1)
+                act({PlayAct::Kind::Place,
+                     static_cast<double>(action) - static_cast<double>(Action::Place1)});
         }
+    }
+
+    /// The key that was waited for does that from now on, in the file as well. Escape: nothing changes.
+    void rebind(KeyCode key) {
+        const Rebinding wanted = *std::exchange(rebinding_, std::nullopt);
+        if (key == keyNamed("Escape"))
+            return;
+        KeyBindings changed = bindings_;
+        changed.bind(wanted.action, key, wanted.adds);
+        keepBindings(std::move(changed));
+    }
+
+    void keepBindings(KeyBindings bindings) {
+        bindings_ = std::move(bindings);
+        const Result<void> written = writeKeyBindings(keysFile_, bindings_);
+        notice(written ? "keys kept in " + keysFile_.string() : written.error().message());
+    }
+
+    /// The frame without what lies over it, in a file, and what draws it again.
+    Result<void> keepPicture() {
+        wantsPicture_ = false;
+        if (Result<void> drawn = session_.draw(eye(), {}); !drawn)
+            return drawn;
+        const Picture picture =
+            pictureFromRgba(eye().size.width, eye().size.height, session_.target().readColour());
+        const Result<std::filesystem::path> kept =
+            keepScreenshot(screenshots_, picture,
+                           reproduction(session_.loaded().world, eye(), session_.source().datOption) +
+                               pictureOptions(session_.options()));
+        notice(kept ? kept->string() : kept.error().message()); // a full disk is no reason to leave
+        return {};
+    }
+
+    /// Says something over the picture for a while.
+    void notice(std::string text) {
+        constexpr double kShown = 4.0; // seconds
+        notice_ = {std::move(text), lastSeconds_ + kShown};
     }
 
     /// The last frame's flood is kept, to be flown around; once more: no longer.
@@ -154,35 +249,15 @@ private:
 
     /// What hands ask of this frame.
     const PlayInput& takeInput(double seconds) {
-        constexpr double kDegreesPerPixel = 0.15;
-        constexpr double kStep = 0.5; // metres that the wheel moves the eye behind the body
         const HeldInput& held = window_.held();
-        const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
-        if (held.wheel != 0.0 && walk().isChased())
-            act({PlayAct::Kind::Distance, walk().distance() - held.wheel * kStep});
-        input_ = {};
-        input_.seconds = seconds;
-        input_.forward = axis(held.forward, held.back);
-        input_.right = axis(held.right, held.left);
-        input_.up = axis(held.up, held.down);
-        input_.turnRight = held.lookX * kDegreesPerPixel;
-        input_.turnUp = -held.lookY * kDegreesPerPixel;
-        input_.fast = held.fast;
-        if (held.sticks)
-            addSticks(inputOf(*held.sticks, seconds));
-        input_.jump = held.jump;
+        for (const PlayAct& done :
+             wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), Walk::kNearest}))
+            act(done);
+        input_ = inputOf(held, seconds);
         input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
         input_.size = window_.size();
         input_.acts = std::exchange(acts_, {});
         return input_;
-    }
-
-    void addSticks(const StickInput& sticks) {
-        input_.forward = std::clamp(input_.forward + sticks.forward, -1.0, 1.0);
-        input_.right = std::clamp(input_.right + sticks.right, -1.0, 1.0);
-        input_.turnRight += sticks.turnRight;
-        input_.turnUp += sticks.turnUp;
-        input_.fast = input_.fast || sticks.fast;
     }
 
     /// What is there is told in the panel; the same thing again, or the void: nothing is any more.
@@ -242,6 +317,10 @@ private:
             act({PlayAct::Kind::AllDoors, choice.doors.value_or(-1.0)});
         if (choice.place >= 0)
             act({PlayAct::Kind::Place, static_cast<double>(choice.place)});
+        if (choice.rebinding)
+            rebinding_ = choice.rebinding;
+        if (choice.keysAsAtFirst)
+            keepBindings(KeyBindings());
     }
 
     /// The overlay stage, over the frame in the window.
@@ -253,6 +332,7 @@ private:
         if (frames_++ > 0) // the first is no frame: it began when the window opened
             times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
         const std::optional<std::size_t> door = play_.doorInReach();
+        const std::string said = noticeText();
         const PanelFacts facts{.world = session_.loaded().world,
                                .eye = eye(),
                                .visible = session_.visible(),
@@ -266,7 +346,10 @@ private:
                                .verdict = verdict_ ? &*verdict_ : nullptr,
                                .frozen = frozen_ ? &*frozen_ : nullptr,
                                .places = session_.source().file.places,
-                               .ids = ids};
+                               .ids = ids,
+                               .bindings = bindings_,
+                               .rebinding = rebinding_,
+                               .notice = said};
         const PanelChoice choice = panel_.draw(facts, switches_);
         device_.restoreState();
         take(choice);
@@ -279,10 +362,19 @@ private:
     Play play_;
     PlayInput input_;
     std::vector<PlayAct> acts_; ///< of the next frame
+    KeyBindings bindings_;
+    std::filesystem::path keysFile_;
+    std::optional<Rebinding> rebinding_; ///< a key is waited for
+    struct Notice {
+        std::string text;
+        double until = 0.0; ///< as Window::seconds
+    };
+    Notice notice_;
     OverlaySwitches switches_;
     std::optional<Picked> picked_;
     ViewCheck viewCheck_;
-    bool wantsCheck_ = false;
+    bool wantsCheck_ = false, wantsPicture_ = false;
+    std::filesystem::path screenshots_; ///< the directory for pictures
     std::optional<Probe> probe_;
     std::string probed_;
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
@@ -321,13 +413,46 @@ Result<Opening> openingOf(const ViewOptions& options, const world::WorldFile& fi
     return Opening{std::move(*view), std::move(*stand)};
 }
 
-Result<std::size_t> frameLimit(const ViewOptions& options) {
-    if (options.frames.empty())
-        return std::size_t{0};
-    const Result<double> frames = parseNumberBetween("--frames", options.frames, 1.0, 1e9);
-    if (!frames)
-        return tl::unexpected(frames.error());
-    return static_cast<std::size_t>(*frames);
+/// Of the file that was named, or the one in the user's configuration, if that is there.
+Result<Keys> keysOf(const ViewOptions& options) {
+    const bool isNamed = !options.keys.empty();
+    std::filesystem::path file = isNamed ? std::filesystem::path(options.keys) : keysPath();
+    return readKeyBindings(file, isNamed).map([&](KeyBindings bindings) {
+        return Keys{std::move(bindings), std::move(file)};
+    });
+}
+
+/// How the window's frames go on.
+struct Script {
+    std::size_t frames = 0; ///< leaves after so many; 0: when somebody does
+    double step = 0.0;      ///< seconds that each takes; 0: what the clock says
+    Keys keys;
+};
+
+Result<Script> scriptOf(const ViewOptions& options) {
+    constexpr double kStep = 1.0 / 60.0; // with --frames the result must not depend on the machine's speed
+    Script script;
+    if (!options.frames.empty()) {
+        const Result<double> frames = parseNumberBetween("--frames", options.frames, 1.0, 1e9);
+        if (!frames)
+            return tl::unexpected(frames.error());
+        script.frames = static_cast<std::size_t>(*frames);
+        script.step = kStep;
+    }
+    if (!options.step.empty()) {
+        const Result<double> step = parseNumberBetween("--step", options.step, 0.001, 1.0);
+        if (!step)
+            return tl::unexpected(step.error());
+        script.step = *step;
+    }
+    if (!options.screenshot.empty() && script.frames == 0)
+        return fail(ErrorCode::BadArgument, "--screenshot",
+                    "is taken of the last frame; give --frames N as well");
+    Result<Keys> keys = keysOf(options);
+    if (!keys)
+        return tl::unexpected(keys.error());
+    script.keys = std::move(*keys);
+    return script;
 }
 
 nlohmann::ordered_json pickedJson(const std::optional<Picked>& picked) {
@@ -369,23 +494,32 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
         {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
         {"checked", verdictJson(viewer.verdict())},
+        {"size", {eye.size.width, eye.size.height}},
+        {"distance", viewer.walk().distance()},
+        {"door", viewer.doorInReach()},
+        {"notice", viewer.noticeText()},
+        {"rebinding", viewer.rebinding() ? nlohmann::ordered_json(factsOf(viewer.rebinding()->action).name)
+                                         : nlohmann::ordered_json(nullptr)},
+        {"keys", nlohmann::ordered_json::parse(keyBindingsJson(viewer.bindings()))},
         {"gl_calls", session.figures().glCalls}};
-    return json.dump() + "\n";
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; // paths are any bytes
 }
 
 Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const FrameEye& start,
-                  std::size_t limit, const ViewOptions& options, const Console& console) {
-    constexpr double kScriptStep =
-        1.0 / 60.0; // with --frames the result must not depend on the machine's speed
-    Viewer viewer(window, device, session, start);
+                  Script script, const ViewOptions& options, const Console& console) {
+    Viewer viewer(window, device, session, start, std::move(script.keys), options.screenshots);
     if (!options.fly)
         viewer.act({PlayAct::Kind::Walk});
     if (options.chase)
         viewer.act({PlayAct::Kind::Chase});
     std::size_t frames = 0;
     std::string record = beginningLine(check::shotOptions(viewOf(start, session.loaded().world)));
-    while (!viewer.isLeaving() && (limit == 0 || frames < limit)) {
-        if (Result<void> drawn = viewer.frame(limit > 0 ? kScriptStep : 0.0); !drawn)
+    while (!viewer.isLeaving() && (script.frames == 0 || frames < script.frames)) {
+        if (script.frames == 0 && !window.isShown()) {
+            viewer.rest();
+            continue;
+        }
+        if (Result<void> drawn = viewer.frame(script.step); !drawn)
             return tl::unexpected(drawn.error());
         ++frames;
         if (!options.record.empty())
@@ -393,11 +527,15 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
                 frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.moment())});
         if (!viewer.probed().empty())
             console.data(viewer.probed());
-        if (frames == limit && !options.screenshot.empty()) {
+        if (frames == script.frames && !options.screenshot.empty()) {
             if (Result<void> written = writePicture(options.screenshot, window.read()); !written)
                 return tl::unexpected(written.error());
         }
         window.show();
+        if (options.tell) {
+            console.data(stateJson(session, viewer, frames));
+            (void)console.flush();
+        }
     }
     if (!options.record.empty()) {
         if (Result<void> written = writeFile(options.record, record); !written)
@@ -409,16 +547,16 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
 }
 
 Result<Exit> runView(const ViewOptions& options, const Console& console) {
-    const Result<std::size_t> limit = frameLimit(options);
-    if (!limit)
-        return tl::unexpected(limit.error());
-    if (!options.screenshot.empty() && *limit == 0)
-        return fail(ErrorCode::BadArgument, "--screenshot",
-                    "is taken of the last frame; give --frames N as well");
+    Result<Script> script = scriptOf(options);
+    if (!script)
+        return tl::unexpected(script.error());
     for (const std::string& output : {options.screenshot, options.record}) {
         if (Result<void> writable = output.empty() ? Result<void>{} : checkWritable(output); !writable)
             return tl::unexpected(writable.error());
     }
+    if (Result<void> made = options.screenshots.empty() ? Result<void>{} : makeDirectory(options.screenshots);
+        !made)
+        return tl::unexpected(made.error());
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
@@ -440,7 +578,16 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     if (Result<void> applied = applyMoment(session.loaded(), session.source().file, opening->view, *start);
         !applied)
         return tl::unexpected(applied.error());
-    return loop(**window, **device, session, *start, *limit, options, console);
+    return loop(**window, **device, session, *start, std::move(*script), options, console);
+}
+
+/// The keys as they are without a file.
+std::string keysFooter() {
+    std::string text = "What keys do, with the names for --keys:\n";
+    for (const HelpLine& line : helpLines(KeyBindings()))
+        text += fmt::format("  {:<24}{:<12}{}\n", line.keys, line.action ? factsOf(*line.action).name : "",
+                            line.does);
+    return text;
 }
 
 } // namespace
@@ -452,6 +599,15 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--frames", options->frames, "leaves after N frames, for scripts")
         ->type_name("N")
         ->group("Scripts");
+    verb->add_option("--step", options->step,
+                     "every frame takes so long, however long it takes (default: what the clock says; with "
+                     "--frames 1/60)")
+        ->type_name("SECONDS")
+        ->group("Scripts");
+    verb->add_option("--screenshots", options->screenshots,
+                     "directory for the pictures that a key keeps (default: the current one)")
+        ->type_name("DIR")
+        ->group("View");
     verb->add_option("--screenshot", options->screenshot, "the window's last frame, PNG")
         ->type_name("FILE")
         ->group("Scripts");
@@ -464,11 +620,15 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->group("View")
         ->excludes("--fly");
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
+    verb->add_flag("--tell", options->tell, "prints the same after every frame, a line each")
+        ->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->footer("Keys: W A S D walk, shift run, space jump, E use a door, C the eye behind the body, G fly "
-                 "(E Q up and "
-                 "down), drag to look, click to ask, O doors, 1..9 places, F1 help, F2 ids, F3 regions, F4 "
-                 "panel, F5 check, F6 probe, F7 freeze the flood, F11 full screen, Esc leaves.");
+    verb->add_option("--keys", options->keys,
+                     "which keys do what, JSON; the help page in the window writes it (default: "
+                     "limen/keys.json in the user's configuration)")
+        ->type_name("FILE")
+        ->group("View");
+    verb->footer(keysFooter());
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

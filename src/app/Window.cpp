@@ -21,52 +21,43 @@ tl::unexpected<Error> refused(const char* what, const char* advice) {
                 fmt::format("{} ({}); {}", what, reason != nullptr ? reason : "no reason given", advice));
 }
 
-std::optional<Key> keyOf(int key) {
-    switch (key) {
-    case GLFW_KEY_F1:
-        return Key::Help;
-    case GLFW_KEY_F2:
-        return Key::Ids;
-    case GLFW_KEY_F3:
-        return Key::Regions;
-    case GLFW_KEY_F4:
-        return Key::Panel;
-    case GLFW_KEY_F5:
-        return Key::Check;
-    case GLFW_KEY_F6:
-        return Key::Probe;
-    case GLFW_KEY_F7:
-        return Key::Freeze;
-    case GLFW_KEY_F11:
-        return Key::FullScreen;
-    case GLFW_KEY_G:
-        return Key::Walk;
-    case GLFW_KEY_C:
-        return Key::Chase;
-    case GLFW_KEY_O:
-        return Key::Doors;
-    case GLFW_KEY_E:
-        return Key::Use;
-    case GLFW_KEY_R:
-        return Key::Rain;
-    case GLFW_KEY_T:
-        return Key::Later;
-    case GLFW_KEY_ESCAPE:
-        return Key::Leave;
-    default:
-        break;
-    }
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
-        return static_cast<Key>(static_cast<int>(Key::Place1) + key - GLFW_KEY_1);
-    return {};
+/// KeyCode is GLFW's numbers under our own names.
+constexpr bool isCode(std::string_view name, int glfw) {
+    return keyNamed(name) == std::optional(static_cast<KeyCode>(glfw));
 }
+static_assert(isCode("Space", GLFW_KEY_SPACE) && isCode("'", GLFW_KEY_APOSTROPHE) &&
+              isCode(",", GLFW_KEY_COMMA) && isCode("-", GLFW_KEY_MINUS) && isCode(".", GLFW_KEY_PERIOD) &&
+              isCode("/", GLFW_KEY_SLASH) && isCode("0", GLFW_KEY_0) && isCode("9", GLFW_KEY_9) &&
+              isCode(";", GLFW_KEY_SEMICOLON) && isCode("=", GLFW_KEY_EQUAL) && isCode("A", GLFW_KEY_A) &&
+              isCode("Z", GLFW_KEY_Z) && isCode("[", GLFW_KEY_LEFT_BRACKET) &&
+              isCode("\\", GLFW_KEY_BACKSLASH) && isCode("]", GLFW_KEY_RIGHT_BRACKET) &&
+              isCode("`", GLFW_KEY_GRAVE_ACCENT));
+static_assert(isCode("Escape", GLFW_KEY_ESCAPE) && isCode("Enter", GLFW_KEY_ENTER) &&
+              isCode("Tab", GLFW_KEY_TAB) && isCode("Backspace", GLFW_KEY_BACKSPACE) &&
+              isCode("Insert", GLFW_KEY_INSERT) && isCode("Delete", GLFW_KEY_DELETE) &&
+              isCode("Right", GLFW_KEY_RIGHT) && isCode("Left", GLFW_KEY_LEFT) &&
+              isCode("Down", GLFW_KEY_DOWN) && isCode("Up", GLFW_KEY_UP) &&
+              isCode("PageUp", GLFW_KEY_PAGE_UP) && isCode("PageDown", GLFW_KEY_PAGE_DOWN) &&
+              isCode("Home", GLFW_KEY_HOME) && isCode("End", GLFW_KEY_END) &&
+              isCode("CapsLock", GLFW_KEY_CAPS_LOCK) && isCode("ScrollLock", GLFW_KEY_SCROLL_LOCK) &&
+              isCode("NumLock", GLFW_KEY_NUM_LOCK) && isCode("PrintScreen", GLFW_KEY_PRINT_SCREEN) &&
+              isCode("Pause", GLFW_KEY_PAUSE) && isCode("F1", GLFW_KEY_F1) && isCode("F12", GLFW_KEY_F12));
+static_assert(isCode("Keypad0", GLFW_KEY_KP_0) && isCode("Keypad9", GLFW_KEY_KP_9) &&
+              isCode("KeypadDecimal", GLFW_KEY_KP_DECIMAL) && isCode("KeypadDivide", GLFW_KEY_KP_DIVIDE) &&
+              isCode("KeypadMultiply", GLFW_KEY_KP_MULTIPLY) && isCode("KeypadMinus", GLFW_KEY_KP_SUBTRACT) &&
+              isCode("KeypadPlus", GLFW_KEY_KP_ADD) && isCode("KeypadEnter", GLFW_KEY_KP_ENTER) &&
+              isCode("KeypadEqual", GLFW_KEY_KP_EQUAL) && isCode("LeftShift", GLFW_KEY_LEFT_SHIFT) &&
+              isCode("LeftControl", GLFW_KEY_LEFT_CONTROL) && isCode("LeftAlt", GLFW_KEY_LEFT_ALT) &&
+              isCode("LeftSuper", GLFW_KEY_LEFT_SUPER) && isCode("RightShift", GLFW_KEY_RIGHT_SHIFT) &&
+              isCode("RightControl", GLFW_KEY_RIGHT_CONTROL) && isCode("RightAlt", GLFW_KEY_RIGHT_ALT) &&
+              isCode("RightSuper", GLFW_KEY_RIGHT_SUPER) && isCode("Menu", GLFW_KEY_MENU));
 
 /// Buttons of a gamepad that do what keys do.
-constexpr std::array<std::pair<int, Key>, 5> kPadKeys{{{GLFW_GAMEPAD_BUTTON_X, Key::Use},
-                                                       {GLFW_GAMEPAD_BUTTON_Y, Key::Chase},
-                                                       {GLFW_GAMEPAD_BUTTON_B, Key::Walk},
-                                                       {GLFW_GAMEPAD_BUTTON_START, Key::Help},
-                                                       {GLFW_GAMEPAD_BUTTON_BACK, Key::Panel}}};
+constexpr std::array<std::pair<int, Action>, 5> kPadActions{{{GLFW_GAMEPAD_BUTTON_X, Action::Use},
+                                                             {GLFW_GAMEPAD_BUTTON_Y, Action::Chase},
+                                                             {GLFW_GAMEPAD_BUTTON_B, Action::Walk},
+                                                             {GLFW_GAMEPAD_BUTTON_START, Action::Help},
+                                                             {GLFW_GAMEPAD_BUTTON_BACK, Action::Panel}}};
 
 /// The screen that shows a place of the desktop; else the first; null: there is none.
 GLFWmonitor* monitorOf(int x, int y) {
@@ -119,6 +110,9 @@ Window::Window(GLFWwindow* window) : window_(window) {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveCursor(x, y);
     });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int isHere) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveFocus(isHere == GLFW_TRUE);
+    });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveWheel(notches);
     });
@@ -133,8 +127,14 @@ Window::~Window() {
 }
 
 void Window::receiveKey(int key) {
-    if (const std::optional<Key> known = keyOf(key))
-        pending_.push_back(*known);
+    if (!nameOf(static_cast<KeyCode>(key)).empty())
+        pending_.push_back(static_cast<KeyCode>(key));
+}
+
+/// The library lets go of all keys and buttons itself, after this.
+void Window::receiveFocus(bool isHere) {
+    if (!isHere)
+        press_.reset(); // what it lets go of is no click
 }
 
 void Window::receiveButton(bool isDown) {
@@ -145,7 +145,7 @@ void Window::receiveButton(bool isDown) {
         return;
     }
     if (press_ && press_->wandered <= kStill)
-        clicked_ = pixelAt(press_->x, press_->y);
+        clicked_ = pixelAt(sizes(), press_->x, press_->y);
     press_.reset();
 }
 
@@ -156,35 +156,48 @@ void Window::receiveCursor(double x, double y) {
     cursorY_ = y;
 }
 
-std::optional<PixelPlace> Window::pixelAt(double x, double y) const {
-    int width = 0, height = 0;
-    glfwGetWindowSize(window_, &width, &height);
-    if (x < 0.0 || y < 0.0 || x >= width || y >= height)
-        return {};
-    const PixelSize pixels = size();
-    return PixelPlace{static_cast<std::uint32_t>(x * pixels.width / width),
-                      static_cast<std::uint32_t>(y * pixels.height / height)};
-}
-
-void Window::poll(bool mouseIsTaken) {
+void Window::poll(const Taken& taken, const KeyBindings& bindings) {
     pending_.clear();
     clicked_.reset();
     wheel_ = 0.0;
-    mouseIsTaken_ = mouseIsTaken;
+    mouseIsTaken_ = taken.mouse;
     glfwPollEvents();
-    pressed_ = pending_;
-    const auto down = [this](auto... keys) { return ((glfwGetKey(window_, keys) == GLFW_PRESS) || ...); };
     held_ = {};
-    held_.forward = down(GLFW_KEY_W, GLFW_KEY_UP);
-    held_.back = down(GLFW_KEY_S, GLFW_KEY_DOWN);
-    held_.left = down(GLFW_KEY_A, GLFW_KEY_LEFT);
-    held_.right = down(GLFW_KEY_D, GLFW_KEY_RIGHT);
-    held_.up = down(GLFW_KEY_E, GLFW_KEY_SPACE);
-    held_.jump = down(GLFW_KEY_SPACE);
-    held_.down = down(GLFW_KEY_Q, GLFW_KEY_LEFT_CONTROL);
-    held_.fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    held_.wheel = mouseIsTaken ? 0.0 : wheel_;
+    held_.wheel = taken.mouse ? 0.0 : wheel_;
+    pollKeys(taken.keys, bindings);
     pollGamepad();
+    pollMouse(taken.mouse);
+}
+
+void Window::pollKeys(bool keysAreTaken, const KeyBindings& bindings) {
+    keys_.clear();
+    pressed_.clear();
+    const auto isKeyDown = [this](KeyCode key) {
+        return glfwGetKey(window_, static_cast<int>(key)) == GLFW_PRESS ||
+               std::find(pending_.begin(), pending_.end(), key) != pending_.end();
+    };
+    const auto isDown = [&](Action action) {
+        const std::span<const KeyCode> keys = bindings.keysOf(action);
+        return !keysAreTaken && std::any_of(keys.begin(), keys.end(), isKeyDown);
+    };
+    held_.forward = isDown(Action::Forward);
+    held_.back = isDown(Action::Back);
+    held_.left = isDown(Action::Left);
+    held_.right = isDown(Action::Right);
+    held_.fast = isDown(Action::Run);
+    held_.jump = isDown(Action::Jump);
+    held_.up = isDown(Action::Rise);
+    held_.down = isDown(Action::Sink);
+    if (keysAreTaken)
+        return;
+    keys_ = pending_;
+    for (const KeyCode key : keys_) {
+        for (const Action action : bindings.actionsOf(key))
+            pressed_.push_back(action);
+    }
+}
+
+void Window::pollMouse(bool mouseIsTaken) {
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_, &x, &y);
     const bool button = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
@@ -219,9 +232,9 @@ void Window::pollGamepad() {
     held_.jump |= isDown(GLFW_GAMEPAD_BUTTON_A);
     held_.up |= isDown(GLFW_GAMEPAD_BUTTON_A);
     held_.down |= isDown(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER);
-    for (const auto& [button, key] : kPadKeys) {
+    for (const auto& [button, action] : kPadActions) {
         if (isDown(button) && (padButtons_ >> button & 1u) == 0)
-            pressed_.push_back(key);
+            pressed_.push_back(action);
     }
     padButtons_ = down;
 }
@@ -230,10 +243,29 @@ bool Window::wantsToClose() const {
     return glfwWindowShouldClose(window_) == GLFW_TRUE;
 }
 
-PixelSize Window::size() const {
+bool Window::isShown() const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
-    return {static_cast<std::uint32_t>(std::max(1, width)), static_cast<std::uint32_t>(std::max(1, height))};
+    return width > 0 && height > 0 && glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE &&
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE;
+}
+
+void Window::rest() {
+    constexpr double kLongest = 0.1; // seconds: somebody may take the display away meanwhile
+    glfwWaitEventsTimeout(kLongest);
+}
+
+WindowSizes Window::sizes() const {
+    WindowSizes sizes;
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    sizes.pixels = {static_cast<std::uint32_t>(std::max(1, width)),
+                    static_cast<std::uint32_t>(std::max(1, height))};
+    glfwGetWindowSize(window_, &sizes.width, &sizes.height);
+    float scaleX = 1.0f, scaleY = 1.0f;
+    glfwGetWindowContentScale(window_, &scaleX, &scaleY);
+    sizes.contentScale = scaleX;
+    return sizes;
 }
 
 double Window::seconds() const {

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "app/Gamepad.h"
+#include "app/HeldInput.h"
+#include "app/KeyBindings.h"
 #include "app/Parse.h"
 #include "app/Picture.h"
+#include "app/WindowGeometry.h"
 
 #include <cstdint>
 #include <memory>
@@ -13,46 +15,9 @@ struct GLFWwindow;
 
 namespace limen::app {
 
-/// The keys that do something once, when pressed.
-enum class Key {
-    Help,
-    Ids,
-    Regions,
-    Panel,
-    Check,
-    Probe,
-    Freeze,
-    FullScreen,
-    Walk,
-    Chase,
-    Doors,
-    Use,
-    Rain,
-    Later,
-    Leave,
-    Place1,
-    Place2,
-    Place3,
-    Place4,
-    Place5,
-    Place6,
-    Place7,
-    Place8,
-    Place9
-};
-
-/// What hands hold down just now.
-struct HeldInput {
-    bool forward = false, back = false, left = false, right = false, up = false, down = false, fast = false;
-    bool jump = false;               ///< one of the keys for up, too
-    double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
-    double wheel = 0.0;              ///< notches turned since the last poll, away from the hand
-    std::optional<Sticks> sticks;    ///< of the first gamepad, if there is one
-};
-
-/// A pixel, from the window's upper left corner.
-struct PixelPlace {
-    std::uint32_t x = 0, y = 0;
+/// What the panel uses itself just now.
+struct Taken {
+    bool mouse = false, keys = false;
 };
 
 /// A window with an OpenGL 4.5 context that is current while it lives.
@@ -64,15 +29,23 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Takes in what happened since the last call. `mouseIsTaken`: the panel uses the mouse.
-    void poll(bool mouseIsTaken);
-    [[nodiscard]] const std::vector<Key>& pressed() const { return pressed_; } ///< since the last poll
+    /// Takes in what happened since the last call. A key that was pressed and let go meanwhile counts as held once.
+    void poll(const Taken& taken, const KeyBindings& bindings);
+    /// What is to be done of what is done once, by keys and buttons pressed since the last poll.
+    [[nodiscard]] const std::vector<Action>& pressed() const { return pressed_; }
+    /// The keys with a name that were pressed since the last poll, whatever they do.
+    [[nodiscard]] const std::vector<KeyCode>& pressedKeys() const { return keys_; }
     [[nodiscard]] const HeldInput& held() const { return held_; }
     /// Where the left button was pressed and let go at one place, since the last poll; the last such place.
     [[nodiscard]] std::optional<PixelPlace> clicked() const { return clicked_; }
     [[nodiscard]] bool wantsToClose() const;
+    /// False: it is minimised or not on the screen, and nobody sees what is drawn.
+    [[nodiscard]] bool isShown() const;
+    /// Waits until something happens to the window, a fraction of a second at most.
+    void rest();
+    [[nodiscard]] WindowSizes sizes() const;
     /// Size in pixels; 1x1 at least (a window made small as an icon has none).
-    [[nodiscard]] PixelSize size() const;
+    [[nodiscard]] PixelSize size() const { return sizes().pixels; }
     [[nodiscard]] double seconds() const; ///< since the library started
     /// Reads what was drawn into the window, before `show`.
     [[nodiscard]] Picture read() const;
@@ -83,16 +56,19 @@ public:
 
     /// Called by the library.
     void receiveKey(int key);
+    void receiveFocus(bool isHere);
     void receiveButton(bool isDown);
     void receiveCursor(double x, double y);
     void receiveWheel(double notches) { wheel_ += notches; }
 
 private:
     explicit Window(GLFWwindow* window);
+    void pollKeys(bool keysAreTaken, const KeyBindings& bindings);
     void pollGamepad();
-    [[nodiscard]] std::optional<PixelPlace> pixelAt(double x, double y) const;
+    void pollMouse(bool mouseIsTaken);
     GLFWwindow* window_;
-    std::vector<Key> pending_, pressed_;
+    std::vector<KeyCode> pending_, keys_;
+    std::vector<Action> pressed_;
     HeldInput held_;
     double mouseX_ = 0.0, mouseY_ = 0.0;
     bool dragging_ = false;

@@ -9,54 +9,12 @@ import math
 import os
 import subprocess
 import sys
-import tempfile
-import time
 import unittest
-import zlib
 
-PROGRAM = sys.argv.pop(1)
-CACHE = sys.argv.pop(1)
+from WindowDriver import Followed, WindowTest, png_pixels
 
-
-def start_server():
-    """An Xvfb that has chosen a free display itself."""
-    read, write = os.pipe()
-    server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
-        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(write)
-    with os.fdopen(read) as pipe:
-        number = pipe.readline().strip()
-    if not number:
-        server.kill()
-        raise RuntimeError("Xvfb did not start")
-    return server, ":" + number
-
-
-def png_pixels(path):
-    """Width, height and the raw bytes of an 8-bit RGB picture, filters undone."""
-    with open(path, "rb") as file:
-        data = file.read()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n"
-    width, height = int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")
-    packed, at = b"", 8
-    while at < len(data):
-        size, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
-        if kind == b"IDAT":
-            packed += data[at + 8:at + 8 + size]
-        at += size + 12
-    raw, row, pixels = zlib.decompress(packed), width * 3, bytearray()
-    previous = bytearray(row)
-    for y in range(height):
-        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
-        for i in range(row):
-            left, up, corner = (line[i - 3] if i >= 3 else 0), previous[i], (previous[i - 3] if i >= 3 else 0)
-            guess = left + up - corner
-            paeth = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
-            line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
-        pixels += line
-        previous = line
-    return width, height, bytes(pixels)
+WindowTest.program = PROGRAM = sys.argv.pop(1)
+WindowTest.cache = sys.argv.pop(1)
 
 
 def patiently(test):
@@ -72,27 +30,11 @@ def patiently(test):
     return run
 
 
-class ViewWindow(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.server, cls.display = start_server()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.server.terminate()
-        cls.server.wait()
-
-    def setUp(self):
-        self.patience = 1
-        self.work = tempfile.TemporaryDirectory()
-        self.env = dict(os.environ, DISPLAY=self.display, XDG_CACHE_HOME=CACHE)
-        self.env.pop("WAYLAND_DISPLAY", None)
-
-    def tearDown(self):
-        self.work.cleanup()
+class ViewWindow(WindowTest):
+    USE_KEY = (90, 263)
 
     def xdotool(self, *arguments):
-        subprocess.run(["xdotool", *arguments], env=self.env, check=True, stdout=subprocess.DEVNULL)
+        self.ask(*arguments)
 
     def script(self, *arguments):
         """Runs the window for a number of frames; yields what it printed."""
@@ -120,9 +62,6 @@ class ViewWindow(unittest.TestCase):
         self.assertEqual(view.returncode, 0, err)
         *self.probed, last = [json.loads(line) for line in out.splitlines()]
         return last
-
-    def wait(self, seconds):
-        time.sleep(seconds * self.patience)
 
     def hold(self, key, seconds):
         self.xdotool("keydown", key)
@@ -287,6 +226,70 @@ class ViewWindow(unittest.TestCase):
         self.assertEqual(roots, ["0xA9B40100", "0xA9B40105"])
         self.drive(lambda: None, "--at", "cottage.room")
         self.assertEqual(self.probed, [])
+
+    def test_keys_are_those_of_the_file_and_change_in_the_window(self):
+        keys = self.path("keys.json")
+        with open(keys, "w") as file:
+            json.dump({"rain": "N"}, file)
+        with Followed(self, "--keys", keys, "--at", "cottage.room", size="800x600") as view:
+            view.press("r")
+            view.press("n")
+            view.until(lambda s: s["weather"] == "rain", "rain by the key of the file")
+            view.press("F1")
+            view.until(lambda s: s["overlays"]["help"], "help")
+            view.latest()
+            # The help page stands in the middle of the window; the row of "the door before you" and its first button.
+            self.ask("mousemove", str(self.USE_KEY[0]), str(self.USE_KEY[1]), "click", "1")
+            view.until(lambda s: s["rebinding"], "a key is waited for")
+            view.press("Escape")
+            view.until(lambda s: not s["rebinding"], "Escape lets go of it")
+            self.ask("click", "1")
+            self.assertEqual(view.until(lambda s: s["rebinding"], "a key is waited for")["rebinding"], "use")
+            view.press("h")
+            view.until(lambda s: s["keys"] == {"use": ["H"], "rain": ["N"]}, "the new key")
+            with open(keys) as file:
+                self.assertEqual(json.load(file), {"use": ["H"], "rain": ["N"]})
+            self.assertEqual(view.leave()[0], 0)
+
+    def test_a_keys_file_that_is_wrong_is_refused_in_a_line(self):
+        os.makedirs(self.path("config", "limen"))
+        for text, what in (('{"fly": "F"}', "fly: there is no such action"), ('{"use": "Esc"}', "use: there is no key 'Esc'"),
+                           ('{"use": "G"}', "use: G is the key of walk already")):
+            with open(self.path("config", "limen", "keys.json"), "w") as file:
+                file.write(text)
+            done = subprocess.run([PROGRAM, "view", "--frames", "1"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 2)
+            self.assertEqual(done.stderr.count("\n"), 1)
+            self.assertIn("limen/keys.json, " + what, done.stderr)
+
+    def test_f12_keeps_the_picture_and_what_draws_it_again(self):
+        with Followed(self, "--at", "cottage.front", "--screenshots", "pictures", size="480x270") as view:
+            for number in ("0001", "0002"):
+                view.press("F12")
+                view.until(lambda s: s["notice"] == f"pictures/limen-{number}.png", "the path on the screen")
+            self.assertEqual(view.leave()[0], 0)
+        with open(self.path("pictures", "limen-0002.txt")) as file:
+            command = file.read().split()
+        self.assertEqual(command[:2], ["limen", "shot"])
+        subprocess.run([PROGRAM, *command[1:]], env=self.env, cwd=self.path("pictures"), check=True, timeout=120)
+        kept, again = (png_pixels(self.path("pictures", name)) for name in ("limen-0002.png", "limen-0002-again.png"))
+        self.assertEqual(kept[:2], (480, 270))
+        self.assertEqual(kept, again)
+
+    def test_the_wheel_takes_the_eye_out_of_the_head_and_back(self):
+        with Followed(self, "--at", "cottage.front", "--yaw", "0", "--pitch", "0") as view:
+            self.ask("mousemove", "440", "240")
+            view.until(lambda s: s["on_ground"], "it stands")
+            self.ask("click", "5")
+            self.assertEqual(view.until(lambda s: s["chased"], "behind the body")["distance"], 1.0)
+            self.ask("click", "5")
+            view.until(lambda s: s["distance"] == 1.5, "farther")
+            self.ask("click", "4")
+            view.until(lambda s: s["distance"] == 1.0, "nearer")
+            self.assertTrue(view.state["chased"])
+            self.ask("click", "4")
+            view.until(lambda s: not s["chased"], "in the head again")
+            self.assertEqual(view.leave()[0], 0)
 
     @patiently
     def test_function_keys_switch_the_overlays(self):

@@ -1,0 +1,161 @@
+"""A window on an X server of the test's own, driven by real keys and mouse and watched frame by frame."""
+
+import json
+import os
+import queue
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+import zlib
+
+
+def start_server():
+    """An Xvfb that has chosen a free display itself."""
+    read, write = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
+        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as pipe:
+        number = pipe.readline().strip()
+    if not number:
+        server.kill()
+        raise RuntimeError("Xvfb did not start")
+    return server, ":" + number
+
+
+def png_pixels(path):
+    """Width, height and the raw bytes of an 8-bit RGB picture, filters undone."""
+    with open(path, "rb") as file:
+        data = file.read()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height = int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")
+    packed, at = b"", 8
+    while at < len(data):
+        size, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        if kind == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += size + 12
+    raw, row, pixels = zlib.decompress(packed), width * 3, bytearray()
+    previous = bytearray(row)
+    for y in range(height):
+        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
+        for i in range(row):
+            left, up, corner = (line[i - 3] if i >= 3 else 0), previous[i], (previous[i - 3] if i >= 3 else 0)
+            guess = left + up - corner
+            paeth = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
+        pixels += line
+        previous = line
+    return width, height, bytes(pixels)
+
+
+class Followed:
+    """A window whose frames are told one by one (`--tell`), so that a test waits for what happens and not for a clock."""
+
+    def __init__(self, test, *arguments, size="480x270", step="0.0333", environment=None):
+        self.test = test
+        self.env = dict(test.env, **(environment or {}))
+        self.lines = queue.Queue()
+        self.ended = False
+        timing = ["--step", step] if step else []
+        self.view = subprocess.Popen([test.program, "view", "--size", size, "--tell", *timing, *arguments], env=self.env, cwd=test.work.name,
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.errors = []
+        self.threads = [threading.Thread(target=work, daemon=True) for work in (self.read, lambda: self.errors.extend(self.view.stderr))]
+        for thread in self.threads:
+            thread.start()
+        self.state = self.next()
+        self.window = test.ask("search", "--sync", "--onlyvisible", "--name", "Limen").split()[-1]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.view.poll() is None:
+            self.view.kill()
+        self.view.wait()
+        for thread in self.threads:
+            thread.join(5)
+        self.view.stdout.close()
+        self.view.stderr.close()
+
+    def read(self):
+        for line in self.view.stdout:
+            self.lines.put(json.loads(line))
+        self.lines.put(None)
+
+    def next(self, seconds=120):
+        """The next frame's state. Fails when the window is gone."""
+        state = self.lines.get(timeout=seconds)
+        if state is None:
+            self.ended = True
+            self.view.wait()
+            self.threads[1].join(5)
+            self.test.fail("the window left: " + "".join(self.errors))
+        self.state = state
+        return state
+
+    def latest(self):
+        """The last frame's state that has been told; at least one more than before."""
+        self.next()
+        while not self.lines.empty():
+            self.next()
+        return self.state
+
+    def until(self, holds, what, frames=2000):
+        """Goes on until a frame of which that holds."""
+        for _ in range(frames):
+            if holds(self.next()):
+                return self.state
+        self.test.fail(f"{what} does not come about: {self.state}")
+
+    def do(self, *arguments):
+        self.test.ask(*arguments)
+
+    def press(self, key):
+        self.do("key", key)
+
+    def leave(self):
+        """Leaves; yields exit code and what was written to standard error."""
+        self.press("Escape")
+        return self.end()
+
+    def end(self):
+        code = self.view.wait(60)
+        self.threads[1].join(5)
+        return code, "".join(self.errors)
+
+
+class WindowTest(unittest.TestCase):
+    program = cache = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server, cls.display = start_server()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.terminate()
+        cls.server.wait()
+
+    def setUp(self):
+        self.patience = 1
+        self.work = tempfile.TemporaryDirectory()
+        self.env = dict(os.environ, DISPLAY=self.display, XDG_CACHE_HOME=self.cache, XDG_CONFIG_HOME=os.path.join(self.work.name, "config"))
+        self.env.pop("WAYLAND_DISPLAY", None)
+
+    def tearDown(self):
+        self.work.cleanup()
+
+    def ask(self, *arguments):
+        """What xdotool says."""
+        return subprocess.run(["xdotool", *arguments], env=self.env, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+    def path(self, *names):
+        return os.path.join(self.work.name, *names)
+
+    def wait(self, seconds):
+        time.sleep(seconds * self.patience)
