@@ -92,7 +92,7 @@ void addEastVillage(ModelSink& sink, BlockBuilder& block, const VillageModels& m
     standTorches(sink, block, map);
     plant(block, models.plants);
     map.doors = buildDoors(sink, map);
-    addFolk(sink, map);
+    addFolk(sink, models.effects, map);
 }
 
 } // namespace limen::demo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demo/Building.h"
+#include "demo/Effects.h"
 #include "demo/Furniture.h"
 #include "demo/OutdoorProps.h"
 #include "demo/Places.h"
@@ -12,6 +13,7 @@ struct VillageModels {
     const Furniture& furniture;
     const OutdoorProps& props;
     const Plants& plants;
+    const Effects& effects;
 };
 
 /// Adds the inn, the meeting hall, what stands around them, and everything that moves in the village. Requires: the

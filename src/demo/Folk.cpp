@@ -1,5 +1,6 @@
 #include "demo/Folk.h"
 
+#include "demo/FolkClothes.h"
 #include "demo/FolkModels.h"
 #include "demo/Inn.h"
 #include "demo/MeetingHall.h"
@@ -184,6 +185,14 @@ Json villager(const char* name, dat::RecordId model, const char* route, double s
     return json;
 }
 
+Json worn(dat::RecordId table, std::uint32_t palette, double shade) {
+    Json json;
+    json["table"] = fmt::format("0x{:08X}", table);
+    json["palette"] = palette;
+    json["shade"] = shade;
+    return json;
+}
+
 } // namespace
 
 std::vector<Vec3> hallTorches() {
@@ -191,8 +200,8 @@ std::vector<Vec3> hallTorches() {
     return {{wall, hall::kMiddle - 2.2, 2.1}, {wall, hall::kMiddle + 2.2, 2.1}};
 }
 
-void addFolk(ModelSink& sink, VillageMap& map) {
-    const FolkModels models = addFolkModels(sink);
+void addFolk(ModelSink& sink, const Effects& effects, VillageMap& map) {
+    const FolkModels models = addFolkModels(sink, effects);
     map.routes = {guestRoute(map), innkeeperRoute(map), maidRoute(map), elderRoute(map),
                   watchRoute(map), farmerRoute(map),    cartRoute(map)};
     map.villagers = {villager("guest", models.farmer, "guest", 1.3, 0.0),
@@ -202,6 +211,10 @@ void addFolk(ModelSink& sink, VillageMap& map) {
                      villager("watchman", models.watchman, "watch", 1.3, 20.0),
                      villager("farmer", models.farmer, "farm", 1.2, 30.0),
                      villager("carter", models.carter, "cart", 1.1, 40.0)};
+    // The guest wears a cloak, dyed; the traveller the same as it was woven.
+    map.villagers.front()["clothing"] = Json::array({worn(models.cloak, kDyed, 0.4)});
+    map.player["clothing"] = Json::array({worn(models.cloak, kUndyed, 0.0)});
+    map.villagers[4]["play"] = {{"kind", kWatchmansPlay}, {"intensity", 0.5}};
     map.player["model"] = fmt::format("0x{:08X}", models.traveller);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demo/Effects.h"
 #include "demo/Models.h"
 #include "demo/Places.h"
 
@@ -7,7 +8,7 @@ namespace limen::demo {
 
 /// Adds the villagers' models and fills the map's routes and villagers. Requires: the map's buildings are
 /// placed.
-void addFolk(ModelSink& sink, VillageMap& map);
+void addFolk(ModelSink& sink, const Effects& effects, VillageMap& map);
 
 /// Where torches hang beside the meeting hall's door; coordinates of the hall, their backs towards +x.
 [[nodiscard]] std::vector<Vec3> hallTorches();

@@ -1,5 +1,7 @@
 #include "demo/FolkGaits.h"
 
+#include "demo/Effects.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -155,12 +157,20 @@ dat::MotionData played(dat::RecordId animation, double rate, double velocity) {
 }
 
 dat::MotionData addGoing(ModelSink& sink, const std::vector<SetupPart>& parts, const std::vector<Role>& roles,
-                         const Stride& stride) {
+                         const Stride& stride, dat::RecordId dust) {
     // Wheels stand as at first only after whole turns.
     const int rounds = std::count(roles.begin(), roles.end(), Role::Wheel) > 0 ? kSpokes : 1;
     std::vector<dat::AnimationFrame> frames;
     for (int k = 0; k < rounds * stride.frames; ++k) {
         frames.push_back(frameOf(going(stride, static_cast<double>(k) / stride.frames), parts, roles));
+    }
+    for (std::size_t part = 0; part < parts.size() && dust != 0; ++part) {
+        // A hook is played when its frame gives way to the next.
+        const auto frame = [&](double phase) { return static_cast<std::size_t>(phase * stride.frames); };
+        if (roles[part] == Role::LeftLeg || roles[part] == Role::RightLeg) {
+            frames[frame(roles[part] == Role::LeftLeg ? 0.0 : 0.5)].hooks.push_back(
+                particleHook(dust, static_cast<int>(part), {0.0, kHeel, 0.02 - kHip}));
+        }
     }
     return played(sink.addAnimation(std::move(frames)), kRate, stride.length * kRate / stride.frames);
 }
@@ -193,7 +203,7 @@ Strides shortStrides() {
 }
 
 dat::RecordId addGaits(ModelSink& sink, const std::vector<SetupPart>& parts, const std::vector<Role>& roles,
-                       const Strides& strides) {
+                       const Strides& strides, dat::RecordId dust) {
     std::vector<dat::AnimationFrame> still;
     for (int k = 0; k < kStandingFrames; ++k) {
         still.push_back(frameOf(standing(static_cast<double>(k) / kStandingFrames), parts, roles));
@@ -203,8 +213,8 @@ dat::RecordId addGaits(ModelSink& sink, const std::vector<SetupPart>& parts, con
     table.styleDefaults = {{kNonCombat, kReady}};
     table.cycles = {
         {dat::motionKey(kNonCombat, kReady), played(sink.addAnimation(std::move(still)), kStandingRate, 0.0)},
-        {dat::motionKey(kNonCombat, kWalkForward), addGoing(sink, parts, roles, strides.walk)},
-        {dat::motionKey(kNonCombat, kRunForward), addGoing(sink, parts, roles, strides.run)}};
+        {dat::motionKey(kNonCombat, kWalkForward), addGoing(sink, parts, roles, strides.walk, dust)},
+        {dat::motionKey(kNonCombat, kRunForward), addGoing(sink, parts, roles, strides.run, dust)}};
     return sink.addMotionTable(std::move(table));
 }
 

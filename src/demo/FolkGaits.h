@@ -34,8 +34,9 @@ struct Strides {
 [[nodiscard]] Strides shortStrides();
 
 /// Writes what people made of these parts do, standing, walking and running, and yields the motion table's id. Feet on the ground
-/// stay where they are. `roles`: one a part; what is held stays as the Setup has it, and so does an arm that holds.
+/// stay where they are. `roles`: one a part; `dust`: ParticleEmitter that is started where a foot is set down; what is held stays as the Setup has it, and so does an arm that holds.
 [[nodiscard]] dat::RecordId addGaits(ModelSink& sink, const std::vector<SetupPart>& parts,
-                                     const std::vector<Role>& roles, const Strides& strides);
+                                     const std::vector<Role>& roles, const Strides& strides,
+                                     dat::RecordId dust = 0);
 
 } // namespace limen::demo

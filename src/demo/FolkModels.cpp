@@ -1,5 +1,6 @@
 #include "demo/FolkModels.h"
 
+#include "demo/FolkClothes.h"
 #include "demo/FolkGaits.h"
 
 namespace limen::demo {
@@ -208,12 +209,12 @@ dat::RecordId addCarter(ModelSink& sink) {
 
 } // namespace
 
-FolkModels addFolkModels(ModelSink& sink) {
+FolkModels addFolkModels(ModelSink& sink, const Effects& effects) {
     const std::vector<Role> bare{Role::Body,     Role::Head,    Role::LeftArm,
                                  Role::RightArm, Role::LeftLeg, Role::RightLeg};
     const std::vector<SetupPart> farmer =
         person(sink, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
-    const dat::RecordId free = addGaits(sink, farmer, bare, longStrides());
+    const dat::RecordId free = addGaits(sink, farmer, bare, longStrides(), effects.dust);
     const dat::RecordId gowned = addGaits(sink, farmer, bare, shortStrides());
     FolkModels m;
     m.innkeeper = sink.addSetup(
@@ -228,10 +229,15 @@ FolkModels addFolkModels(ModelSink& sink) {
         person(sink, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}), {},
         gowned);
     m.watchman = addWatchman(sink);
+    sink.setEffects(m.watchman, {.scriptTable = effects.watchmansScripts});
     m.carter = addCarter(sink);
+    sink.setEffects(m.carter, {.script = effects.cartScript});
     m.traveller = sink.addSetup(
-        person(sink, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}), {},
-        free);
+        person(sink, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}),
+        {}, free);
+    const dat::RecordId cloaked =
+        sink.addMesh(bodyMesh({.coat = Material::Rug, .legs = Material::BrownCloth}), false);
+    m.cloak = addCloak(sink, {m.farmer, m.traveller}, cloaked);
     return m;
 }
 

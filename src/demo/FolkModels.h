@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demo/Models.h"
+#include "demo/Effects.h"
 
 namespace limen::demo {
 
@@ -11,8 +11,9 @@ struct FolkModels {
     dat::RecordId watchman = 0;  ///< carries a lantern at `kLantern`
     dat::RecordId carter = 0;    ///< pulls a loaded cart
     dat::RecordId traveller = 0; ///< whoever walks through the world
+    dat::RecordId cloak = 0;     ///< ClothingTable for farmer and traveller
 };
 inline constexpr Vec3 kLantern{0.31, 0.16, 0.86};
-[[nodiscard]] FolkModels addFolkModels(ModelSink& sink);
+[[nodiscard]] FolkModels addFolkModels(ModelSink& sink, const Effects& effects);
 
 } // namespace limen::demo

@@ -1,7 +1,9 @@
 #include "demo/Models.h"
 
+#include "core/Assert.h"
 #include "demo/Bsp.h"
 
+#include <algorithm>
 #include <map>
 
 namespace limen::demo {
@@ -37,6 +39,14 @@ dat::LightInfo toLight(const Lamp& lamp) {
     light.intensity = static_cast<float>(lamp.intensity);
     light.falloff = static_cast<float>(lamp.range);
     return light;
+}
+
+template <class Record>
+Record& madeHere(std::vector<Record>& records, dat::RecordId id) {
+    const auto found =
+        std::find_if(records.begin(), records.end(), [id](const Record& r) { return r.id == id; });
+    LIMEN_ASSERT(found != records.end(), "it was made here");
+    return *found;
 }
 
 } // namespace
@@ -103,6 +113,37 @@ dat::RecordId ModelSink::addMotionTable(dat::MotionTable table) {
     table.id = nextMotionTable_++;
     records_.motionTables.push_back(std::move(table));
     return records_.motionTables.back().id;
+}
+
+dat::RecordId ModelSink::addEmitter(dat::ParticleEmitter emitter) {
+    emitter.id = nextEmitter_++;
+    records_.particleEmitters.push_back(emitter);
+    return emitter.id;
+}
+
+dat::RecordId ModelSink::addScript(std::vector<dat::ScriptedHook> hooks) {
+    records_.physicsScripts.push_back({nextScript_++, std::move(hooks)});
+    return records_.physicsScripts.back().id;
+}
+
+dat::RecordId ModelSink::addScriptTable(dat::PhysicsScriptTable table) {
+    table.id = nextScriptTable_++;
+    records_.physicsScriptTables.push_back(std::move(table));
+    return records_.physicsScriptTables.back().id;
+}
+
+void ModelSink::setLevels(dat::RecordId gfxObj, std::vector<dat::DegradeLevel> levels) {
+    dat::GfxObj& object = madeHere(records_.gfxObjs, gfxObj);
+    object.flags |= dat::GfxObj::kHasDegrade;
+    object.degradeId = nextDegradeInfo_++;
+    records_.degradeInfos.push_back({object.degradeId, std::move(levels)});
+}
+
+void ModelSink::setEffects(dat::RecordId setup, const SetupEffects& effects) {
+    dat::Setup& record = madeHere(records_.setups, setup);
+    record.script = effects.script;
+    record.scriptTable = effects.scriptTable;
+    record.animation = effects.animation;
 }
 
 dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps,

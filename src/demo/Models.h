@@ -18,6 +18,11 @@ struct Lamp {
     double range = 6.0; ///< metres
 };
 
+/// What a Setup does by itself; 0: nothing.
+struct SetupEffects {
+    dat::RecordId script = 0, scriptTable = 0, animation = 0;
+};
+
 /// Turns meshes into GfxObj and Setup records and hands out their ids, in the order asked for.
 class ModelSink {
 public:
@@ -30,7 +35,16 @@ public:
                            dat::RecordId motionTable = 0);
     /// Frames of as many parts each as the first.
     dat::RecordId addAnimation(std::vector<dat::AnimationFrame> frames);
-    dat::RecordId addMotionTable(dat::MotionTable table); ///< its id is filled in
+    dat::RecordId addMotionTable(dat::MotionTable table);   ///< its id is filled in
+    dat::RecordId addEmitter(dat::ParticleEmitter emitter); ///< likewise
+    dat::RecordId addScript(std::vector<dat::ScriptedHook> hooks);
+    [[nodiscard]] dat::RecordId nextScript() const {
+        return nextScript_;
+    }                                                            ///< what the next one will be called
+    dat::RecordId addScriptTable(dat::PhysicsScriptTable table); ///< its id is filled in
+    /// Gives a mesh, or a Setup, what it was made without. Requires: it was made here.
+    void setLevels(dat::RecordId gfxObj, std::vector<dat::DegradeLevel> levels);
+    void setEffects(dat::RecordId setup, const SetupEffects& effects);
     [[nodiscard]] WorldRecords& records() { return records_; }
 
 private:
@@ -39,6 +53,10 @@ private:
     dat::RecordId nextSetup_ = 0x02000100;
     dat::RecordId nextAnimation_ = 0x03000100;
     dat::RecordId nextMotionTable_ = 0x09000100;
+    dat::RecordId nextDegradeInfo_ = 0x11000100;
+    dat::RecordId nextEmitter_ = 0x32000100;
+    dat::RecordId nextScript_ = 0x33000100;
+    dat::RecordId nextScriptTable_ = 0x34000100;
 };
 
 /// The frame of a placement; exact for quarter turns.

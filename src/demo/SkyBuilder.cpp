@@ -130,7 +130,8 @@ Vec3 lightDirection(double time) {
     return {std::cos(tilt) * std::cos(angle), -std::sin(tilt), std::cos(tilt) * std::sin(angle)};
 }
 
-dat::SkyTimeOfDay keyframe(const Moment& m) {
+/// `lowSun`: shown in the sun's place while dusk or dawn is at its strongest.
+dat::SkyTimeOfDay keyframe(const Moment& m, dat::RecordId lowSun) {
     dat::SkyTimeOfDay key;
     const Vec3 towards = lightDirection(m.time);
     key.begin = static_cast<float>(m.time);
@@ -155,6 +156,10 @@ dat::SkyTimeOfDay keyframe(const Moment& m) {
     replace(SkyPiece::Day, m.day);
     replace(SkyPiece::Dusk, m.dusk);
     replace(SkyPiece::Clouds, m.clouds);
+    if (m.dusk > 0.5) {
+        replace(SkyPiece::Sun, 1.0);
+        key.replaces.back().gfxObj = lowSun;
+    }
     return key;
 }
 
@@ -178,8 +183,9 @@ dat::SkyDesc buildSky(ModelSink& sink) {
     clouds.texVelocityX = 0.0015f;
     clouds.texVelocityY = 0.0006f;
     group.objects.push_back(clouds);
+    const dat::RecordId lowSun = mesh(disc(Material::Sun, 150.0, kSunTilt));
     for (const Moment& moment : kMoments) {
-        group.times.push_back(keyframe(moment));
+        group.times.push_back(keyframe(moment, lowSun));
     }
     dat::SkyDesc sky;
     sky.tickSize = 5.0;

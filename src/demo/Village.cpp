@@ -2,6 +2,7 @@
 
 #include "demo/Cottages.h"
 #include "demo/EastVillage.h"
+#include "demo/Effects.h"
 #include "demo/Noise.h"
 #include "demo/OutdoorProps.h"
 #include "demo/TerrainShape.h"
@@ -61,7 +62,9 @@ void plantGardens(BlockBuilder& block, const Plants& plants) {
 } // namespace
 
 VillageMap addVillage(ModelSink& sink, const Plants& plants) {
+    const Effects effects = addEffects(sink);
     const Furniture furniture = addFurniture(sink);
+    sink.setEffects(furniture.candle, {.script = effects.candleScript});
     const OutdoorProps props = addOutdoorProps(sink);
     BlockBuilder block(sink, kVillage);
     VillageMap map;
@@ -80,13 +83,17 @@ VillageMap addVillage(ModelSink& sink, const Plants& plants) {
     stand(block, props.bench, 87.5, 105.35, 0.0);
     stand(block, props.signpost, 70.6, 100.3, 0.0);
     stand(block, props.lampPost, 89.4, 100.7, 0.0);
+    stand(block, effects.fountain, 79.0, 99.6, 0.0);
+    stand(block, effects.campfire, 94.5, 91.9, 20.0);
+    stand(block, effects.whirligig, 72.5, 92.2, 30.0);
+    stand(block, effects.vane, 75.5, 100.6, 60.0);
     stand(block, furniture.barrel, 82.2, 105.3, 0.0);
     stand(block, furniture.barrel, 81.4, 105.45, 60.0);
     stand(block, furniture.crate, 86.6, 86.6, 12.0);
     stand(block, props.bench, 81.2, 86.7, 180.0);
     stand(block, props.woodpile, 89.0, 82.0, 90.0);
     plantGardens(block, plants);
-    addEastVillage(sink, block, {furniture, props, plants}, map);
+    addEastVillage(sink, block, {furniture, props, plants, effects}, map);
     block.finish();
     return map;
 }

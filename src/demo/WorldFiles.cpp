@@ -54,6 +54,12 @@ Result<void> writeWorldFiles(const WorldRecords& records, const std::filesystem:
     addAll(portal, records.setups);
     addAll(portal, records.animations);
     addAll(portal, records.motionTables);
+    addAll(portal, records.degradeInfos);
+    addAll(portal, records.paletteSets);
+    addAll(portal, records.clothingTables);
+    addAll(portal, records.particleEmitters);
+    addAll(portal, records.physicsScripts);
+    addAll(portal, records.physicsScriptTables);
     addAll(portal, records.environments);
     addAll(portal, records.scenes);
     addAll(portal, records.regions);

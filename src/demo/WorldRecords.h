@@ -1,7 +1,9 @@
 #pragma once
 
 #include "dat/Ids.h"
+#include "dat/records/Appearance.h"
 #include "dat/records/Cells.h"
+#include "dat/records/Effects.h"
 #include "dat/records/Landscape.h"
 #include "dat/records/Models.h"
 #include "dat/records/Motion.h"
@@ -23,6 +25,12 @@ struct WorldRecords {
     std::vector<dat::Setup> setups;
     std::vector<dat::Animation> animations;
     std::vector<dat::MotionTable> motionTables;
+    std::vector<dat::DegradeInfo> degradeInfos;
+    std::vector<dat::PaletteSet> paletteSets;
+    std::vector<dat::ClothingTable> clothingTables;
+    std::vector<dat::ParticleEmitter> particleEmitters;
+    std::vector<dat::PhysicsScript> physicsScripts;
+    std::vector<dat::PhysicsScriptTable> physicsScriptTables;
     std::vector<dat::Environment> environments;
     std::vector<dat::Scene> scenes;
     std::vector<dat::Region> regions;

@@ -56,9 +56,12 @@ void Moments::at(const MomentInput& input, world::Moment& out) {
     addVillagers(input.seconds, out);
     if (input.player)
         addPlayer(*input.player, input.seconds, out);
+    addIdle(input.seconds, out);
     addLoose(out);
     for (const world::Emitter& emitter : world_.emitters)
         addSprites(input, emitter, out);
+    for (const world::ParticleSource& source : world_.particleSources)
+        addParticles(input, source, out);
     if (input.rain && world_.rainDrop != kNone)
         addRain(input, out);
     listBySpace(out);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "motion/PartPoses.h"
+#include "motion/Particles.h"
 #include "world/Membership.h"
 #include "world/Moment.h"
 #include "world/World.h"
@@ -57,6 +58,22 @@ private:
         Mat3 linear{1.0};
         Vec3 origin{0.0}; ///< global
     };
+    /// Where what carries a particle source, or the part of it, is: global.
+    struct Carrier {
+        Vec3 origin{0.0};
+        Quat orientation{1.0, 0.0, 0.0, 0.0};
+        world::SpaceIndex space = world::kOutside; ///< that the origin is in
+    };
+    [[nodiscard]] Carrier carrierOf(const world::ParticleSource& source, double seconds) const;
+    [[nodiscard]] CyclePoint cyclePointOf(const world::ParticleSource& source, double seconds) const;
+    /// A source with the times of its cycle turned into the world's; nothing if its carrier does not play that.
+    [[nodiscard]] std::optional<world::ParticleSource> timed(const world::ParticleSource& source) const;
+    /// What is left of one start of a source; `now`: where its carrier is.
+    void addStarted(const MomentInput& input, const world::ParticleSource& source, std::int64_t start,
+                    const Carrier& now, world::Moment& out);
+    /// `from`: the frame that it is seen from; its parts are stored in a block's.
+    void addParticle(const MomentInput& input, const world::ParticleSource& source, const Carrier& from,
+                     const ParticleState& state, std::uint32_t block, world::Moment& out);
     void shut(const MomentInput& input, world::Moment& out);
     /// What is block-local and stands as it is.
     void addInPlace(const world::MovingBody& body, world::Moment& out) const;
@@ -65,6 +82,8 @@ private:
     void addPlayer(const PlayerBody& player, double seconds, world::Moment& out);
     void addLoose(world::Moment& out);
     void addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out);
+    void addIdle(double seconds, world::Moment& out);
+    void addParticles(const MomentInput& input, const world::ParticleSource& source, world::Moment& out);
     void addRain(const MomentInput& input, world::Moment& out);
     /// `point`: what its parts are at; {}: as they rest.
     void addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,

@@ -98,23 +98,29 @@ const world::PartFrame* PartPoses::frame(const Stretch& stretch, std::uint32_t s
                               part];
 }
 
+std::optional<world::PartFrame> PartPoses::frameOf(std::uint32_t part) const {
+    const world::PartFrame* from = stretch_ != nullptr ? frame(*stretch_, step_, part) : nullptr;
+    if (from == nullptr)
+        return std::nullopt;
+    world::PartFrame at = *from;
+    const world::PartFrame* to = frame(*then_, thenStep_, part);
+    if (to != nullptr && to != from && between_ > 0.0) {
+        at.orientation = glm::slerp(at.orientation, to->orientation, between_); // the shorter way round
+        at.origin += (to->origin - at.origin) * between_;
+    }
+    return at;
+}
+
 PartPose PartPoses::of(std::uint32_t index) const {
     const world::Instance& resting = world_.movingParts[body_.firstPart + index];
     const PartPose rest{Mat3(resting.linear), Vec3(resting.origin)};
     if (stretch_ == nullptr)
         return rest;
     const world::PosedPart& posed = world_.posedParts[body_.firstPosed + index];
-    const world::PartFrame* from = frame(*stretch_, step_, posed.part);
-    if (from == nullptr)
+    const std::optional<world::PartFrame> at = frameOf(posed.part);
+    if (!at)
         return rest;
-    Quat orientation = from->orientation;
-    Vec3 origin = from->origin;
-    const world::PartFrame* to = frame(*then_, thenStep_, posed.part);
-    if (to != nullptr && to != from && between_ > 0.0) {
-        orientation = glm::slerp(orientation, to->orientation, between_); // the shorter way round
-        origin += (to->origin - origin) * between_;
-    }
-    PartPose pose{glm::mat3_cast(orientation), origin};
+    PartPose pose{glm::mat3_cast(at->orientation), at->origin};
     for (int axis = 0; axis < 3; ++axis)
         pose.linear[axis] *= posed.scale[axis];
     return pose;

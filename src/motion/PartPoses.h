@@ -2,6 +2,8 @@
 
 #include "world/World.h"
 
+#include <optional>
+
 // How a body's parts stand while it stands still, walks or runs: playback of the cycles in a World (world/Cycle.h), after
 // formats/effects_anim.md. Pure functions that allocate nothing.
 namespace limen::motion {
@@ -37,6 +39,8 @@ public:
 
     /// Of the body's `index`-th part, 0..partCount-1.
     [[nodiscard]] PartPose of(std::uint32_t index) const;
+    /// The frame of a part of its Setup, whether it shows anything or not; nothing if that stands as it rests.
+    [[nodiscard]] std::optional<world::PartFrame> frameOf(std::uint32_t part) const;
 
 private:
     [[nodiscard]] const world::PartFrame* frame(const world::Stretch& stretch, std::uint32_t step,

@@ -17,7 +17,7 @@ Plane toGlobal(const Plane& plane, const Vec3& origin) {
 
 Assembly::Assembly(Records& records, Models& models, const dat::Region* region)
     : records_(records), models_(models), region_(region), materials_(records, world_), arena_(world_),
-      cycles_(records, world_) {
+      cycles_(records, world_), starts_(records) {
     Space outside;
     outside.zone = kOutsideZone;
     outside.seenOutside = true;
@@ -199,6 +199,7 @@ World Assembly::finish(const MovingEntries& moving) {
     gatherOutdoorPortals();
     addMoving(moving);
     findMembers();
+    findAloneness();
     listInstances();
     numberPolygons();
     lightSpaces(lamps_, world_);

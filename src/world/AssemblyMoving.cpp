@@ -41,20 +41,6 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
     return mesh;
 }
 
-/// A unit square about the origin that faces -y, u to the right and v downwards as seen from there.
-MeshData spriteMesh(SurfaceList surfaces) {
-    MeshData mesh;
-    const std::array<Vec2f, 4> corners{Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)};
-    for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
-        const Vec2f& corner = corners[i];
-        mesh.indicesOf(surfaces).push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-        mesh.vertices.push_back({Vec3f(corner.x - 0.5f, 0.0f, 0.5f - corner.y), Vec3f(0.0f, -1.0f, 0.0f),
-                                 corner, 0, 0, Vec3f(0.0f)});
-    }
-    mesh.polygonIds.push_back(0);
-    return mesh;
-}
-
 PortalIndex findPortal(const World& world, SpaceIndex space, std::uint32_t recordIndex) {
     const Space& from = world.spaces[space];
     for (PortalIndex p = from.firstPortal; p < from.firstPortal + from.portalCount; ++p) {
@@ -66,8 +52,21 @@ PortalIndex findPortal(const World& world, SpaceIndex space, std::uint32_t recor
 
 } // namespace
 
-MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t object) {
-    const Model& model = models_.model(modelId);
+MeshData spriteMesh(SurfaceList surfaces, const Vec2f& low, const Vec2f& high) {
+    MeshData mesh;
+    const std::array<Vec2f, 4> corners{Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)};
+    for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
+        const Vec2f& corner = corners[i];
+        const Vec3f at(low.x + corner.x * (high.x - low.x), 0.0f, high.y + corner.y * (low.y - high.y));
+        mesh.indicesOf(surfaces).push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+        mesh.vertices.push_back({at, Vec3f(0.0f, -1.0f, 0.0f), corner, 0, 0, Vec3f(0.0f)});
+    }
+    mesh.polygonIds.push_back(0);
+    return mesh;
+}
+
+MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t object, const Dress& dress) {
+    const Model model = dress.parts.empty() ? models_.model(modelId) : models_.dressed(modelId, dress);
     MovingBody body;
     body.firstPart = static_cast<std::uint32_t>(world_.movingParts.size());
     body.bounds = model.bounds;
@@ -87,7 +86,7 @@ MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t obj
         instance.bounds = world_.meshes[instance.mesh].bounds;
         instance.object = object;
         instance.record = part.gfxObj;
-        instance.firstMaterial = partMaterials(*mesh);
+        instance.firstMaterial = dressedMaterials(*mesh, part.part, dress);
         if (kind != Kind::Filling)
             instance.reach = part.reach;
         world_.movingParts.push_back(instance);
@@ -212,8 +211,10 @@ void Assembly::addVillagers(const MovingEntries& moving) {
         villager.route = addRoute(*route);
         if (villager.route == kNone)
             continue;
-        villager.body = addBody(entry.model, Kind::Dynamic, movingObject(MovingThing::Villager, i));
+        villager.body = addBody(entry.model, Kind::Dynamic, movingObject(MovingThing::Villager, i),
+                                dressOf(entry.model, entry.clothing, records_));
         world_.villagers.push_back(std::move(villager));
+        addSources(static_cast<std::uint32_t>(world_.villagers.size() - 1), entry.model, entry.play);
     }
 }
 
@@ -246,7 +247,8 @@ std::uint32_t Assembly::addSprite(std::uint32_t firstMaterial, std::uint32_t key
     const SurfaceList surfaces = listOf(material.surfaceClass, (material.flags & Material::kSplit) != 0);
     Instance sprite;
     sprite.kind = Kind::Dynamic;
-    sprite.mesh = arena_.add(spriteMesh(surfaces), contentKey(MeshSource::Sprite, key));
+    sprite.mesh =
+        arena_.add(spriteMesh(surfaces, Vec2f(-0.5f), Vec2f(0.5f)), contentKey(MeshSource::Sprite, key));
     sprite.bounds = world_.meshes[sprite.mesh].bounds;
     sprite.object = movingObject(MovingThing::Sprite, key);
     sprite.firstMaterial = firstMaterial;
@@ -300,7 +302,7 @@ void Assembly::addMoving(const MovingEntries& moving) {
         world_.rainDrop =
             addSprite(plainMaterial(Vec4f(0.75f, 0.8f, 0.88f, 0.35f), SurfaceClass::Blended), kNone);
     if (moving.player != 0)
-        addPlayer(moving.player);
+        addPlayer(moving.player, dressOf(moving.player, moving.playerClothing, records_));
 }
 
 /// By portal: shut when every opaque door is closed.

@@ -1,6 +1,7 @@
 #include "world/Assembly.h"
 
 #include <algorithm>
+#include <set>
 
 // The part of Assembly that makes instances, materials and the sky.
 namespace limen::world {
@@ -103,19 +104,25 @@ void Assembly::addObjects(const BlockContent& block) {
         const Model& model = models_.model(object.model);
         const Mat3 linear = glm::mat3_cast(object.orientation) * object.scale;
         const Vec3 origin = blockOrigin + object.origin;
-        Group group{static_cast<InstanceIndex>(world_.instances.size()), 0,
-                    placedSphere(model.bounds, linear, origin)};
-        for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
-            for (const ModelPart& part : *parts)
-                addPart(object, part);
-        }
-        group.count = static_cast<InstanceIndex>(world_.instances.size()) - group.first;
-        if (group.count > 0)
-            objects_.push_back(group);
+        const auto nextIdle = static_cast<std::uint32_t>(world_.idleObjects.size());
+        if (const bool isIdle = addIdle(object); !isIdle)
+            addResident(object, model, placedSphere(model.bounds, linear, origin));
+        addSources(object, world_.idleObjects.size() > nextIdle ? nextIdle : kNone);
         for (const ModelLight& light : model.lights)
             lamps_.push_back(
                 {{origin + linear * light.position, light.colour, light.range}, spaceOf(object.cell)});
     }
+}
+
+void Assembly::addResident(const PlacedModel& object, const Model& model, const Sphere& bounds) {
+    Group group{static_cast<InstanceIndex>(world_.instances.size()), 0, bounds};
+    for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
+        for (const ModelPart& part : *parts)
+            addPart(object, part);
+    }
+    group.count = static_cast<InstanceIndex>(world_.instances.size()) - group.first;
+    if (group.count > 0)
+        objects_.push_back(group);
 }
 
 void Assembly::addPart(const PlacedModel& object, const ModelPart& part) {
@@ -151,17 +158,37 @@ std::uint32_t Assembly::materialRun(std::span<const dat::RecordId> surfaces, con
 
 std::uint32_t Assembly::partMaterials(const PartMesh& part) {
     const auto [entry, fresh] = partMaterials_.try_emplace(part.gfxObj, 0);
-    if (fresh) {
-        // Clamping helps cut-outs, whose border would bleed across; walls of several quads tile on, and need
-        // repeat.
-        std::vector<bool> clamp = part.clamp;
-        for (std::size_t i = 0; i < clamp.size(); ++i) {
-            const dat::Surface* surface = records_.surface(part.surfaces[i]);
-            clamp[i] = clamp[i] && surface != nullptr && surfaceClassOf(*surface) != SurfaceClass::Opaque;
-        }
-        entry->second = materialRun(part.surfaces, clamp);
-    }
+    if (fresh)
+        entry->second = materialRun(part.surfaces, clampOf(part));
     return entry->second;
+}
+
+std::vector<bool> Assembly::clampOf(const PartMesh& part) {
+    // Clamping helps cut-outs, whose border would bleed across; walls of several quads tile on, and need
+    // repeat.
+    std::vector<bool> clamp = part.clamp;
+    for (std::size_t i = 0; i < clamp.size(); ++i) {
+        const dat::Surface* surface = records_.surface(part.surfaces[i]);
+        clamp[i] = clamp[i] && surface != nullptr && surfaceClassOf(*surface) != SurfaceClass::Opaque;
+    }
+    return clamp;
+}
+
+std::uint32_t Assembly::dressedMaterials(const PartMesh& part, std::uint32_t number, const Dress& dress) {
+    if (dress.empty())
+        return partMaterials(part);
+    const DressedPart* worn = dress.part(number);
+    const std::vector<bool> clamp = clampOf(part);
+    std::vector<std::uint32_t> run;
+    for (std::size_t i = 0; i < part.surfaces.size(); ++i)
+        run.push_back(materials_.material(part.surfaces[i], clamp[i],
+                                          worn != nullptr
+                                              ? std::span<const dat::TextureChange>(worn->textures)
+                                              : std::span<const dat::TextureChange>(),
+                                          dress.overlays));
+    const auto first = static_cast<std::uint32_t>(world_.materialRefs.size());
+    world_.materialRefs.insert(world_.materialRefs.end(), run.begin(), run.end());
+    return first;
 }
 
 std::uint32_t Assembly::terrainRun(const Ground& ground) {
@@ -220,25 +247,37 @@ void Assembly::addSky() {
         return;
     world_.sky.desc = region_->sky;
     world_.sky.time = region_->gameTime;
-    std::map<std::pair<dat::RecordId, std::size_t>, std::uint32_t> meshes;
+    SkyMeshes meshes;
     for (std::uint32_t group = 0; group < region_->sky.dayGroups.size(); ++group) {
         const std::vector<dat::SkyObject>& objects = region_->sky.dayGroups[group].objects;
         for (std::uint32_t i = 0; i < objects.size(); ++i) {
-            if (objects[i].object == 0)
-                continue;
-            const std::vector<ModelPart>& parts = models_.model(objects[i].object).parts;
-            for (std::size_t p = 0; p < parts.size(); ++p) {
-                const PartMesh* mesh = models_.part(parts[p].gfxObj);
-                if (mesh == nullptr || mesh->mesh.empty())
-                    continue;
-                const auto [entry, fresh] = meshes.try_emplace({objects[i].object, p}, 0);
-                if (fresh)
-                    entry->second =
-                        arena_.add(posed(mesh->mesh, parts[p]), contentKey(MeshSource::Sky, objects[i].object,
-                                                                           static_cast<std::uint32_t>(p)));
-                world_.sky.parts.push_back({group, i, entry->second, partMaterials(*mesh), objects[i]});
+            addSkyParts({group, i, kNone, 0, objects[i], 0}, objects[i].object, meshes);
+            std::set<dat::RecordId> replacements;
+            for (const dat::SkyTimeOfDay& time : region_->sky.dayGroups[group].times) {
+                for (const dat::SkyObjectReplace& replace : time.replaces) {
+                    if (replace.objectIndex == i && replacements.insert(replace.gfxObj).second)
+                        addSkyParts({group, i, kNone, 0, objects[i], replace.gfxObj}, replace.gfxObj, meshes);
+                }
             }
         }
+    }
+}
+
+void Assembly::addSkyParts(const SkyPart& part, dat::RecordId model, SkyMeshes& meshes) {
+    if (model == 0)
+        return;
+    const std::vector<ModelPart>& parts = models_.model(model).parts;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const PartMesh* mesh = models_.part(parts[p].gfxObj);
+        if (mesh == nullptr || mesh->mesh.empty())
+            continue;
+        const auto [entry, fresh] = meshes.try_emplace({model, p}, 0);
+        if (fresh)
+            entry->second = arena_.add(posed(mesh->mesh, parts[p]),
+                                       contentKey(MeshSource::Sky, model, static_cast<std::uint32_t>(p)));
+        world_.sky.parts.push_back(part);
+        world_.sky.parts.back().mesh = entry->second;
+        world_.sky.parts.back().firstMaterial = partMaterials(*mesh);
     }
 }
 

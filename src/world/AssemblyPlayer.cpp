@@ -2,9 +2,7 @@
 
 // The part of Assembly that makes the player's body.
 namespace limen::world {
-namespace {
 
-/// A mesh whose triangles are all blended; none is split, so that it is drawn in one way whatever its opacity.
 MeshData asGlass(const MeshData& solid) {
     MeshData glass = solid;
     std::vector<std::uint32_t>& blended = glass.indicesOf(SurfaceList::Blended);
@@ -16,10 +14,8 @@ MeshData asGlass(const MeshData& solid) {
     return glass;
 }
 
-} // namespace
-
-void Assembly::addPlayer(dat::RecordId model) {
-    world_.player.solid = addBody(model, Kind::Dynamic, movingObject(MovingThing::Player, 0));
+void Assembly::addPlayer(dat::RecordId model, const Dress& dress) {
+    world_.player.solid = addBody(model, Kind::Dynamic, movingObject(MovingThing::Player, 0), dress);
     world_.player.ghost = addGhost(world_.player.solid);
 }
 

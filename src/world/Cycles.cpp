@@ -20,6 +20,20 @@ const Value* findKey(const dat::MotionTable::Keyed<Value>& list, std::uint32_t k
     return found != list.end() ? &found->second : nullptr;
 }
 
+/// The first frame of a stretch, within an animation that has some.
+std::uint32_t lowOf(const dat::AnimationRange& range, std::uint32_t frameCount) {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(range.low, 0, std::int64_t{frameCount} - 1));
+}
+
+bool isNear(const PartFrame& frame, const PosedPart& posed, const Instance& resting) {
+    constexpr double kNear = 1e-4; // metres, and of unit vectors
+    Mat3 linear = glm::mat3_cast(frame.orientation);
+    bool near = glm::length(frame.origin - Vec3(resting.origin)) < kNear;
+    for (int axis = 0; axis < 3; ++axis)
+        near = near && glm::length(linear[axis] * posed.scale[axis] - Vec3(resting.linear[axis])) < kNear;
+    return near;
+}
+
 } // namespace
 
 std::array<std::uint32_t, kGaits> Cycles::of(dat::RecordId model) {
@@ -60,8 +74,11 @@ std::uint32_t Cycles::addCycle(const dat::MotionTable& table, std::uint32_t subs
 std::uint32_t Cycles::addCycle(std::span<const dat::AnimationRange> ranges, const Vec3& velocity) {
     Cycle cycle{static_cast<std::uint32_t>(world_.stretches.size()), 0, velocity};
     for (const dat::AnimationRange& range : ranges) {
-        if (const std::optional<Stretch> stretch = stretchOf(range))
+        if (const std::optional<Stretch> stretch = stretchOf(range)) {
             world_.stretches.push_back(*stretch);
+            sources_.push_back(
+                {records_.animation(range.animation), lowOf(range, framesOf(range.animation).frameCount)});
+        }
     }
     cycle.stretchCount = static_cast<std::uint32_t>(world_.stretches.size()) - cycle.firstStretch;
     if (cycle.stretchCount == 0)
@@ -75,7 +92,7 @@ std::optional<Stretch> Cycles::stretchOf(const dat::AnimationRange& range) {
     if (frames.frameCount == 0)
         return std::nullopt;
     const std::int64_t last = std::int64_t{frames.frameCount} - 1;
-    const std::int64_t low = std::clamp<std::int64_t>(range.low, 0, last);
+    const std::int64_t low = lowOf(range, frames.frameCount);
     const std::int64_t high =
         range.high == -1 ? last : std::max(low, std::clamp<std::int64_t>(range.high, 0, last));
     Stretch stretch;
@@ -106,6 +123,70 @@ const Cycles::Frames& Cycles::framesOf(dat::RecordId animation) {
         }
     }
     return frames;
+}
+
+Vec3 Cycles::spinOf(dat::RecordId model) {
+    const dat::Setup* setup = model >> 24 == 0x02 ? records_.setup(model) : nullptr;
+    const dat::MotionTable* table =
+        setup != nullptr && setup->motionTable != 0 ? records_.motionTable(setup->motionTable) : nullptr;
+    const std::uint32_t* substate =
+        table != nullptr ? findKey(table->styleDefaults, table->defaultStyle) : nullptr;
+    const dat::MotionData* data = substate != nullptr
+                                      ? findKey(table->cycles, dat::motionKey(table->defaultStyle, *substate))
+                                      : nullptr;
+    if (data == nullptr || (data->flags & dat::MotionData::kOmega) == 0)
+        return Vec3(0.0);
+    const Vec3 spin(data->omega);
+    return isFinite(spin) ? spin : Vec3(0.0);
+}
+
+void Cycles::addHooks(std::uint32_t stretch, double begin, double period, std::vector<Hook>& out) const {
+    const Stretch& played = world_.stretches[stretch];
+    const Source& source = sources_[stretch];
+    const double rate = std::abs(played.rate);
+    for (std::uint32_t step = 0; step < played.frameCount; ++step) {
+        const dat::AnimationFrame& frame = source.animation->frames[source.low + frameAt(played, step)];
+        for (const dat::AnimationHook& hook : frame.hooks) {
+            const bool passes = hook.direction == 0 || (hook.direction > 0) == (played.rate > 0.0);
+            if (passes) // a frame is passed when the next one is there
+                out.push_back({&hook, begin + (step + 1) / rate, period});
+        }
+    }
+}
+
+std::vector<Cycles::Hook> Cycles::hooksOf(std::uint32_t cycle) const {
+    std::vector<Hook> hooks;
+    const Cycle& all = world_.cycles[cycle];
+    double begin = 0.0;
+    for (std::uint32_t s = all.firstStretch; s < all.firstStretch + all.stretchCount; ++s) {
+        const Stretch& stretch = world_.stretches[s];
+        if (stretch.rate == 0.0)
+            break; // it never goes on
+        const double length = stretch.frameCount / std::abs(stretch.rate);
+        const bool isLast = s + 1 == all.firstStretch + all.stretchCount;
+        addHooks(s, begin, isLast ? length : 0.0, hooks);
+        begin += length;
+    }
+    return hooks;
+}
+
+bool isAtRest(const World& world, const MovingBody& body, std::uint32_t cycle) {
+    const Cycle& all = world.cycles[cycle];
+    for (std::uint32_t s = all.firstStretch; s < all.firstStretch + all.stretchCount; ++s) {
+        const Stretch& stretch = world.stretches[s];
+        const std::uint32_t steps = stretch.rate != 0.0 ? stretch.frameCount : 1;
+        for (std::uint32_t i = 0; i < body.partCount; ++i) {
+            const PosedPart& posed = world.posedParts[body.firstPosed + i];
+            for (std::uint32_t step = 0; step < steps && posed.part < stretch.partCount; ++step) {
+                const PartFrame& frame =
+                    world.partFrames[stretch.firstPartFrame + frameAt(stretch, step) * stretch.partCount +
+                                     posed.part];
+                if (!isNear(frame, posed, world.movingParts[body.firstPart + i]))
+                    return false;
+            }
+        }
+    }
+    return true;
 }
 
 } // namespace limen::world

@@ -17,6 +17,18 @@ public:
     /// Setup's own animation; walking and running are of the same style. All kNone for what is no Setup or has neither.
     [[nodiscard]] std::array<std::uint32_t, kGaits> of(dat::RecordId model);
 
+    /// How a model turns as a whole while it stands: radians a second, about an axis in its own frame; zero for most.
+    [[nodiscard]] Vec3 spinOf(dat::RecordId model);
+
+    /// A hook of a frame, and when a cycle comes by it.
+    struct Hook {
+        const dat::AnimationHook* hook = nullptr; ///< of a record
+        double seconds = 0.0;                     ///< since the cycle's first frame
+        double period = 0.0;                      ///< again every so many seconds; 0: once
+    };
+    /// The hooks that a cycle passes in their direction, in the order it does.
+    [[nodiscard]] std::vector<Hook> hooksOf(std::uint32_t cycle) const;
+
 private:
     /// Frames of an Animation in World::partFrames.
     struct Frames {
@@ -28,12 +40,21 @@ private:
     [[nodiscard]] std::uint32_t addCycle(const dat::MotionTable& table, std::uint32_t substate);
     [[nodiscard]] std::optional<Stretch> stretchOf(const dat::AnimationRange& range);
     [[nodiscard]] const Frames& framesOf(dat::RecordId animation);
+    void addHooks(std::uint32_t stretch, double begin, double period, std::vector<Hook>& out) const;
 
     Records& records_;
     World& world_;
     std::unordered_map<dat::RecordId, std::array<std::uint32_t, kGaits>> bySetup_;
     std::unordered_map<dat::RecordId, Frames> byAnimation_;
+    struct Source {
+        const dat::Animation* animation = nullptr;
+        std::uint32_t low = 0; ///< its first frame
+    };
+    std::vector<Source> sources_; ///< by World::stretches
 };
+
+/// Whether a body of a cycle stands as it rests at every moment, within what nobody sees.
+[[nodiscard]] bool isAtRest(const World& world, const MovingBody& body, std::uint32_t cycle);
 
 /// The ball around a body in all its poses, in its own frame: around `body.bounds` as given, which is of its parts as they
 /// rest, and around the ball of each part at every moment of every cycle. Requires: parts, what they show, and cycles are in the world.

@@ -25,14 +25,22 @@ std::uint32_t flagsOf(const dat::Surface& surface, bool clamp) {
 
 } // namespace
 
-std::uint32_t Materials::material(dat::RecordId id, bool clamp) {
+std::uint32_t Materials::material(dat::RecordId id, bool clamp, std::span<const dat::TextureChange> textures,
+                                  std::span<const PaletteOverlay> overlays) {
+    const dat::Surface* surface = records_.surface(id);
+    MaterialKey key{id, 0, clamp, 0};
+    if (surface != nullptr && surface->hasImage()) {
+        key.texture = surface->texture;
+        for (const dat::TextureChange& change : textures) // of two for one texture the later counts
+            key.texture = change.from == surface->texture ? change.to : key.texture;
+        key.overlays = overlayNumber(overlays);
+    }
     const auto [entry, fresh] =
-        materials_.try_emplace({id, clamp}, static_cast<std::uint32_t>(world_.materials.size()));
+        materials_.try_emplace(key, static_cast<std::uint32_t>(world_.materials.size()));
     if (!fresh)
         return entry->second;
     Material material;
     material.surface = id;
-    const dat::Surface* surface = records_.surface(id);
     if (surface == nullptr) {
         material.colour = Vec4f(0.5f, 0.5f, 0.5f, 1.0f);
         world_.materials.push_back(material);
@@ -44,25 +52,45 @@ std::uint32_t Materials::material(dat::RecordId id, bool clamp) {
         (surface->type & dat::Surface::kLuminous) != 0 ? fraction(surface->luminosity) : 0.0f;
     material.diffuse = (surface->type & dat::Surface::kDiffuse) != 0 ? fraction(surface->diffuse) : 1.0f;
     material.colour = colourOf(surface->hasImage() ? 0xFFFFFFu : surface->colour.argb, alphaOf(*surface));
-    if (surface->hasImage()) {
-        const DecodeRules rules{(surface->type & dat::Surface::kBase1ClipMap) != 0,
-                                (surface->type & dat::Surface::kAdditive) != 0};
-        material.texture = texture(surface->texture, surface->palette, rules);
-    }
+    if (surface->hasImage())
+        material.texture =
+            texture({key.texture, surface->palette, (surface->type & dat::Surface::kBase1ClipMap) != 0,
+                     (surface->type & dat::Surface::kAdditive) != 0, key.overlays});
     world_.materials.push_back(material);
     return entry->second;
 }
 
-std::uint32_t Materials::texture(dat::RecordId id, dat::RecordId palette, const DecodeRules& rules) {
-    const auto [entry, fresh] = textures_.try_emplace({id, palette, rules.clipMap, rules.additive}, kNone);
+std::uint32_t Materials::overlayNumber(std::span<const PaletteOverlay> overlays) {
+    const auto found = std::find_if(overlays_.begin(), overlays_.end(), [&](const auto& known) {
+        return std::equal(known.begin(), known.end(), overlays.begin(), overlays.end());
+    });
+    const auto number = static_cast<std::uint32_t>(found - overlays_.begin());
+    if (found == overlays_.end())
+        overlays_.emplace_back(overlays.begin(), overlays.end());
+    return number;
+}
+
+const dat::Palette* Materials::palette(dat::RecordId id, std::uint32_t overlays) {
+    const dat::Palette* base = id != 0 ? records_.palette(id) : nullptr;
+    if (base == nullptr || overlays == 0)
+        return base;
+    const auto [entry, fresh] = overlaid_.try_emplace({id, overlays});
+    if (fresh)
+        entry->second = withOverlays(*base, overlays_[overlays], records_);
+    return &entry->second;
+}
+
+std::uint32_t Materials::texture(const PictureKey& key) {
+    const auto [entry, fresh] = textures_.try_emplace(key, kNone);
     if (!fresh)
         return entry->second;
-    const dat::SurfaceTexture* record = records_.surfaceTexture(id);
-    const dat::RecordId picture = record != nullptr ? firstPicture(*record) : 0;
-    if (picture != 0)
-        entry->second = decoded(picture, palette, rules);
+    const dat::SurfaceTexture* record = records_.surfaceTexture(key.picture);
+    PictureKey picture = key;
+    picture.picture = record != nullptr ? firstPicture(*record) : 0;
+    if (picture.picture != 0)
+        entry->second = decoded(picture);
     else
-        entry->second = fallback(record != nullptr ? id : 0, "none of its pictures exists");
+        entry->second = fallback(record != nullptr ? key.picture : 0, "none of its pictures exists");
     return entry->second;
 }
 
@@ -73,19 +101,24 @@ dat::RecordId Materials::firstPicture(const dat::SurfaceTexture& texture) const 
     return found == texture.images.end() ? 0 : *found;
 }
 
-std::uint32_t Materials::decoded(dat::RecordId id, dat::RecordId palette, const DecodeRules& rules) {
-    const auto [entry, fresh] = pictures_.try_emplace({id, palette, rules.clipMap, rules.additive}, kNone);
+std::uint32_t Materials::decoded(const PictureKey& key) {
+    const auto [entry, fresh] = pictures_.try_emplace(key, kNone);
     if (!fresh)
         return entry->second;
-    const Result<dat::RenderSurface> picture = records_.archive().load<dat::RenderSurface>(id);
+    const Result<dat::RenderSurface> picture = records_.archive().load<dat::RenderSurface>(key.picture);
     if (!picture)
-        return entry->second = fallback(id, picture.error().message());
-    const dat::RecordId paletteId = palette != 0 ? palette : picture->defaultPalette;
-    Result<Image> image =
-        decodeImage(*picture, paletteId != 0 ? records_.palette(paletteId) : nullptr, rules);
+        return entry->second = fallback(key.picture, picture.error().message());
+    if (key.overlays != 0 && !isIndexed(picture->format)) {
+        PictureKey plain = key; // there is no palette to lay anything over
+        plain.overlays = 0;
+        return entry->second = decoded(plain);
+    }
+    const DecodeRules rules{key.clipMap, key.additive};
+    const dat::RecordId paletteId = key.palette != 0 ? key.palette : picture->defaultPalette;
+    Result<Image> image = decodeImage(*picture, palette(paletteId, key.overlays), rules);
     if (!image)
-        return entry->second = fallback(id, image.error().message());
-    if (rules.clipMap && image->hasAlpha)
+        return entry->second = fallback(key.picture, image.error().message());
+    if (key.clipMap && image->hasAlpha)
         bleedColour(*image);
     world_.textures.push_back(std::move(*image));
     return entry->second = static_cast<std::uint32_t>(world_.textures.size() - 1);

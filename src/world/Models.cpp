@@ -56,6 +56,18 @@ Pose poseOf(const dat::Frame& frame) {
     return pose;
 }
 
+Pose restOf(const dat::Setup& setup, std::size_t part) {
+    const dat::AnimationFrame* frames = restingPose(setup);
+    return frames != nullptr && part < frames->parts.size() ? poseOf(frames->parts[part]) : Pose();
+}
+
+bool isSprite(dat::RecordId gfxObj, Records& records) {
+    const dat::GfxObj* record = records.gfxObj(gfxObj);
+    const dat::DegradeInfo* info =
+        record != nullptr && record->degradeId != 0 ? records.degradeInfo(record->degradeId) : nullptr;
+    return info != nullptr && !info->levels.empty() && info->levels.front().mode != dat::DegradeLevel::kMesh;
+}
+
 std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records) {
     std::vector<SurfaceList> lists;
     for (const dat::RecordId id : surfaces) {
@@ -69,7 +81,7 @@ std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Record
 const Model& Models::model(dat::RecordId id) {
     std::unique_ptr<Model>& entry = models_[id];
     if (entry == nullptr)
-        entry = std::make_unique<Model>(read(id));
+        entry = std::make_unique<Model>(read(id, nullptr));
     return *entry;
 }
 
@@ -110,20 +122,22 @@ void Models::addPart(Model& model, const ModelPart& posed) {
     }
 }
 
-Model Models::read(dat::RecordId id) {
+Model Models::read(dat::RecordId id, const Dress* dress) {
     Model model;
     if (id >> 24 == 0x01) {
         addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, 0, Vec3(1.0)});
     } else if (const dat::Setup* setup = records_.setup(id)) {
-        const dat::AnimationFrame* frames = restingPose(*setup);
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
-            const Pose pose =
-                frames != nullptr && i < frames->parts.size() ? poseOf(frames->parts[i]) : Pose();
+            const Pose pose = restOf(*setup, i);
             const Vec3 scale = scaleOf(*setup, i);
             Mat3 linear = glm::mat3_cast(pose.orientation);
             for (int axis = 0; axis < 3; ++axis)
                 linear[axis] *= scale[axis];
-            addPart(model, {setup->parts[i], linear, pose.origin, {}, static_cast<std::uint32_t>(i), scale});
+            const auto number = static_cast<std::uint32_t>(i);
+            const DressedPart* worn = dress != nullptr ? dress->part(number) : nullptr;
+            const dat::RecordId gfxObj =
+                worn != nullptr && worn->gfxObj != 0 ? worn->gfxObj : setup->parts[i];
+            addPart(model, {gfxObj, linear, pose.origin, {}, number, scale});
         }
         model.lights = lightsOf(*setup);
     }

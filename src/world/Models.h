@@ -1,5 +1,6 @@
 #pragma once
 
+#include "world/Clothing.h"
 #include "world/MeshBuilder.h"
 #include "world/PolygonSource.h"
 #include "world/Records.h"
@@ -45,11 +46,13 @@ public:
     explicit Models(Records& records, double detail = 1.0) : records_(records), detail_(detail) {}
 
     [[nodiscard]] const Model& model(dat::RecordId id);
+    /// The same with the meshes of some of its parts changed. Cost: read anew each time.
+    [[nodiscard]] Model dressed(dat::RecordId id, const Dress& dress) { return read(id, &dress); }
     /// Null if the record is missing or damaged.
     [[nodiscard]] const PartMesh* part(dat::RecordId gfxObj);
 
 private:
-    [[nodiscard]] Model read(dat::RecordId id);
+    [[nodiscard]] Model read(dat::RecordId id, const Dress* dress);
     struct Level {
         dat::RecordId gfxObj = 0;
         Reach reach;
@@ -66,6 +69,9 @@ private:
     std::unordered_map<dat::RecordId, std::unique_ptr<PartMesh>> parts_;
 };
 
+/// Whether what is seen of a GfxObj from nearby is a sprite that faces the eye, by its levels of detail.
+[[nodiscard]] bool isSprite(dat::RecordId gfxObj, Records& records);
+
 /// Surface classes by slot; a missing Surface counts as opaque.
 [[nodiscard]] std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records);
 
@@ -76,5 +82,7 @@ struct Pose {
     [[nodiscard]] Vec3 apply(const Vec3& p) const { return origin + orientation * p; }
 };
 [[nodiscard]] Pose poseOf(const dat::Frame& frame);
+/// Where a part of a Setup rests, in the object's frame; the identity for parts that no placement frame tells of.
+[[nodiscard]] Pose restOf(const dat::Setup& setup, std::size_t part);
 
 } // namespace limen::world

@@ -88,6 +88,17 @@ struct Emitter {
     double reach = 0.0; ///< no sprite comes further from the position than this
 };
 
+/// A static object that moves where it stands: its parts by the cycle of standing still, or all of it by turning.
+struct IdleObject {
+    MovingBody body;  ///< the bounds hold all turns, too
+    Vec3 origin{0.0}; ///< global
+    Quat orientation{1.0, 0.0, 0.0, 0.0};
+    double scale = 1.0;
+    Vec3 spin{0.0}; ///< radians a second, about an axis in its own frame
+    SpaceIndex space = kOutside;
+    bool isAlone = false; ///< it reaches no other space, whichever doors are open
+};
+
 /// A static object whose membership depends on which doors are shut.
 struct LooseObject {
     InstanceIndex firstInstance = 0, instanceCount = 0;

@@ -33,10 +33,28 @@ bool read(const Json& object, RouteEntry& out) {
            readList(object, "points", out.points) && out.points.size() >= 2;
 }
 
+bool read(const Json& object, PlayEntry& out) {
+    return readField(object, "kind", out.kind) && out.kind != 0 &&
+           readField(object, "intensity", out.intensity);
+}
+
+/// An object within another; absent is fine.
+template <class Entry>
+bool readWithin(const Json& object, const char* key, Entry& out) {
+    const auto found = object.find(key);
+    return found == object.end() || (found->is_object() && read(*found, out));
+}
+
+bool read(const Json& object, ClothingEntry& out) {
+    return readId(object, "table", out.table) && out.table != 0 &&
+           readField(object, "palette", out.palette) && readField(object, "shade", out.shade);
+}
+
 bool read(const Json& object, VillagerEntry& out) {
     return readField(object, "name", out.name) && readField(object, "route", out.route) &&
            readId(object, "model", out.model) && out.model != 0 && readField(object, "speed", out.speed) &&
-           readField(object, "start", out.start);
+           readField(object, "start", out.start) && readWithin(object, "play", out.play) &&
+           readList(object, "clothing", out.clothing);
 }
 
 bool read(const Json& object, EmitterEntry& out) {
@@ -86,6 +104,8 @@ Result<MovingEntries> readMovingEntries(const Json& world, const std::string& fi
     if (const auto player = world.find("player"); player != world.end()) {
         if (!player->is_object() || !readId(*player, "model", entries.player) || entries.player == 0)
             return fail(ErrorCode::Malformed, file, "\"player\" has no \"model\"");
+        if (!readList(*player, "clothing", entries.playerClothing))
+            return broken("clothing", entries.playerClothing.size());
     }
     std::string weather = "clear";
     if (!readField(world, "weather", weather) || (weather != "clear" && weather != "rain"))

@@ -37,10 +37,25 @@ struct RouteEntry {
     std::vector<Point> points;
 };
 
+/// A script of one's PhysicsScriptTable that is played from the beginning on.
+struct PlayEntry {
+    std::uint32_t kind = 0; ///< 0: none
+    double intensity = 0.0;
+};
+
+/// A ClothingTable that one wears.
+struct ClothingEntry {
+    dat::RecordId table = 0;
+    std::uint32_t palette = 0; ///< one of its palette templates; 0: colours as they are
+    double shade = 0.5;        ///< of the palettes in a set: 0 the first .. 1 the last
+};
+
 struct VillagerEntry {
     std::string name, route;
     dat::RecordId model = 0;
     double speed = 1.0, start = 0.0;
+    PlayEntry play;
+    std::vector<ClothingEntry> clothing; ///< the later over the earlier
 };
 
 struct EmitterEntry {
@@ -58,7 +73,8 @@ struct MovingEntries {
     std::vector<VillagerEntry> villagers;
     std::vector<EmitterEntry> emitters;
     dat::RecordId player = 0; ///< model of the body that walks through the world; 0: it is not seen
-    bool rain = false;        ///< at the start
+    std::vector<ClothingEntry> playerClothing;
+    bool rain = false; ///< at the start
 };
 
 /// Reads the moving things of a world file. `file` is for messages. Errors: an entry that is not of its shape.

@@ -29,6 +29,19 @@ public:
         return get(id, surfaceTextures_);
     }
     [[nodiscard]] const dat::Palette* palette(dat::RecordId id) { return get(id, palettes_); }
+    [[nodiscard]] const dat::PaletteSet* paletteSet(dat::RecordId id) { return get(id, paletteSets_); }
+    [[nodiscard]] const dat::ClothingTable* clothingTable(dat::RecordId id) {
+        return get(id, clothingTables_);
+    }
+    [[nodiscard]] const dat::ParticleEmitter* particleEmitter(dat::RecordId id) {
+        return get(id, particleEmitters_);
+    }
+    [[nodiscard]] const dat::PhysicsScript* physicsScript(dat::RecordId id) {
+        return get(id, physicsScripts_);
+    }
+    [[nodiscard]] const dat::PhysicsScriptTable* physicsScriptTable(dat::RecordId id) {
+        return get(id, physicsScriptTables_);
+    }
 
     [[nodiscard]] const dat::Archive& archive() const { return *archive_; }
     [[nodiscard]] std::vector<Finding>& findings() { return findings_; }
@@ -60,6 +73,11 @@ private:
     Cache<dat::Surface> surfaces_;
     Cache<dat::SurfaceTexture> surfaceTextures_;
     Cache<dat::Palette> palettes_;
+    Cache<dat::PaletteSet> paletteSets_;
+    Cache<dat::ClothingTable> clothingTables_;
+    Cache<dat::ParticleEmitter> particleEmitters_;
+    Cache<dat::PhysicsScript> physicsScripts_;
+    Cache<dat::PhysicsScriptTable> physicsScriptTables_;
     std::vector<Finding> findings_;
 };
 

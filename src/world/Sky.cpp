@@ -142,10 +142,13 @@ void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double s
         const SkyPart& part = sky.parts[i];
         if (part.dayGroup != dayGroup || !isVisible(part.object, t))
             continue;
+        const dat::SkyObjectReplace* from = replaceOf(at.from, part.objectIndex);
+        if (part.replacement != (from != nullptr ? from->gfxObj : 0))
+            continue;
         SkyPlacement placement;
         placement.part = i;
         double turn = 0.0;
-        if (const dat::SkyObjectReplace* from = replaceOf(at.from, part.objectIndex)) {
+        if (from != nullptr) {
             const dat::SkyObjectReplace* to = replaceOf(at.to, part.objectIndex);
             to = to != nullptr ? to : from;
             turn = mixedAngle(from->rotate, to->rotate, at.f);

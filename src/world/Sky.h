@@ -14,6 +14,8 @@ struct SkyPart {
     std::uint32_t mesh = 0xFFFFFFFFu; ///< index into World::meshes
     std::uint32_t firstMaterial = 0;  ///< run of World::materialRefs
     dat::SkyObject object;
+    /// What keyframes put in the object's place while they rule, if this shows that; 0: the object's own model.
+    std::uint32_t replacement = 0;
 };
 
 /// The sky as the Region describes it; no day groups when it has none.

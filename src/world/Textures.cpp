@@ -107,8 +107,7 @@ Result<void> check(const dat::RenderSurface& picture, const dat::Palette* palett
         return fail(ErrorCode::Unsupported, "", "picture in a format that is not supported");
     if (picture.pixels.size() != needed)
         return fail(ErrorCode::Malformed, "", "picture whose byte count does not fit its size");
-    const bool indexed = picture.format == PixelFormat::P8 || picture.format == PixelFormat::Index16;
-    if (indexed && (palette == nullptr || palette->colours.empty()))
+    if (isIndexed(picture.format) && (palette == nullptr || palette->colours.empty()))
         return fail(ErrorCode::Malformed, "", "indexed picture without a palette");
     return {};
 }

@@ -12,6 +12,11 @@ struct DecodeRules {
     bool additive = false; ///< A8: the value is colour and alpha; else white with that alpha
 };
 
+/// Whether texels of a format are numbers of a palette's colours.
+[[nodiscard]] constexpr bool isIndexed(dat::PixelFormat format) {
+    return format == dat::PixelFormat::P8 || format == dat::PixelFormat::Index16;
+}
+
 /// Decodes a picture. `palette` is needed for P8 and Index16 only. Errors: dimensions out of 1..4096, a byte
 /// count that does not fit them, a missing or empty palette, a damaged JPEG file (whose own size counts). Blend maps (LandscapeAlpha) have their value in all four channels.
 [[nodiscard]] Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette,

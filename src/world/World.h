@@ -7,6 +7,7 @@
 #include "world/Image.h"
 #include "world/Index.h"
 #include "world/Moving.h"
+#include "world/Particles.h"
 #include "world/Reach.h"
 #include "world/Sky.h"
 
@@ -247,6 +248,9 @@ struct World {
     std::vector<Villager> villagers;
     std::vector<Emitter> emitters;
     Player player;
+    std::vector<IdleObject> idleObjects;
+    std::vector<ParticleStyle> particleStyles;
+    std::vector<ParticleSource> particleSources;
     std::vector<LooseObject> looseObjects;
     std::uint32_t rainDrop = kNone; ///< movingParts: a unit square in the colour of rain
     std::uint32_t spriteIds = 0;    ///< the first of kMostSprites ids by which sprites count as layers

@@ -173,7 +173,7 @@ TEST_P(CasesDistance, case15_aTallVillagerSeenByTheHeadAlone) {
         {"round",
          true,
          {{origin + Vec3(90, 100, 0), 0}, {origin + Vec3(102, 100, 0), 0}, {origin + Vec3(96, 110, 0), 0}}});
-    moving.villagers.push_back({"giant", "round", giant, 1.0, 0.0});
+    moving.villagers.push_back({"giant", "round", giant, 1.0, 0.0, {}, {}});
     PictureWorld pictures(world, options(moving));
     pictures.fov = 40;
     std::size_t seen = 0;

@@ -1,6 +1,6 @@
 // Hard cases 9, 17, 19 and 27 of docs/cases.md: what moves, what fills openings, what shines through.
 #include "picture/CaseHelp.h"
-#include "support/MovingHut.h"
+#include "support/Effects.h"
 
 #include "motion/Locate.h"
 
@@ -147,6 +147,66 @@ TEST_P(CasesMoving, case19_aDoorThatOpensIsCleanAtEveryStep) {
             pictures.expectClean(frame, kCountLayers);
         }
     }
+}
+
+TEST_P(CasesMoving, case17_particlesOfRecordsAndTurningThingsObeyTheRuleThroughDoors) {
+    EffectsHut effects;
+    dat::ParticleEmitter drift = EffectsHut::emitter(effects.spark); // opaque, into the hut by its front door
+    drift.particleType = dat::ParticleType::GlobalVelocity;
+    drift.offset = {{1, 0, 0}, 0.0f, 0.4f};
+    drift.a = {{1.2f, 0, 0}, 1.0f, 1.0f};
+    drift.birthrate = 0.1;
+    drift.maxParticles = 30;
+    drift.scale = {1.0f, 2.0f, 0.2f};
+    dat::ParticleEmitter glow = EffectsHut::emitter(effects.flake); // blended, faces the eye
+    glow.particleType = dat::ParticleType::Swarm;
+    glow.b = {{2, 3, 1}, 1.0f, 1.0f};
+    glow.c = {{0.8f, 0.5f, 0.5f}, 0.5f, 1.0f};
+    glow.translucency = {0.3f, 0.9f, 0.0f};
+    const std::uint32_t script =
+        effects.addScript({{0.0, EffectsHut::create(effects.add(drift))},
+                           {0.0, EffectsHut::create(effects.add(glow), 1, {1.2f, 0, -1})}});
+    effects.hut.source.addObject(effects.addScripted(script), frameAt({9, 11.5, 3}));
+    dat::Animation round;
+    round.id = 0x03000060;
+    round.partCount = 2;
+    for (int k = 0; k < 8; ++k)
+        round.frames.push_back({{frameAt({0, 0, 0}), frameAt({0, 0, 1.2}, 45.0 * k)}, {}});
+    effects.hut.source.portalFile().add(round);
+    dat::Setup mill; // its arm swings through the inner door
+    const std::uint32_t arm =
+        effects.hut.source.addModel(boxExterior({0.2, -0.05, 0}, {1.2, 0.05, 0.2}, "red"));
+    mill.parts = {effects.post, arm};
+    mill.animation = round.id;
+    effects.hut.source.addStatic(effects.hut.front, effects.hut.source.addSetup(mill),
+                                 frameAt({13.4, 11.5, 2}));
+    PictureWorld pictures(effects.hut.source, options(effects.hut.moving));
+    pictures.width = 80;
+    pictures.height = 56;
+    const world::SpaceIndex front = pictures.space(effects.hut.source.id(effects.hut.front)),
+                            rear = pictures.space(effects.hut.source.id(effects.hut.rear));
+    std::size_t sparks = 0, arms = 0, layered = 0;
+    for (int step = 0; step < 12; ++step) {
+        const double doors = step % 4 == 3 ? 0.0 : 1.0, seconds = 20.0 + step * 0.0707;
+        for (const auto& [eye, yaw, root] : {std::tuple{Vec3(7, 11.4, 3.4), 90.0, world::kOutside},
+                                             {Vec3(13, 12.5, 3.6), 250.0, front},
+                                             {Vec3(16, 11.6, 3.5), 270.0, rear}}) {
+            const frame::FrameView frame = pictures.look(eye, yaw, -6, root);
+            pictures.setMoment(momentFor(frame, seconds, doors));
+            SCOPED_TRACE(::testing::Message() << "eye x " << eye.x << ", step " << step);
+            const Picture picture = pictures.expectClean(frame, kCountLayers);
+            sparks +=
+                static_cast<std::size_t>(std::count_if(picture.ids.begin(), picture.ids.end(), [&](auto id) {
+                    return id >= pictures.world().spriteIds;
+                }));
+            arms += pixelsOfRecord(pictures, picture, arm);
+            layered += static_cast<std::size_t>(std::count_if(picture.layers.begin(), picture.layers.end(),
+                                                              [](const auto& l) { return l.count > 0; }));
+        }
+    }
+    EXPECT_GT(sparks, 500u);
+    EXPECT_GT(arms, 500u);
+    EXPECT_GT(layered, 500u);
 }
 
 /// The hut with more that is translucent: glow and smoke at rest in both rooms and before the door, a glowing lantern,

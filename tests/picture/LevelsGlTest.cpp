@@ -36,7 +36,7 @@ struct LevelsGl : ::testing::TestWithParam<gpu::Culling> {
         const auto at = [&](const Vec3& local) { return toGlobal(source, local); };
         route.points = {{at(folkFrom), 0}, {at(folkTo), 0}};
         moving.routes.push_back(route);
-        moving.villagers.push_back({"anna", "lane", coat, 1.0, 0.0});
+        moving.villagers.push_back({"anna", "lane", coat, 1.0, 0.0, {}, {}});
     }
 
     /// The eye `metres` south of what stands still, at its foot's height and a little.

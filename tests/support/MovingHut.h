@@ -47,7 +47,7 @@ struct MovingHut {
                         {at({12, 11.5, 2}), source.id(front)},
                         {at({16, 11.5, 2}), source.id(rear)}};
         moving.routes.push_back(route);
-        moving.villagers.push_back({"anna", "through", body, 1.0, 0.0});
+        moving.villagers.push_back({"anna", "through", body, 1.0, 0.0, {}, {}});
         moving.player = body;
         world::EmitterEntry smoke;
         smoke.name = "smoke";

@@ -25,6 +25,45 @@ long numberOf(const World& world, const Stretch& stretch, std::uint32_t frame) {
                        10.0);
 }
 
+TEST(Cycles, passTheirHooksWhenTheNextFrameIsThere) {
+    Puppet puppet;
+    dat::Animation steps;
+    steps.id = 0x03000070;
+    steps.partCount = 2;
+    steps.frames.resize(4, {{test::frameAt({0, 0, 0}), test::frameAt({0, 0, 0.9})}, {}});
+    // Of either way, forward, back, of either way.
+    const std::vector<std::uint8_t> word(4, 0);
+    steps.frames[0].hooks = {{0x0E, 0, word}};
+    steps.frames[1].hooks = {{0x0F, 1, word}};
+    steps.frames[2].hooks = {{0x10, -1, word}};
+    steps.frames[3].hooks = {{0x11, 0, {}}};
+    dat::MotionData forward, back;
+    forward.animations = {{steps.id, 0, 1, 2.0f}, {steps.id, 1, 3, 4.0f}};
+    back.animations = {{steps.id, 0, 3, -2.0f}};
+    const test::TempDir directory;
+    puppet.hut.source.portalFile().add(steps);
+    puppet.table.cycles = {{dat::motionKey(kPuppetStyle, kPuppetStands), forward},
+                           {dat::motionKey(kPuppetStyle, kPuppetWalks), back}};
+    puppet.hut.source.portalFile().add(puppet.table);
+    const std::uint32_t setup = puppet.hut.source.addSetup(puppet.setup);
+    ASSERT_TRUE(puppet.hut.source.write(directory.path()));
+    const Result<dat::Archive> archive = dat::Archive::open(directory.path());
+    Records records(*archive);
+    World world;
+    Cycles cycles(records, world);
+    using Passed = std::vector<std::tuple<std::uint32_t, double, double>>;
+    const auto passed = [&](Gait gait) {
+        Passed out;
+        for (const Cycles::Hook& hook : cycles.hooksOf(cycles.of(setup)[static_cast<std::size_t>(gait)]))
+            out.emplace_back(hook.hook->type, hook.seconds, hook.period);
+        return out;
+    };
+    // Frames 0 and 1 once, at 2 a second; then 1, 2, 3 for ever, at 4.
+    EXPECT_EQ(passed(Gait::Stand),
+              (Passed{{0x0E, 0.5, 0.0}, {0x0F, 1.0, 0.0}, {0x0F, 1.25, 0.75}, {0x11, 1.75, 0.75}}));
+    EXPECT_EQ(passed(Gait::Walk), (Passed{{0x11, 0.5, 2.0}, {0x10, 1.0, 2.0}, {0x0E, 2.0, 2.0}}));
+}
+
 TEST(Cycles, areThoseOfTheDefaultStyle) {
     Puppet puppet;
     const std::uint32_t animation = puppet.sliding(4);

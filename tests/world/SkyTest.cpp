@@ -111,6 +111,67 @@ TEST(SkyPlacements, fadeBetweenReplaces) {
     EXPECT_NEAR((out[0].rotation * Vec3f(0, 1, 0)).y, 1.0f, 1e-5f) << "half way from 350 to 10 degrees";
 }
 
+TEST(SkyPlacements, showWhatKeyframesPutInTheObjectsPlaceWhileTheyRule) {
+    Sky sky = twoKeys();
+    dat::SkyObjectReplace other, own;
+    other.gfxObj = 0x01000007;
+    sky.desc.dayGroups[0].times[0].replaces = {other}; // from three quarters on
+    sky.desc.dayGroups[0].times[1].replaces = {own};   // from a quarter on
+    SkyPart itself, inPlace, never;
+    inPlace.replacement = 0x01000007;
+    never.replacement = 0x01000008;
+    sky.parts = {itself, inPlace, never};
+    std::vector<SkyPlacement> out;
+    for (const auto& [time, part] : {std::pair{0.25, 0u}, {0.7499, 0u}, {0.75, 1u}, {0.9, 1u}, {0.2, 1u}}) {
+        skyPlacements(sky, 0, time, 0.0, out);
+        ASSERT_EQ(out.size(), 1u) << time;
+        EXPECT_EQ(out[0].part, part) << time;
+    }
+    sky.desc.dayGroups[0].times[0].replaces.clear();
+    skyPlacements(sky, 0, 0.9, 0.0, out);
+    ASSERT_EQ(out.size(), 1u);
+    EXPECT_EQ(out[0].part, 0u) << "one that keyframes do not mention is as it is";
+}
+
+TEST(SkyPlacements, takeLuminosityFromReplacesAsShareOrPercentage) {
+    Sky sky = twoKeys();
+    dat::SkyObjectReplace from, to;
+    from.luminosity = 20.0f; // percent
+    to.luminosity = 60.0f;
+    sky.desc.dayGroups[0].times[1].replaces = {from}; // begins at 0.25
+    sky.desc.dayGroups[0].times[0].replaces = {to};   // at 0.75
+    sky.parts = {SkyPart{}};
+    std::vector<SkyPlacement> out;
+    skyPlacements(sky, 0, 0.5, 0.0, out);
+    EXPECT_NEAR(out.at(0).luminosity, 0.4f, 1e-5f);
+}
+
+TEST(Sky, loadsTheMeshesOfReplacements) {
+    test::TestWorld source;
+    source.setFlatTerrain(source.home(), 1);
+    dat::SkyObject moon;
+    moon.object = source.addModel(test::boxWalls({-10, -10, -10}, {10, 10, 10}, "white"));
+    dat::SkyObjectReplace replace;
+    replace.objectIndex = 0;
+    replace.gfxObj = source.addModel({test::Wall{test::rectangle({-5, 9, -5}, {5, 9, 5}), "red"}});
+    dat::DayGroup& group = source.region().sky.dayGroups[0];
+    group.objects = {moon};
+    group.times = {keyframe(0.0f, 1.0f, 0.0f, 90.0f), keyframe(0.5f, 1.0f, 0.0f, 90.0f)};
+    group.times[1].replaces = {replace};
+    const World world = test::loadTestWorld(source);
+    ASSERT_EQ(world.sky.parts.size(), 2u);
+    EXPECT_EQ(world.sky.parts[0].replacement, 0u);
+    EXPECT_EQ(world.sky.parts[1].replacement, replace.gfxObj);
+    EXPECT_EQ(world.meshes[world.sky.parts[1].mesh].vertexCount, 6u);
+    std::vector<SkyPlacement> out;
+    skyPlacements(world.sky, 0, 0.25, 0.0, out);
+    ASSERT_EQ(out.size(), 1u);
+    EXPECT_EQ(out[0].part, 0u);
+    skyPlacements(world.sky, 0, 0.75, 0.0, out);
+    ASSERT_EQ(out.size(), 1u);
+    EXPECT_EQ(out[0].part, 1u);
+}
+
 TEST(Sky, loadsItsMeshesFromTheRegion) {
     test::TestWorld source;
     source.setFlatTerrain(source.home(), 1);
