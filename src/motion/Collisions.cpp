@@ -11,6 +11,7 @@ namespace {
 
 /// A place of a surface is asked for this far before it, metres: in the space that the surface is seen from.
 constexpr double kBefore = 0.001;
+constexpr double kAlong = 1e-6; ///< sine of the angle by which what slides along a plane may point into it
 
 btVector3 toBullet(const Vec3& v) {
     return {v.x, v.y, v.z};
@@ -178,7 +179,8 @@ struct FirstBump : btCollisionWorld::ConvexResultCallback {
         if (!(length > 0.0))
             return m_closestHitFraction;
         n /= length;
-        const bool leaves = glm::dot(n, to - from) >= 0.0; // it only slides along, or away
+        // It only slides along, or away; a way that was bent along a plane may point into it by what is rounded.
+        const bool leaves = glm::dot(n, to - from) >= -kAlong * glm::length(to - from);
         const Vec3 feet = from + (to - from) * double{result.m_hitFraction};
         if (leaves ||
             !meets.meets(indexOf(result.m_hitCollisionObject), fromBullet(result.m_hitPointLocal), feet))
