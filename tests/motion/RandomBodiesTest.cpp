@@ -1,6 +1,7 @@
 // Bodies that are dropped into worlds and walk, run, jump and use doors at random for a minute each: none may leave the world, be in a
 // wall, be stuck where there is room, or be in a space that its position contradicts.
-// LIMEN_TEST_BODIES: how many in each kind of world (24); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them.
+// LIMEN_TEST_BODIES: how many in each kind of world (24); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them;
+// LIMEN_TEST_BODY: only the one of that number.
 #include "demo/Demo.h"
 #include "demo/GeneratedWorlds.h"
 #include "geometry/Compass.h"
@@ -239,7 +240,10 @@ struct Share {
 /// Lives that begin around one block; `number` names a life for good.
 void liveIn(const Part& part, const std::string& name, std::uint32_t first, std::uint32_t end,
             std::uint32_t by, std::uint32_t& lived) {
+    const std::uint32_t only = asked("LIMEN_TEST_BODY", world::kNone);
     for (std::uint32_t number = first; number < end; number += by) {
+        if (only != world::kNone && number != only)
+            continue;
         Life life(part, number);
         if (!life.begin())
             continue;
