@@ -35,7 +35,7 @@ struct BodyState {
 /// A body that is put somewhere.
 [[nodiscard]] BodyState bodyAt(const Standing& standing);
 
-/// A body a while later: a pure function, whose steps do not depend on frames longer than 10 ms being cut otherwise. It slides along
+/// A body a while later: a pure function, whose steps do not depend on frames longer than 17 ms being cut otherwise. It slides along
 /// what it bumps into, climbs steps, falls, and keeps track of the space its middle is in. One that falls below everything is put back
 /// where it stood last. `doors`: as in Collisions::sweep.
 [[nodiscard]] BodyState moved(const BodyState& body, const BodyInput& input, double seconds,

@@ -1,6 +1,7 @@
 #include "motion/Collisions.h"
 
 #include "geometry/Compass.h"
+#include "geometry/ConvexPolygon.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -11,6 +12,9 @@ namespace {
 
 /// A place of a surface is asked for this far before it, metres: in the space that the surface is seen from.
 constexpr double kBefore = 0.001;
+constexpr double kInPlane =
+    0.0002; ///< metres from an opening's plane, and beyond its edge (docs/ray-rule.md, Tolerances)
+constexpr double kAlong = 1e-6; ///< sine of the angle by which what slides along a plane may point into it
 
 btVector3 toBullet(const Vec3& v) {
     return {v.x, v.y, v.z};
@@ -130,13 +134,7 @@ public:
         const Vec3 before = middle + towards * share;
         world::SpaceIndex space = sweep(world_, standing_.space, start, middle);
         space = sweep(world_, space, middle, before);
-        if (isMember(index, space))
-            return true;
-        // What lies in an opening's plane is met from both sides: the wall around the smaller one of two that are not alike.
-        const Vec3 beyond =
-            distance > kBefore ? middle + towards * ((distance + kBefore) / distance) : middle;
-        const world::SpaceIndex next = sweep(world_, space, before, beyond);
-        return next != space && isMember(index, next);
+        return isMember(index, space) || isBehindAnOpeningAt(index, space, solids_.origin + at);
     }
 
     [[nodiscard]] const world::Solid& solidAt(int index) const {
@@ -144,6 +142,19 @@ public:
     }
 
 private:
+    /// What lies in the plane of an opening is met from both sides: the wall around the smaller one of two that are not alike, and
+    /// the one between two rooms at the edge that the openings into both have in common.
+    [[nodiscard]] bool isBehindAnOpeningAt(int index, world::SpaceIndex from, const Vec3& place) const {
+        const world::Space& space = world_.spaces[from];
+        for (world::PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            const world::Portal& portal = world_.portals[p];
+            if (portal.destination != world::kNone && isMember(index, portal.destination) &&
+                std::abs(portal.plane.signedDistance(place)) <= kInPlane &&
+                containsProjection(world::cornersOf(world_, portal), portal.plane.n, place, kInPlane))
+                return true;
+        }
+        return false;
+    }
     [[nodiscard]] bool isMember(int index, world::SpaceIndex space) const {
         const world::Solid& solid = solidAt(index);
         const auto members = std::span(solids_.members).subspan(solid.firstMember, solid.memberCount);
@@ -178,7 +189,8 @@ struct FirstBump : btCollisionWorld::ConvexResultCallback {
         if (!(length > 0.0))
             return m_closestHitFraction;
         n /= length;
-        const bool leaves = glm::dot(n, to - from) >= 0.0; // it only slides along, or away
+        // It only slides along, or away; a way that was bent along a plane may point into it by what is rounded.
+        const bool leaves = glm::dot(n, to - from) >= -kAlong * glm::length(to - from);
         const Vec3 feet = from + (to - from) * double{result.m_hitFraction};
         if (leaves ||
             !meets.meets(indexOf(result.m_hitCollisionObject), fromBullet(result.m_hitPointLocal), feet))

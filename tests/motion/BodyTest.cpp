@@ -183,6 +183,34 @@ TEST(Body, climbsStairs) {
     EXPECT_TRUE(walker.body.isOnGround) << "step by step, not in the air";
 }
 
+TEST(Body, getsOutOfANotchThatIsTooSteepToStandIn) {
+    Hut hut;
+    const test::Walls notch{{{{-1, -2, 2}, {0, -2, 0}, {0, 2, 0}, {-1, 2, 2}}},
+                            {{{0, -2, 0}, {1, -2, 2}, {1, 2, 2}, {0, 2, 0}}}};
+    hut.source.addObject(hut.source.addModel(notch), frameAt({40, 40, 3}));
+    Walker walker(hut.source);
+    walker.put({40.1, 40, 4.5}, kOutside);
+    walker.stand(2.0);
+    const Vec3 held = walker.feet();
+    EXPECT_GT(held.z, 3.1);
+    walker.stand(1.0);
+    EXPECT_EQ(walker.feet(), held) << "at rest, to the bit";
+    walker.go(kNorth, 3.0);
+    EXPECT_GT(walker.feet().y, 42.0);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+}
+
+TEST(Body, fallsAlongWhatIsTooSteepAndIsNotHeldByIt) {
+    Hut hut;
+    const test::Walls slope{{{{-1, -2, 2}, {0, -2, 0}, {0, 2, 0}, {-1, 2, 2}}}};
+    hut.source.addObject(hut.source.addModel(slope), frameAt({40, 40, 2}));
+    Walker walker(hut.source);
+    walker.put({39.6, 40, 4.0}, kOutside);
+    walker.stand(2.0);
+    EXPECT_GT(walker.feet().x, 40.0);
+    EXPECT_NEAR(walker.feet().z, 2.0, kNear);
+}
+
 TEST(Body, jumpsAndLands) {
     Hut hut;
     Walker walker(hut.source);

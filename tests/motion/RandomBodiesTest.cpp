@@ -1,6 +1,7 @@
 // Bodies that are dropped into worlds and walk, run, jump and use doors at random for a minute each: none may leave the world, be in a
 // wall, be stuck where there is room, or be in a space that its position contradicts.
-// LIMEN_TEST_BODIES: how many in each kind of world (24); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them.
+// LIMEN_TEST_BODIES: how many in each kind of world (48); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them;
+// LIMEN_TEST_BODY: only the one of that number.
 #include "demo/Demo.h"
 #include "demo/GeneratedWorlds.h"
 #include "geometry/Compass.h"
@@ -113,8 +114,11 @@ private:
         if (door.empty())
             return {};
         const Vec3 at = door[below(door.size())] + Vec3(dice(-6, 6), dice(-6, 6), dice(-3, 3));
-        if (!cellContains(part_.world, space, at))
-            return {};
+        // Where the hulls of two cells overlap only one of them need have a floor.
+        for (world::SpaceIndex s = 1; s < part_.world.spaces.size(); ++s) {
+            if (cellContains(part_.world, s, at) != (s == space))
+                return {};
+        }
         return Standing{at - kUp * (0.5 * shape_.capsule.height), space};
     }
     std::optional<Standing> fromTheSky() {
@@ -178,11 +182,20 @@ private:
     }
 
     [[nodiscard]] bool isElsewhere() const {
+        constexpr double kAside = 0.001; // metres: in a plane between two spaces it may be in either
         const Vec3 at = middle(body_.standing);
-        if (body_.standing.space == kOutside)
-            return locate(part_.world, at).space != kOutside;
-        return part_.world.spaces[body_.standing.space].bspNodeCount > 0 &&
-               !cellContains(part_.world, body_.standing.space, at);
+        for (const Vec3& way : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                                Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+            if (mayBeAt(at + way * kAside))
+                return false;
+        }
+        return true;
+    }
+    [[nodiscard]] bool mayBeAt(const Vec3& at) const {
+        const world::SpaceIndex space = body_.standing.space;
+        if (space == kOutside)
+            return locate(part_.world, at).space == kOutside;
+        return part_.world.spaces[space].bspNodeCount == 0 || cellContains(part_.world, space, at);
     }
 
     /// It gets nowhere, in no direction, on foot or jumping, though a slimmer one could go.
@@ -203,8 +216,7 @@ private:
                 if (glm::length(tries.standing.feet - body_.standing.feet) > kLeastWay + 1.0)
                     break;
             }
-            const Vec3 gone = tries.standing.feet - body_.standing.feet;
-            if (std::hypot(gone.x, gone.y) > kLeastWay)
+            if (glm::length(tries.standing.feet - body_.standing.feet) > kLeastWay)
                 return false;
         }
         return isRoom;
@@ -233,13 +245,16 @@ struct Share {
             of = std::max<std::uint32_t>(static_cast<std::uint32_t>(std::strtoul(end + 1, nullptr, 10)), 1);
         }
     }
-    std::uint32_t all = asked("LIMEN_TEST_BODIES", 24), which = 0, of = 1;
+    std::uint32_t all = asked("LIMEN_TEST_BODIES", 48), which = 0, of = 1;
 };
 
 /// Lives that begin around one block; `number` names a life for good.
 void liveIn(const Part& part, const std::string& name, std::uint32_t first, std::uint32_t end,
             std::uint32_t by, std::uint32_t& lived) {
+    const std::uint32_t only = asked("LIMEN_TEST_BODY", world::kNone);
     for (std::uint32_t number = first; number < end; number += by) {
+        if (only != world::kNone && number != only)
+            continue;
         Life life(part, number);
         if (!life.begin())
             continue;
