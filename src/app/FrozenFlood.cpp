@@ -1,13 +1,12 @@
 #include "app/FrozenFlood.h"
 
+#include "app/Projection.h"
+
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 namespace limen::app {
 namespace {
 
-constexpr double kNearest = 0.02;  // metres before the eye that lines are cut at
 constexpr double kFarthest = 1e4;  // metres from the flood's eye: openings seen edge-on
 constexpr double kParallel = 1e-9; // of a ray and an opening: it comes in at the eye
 
@@ -15,22 +14,6 @@ constexpr double kParallel = 1e-9; // of a ray and an opening: it comes in at th
 double entryAlong(const visibility::Visit& visit, const Vec3& direction) {
     const double towards = glm::dot(visit.entryPlane.n, direction);
     return towards > kParallel ? std::clamp(-visit.entryPlane.d / towards, 0.0, kFarthest) : 0.0;
-}
-
-/// The line's part before the eye, in NDC.
-std::optional<std::pair<Vec2, Vec2>> project(const Vec3& a, const Vec3& b, const visibility::View& eye) {
-    const Mat3 screen = eye.screenFromEye();
-    Vec3 from = screen * (a - eye.eye), to = screen * (b - eye.eye);
-    if (from.z < kNearest && to.z < kNearest)
-        return std::nullopt;
-    const auto cut = [](const Vec3& before, const Vec3& behind) {
-        return behind + (before - behind) * ((kNearest - behind.z) / (before.z - behind.z));
-    };
-    if (from.z < kNearest)
-        from = cut(to, from);
-    else if (to.z < kNearest)
-        to = cut(from, to);
-    return std::pair(Vec2(from.x, from.y) / from.z, Vec2(to.x, to.y) / to.z);
 }
 
 struct Edge {
@@ -59,7 +42,7 @@ std::vector<PyramidLine> pyramidLines(const FrozenFlood& flood, const visibility
     for (std::uint32_t v = 0; v < flood.visible.visits.size(); ++v) {
         const std::vector<Edge> edges = edgesOf(flood, flood.visible.visits[v], metres);
         const auto add = [&](const Vec3& a, const Vec3& b) {
-            if (const auto line = project(a, b, eye))
+            if (const auto line = projectLine(a, b, eye))
                 lines.push_back({line->first, line->second, v});
         };
         for (std::size_t i = 0; i < edges.size(); ++i) {

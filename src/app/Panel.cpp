@@ -62,6 +62,21 @@ void drawPyramids(const FrozenFlood& flood, const FrameEye& eye) {
     }
 }
 
+ImU32 inkOf(Rgb rgb, int opacity) {
+    return IM_COL32(rgb[0], rgb[1], rgb[2], opacity);
+}
+
+/// The outlines of portals, walls or no walls, in the colours of what became of them.
+void drawPortals(const PanelFacts& facts) {
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const visibility::View view = viewOf(facts.eye.camera, facts.eye.size, facts.eye.root);
+    for (const PortalLine& line : portalLines(facts.world, facts.portals, view)) {
+        const bool isSeen = line.fate >= visibility::PortalFate::LeadsNowhere;
+        list->AddLine(screenPoint(line.from), screenPoint(line.to),
+                      inkOf(colourOf(line.fate), isSeen ? 255 : 150), scaled(isSeen ? 3.0f : 1.5f));
+    }
+}
+
 constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
                                    ImGuiWindowFlags_NoFocusOnAppearing;
@@ -268,6 +283,79 @@ void drawVisits(const PanelFacts& facts) {
                                                             IM_COL32(255, 220, 80, 90));
 }
 
+/// How many portals came to what, most first, and below each which they are.
+void drawPortalList(const PanelFacts& facts) {
+    if (facts.portals.empty() || !ImGui::CollapsingHeader("Portals", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    const auto counts = countFates(facts.portals);
+    for (std::size_t i = counts.size(); i-- > 0;) {
+        const auto fate = static_cast<visibility::PortalFate>(i);
+        if (counts[i] == 0)
+            continue;
+        ImGui::PushStyleColor(ImGuiCol_Text, inkOf(colourOf(fate), 255));
+        const bool isOpen =
+            ImGui::TreeNode(nameOf(fate).data(), "%s", fmt::format("{} {}", counts[i], nameOf(fate)).c_str());
+        ImGui::PopStyleColor();
+        if (!isOpen)
+            continue;
+        for (const PortalSight& sight : facts.portals) {
+            if (sight.fate == fate)
+                line(portalLabel(facts.world, sight));
+        }
+        ImGui::TreePop();
+    }
+}
+
+/// What is told of a landblock under the mouse.
+void drawBlockHint(const ResidentBlock& block) {
+    ImGui::BeginTooltip();
+    line(fmt::format("{:02X}{:02X}{}{}", block.coord.x & 0xFF, block.coord.y & 0xFF,
+                     block.holdsEye ? ", the eye's" : "", block.holdsPlayer ? ", the player's" : ""));
+    if (block.state == ResidentBlock::State::Absent)
+        line("not loaded");
+    else
+        line(fmt::format("{}, {} cells, {} building portals", block.hasTerrain ? "terrain" : "no terrain",
+                         block.cells, block.buildingPortals));
+    ImGui::EndTooltip();
+}
+
+ImU32 inkOf(const ResidentBlock& block) {
+    if (block.state == ResidentBlock::State::Absent)
+        return IM_COL32(50, 50, 50, 255);
+    if (block.cells == 0)
+        return block.hasTerrain ? IM_COL32(60, 110, 60, 255) : IM_COL32(90, 90, 60, 255);
+    return block.hasTerrain ? IM_COL32(120, 190, 90, 255) : IM_COL32(110, 130, 210, 255);
+}
+
+/// The landblocks around the eye, north up; eye and player are marked.
+void drawResidency(const ResidencyMap& map) {
+    if (!ImGui::CollapsingHeader("Residency"))
+        return;
+    line(fmt::format("{} blocks, {} with terrain, {} cells, {} building portals", map.loaded, map.terrains,
+                     map.cells, map.buildingPortals));
+    const float size = scaled(16.0f), gap = scaled(2.0f);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (int i = 0; i < map.side * map.side; ++i) {
+        const ResidentBlock& block = map.blocks[static_cast<std::size_t>(i)];
+        const ImVec2 from(corner.x + static_cast<float>(i % map.side) * size,
+                          corner.y + static_cast<float>(i / map.side) * size);
+        const ImVec2 to(from.x + size - gap, from.y + size - gap);
+        list->AddRectFilled(from, to, inkOf(block));
+        if (block.holdsEye)
+            list->AddRect(from, to, IM_COL32(255, 255, 255, 255), 0.0f, 0, gap);
+        if (block.holdsPlayer)
+            list->AddCircleFilled({(from.x + to.x) * 0.5f, (from.y + to.y) * 0.5f}, size * 0.2f,
+                                  IM_COL32(255, 220, 80, 255));
+        if (ImGui::IsMouseHoveringRect(from, to))
+            drawBlockHint(block);
+    }
+    const float side = static_cast<float>(map.side) * size;
+    ImGui::Dummy({side, side});
+    ImGui::TextDisabled(
+        "%s", "green: terrain, bright: with cells, blue: cells alone;\nframe: the eye, dot: the player");
+}
+
 void drawPicked(const Picked* picked) {
     if (picked == nullptr || !ImGui::CollapsingHeader("Picked", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -317,6 +405,8 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
     drawVerdict(facts.verdict);
     drawPicked(facts.picked);
     drawVisits(facts);
+    drawPortalList(facts);
+    drawResidency(facts.residency);
     choice.place = drawPlaces(facts.places);
     if (ImGui::CollapsingHeader("Driver")) {
         line(facts.figures.driver);
@@ -419,6 +509,7 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
         drawOver(pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
     if (switches.regions)
         drawRegionOutlines(facts.visible);
+    drawPortals(facts);
     if (facts.frozen != nullptr)
         drawPyramids(*facts.frozen, facts.eye);
     PanelChoice choice;

@@ -3,6 +3,8 @@
 #include "app/FrameReport.h"
 #include "app/FrozenFlood.h"
 #include "app/Picked.h"
+#include "app/PortalSights.h"
+#include "app/ResidencyMap.h"
 #include "app/TimeWindow.h"
 #include "app/ViewCheck.h"
 #include "app/Window.h"
@@ -16,7 +18,7 @@ namespace limen::app {
 
 /// What the overlay stage shows, switched by keys.
 struct OverlaySwitches {
-    bool help = false, ids = false, regions = false, panel = true;
+    bool help = false, ids = false, regions = false, portals = false, panel = true;
 };
 
 /// Milliseconds, over the last five seconds.
@@ -51,6 +53,9 @@ struct PanelFacts {
     const Picked* picked;          ///< null: nothing is
     const ViewVerdict* verdict;    ///< on this very view; null: none
     const FrozenFlood* frozen;     ///< to be shown in the picture; null: none
+    std::span<const PortalSight>
+        portals; ///< of this flood, or the one that is kept; only when they are to be shown
+    const ResidencyMap& residency;
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
     const KeyBindings& bindings;

@@ -313,6 +313,13 @@ Result<Picked> Session::pick(const FrameEye& eye, std::uint32_t x, std::uint32_t
                        shown_->readOwnership()[pixel], shown_->readDistances(plan_.constants)[pixel]);
 }
 
+void Session::tracePortals(const FrameEye& eye, visibility::FloodTrace& trace) {
+    LIMEN_ASSERT(loaded_ != nullptr && shown_ != nullptr, "draw before asking why");
+    visibility::VisibleSet visible;
+    visibility::flood(loaded_->graph, moment_.closed, viewOf(eye.camera, eye.size, eye.root), {}, scratch_,
+                      visible, &trace);
+}
+
 FrameFigures Session::figures() const {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     const gpu::FrameReport report = renderer_.report();

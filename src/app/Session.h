@@ -110,6 +110,9 @@ public:
     /// loaded world.
     [[nodiscard]] Result<Picked> pick(const FrameEye& eye, std::uint32_t x, std::uint32_t y);
 
+    /// What a flood decides at each portal it comes to, with the doors as the last frame had them. Requires a frame that was drawn.
+    void tracePortals(const FrameEye& eye, visibility::FloodTrace& trace);
+
     [[nodiscard]] const WorldSource& source() const { return *source_; }
     [[nodiscard]] const std::shared_ptr<const WorldSource>& shareSource() const { return source_; }
     [[nodiscard]] const SessionOptions& options() const { return options_; }

@@ -127,6 +127,8 @@ public:
     }
     [[nodiscard]] const std::optional<Rebinding>& rebinding() const { return rebinding_; }
     [[nodiscard]] const KeyBindings& bindings() const { return bindings_; }
+    [[nodiscard]] std::span<const PortalSight> portals() const { return portals_; }
+    [[nodiscard]] WindowSizes sizes() const { return window_.sizes(); }
     /// Of the flood that is kept; none is: 0.
     [[nodiscard]] std::size_t frozenVisits() const { return frozen_ ? frozen_->visible.visits.size() : 0; }
     /// Names of doors that stand open, as far as they are loaded.
@@ -161,6 +163,9 @@ private:
             return;
         case Action::Regions:
             switches_.regions = !switches_.regions;
+            return;
+        case Action::Portals:
+            switches_.portals = !switches_.portals;
             return;
         case Action::Panel:
             switches_.panel = !switches_.panel;
@@ -244,7 +249,23 @@ private:
         if (frozen_)
             frozen_.reset();
         else
-            frozen_ = FrozenFlood{viewOf(eye().camera, eye().size, eye().root), session_.visible()};
+            frozen_ =
+                FrozenFlood{viewOf(eye().camera, eye().size, eye().root), session_.visible(), portalsNow()};
+    }
+
+    /// What becomes of portals in the last frame's flood.
+    std::vector<PortalSight> portalsNow() {
+        session_.tracePortals(eye(), trace_);
+        return portalSights(trace_);
+    }
+
+    /// The landblocks around eye and player.
+    [[nodiscard]] ResidencyMap residency() const {
+        const world::World& world = session_.loaded().world;
+        const dat::BlockCoord here = blockOf(world, eye().root, eye().camera.eye);
+        const dat::BlockCoord player =
+            eye().body ? blockOf(world, eye().body->space, eye().body->feet) : here;
+        return residencyMap(world, here, player, session_.options().load.radius + 1);
     }
 
     /// What hands ask of this frame.
@@ -333,6 +354,10 @@ private:
             times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
         const std::optional<std::size_t> door = play_.doorInReach();
         const std::string said = noticeText();
+        portals_ = !switches_.portals ? std::vector<PortalSight>{}
+                   : frozen_          ? frozen_->portals
+                                      : portalsNow();
+        const ResidencyMap blocks = residency();
         const PanelFacts facts{.world = session_.loaded().world,
                                .eye = eye(),
                                .visible = session_.visible(),
@@ -345,6 +370,8 @@ private:
                                .picked = picked_ ? &*picked_ : nullptr,
                                .verdict = verdict_ ? &*verdict_ : nullptr,
                                .frozen = frozen_ ? &*frozen_ : nullptr,
+                               .portals = portals_,
+                               .residency = blocks,
                                .places = session_.source().file.places,
                                .ids = ids,
                                .bindings = bindings_,
@@ -380,6 +407,8 @@ private:
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
     FrameEye checkedFrom_;
     std::optional<FrozenFlood> frozen_;
+    visibility::FloodTrace trace_;
+    std::vector<PortalSight> portals_; ///< that are shown
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
     FrameWindows times_;
@@ -469,6 +498,17 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
     return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
 }
 
+/// How many portals came to what, as far as they are shown.
+nlohmann::ordered_json fatesJson(std::span<const PortalSight> portals) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    const auto counts = countFates(portals);
+    for (std::size_t i = counts.size(); i-- > 0;) {
+        if (counts[i] > 0)
+            json[std::string(nameOf(static_cast<visibility::PortalFate>(i)))] = counts[i];
+    }
+    return json;
+}
+
 std::string stateJson(const Session& session, const Viewer& viewer, std::size_t frames) {
     const FrameEye& eye = viewer.eye();
     const nlohmann::ordered_json json{
@@ -477,6 +517,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
         {"yaw", eye.camera.heading.yaw},
         {"pitch", eye.camera.heading.pitch},
         {"root", spaceName(session.loaded().world, eye.root)},
+        {"seconds", eye.seconds},
         {"time", eye.time},
         {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
         {"doors", eye.doors ? nlohmann::ordered_json(*eye.doors) : nlohmann::ordered_json(nullptr)},
@@ -486,10 +527,13 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
          {{"help", viewer.switches().help},
           {"ids", viewer.switches().ids},
           {"regions", viewer.switches().regions},
+          {"portals", viewer.switches().portals},
           {"panel", viewer.switches().panel}}},
         {"walking", viewer.walk().isOn()},
         {"chased", viewer.walk().isChased()},
         {"frozen_visits", viewer.frozenVisits()},
+        {"portals", fatesJson(viewer.portals())},
+        {"ui_scale", uiScaleOf(viewer.sizes()).units},
         {"body", bodyJson(session.loaded().world, eye.body)},
         {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
@@ -514,7 +558,7 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         viewer.act({PlayAct::Kind::Chase});
     std::size_t frames = 0;
     std::string record = beginningLine(check::shotOptions(viewOf(start, session.loaded().world)));
-    while (!viewer.isLeaving() && (script.frames == 0 || frames < script.frames)) {
+    while (!viewer.isLeaving() && !window.isLost() && (script.frames == 0 || frames < script.frames)) {
         if (script.frames == 0 && !window.isShown()) {
             viewer.rest();
             continue;
@@ -541,6 +585,8 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         if (Result<void> written = writeFile(options.record, record); !written)
             return tl::unexpected(written.error());
     }
+    if (window.isLost())
+        return fail(ErrorCode::Driver, "view", "the display has gone away");
     if (options.json)
         console.data(stateJson(session, viewer, frames));
     return Exit::Done;

@@ -1,5 +1,7 @@
 #include "app/Window.h"
 
+#include "app/DisplayLoss.h"
+
 #include <epoxy/gl.h>
 
 // After epoxy, which must come before any other GL header.
@@ -59,6 +61,23 @@ constexpr std::array<std::pair<int, Action>, 5> kPadActions{{{GLFW_GAMEPAD_BUTTO
                                                              {GLFW_GAMEPAD_BUTTON_START, Action::Help},
                                                              {GLFW_GAMEPAD_BUTTON_BACK, Action::Panel}}};
 
+/// What the driver has, if it can open any window at all: "OpenGL 3.3 (llvmpipe)"; else empty.
+std::string offeredInstead() {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    GLFWwindow* window = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+    if (window == nullptr)
+        return {};
+    glfwMakeContextCurrent(window);
+    const auto text = [](GLenum name) {
+        const GLubyte* value = glGetString(name);
+        return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string("?");
+    };
+    const std::string offer = fmt::format("{} ({})", text(GL_VERSION), text(GL_RENDERER));
+    glfwDestroyWindow(window);
+    return offer;
+}
+
 /// The screen that shows a place of the desktop; else the first; null: there is none.
 GLFWmonitor* monitorOf(int x, int y) {
     int count = 0;
@@ -87,8 +106,12 @@ Result<std::unique_ptr<Window>> Window::open(const char* title, PixelSize size) 
     GLFWwindow* window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title,
                                           nullptr, nullptr);
     if (window == nullptr) {
-        const auto error =
-            refused("no window with OpenGL 4.5 could be opened", "limen shot tells more of the driver");
+        const std::string offer = offeredInstead();
+        const auto error = offer.empty()
+                               ? refused("no window with OpenGL could be opened",
+                                         "limen shot needs none, and tells more of the driver")
+                               : fail(ErrorCode::Driver, "view",
+                                      "OpenGL 4.5 is needed, core profile; the driver offers " + offer);
         glfwTerminate();
         return error;
     }
@@ -96,6 +119,7 @@ Result<std::unique_ptr<Window>> Window::open(const char* title, PixelSize size) 
 }
 
 Window::Window(GLFWwindow* window) : window_(window) {
+    noteDisplayLoss(isLost_);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);

@@ -39,6 +39,8 @@ public:
     /// Where the left button was pressed and let go at one place, since the last poll; the last such place.
     [[nodiscard]] std::optional<PixelPlace> clicked() const { return clicked_; }
     [[nodiscard]] bool wantsToClose() const;
+    /// True when there is no display any more: the X server has gone away.
+    [[nodiscard]] bool isLost() const { return isLost_; }
     /// False: it is minimised or not on the screen, and nobody sees what is drawn.
     [[nodiscard]] bool isShown() const;
     /// Waits until something happens to the window, a fraction of a second at most.
@@ -88,6 +90,7 @@ private:
         int x = 0, y = 0, width = 0, height = 0;
     };
     std::optional<Frame> framed_;
+    bool isLost_ = false;
 };
 
 } // namespace limen::app

@@ -27,33 +27,46 @@ bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
 
 } // namespace
 
+template <bool kTraced>
 void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateList& children) {
     const Visit& visit = set_.visits[index];
     const Graph::Portal& portal = in_.graph.portals()[portalIndex];
+    const auto refuse = [&](PortalFate why) { note<kTraced>(in_.trace, index, portalIndex, why); };
     const bool isShut = !in_.closed.empty() && in_.closed[portalIndex] != 0;
     const bool isEnd = isShut || portal.destination == kNone;
-    if (portal.plane.n == Vec3(0.0) || isWayBack(visit, portalIndex) ||
-        (!isEnd && in_.graph.spaces()[portal.destination].zone == visit.zone)) {
+    if (portal.plane.n == Vec3(0.0)) {
+        return refuse(PortalFate::NoArea);
+    }
+    if (isWayBack(visit, portalIndex)) {
+        return refuse(PortalFate::WayBack);
+    }
+    if (!isEnd && in_.graph.spaces()[portal.destination].zone == visit.zone) {
+        if (portal.destination == portal.space) { // the others are CellFlood's
+            refuse(PortalFate::WithinZone);
+        }
         return;
     }
     const double side = portal.plane.signedDistance(in_.view.eye);
     if (side < -kInPlane) {
-        return;
+        return refuse(PortalFate::WrongSide);
     }
     ++set_.counts.portalsTested;
     const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
     if (inPlane ? isShut : side <= 0.0) {
-        return; // edge-on or from behind: no ray of this visit passes
+        return refuse(PortalFate::EdgeOn); // or from behind: no ray of this visit passes
     }
     if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
+        if constexpr (kTraced) {
+            refuse(whyUnseen(index, portalIndex));
+        }
         return;
     }
     if (coneSize(s_.region) < smallest_) {
         ++set_.counts.visitsCut;
-        return;
+        return refuse(PortalFate::Budget);
     }
     if (isInChain(index, portalIndex)) { // asked last: few get this far
-        return;
+        return refuse(PortalFate::InChain);
     }
     ++set_.counts.portalsAdmitted;
     Candidate c;
@@ -69,6 +82,32 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
         addPair(visit, c, children);
     }
 }
+
+PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) const {
+    const Visit& visit = set_.visits[index];
+    const Graph::Portal& portal = in_.graph.portals()[portalIndex];
+    if (portal.plane.n == Vec3(0.0)) {
+        return PortalFate::NoArea;
+    }
+    if (isWayBack(visit, portalIndex)) {
+        return PortalFate::WayBack;
+    }
+    if (portal.plane.signedDistance(in_.view.eye) < -kInPlane) {
+        return PortalFate::WrongSide;
+    }
+    bool isBeyond = visit.parent == kNone, isAhead = false;
+    for (const Vec3& v : in_.graph.polygon(portal)) {
+        isBeyond |= visit.entryPlane.signedDistance(v - in_.view.eye) > kBeyondEntry;
+        isAhead |= glm::dot(in_.view.forward, v - in_.view.eye) > 0.0;
+    }
+    if (!isAhead) {
+        return PortalFate::BehindEye;
+    }
+    return isBeyond ? PortalFate::OutsideRegion : PortalFate::BeforeEntry;
+}
+
+template void Admission::admit<false>(std::uint32_t, std::uint32_t, CandidateList&);
+template void Admission::admit<true>(std::uint32_t, std::uint32_t, CandidateList&);
 
 /// The opening, and the hole that an inexact pair leaves around it.
 void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/Candidate.h"
+#include "visibility/FloodTrace.h"
 #include "visibility/Graph.h"
 
 #include <span>
@@ -16,6 +17,7 @@ struct FloodInput {
     const Rules& rules;
     Mat3 screen;                  ///< View::screenFromEye
     Mat3 eyeFromScreenTransposed; ///< takes a plane's normal from eye-relative to (x, y, w)
+    FloodTrace* trace = nullptr;  ///< null: nobody wants to know why
 };
 
 /// Decides by which openings the rays of a visit leave, and which of its rays.
@@ -32,7 +34,12 @@ public:
 
     /// Appends the visits that lead out of visit `index` by a portal of one of its spaces: none, one, or for an inexact
     /// pair the hole around it as well.
+    /// Tells `trace` of those that it refuses.
+    template <bool kTraced>
     void admit(std::uint32_t index, std::uint32_t portal, CandidateList& children);
+
+    /// Why no ray of the visit passes a portal of one of its spaces, as far as its place alone tells.
+    [[nodiscard]] PortalFate whyUnseen(std::uint32_t visit, std::uint32_t portal) const;
 
 private:
     [[nodiscard]] bool isWayBack(const Visit& visit, std::uint32_t portal) const;

@@ -62,7 +62,11 @@ void CellFlood::run(const Input& input, std::vector<SeenSpace>& seen, FloodCount
     reach(input.entrySpace, input.entryRect, seen, counts);
     while (head_ < queue_.size()) {
         const Arrival next = queue_[head_++]; // by value: the queue grows
-        leave(input, next, seen, counts);
+        if (input.trace != nullptr) {
+            leave<true>(input, next, seen, counts);
+        } else {
+            leave<false>(input, next, seen, counts);
+        }
     }
 }
 
@@ -112,15 +116,17 @@ bool CellFlood::joinWaiting(Mark& mark, const Rect& rect) {
     return false;
 }
 
+template <bool kTraced>
 void CellFlood::leave(const Input& input, const Arrival& from, std::vector<SeenSpace>& seen,
                       FloodCounts& counts) {
     ++counts.spaceVisits;
     const Graph::Space& space = input.graph->spaces()[from.space];
     for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
-        tryPortal(input, p, from.rect, seen, counts);
+        tryPortal<kTraced>(input, p, from.rect, seen, counts);
     }
 }
 
+template <bool kTraced>
 void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& rect,
                           std::vector<SeenSpace>& seen, FloodCounts& counts) {
     const Graph::Portal& portal = input.graph->portals()[index];
@@ -128,8 +134,15 @@ void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& r
         input.graph->spaces()[portal.destination].zone != input.graph->spaces()[portal.space].zone) {
         return;
     }
+    const auto tell = [&](PortalFate fate) { note<kTraced>(input.trace, visit_, index, fate); };
     const double side = portal.plane.signedDistance(input.eye);
-    if (side < -kNear || (!input.closed.empty() && input.closed[index] != 0) || portal.plane.n == Vec3(0.0)) {
+    const auto isEnd = [&] {
+        return (!input.closed.empty() && input.closed[index] != 0) || portal.plane.n == Vec3(0.0);
+    };
+    if (side < -kNear || isEnd()) {
+        if (kTraced && !isEnd()) { // else Admission tells
+            tell(PortalFate::WrongSide);
+        }
         return;
     }
     ++counts.portalsTested;
@@ -138,15 +151,19 @@ void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& r
         side <= kNear && containsProjection(input.graph->polygon(portal), portal.plane.n, input.eye, kNear);
     if (!inside) {
         Rect opening;
-        if (side <= 0.0 || !screenRect(input, portal, opening)) {
-            return;
+        if (side <= 0.0) {
+            return tell(PortalFate::EdgeOn);
+        }
+        if (!screenRect(input, portal, opening)) {
+            return tell(PortalFate::BehindEye);
         }
         through = intersection(rect, opening);
         if (through.empty()) {
-            return;
+            return tell(PortalFate::OutsideRegion);
         }
     }
     ++counts.portalsAdmitted;
+    tell(PortalFate::WithinZone);
     reach(portal.destination, through, seen, counts);
 }
 

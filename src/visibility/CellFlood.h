@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/FloodTrace.h"
 #include "visibility/Graph.h"
 #include "visibility/VisibleSet.h"
 
@@ -27,6 +28,7 @@ public:
         std::uint32_t entrySpace = 0;
         std::uint32_t entryPortal = kNone;
         Rect entryRect;
+        FloodTrace* trace = nullptr; ///< null: nobody wants to know why
     };
 
     /// Appends the spaces of the zone that may be seen to `seen`.
@@ -46,7 +48,9 @@ private:
     void reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpace>& seen, FloodCounts& counts);
     /// True if the rectangle has gone into one that waits to be followed.
     [[nodiscard]] bool joinWaiting(Mark& mark, const Rect& rect);
+    template <bool kTraced>
     void leave(const Input& input, const Arrival& from, std::vector<SeenSpace>& seen, FloodCounts& counts);
+    template <bool kTraced>
     void tryPortal(const Input& input, std::uint32_t portal, const Rect& rect, std::vector<SeenSpace>& seen,
                    FloodCounts& counts);
 

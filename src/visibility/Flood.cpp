@@ -28,6 +28,7 @@ FloodScratch& FloodScratch::operator=(FloodScratch&&) noexcept = default;
 namespace {
 
 /// One flood: the depth-first walk over visits.
+template <bool kTraced>
 class Walk {
 public:
     Walk(const FloodInput& input, double smallest, FloodScratch::Data& scratch, VisibleSet& out)
@@ -83,7 +84,19 @@ private:
         s_.pending.vertices.resize(c.firstVertex);
         s_.pending.items.pop_back();
         out_.visits.push_back(visit);
+        note<kTraced>(in_.trace, c.parent, c.portal, fateOf(c, portal));
         return static_cast<std::uint32_t>(out_.visits.size() - 1);
+    }
+
+    /// Of one that has become a visit, or a hole.
+    static PortalFate fateOf(const Candidate& c, const Graph::Portal& portal) {
+        if (!c.hole) {
+            return PortalFate::Admitted;
+        }
+        if (c.shut) {
+            return PortalFate::Shut;
+        }
+        return portal.destination == kNone ? PortalFate::LeadsNowhere : PortalFate::PairMissed;
     }
 
     /// Floods the visit's zone, collects the openings out of it and stacks them, far first on top.
@@ -91,15 +104,15 @@ private:
         const Visit visit = out_.visits[index];
         const std::size_t firstSeen = out_.seen.size();
         const Rect entryRect = boundsOf(out_.region(visit));
-        s_.cells.run(
-            {&in_.graph, in_.closed, in_.view.eye, in_.screen, index, visit.space, visit.portal, entryRect},
-            out_.seen, out_.counts);
+        s_.cells.run({&in_.graph, in_.closed, in_.view.eye, in_.screen, index, visit.space, visit.portal,
+                      entryRect, in_.trace},
+                     out_.seen, out_.counts);
         s_.children.clear();
         for (std::size_t i = firstSeen; i < out_.seen.size(); ++i) {
             openingsOf(index, out_.seen[i]);
         }
         if (in_.rules.siblingOrder) {
-            s_.order.sort(s_.children, out_.counts);
+            sortChildren(index);
         }
         for (std::size_t i = s_.children.items.size(); i-- > 0;) {
             const Candidate& c = s_.children.items[i];
@@ -107,11 +120,37 @@ private:
         }
     }
 
+    void sortChildren(std::uint32_t visit) {
+        if constexpr (!kTraced) {
+            s_.order.sort(s_.children, out_.counts);
+        } else {
+            const std::vector<Candidate> before = s_.children.items;
+            s_.order.sort(s_.children, out_.counts);
+            const std::vector<Candidate>& left = s_.children.items;
+            for (const Candidate& c : before) {
+                if (std::none_of(left.begin(), left.end(),
+                                 [&](const auto& l) { return l.portal == c.portal; }))
+                    note<kTraced>(in_.trace, visit, c.portal, PortalFate::Covered);
+            }
+        }
+    }
+
+    /// What is below a node that no ray of the visit meets.
+    void noteUnseen(std::uint32_t visit, const Graph::BoundsNode& node) {
+        if (node.child == kNone) {
+            note<kTraced>(in_.trace, visit, node.portal, admission_.whyUnseen(visit, node.portal));
+            return;
+        }
+        for (const std::uint32_t child : {node.child, node.child + 1}) {
+            noteUnseen(visit, in_.graph.boundsNodes()[child]);
+        }
+    }
+
     void openingsOf(std::uint32_t visit, const SeenSpace& seen) {
         const Graph::Space& space = in_.graph.spaces()[seen.space];
         if (space.root == kNone) {
             for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
-                admission_.admit(visit, p, s_.children);
+                admission_.template admit<kTraced>(visit, p, s_.children);
             }
             return;
         }
@@ -120,10 +159,13 @@ private:
             const Graph::BoundsNode& node = in_.graph.boundsNodes()[s_.nodes.back()];
             s_.nodes.pop_back();
             if (!mayBeSeen(visit, node.box)) {
+                if constexpr (kTraced) {
+                    noteUnseen(visit, node);
+                }
                 continue;
             }
             if (node.child == kNone) {
-                admission_.admit(visit, node.portal, s_.children);
+                admission_.template admit<kTraced>(visit, node.portal, s_.children);
             } else {
                 s_.nodes.push_back(node.child);
                 s_.nodes.push_back(node.child + 1);
@@ -162,21 +204,26 @@ private:
 } // namespace
 
 void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view, const Limits& limits,
-           FloodScratch& scratch, VisibleSet& out) {
+           FloodScratch& scratch, VisibleSet& out, FloodTrace* trace) {
     LIMEN_ASSERT(view.root < graph.spaces().size(), "the root is not a space of the graph");
     LIMEN_ASSERT(isFinite(view.eye), "the eye is not finite");
     LIMEN_ASSERT(closed.empty() || closed.size() == graph.portals().size(), "one state for each portal");
     const Mat3 screen = view.screenFromEye();
-    const FloodInput input{graph, closed, view, limits.rules, screen, glm::inverse(glm::transpose(screen))};
-    double smallest = 0.0;
-    for (;;) {
+    const FloodInput input{graph, closed, view, limits.rules, screen, glm::inverse(glm::transpose(screen)),
+                           trace};
+    const std::uint32_t most = std::max(limits.maxVisits, 1u);
+    const auto isWhole = [&](double smallest) {
         out.clear();
         scratch.data().pending.clear();
-        if (Walk(input, smallest, scratch.data(), out).run(std::max(limits.maxVisits, 1u))) {
-            return;
+        if (trace == nullptr) {
+            return Walk<false>(input, smallest, scratch.data(), out).run(most);
         }
-        // Too many: leave out the smallest openings, ever larger ones until the budget holds. Regions shrink
-        // along a chain, so what is left is a tree, and the largest.
+        trace->clear();
+        return Walk<true>(input, smallest, scratch.data(), out).run(most);
+    };
+    // Too many: leave out the smallest openings, ever larger ones until the budget holds. Regions shrink
+    // along a chain, so what is left is a tree, and the largest.
+    for (double smallest = 0.0; !isWhole(smallest);) {
         smallest = smallest == 0.0 ? 1e-7 : smallest * 4.0;
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/FloodTrace.h"
 #include "visibility/Graph.h"
 #include "visibility/View.h"
 #include "visibility/VisibleSet.h"
@@ -28,8 +29,9 @@ private:
 /// "Why one pass..."). A pure function: the same input gives the same bits. `closed[p] != 0` shuts portal p; an
 /// empty span means all are open. `out` is overwritten. Requires view.root < spaces, finite eye. Cost:
 /// portals tested times a convex clip. Ref: portal floods after Luebke, Georges, "Portals and Mirrors"
-/// (1995); the tree of visits: docs/ray-rule.md.
+/// (1995); the tree of visits: docs/ray-rule.md. With a `trace`, which is overwritten, every portal of the spaces that are seen gets an
+/// entry; it changes nothing else, and costs allocations.
 void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view, const Limits& limits,
-           FloodScratch& scratch, VisibleSet& out);
+           FloodScratch& scratch, VisibleSet& out, FloodTrace* trace = nullptr);
 
 } // namespace limen::visibility

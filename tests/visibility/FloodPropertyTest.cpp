@@ -246,6 +246,36 @@ RC_GTEST_PROP(FloodProperty, aChildLiesInItsParentAndNoPortalRepeatsInAChain, (u
     }
 }
 
+RC_GTEST_PROP(FloodProperty, beingToldWhyChangesNothingAndEveryPortalOfWhatIsSeenIsToldOf, (unsigned seed)) {
+    std::mt19937 random(seed);
+    const Graph graph = randomComplex(random, 3);
+    const View view = randomView(random, 3);
+    FloodScratch scratch;
+    VisibleSet watched;
+    FloodTrace trace;
+    flood(graph, {}, view, {}, scratch, watched, &trace);
+    const VisibleSet alone = floodOnce(graph, view);
+    RC_ASSERT(watched.regionVertices == alone.regionVertices);
+    RC_ASSERT(watched.visits.size() == alone.visits.size());
+    RC_ASSERT(watched.counts.portalsTested == alone.counts.portalsTested);
+    std::size_t openings = 0, admitted = 0;
+    for (const Visit& visit : watched.visits) {
+        openings += visit.parent != kNone && !visit.hole ? 1u : 0u;
+    }
+    std::vector<std::uint8_t> told(watched.visits.size() * graph.portals().size(), 0);
+    for (const FloodTrace::Entry& entry : trace.entries) {
+        admitted += entry.fate == PortalFate::Admitted ? 1u : 0u;
+        told[entry.visit * graph.portals().size() + entry.portal] = 1;
+    }
+    RC_ASSERT(admitted == openings);
+    for (const SeenSpace& seen : watched.seen) {
+        const Graph::Space& space = graph.spaces()[seen.space];
+        for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            RC_ASSERT(told[seen.visit * graph.portals().size() + p] == 1);
+        }
+    }
+}
+
 RC_GTEST_PROP(FloodProperty, theSameInputGivesTheSameBits, (unsigned seed)) {
     std::mt19937 random(seed);
     const Graph graph = randomComplex(random, 3);

@@ -1,0 +1,96 @@
+#include "app/PortalSights.h"
+
+#include "app/IdTable.h"
+#include "app/Projection.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace limen::app {
+namespace {
+
+using visibility::PortalFate;
+
+struct FateFacts {
+    std::string_view name;
+    Rgb colour;
+};
+
+constexpr std::array<FateFacts, visibility::kPortalFates> kFates{{
+    {"without area", {255, 255, 255}},
+    {"the way back", {0, 150, 160}},
+    {"the eye is behind it", {80, 95, 130}},
+    {"edge-on, or the eye is in it and it is shut", {190, 190, 60}},
+    {"behind the eye", {90, 90, 90}},
+    {"before the plane the rays came in by", {150, 100, 60}},
+    {"no ray of the visit meets it", {165, 165, 165}},
+    {"passed before", {150, 80, 200}},
+    {"covered by nearer ones", {90, 130, 255}},
+    {"left out: budget", {255, 0, 0}},
+    {"the two polygons of the pair miss each other", {255, 120, 190}},
+    {"leads to nothing that is loaded", {255, 0, 255}},
+    {"shut", {255, 140, 0}},
+    {"seen through, in the same zone", {160, 255, 160}},
+    {"admitted", {0, 230, 0}},
+}};
+
+const FateFacts& factsOf(PortalFate fate) {
+    return kFates[static_cast<std::size_t>(fate)];
+}
+
+} // namespace
+
+std::vector<PortalSight> portalSights(const visibility::FloodTrace& trace) {
+    std::vector<PortalSight> sights;
+    for (const visibility::FloodTrace::Entry& entry : trace.entries)
+        sights.push_back({entry.portal, entry.fate, entry.visit});
+    std::sort(sights.begin(), sights.end(), [](const PortalSight& a, const PortalSight& b) {
+        if (a.portal != b.portal)
+            return a.portal < b.portal;
+        return a.fate != b.fate ? a.fate > b.fate : a.visit < b.visit;
+    });
+    const auto sameTwice = [](const PortalSight& a, const PortalSight& b) { return a.portal == b.portal; };
+    sights.erase(std::unique(sights.begin(), sights.end(), sameTwice), sights.end());
+    return sights;
+}
+
+std::array<std::size_t, visibility::kPortalFates> countFates(std::span<const PortalSight> sights) {
+    std::array<std::size_t, visibility::kPortalFates> counts{};
+    for (const PortalSight& sight : sights)
+        ++counts[static_cast<std::size_t>(sight.fate)];
+    return counts;
+}
+
+std::string_view nameOf(PortalFate fate) {
+    return factsOf(fate).name;
+}
+
+Rgb colourOf(PortalFate fate) {
+    return factsOf(fate).colour;
+}
+
+std::string portalLabel(const world::World& world, const PortalSight& sight) {
+    const world::Portal& portal = world.portals[sight.portal];
+    const std::string towards =
+        portal.destination == world::kNone ? "nothing" : spaceName(world, portal.destination);
+    return fmt::format("{} of {} to {}, visit {}", portal.recordIndex, spaceName(world, portal.space),
+                       towards, sight.visit);
+}
+
+std::vector<PortalLine> portalLines(const world::World& world, std::span<const PortalSight> sights,
+                                    const visibility::View& eye) {
+    std::vector<PortalSight> weakestFirst(sights.begin(), sights.end());
+    std::stable_sort(weakestFirst.begin(), weakestFirst.end(),
+                     [](const PortalSight& a, const PortalSight& b) { return a.fate < b.fate; });
+    std::vector<PortalLine> lines;
+    for (const PortalSight& sight : weakestFirst) {
+        const auto corners = cornersOf(world, world.portals[sight.portal]);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (const auto line = projectLine(corners[i], corners[(i + 1) % corners.size()], eye))
+                lines.push_back({line->first, line->second, sight.fate});
+        }
+    }
+    return lines;
+}
+
+} // namespace limen::app
