@@ -182,8 +182,9 @@ dat::RecordId addWhirligig(ModelSink& sink) {
     for (int k = 0; k < 4; ++k) {
         const double a = std::numbers::pi / 2.0 * k;
         const Vec3 out(std::cos(a), 0.0, std::sin(a));
-        sails.strut(Vec3(0, -0.2, 0) + out * 0.04, Vec3(0, -0.2, 0) + out * 0.95, {0, 1, 0}, 0.03, 0.30,
-                    Material::Linen);
+        const Vec3 hub(0.0, -0.2, 0.0); // nothing begins where it would lie in its neighbour's faces
+        sails.strut(hub + out * 0.05, hub + out * 0.3, {0, 1, 0}, 0.02, 0.05, Material::Iron);
+        sails.strut(hub + out * 0.2, hub + out * 0.95, {0, 1, 0}, 0.03, 0.30, Material::Linen);
     }
     const std::vector<SetupPart> parts{{sink.addMesh(post), {}},
                                        {sink.addMesh(sails, false), {{0, 0, kHub}, 0.0}}};

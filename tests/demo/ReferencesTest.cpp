@@ -91,6 +91,8 @@ TEST_F(References, ofMotionsResolve) {
     for (const dat::Setup& setup : world().setups) {
         EXPECT_TRUE(setup.motionTable == 0 || tables.count(setup.motionTable) == 1);
         used.insert(setup.motionTable);
+        EXPECT_TRUE(setup.animation == 0 || animations.count(setup.animation) == 1);
+        played.insert(setup.animation);
     }
     for (const dat::MotionTable& table : world().motionTables) {
         EXPECT_EQ(dat::kindOf(dat::FileRole::Portal, table.id), dat::RecordKind::MotionTable);

@@ -21,7 +21,10 @@ TEST(MovingEntries, areReadAsTheyStand) {
                    "leaves": [{"model": "0x02000123", "position": [1, 2, 3], "yaw": 90, "swing": -95}]}],
         "routes": [{"name": "lane", "loop": true, "points": [{"position": [1, 2, 3], "cell": "outside"},
                                                              {"position": [4, 5, 6], "cell": "0xA9B40105"}]}],
-        "villagers": [{"name": "baker", "model": "0x02000200", "route": "lane", "speed": 1.3, "start": 7}],
+        "villagers": [{"name": "baker", "model": "0x02000200", "route": "lane", "speed": 1.3, "start": 7,
+                       "clothing": [{"table": "0x10000001"}, {"table": "0x10000002", "palette": 3, "shade": 0.75}],
+                       "play": {"kind": 12, "intensity": 0.5}}],
+        "player": {"model": "0x02000300", "clothing": [{"table": "0x10000003"}]},
         "emitters": [{"name": "fire", "surface": "0x08000040", "position": [7, 8, 9], "cell": "0xA9B40105",
                       "rate": 6, "life": 4, "velocity": [0, 0, 0.8], "spread": 0.15, "acceleration": [0.1, 0, 0],
                       "radius": 0.1, "size": [0.3, 1.2], "alpha": [0.6, 0], "seed": 5}],
@@ -44,6 +47,16 @@ TEST(MovingEntries, areReadAsTheyStand) {
     ASSERT_EQ(moving.villagers.size(), 1u);
     EXPECT_EQ(moving.villagers[0].route, "lane");
     EXPECT_EQ(moving.villagers[0].start, 7.0);
+    ASSERT_EQ(moving.villagers[0].clothing.size(), 2u);
+    EXPECT_EQ(moving.villagers[0].clothing[0].palette, 0u);
+    EXPECT_EQ(moving.villagers[0].clothing[1].table, 0x10000002u);
+    EXPECT_EQ(moving.villagers[0].clothing[1].palette, 3u);
+    EXPECT_EQ(moving.villagers[0].clothing[1].shade, 0.75);
+    EXPECT_EQ(moving.villagers[0].play.kind, 12u);
+    EXPECT_EQ(moving.villagers[0].play.intensity, 0.5);
+    EXPECT_EQ(moving.player, 0x02000300u);
+    ASSERT_EQ(moving.playerClothing.size(), 1u);
+    EXPECT_EQ(moving.playerClothing[0].table, 0x10000003u);
     ASSERT_EQ(moving.emitters.size(), 1u);
     EXPECT_EQ(moving.emitters[0].velocity, Vec3(0, 0, 0.8));
     EXPECT_EQ(moving.emitters[0].alpha[1], 0.0);
@@ -58,7 +71,12 @@ TEST(MovingEntries, refuseOtherShapesWithASentence) {
           R"({"doors": [{"cell": "0x1", "portal": -1}]})", R"({"routes": [{"points": []}]})",
           R"({"routes": [{"points": [{"position": [1]}, {"position": [1, 2, 3]}]}]})",
           R"({"villagers": [{"route": "x"}]})", R"({"emitters": [{"surface": "0x08000001", "life": 0}]})",
-          R"({"emitters": [{"surface": "0x08000001", "rate": 1e999}]})", R"({"weather": "snow"})"}) {
+          R"({"emitters": [{"surface": "0x08000001", "rate": 1e999}]})", R"({"weather": "snow"})",
+          R"({"villagers": [{"model": "0x02000001", "clothing": [{}]}]})",
+          R"({"villagers": [{"model": "0x02000001", "clothing": 3}]})",
+          R"({"villagers": [{"model": "0x02000001", "play": {"kind": 0}}]})",
+          R"({"villagers": [{"model": "0x02000001", "play": []}]})",
+          R"({"player": {"model": "0x02000001", "clothing": [{"table": 5}]}})"}) {
         const auto file = load(text);
         ASSERT_FALSE(file) << text;
         EXPECT_EQ(file.error().code, ErrorCode::Malformed);

@@ -1,0 +1,79 @@
+#include "demo/BuiltIn.h"
+#include "demo/Loaded.h"
+#include "motion/Moments.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+// What the built-in world has of effects: that nothing of it is missing, and that all of it is played.
+namespace limen::demo::test {
+namespace {
+
+template <class Records>
+bool has(const Records& records, std::uint32_t id) {
+    return std::any_of(records.begin(), records.end(), [id](const auto& r) { return r.id == id; });
+}
+
+std::uint32_t wordOf(const dat::AnimationHook& hook) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        word |= std::uint32_t{hook.payload.at(k)} << (8 * k);
+    return word;
+}
+
+TEST(Effects, nameRecordsThatAreThere) {
+    for (const dat::ParticleEmitter& emitter : world().particleEmitters)
+        EXPECT_TRUE(has(world().gfxObjs, emitter.gfxObj));
+    std::size_t hooks = 0;
+    for (const dat::PhysicsScript& script : world().physicsScripts) {
+        for (const dat::ScriptedHook& hook : script.hooks) {
+            ++hooks;
+            EXPECT_TRUE(hook.hook.type == 0x13 ? has(world().physicsScripts, wordOf(hook.hook))
+                                               : has(world().particleEmitters, wordOf(hook.hook)));
+        }
+    }
+    EXPECT_GT(hooks, 10u);
+    for (const dat::PhysicsScriptTable& table : world().physicsScriptTables) {
+        for (const auto& [kind, choices] : table.scripts) {
+            for (const dat::ScriptChoice& choice : choices)
+                EXPECT_TRUE(has(world().physicsScripts, choice.script));
+        }
+    }
+    for (const dat::Setup& setup : world().setups) {
+        EXPECT_TRUE(setup.script == 0 || has(world().physicsScripts, setup.script));
+        EXPECT_TRUE(setup.scriptTable == 0 || has(world().physicsScriptTables, setup.scriptTable));
+        EXPECT_TRUE(setup.animation == 0 || has(world().animations, setup.animation));
+    }
+    for (const dat::GfxObj& object : world().gfxObjs)
+        EXPECT_TRUE(object.degradeId == 0 || has(world().degradeInfos, object.degradeId));
+    for (const dat::PaletteSet& set : world().paletteSets) {
+        for (const std::uint32_t palette : set.palettes)
+            EXPECT_TRUE(has(world().palettes, palette));
+    }
+    EXPECT_FALSE(world().clothingTables.empty());
+}
+
+TEST(Effects, areAllPlayed) {
+    std::set<dat::ParticleType> types;
+    for (const world::ParticleStyle& style : loaded().particleStyles)
+        types.insert(style.type);
+    EXPECT_GE(types.size(), 8u) << "most ways of moving";
+    EXPECT_EQ(loaded().idleObjects.size(), 2u) << "the whirligig and the vane";
+    motion::Moments moments(loaded());
+    world::Moment moment;
+    std::set<std::uint32_t> records; // of what is seen at some moment
+    for (double seconds = 10.0; seconds < 24.0; seconds += 0.21) {
+        motion::MomentInput input;
+        input.seconds = seconds;
+        moments.at(input, moment);
+        for (const world::Instance& instance : moment.instances)
+            records.insert(static_cast<std::uint32_t>(instance.object & 0xFFFFFFFFu) |
+                           (instance.object >> 56 == 0xF5 ? 0x80000000u : 0u));
+    }
+    for (std::uint32_t style = 0; style < loaded().particleStyles.size(); ++style)
+        EXPECT_TRUE(records.contains(0x80000000u | style))
+            << std::hex << "particles of " << loaded().particleStyles[style].record;
+}
+
+} // namespace
+} // namespace limen::demo::test
