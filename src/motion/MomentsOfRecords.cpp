@@ -5,6 +5,7 @@
 #include "motion/Particles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 // The part of Moments that the records tell of: objects that move where they stand, and particles.
@@ -12,6 +13,9 @@ namespace limen::motion {
 namespace {
 
 using world::kNone;
+
+/// Particles that are farther from where they were born are nowhere, metres.
+constexpr double kFarthest = 1e5;
 
 /// How an idle object is turned.
 Quat orientationOf(const world::IdleObject& idle, double seconds) {
@@ -86,6 +90,8 @@ std::optional<world::ParticleSource> Moments::timed(const world::ParticleSource&
             return std::nullopt;
         timed.start = (source.start - begin.seconds) / rate;
         timed.period = source.period / rate;
+        if (!std::isfinite(timed.start) || !std::isfinite(timed.period))
+            return std::nullopt; // it never comes that far
     }
     if (timed.replacesItself)
         timed.gone = std::min(timed.gone, timed.period);
@@ -119,11 +125,13 @@ void Moments::addStarted(const MomentInput& input, const world::ParticleSource& 
         const double born = began + births.of(n);
         const ParticleKey key = keyOf(source, start, n);
         const double age = std::max(input.seconds - born, 0.0), life = lifeOf(style, key);
-        if (age >= life || sprites_ + polygons > world::kMostSprites)
+        if (sprites_ + polygons > world::kMostSprites)
+            return;
+        if (age >= life)
             continue;
         const Carrier then = isCarried ? carrierOf(source, born) : now;
         const ParticleState state = particleAt(style, key, age, life, then.orientation, source.offset);
-        if (state.opacity > 0.0)
+        if (state.opacity > 0.0 && glm::length(state.offset) < kFarthest)
             addParticle(input, source, style.isParentLocal ? now : then, state, block, out);
     }
 }

@@ -129,6 +129,8 @@ Vec3 placeOf(ParticleType type, const Vec3& o, const Vec3& a, const Vec3& b, con
 }
 
 std::int64_t wholeOf(double number) {
+    if (std::isnan(number))
+        return 0;
     return static_cast<std::int64_t>(std::floor(std::clamp(number, -kFarNumber, kFarNumber)));
 }
 

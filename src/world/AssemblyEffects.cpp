@@ -10,6 +10,11 @@
 namespace limen::world {
 namespace {
 
+/// Births that are farther apart, in seconds, never come.
+constexpr double kLongestInterval = 1e9;
+/// Hooks of one object that are followed: more is a mistake of the data.
+constexpr std::size_t kMostHooks = 1024;
+
 /// Identity of the `number`-th emitter of something, and the seed of its particles.
 std::uint64_t seedOf(std::uint64_t object, std::size_t number) {
     return (object ^ number * 0x9E3779B97F4A7C15u) * 0xBF58476D1CE4E5B9u + number;
@@ -57,10 +62,13 @@ bool Assembly::addIdle(const PlacedModel& object) {
 /// What a Setup's own script starts, and the hooks of its cycles.
 std::vector<EmitterStart> Assembly::startsOf(const dat::Setup& setup, std::span<const std::uint32_t> cycles) {
     std::vector<EmitterStart> starts = starts_.ofDefaultScript(setup);
+    std::size_t hooks = 0;
     for (const std::uint32_t cycle : cycles) {
         if (cycle == kNone)
             continue;
         for (const Cycles::Hook& hook : cycles_.hooksOf(cycle)) {
+            if (++hooks > kMostHooks || starts.size() > kMostHooks)
+                return starts;
             for (EmitterStart start : starts_.ofHook(*hook.hook, setup)) {
                 start.cycle = cycle;
                 start.at += hook.seconds;
@@ -139,6 +147,8 @@ void Assembly::addSource(const EmitterStart& start, const dat::Setup& setup, Par
         source.interval = speed > 0.0 ? style.interval / speed : kNeverEnds;
     }
     source.replacesItself = start.name != 0 && start.period > 0.0;
+    if (source.interval > kLongestInterval)
+        source.interval = kNeverEnds;
     source.isEverBurning = style.isEndless() && source.stop == kNeverEnds && source.gone == kNeverEnds &&
                            !source.replacesItself && source.interval < kNeverEnds;
     source.reach = particleReach(style, start.offset);

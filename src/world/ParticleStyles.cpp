@@ -9,6 +9,7 @@ namespace {
 
 /// The least time between two births, seconds: in the original one is born in a frame at most.
 constexpr double kLeastInterval = 1.0 / 60.0;
+constexpr double kLongestLife = 1e9; ///< seconds: as good as for ever, and sums of it are still times
 constexpr float kSmallest = 0.1f, kLargest = 10.0f; ///< scales. ref: formats/effects_anim.md
 
 double finite(double value) {
@@ -78,8 +79,8 @@ std::optional<ParticleStyle> particleStyleOf(const dat::ParticleEmitter& record)
     style.total = static_cast<std::uint32_t>(std::max(record.totalParticles, 0));
     if (record.totalSeconds > 0.0)
         style.birthSeconds = record.totalSeconds;
-    style.lifespan = std::max(finite(record.lifespan), 0.0);
-    style.lifeSpread = std::abs(finite(record.lifespanRandom));
+    style.lifespan = std::clamp(finite(record.lifespan), 0.0, kLongestLife);
+    style.lifeSpread = std::min(std::abs(finite(record.lifespanRandom)), kLongestLife);
     style.offset = rangeOf(record.offset);
     style.a = rangeOf(record.a);
     style.b = rangeOf(record.b);

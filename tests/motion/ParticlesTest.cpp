@@ -129,6 +129,26 @@ TEST(Births, withoutAnIntervalAreTheFirstOnes) {
     EXPECT_GT(births.livingAt(5.0).first, births.livingAt(5.0).last);
 }
 
+TEST(Births, areFewEvenAtTheEndsOfWhatNumbersCanSay) {
+    for (const double interval : {1e-12, 1e9}) {
+        for (const double life : {1e-12, 2e9}) {
+            for (const bool everBurning : {false, true}) {
+                ParticleStyle style = plain();
+                style.interval = interval;
+                style.lifespan = life;
+                style.initial = 2;
+                ParticleSource source = started(style);
+                source.isEverBurning = everBurning;
+                for (const double seconds : {-1e12, -1.0, 0.0, 1e-300, 1e12}) {
+                    const Births::Range living = Births(style, source).livingAt(seconds);
+                    EXPECT_LE(living.last - living.first + 1, 5)
+                        << interval << ", " << life << ", " << seconds;
+                }
+            }
+        }
+    }
+}
+
 TEST(SourceStarts, areThoseThatStillShowSomething) {
     ParticleStyle style = plain();
     style.total = 2; // at 0.5 and 1, dead at 4
@@ -145,6 +165,10 @@ TEST(SourceStarts, areThoseThatStillShowSomething) {
     starts = startsAt(style, source, 9.0);
     EXPECT_GT(starts.first, starts.last);
     EXPECT_EQ(startsAt(style, source, 10.0).last, 0);
+    source.period = 1e-30;
+    source.gone = kNeverEnds;
+    starts = startsAt(style, source, 20.0);
+    EXPECT_LE(starts.last - starts.first, 64) << "no more than are worth showing";
 }
 
 TEST(Particles, standStillWhereTheyWereBorn) {
@@ -317,6 +341,10 @@ TEST(ParticleStyles, makeSenseOfAnyRecord) {
     EXPECT_FALSE(world::particleStyleOf(record)->isEndless());
     record.birthrate = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(world::particleStyleOf(record)->interval, kNeverEnds);
+    record.lifespan = 1e308;
+    record.lifespanRandom = -1e308;
+    EXPECT_TRUE(std::isfinite(world::particleStyleOf(record)->longestLife()));
+    record.lifespanRandom = 0.0;
     record.maxParticles = 0;
     EXPECT_FALSE(world::particleStyleOf(record)) << "never one alive";
     record.maxParticles = 5;
