@@ -76,7 +76,7 @@ TEST(MovingEntries, refuseOtherShapesWithASentence) {
           R"({"villagers": [{"model": "0x02000001", "clothing": 3}]})",
           R"({"villagers": [{"model": "0x02000001", "play": {"kind": 0}}]})",
           R"({"villagers": [{"model": "0x02000001", "play": []}]})",
-          R"({"player": {"model": "0x02000001", "clothing": [{"table": 5}]}})"}) {
+          R"({"player": {"model": "0x02000001", "clothing": [{"table": "0x10000001", "shade": "dark"}]}})"}) {
         const auto file = load(text);
         ASSERT_FALSE(file) << text;
         EXPECT_EQ(file.error().code, ErrorCode::Malformed);
