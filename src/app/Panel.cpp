@@ -236,9 +236,11 @@ void drawControls(PanelChoice& choice) {
         choice.doors.reset();
         return;
     }
-    float open = static_cast<float>(100.0 * choice.doors.value_or(0.0));
-    ImGui::SliderFloat("open", &open, 0.0f, 100.0f, "%.0f %%");
-    choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
+    choice.doors = choice.doors.value_or(0.0);
+    float open = static_cast<float>(100.0 * *choice.doors);
+    if (ImGui::SliderFloat("open", &open, 0.0f, 100.0f,
+                           "%.0f %%")) // else doors that swing keep all their digits
+        choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
 }
 
 /// Draws a visit and all it leads to. Yields the first visit after them; `hovered` becomes the one under the mouse.

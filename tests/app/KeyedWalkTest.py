@@ -62,6 +62,7 @@ class KeyedWalk(WindowTest):
     REACHED = 0.45  # metres from a way point, on the level
     DEGREES_A_PIXEL = 0.15
     PATIENCE = 60  # frames without getting nearer
+    WORLD = ("--radius", "1")  # the way is within two landblocks
 
     def way(self):
         """The built-in world's tour from the cellar to the balcony, as places for feet."""
@@ -79,7 +80,7 @@ class KeyedWalk(WindowTest):
         balcony = nearest("inn.balcony", hall)
         points = [tour[cellar]]
         for point in tour[cellar:balcony + 1]:
-            if math.dist(point, points[-1]) > 0.7:
+            if math.dist(point, points[-1]) > 0.8:
                 points.append(point)
         return points
 
@@ -140,11 +141,11 @@ class KeyedWalk(WindowTest):
         out = next(i for i, p in enumerate(points) if p[1] < points[ground][1] - 8.0)
         inn = next(i for i in range(out, len(points)) if points[i][1] > points[out][1] + 7.0)
         with Followed(self, "--at", "cottage.cellar", "--door", "cottage.front=0", "--door", "inn.front=0", "--screenshots", "pictures",
-                      "--record", "walk", size="320x180", step="0.05") as view:
+                      "--record", "walk", *self.WORLD, size="192x108", step="0.08") as view:
             self.hands = Hands(self.display)
             self.hands.tap("F4")  # the panel would take the mouse
             view.until(lambda s: not s["overlays"]["panel"], "no panel", 20)
-            self.ask("mousemove", "200", "100")
+            self.ask("mousemove", "100", "50")
             self.hands.button(True)  # looks around all the way
             view.until(lambda s: s["on_ground"], "it stands")
             self.picture(view)
@@ -162,13 +163,14 @@ class KeyedWalk(WindowTest):
             self.picture(view)
             self.walk(view, points[inn:])
             self.assertEqual(view.state["root"], "outside")
-            self.assertGreater(view.state["body"]["feet"][2], points[inn][2] + 1.0)
+            self.assertGreater(view.state["eye"][2], points[inn][2] + 1.0)
             self.hands.tap("r")
             view.until(lambda s: s["weather"] == "rain", "rain", 20)
             self.picture(view)
-            self.hands.key("Shift_L", True)
             self.walk(view, points[inn:][::-1])
+            self.hands.key("Shift_L", True)
             self.walk(view, points[out:inn][::-1])
+            self.hands.key("Shift_L", False)
             self.assertEqual(view.state["root"], "outside")
             self.picture(view)
             self.walk(view, points[ground:out][::-1])
@@ -190,7 +192,7 @@ class KeyedWalk(WindowTest):
         """Every frame decides what it decided in the window: eye, root, visits, what is where."""
         with open(self.path("walk")) as walk:
             self.assertGreaterEqual(len(walk.readlines()), frames)
-        again = subprocess.run([PROGRAM, "probe", "--walk", "walk"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
+        again = subprocess.run([PROGRAM, "probe", "--walk", "walk", *self.WORLD], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
         self.assertEqual((again.returncode, again.stderr), (0, ""))
         roots = [json.loads(line) for line in again.stdout.splitlines()]
         self.assertLessEqual(self.roots, {event["root"] for event in roots if event["event"] == "root"})

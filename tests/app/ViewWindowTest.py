@@ -291,6 +291,22 @@ class ViewWindow(WindowTest):
             view.until(lambda s: not s["chased"], "in the head again")
             self.assertEqual(view.leave()[0], 0)
 
+    def test_portals_are_shown_with_what_became_of_them(self):
+        with Followed(self, "--at", "cottage.room", "--yaw", "150", "--pitch", "0", size="320x180") as view:
+            self.assertEqual(view.state["portals"], {})
+            view.press("F8")
+            shown = view.until(lambda s: s["overlays"]["portals"], "portals")
+            self.assertEqual(shown["portals"]["admitted"], shown["visits"] - 1)
+            self.assertGreater(shown["portals"]["the eye is behind it"], 0)
+            view.press("o")  # they swing open first, for some rest shut
+            view.until(lambda s: s["doors"] == 1.0, "all doors are open")
+            view.press("o")
+            shut = view.until(lambda s: s["doors"] == 0.0, "all doors are shut")
+            self.assertGreater(shut["portals"]["shut"], 0)
+            view.press("F8")
+            view.until(lambda s: s["portals"] == {}, "no portals")
+            self.assertEqual(view.leave(), (0, ""))
+
     @patiently
     def test_function_keys_switch_the_overlays(self):
         def press():
