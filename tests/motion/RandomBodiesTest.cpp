@@ -191,10 +191,18 @@ private:
         }
         return true;
     }
+    /// Where the ground runs through a cell who walks on it is outside, though the cell holds him: nothing but an opening leads in.
+    [[nodiscard]] bool isCrossedByGround(world::SpaceIndex cell, const Vec3& at) const {
+        constexpr double kAboveFloor = 0.5; // metres: floors of houses that stand on the ground are no lower
+        return world::terrainHeight(part_.world, at.x, at.y) >
+               part_.world.spaces[cell].bounds.min.z + kAboveFloor;
+    }
     [[nodiscard]] bool mayBeAt(const Vec3& at) const {
         const world::SpaceIndex space = body_.standing.space;
-        if (space == kOutside)
-            return locate(part_.world, at).space == kOutside;
+        if (space == kOutside) {
+            const world::SpaceIndex cell = locate(part_.world, at).space;
+            return cell == kOutside || isCrossedByGround(cell, at);
+        }
         return part_.world.spaces[space].bspNodeCount == 0 || cellContains(part_.world, space, at);
     }
 
