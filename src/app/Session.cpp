@@ -11,6 +11,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace limen::app {
 namespace {
@@ -91,6 +92,12 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
         ->check(CLI::Range(0, 16))
         ->group("World");
     command
+        .add_option("--far", options.load.farRadius,
+                    "landblocks beyond these up to so many each way have their ground alone (0: none)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 32))
+        ->group("World");
+    command
         .add_option("--detail", options.load.detail,
                     "levels of detail change at so many times their distances (1); inf: the nearest stays")
         ->type_name("F")
@@ -131,15 +138,23 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
 
 Result<std::unique_ptr<LoadedWorld>> LoadedWorld::load(const dat::Archive& archive, dat::BlockCoord centre,
                                                        const world::LoadOptions& options,
-                                                       const world::MovingEntries& moving) {
-    Result<world::World> world = world::loadWorld(archive, centre, options, moving);
+                                                       const world::MovingEntries& moving,
+                                                       const world::LoadHelp& help) {
+    Result<world::World> world = world::loadWorld(archive, centre, options, moving, help);
     if (!world)
         return tl::unexpected(world.error());
     Result<visibility::Graph> graph = frame::visibilityGraph(*world);
     if (!graph)
         return tl::unexpected(graph.error());
-    return std::unique_ptr<LoadedWorld>(
-        new LoadedWorld(std::make_shared<const Contents>(std::move(*world), std::move(*graph), centre)));
+    return std::unique_ptr<LoadedWorld>(new LoadedWorld(std::make_shared<const Contents>(
+        std::move(*world), std::move(*graph), StreamTarget{centre, options})));
+}
+
+world::SpaceIndex rootIn(const LoadedWorld& loaded, dat::RecordId cell, const Vec3& eye) {
+    const world::SpaceIndex root = cell == 0 ? world::kOutside : world::findCell(loaded.world, cell);
+    return root != world::kNone
+               ? root
+               : motion::locate(loaded.world, eye).space; // its block is damaged or was left out: look again
 }
 
 Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size) {
@@ -225,7 +240,7 @@ gpu::Device& Session::drawnOn() {
 }
 
 Result<void> Session::load(dat::BlockCoord centre) {
-    if (loaded_ && loaded_->centre == centre)
+    if (loaded_ && loaded_->target == StreamTarget{centre, options_.load})
         return {};
     Result<std::shared_ptr<LoadedWorld>> loaded = read(centre);
     if (!loaded)
@@ -233,9 +248,9 @@ Result<void> Session::load(dat::BlockCoord centre) {
     return show(std::move(*loaded));
 }
 
-Result<std::shared_ptr<LoadedWorld>> Session::read(dat::BlockCoord centre) const {
-    Result<std::unique_ptr<LoadedWorld>> loaded =
-        LoadedWorld::load(source_->archive, centre, options_.load, source_->file.moving);
+Result<std::shared_ptr<LoadedWorld>> Session::read(const StreamTarget& target, unsigned threads) const {
+    Result<std::unique_ptr<LoadedWorld>> loaded = LoadedWorld::load(
+        source_->archive, target.centre, target.options, source_->file.moving, {cache_.get(), threads});
     if (!loaded)
         return tl::unexpected(loaded.error());
     return std::shared_ptr<LoadedWorld>(std::move(*loaded));
@@ -245,11 +260,15 @@ Result<void> Session::show(std::shared_ptr<LoadedWorld> world) {
     if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->world, world->planner.pieces()));
         !uploaded)
         return uploaded;
-    loaded_ = std::move(world);
+    static_cast<void>(take(std::move(world)));
     return {};
 }
 
-bool Session::follow(const Vec3& eye, world::SpaceIndex& root) {
+std::shared_ptr<LoadedWorld> Session::take(std::shared_ptr<LoadedWorld> world) {
+    return std::exchange(loaded_, std::move(world));
+}
+
+bool Session::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
     const world::World& before = loaded_->world;
     const dat::BlockCoord here =
         root == world::kOutside ? world::blockAt(eye) : dat::blockOf(before.spaces[root].cellId);
@@ -259,9 +278,7 @@ bool Session::follow(const Vec3& eye, world::SpaceIndex& root) {
     const dat::RecordId cell = root == world::kOutside ? 0 : before.spaces[root].cellId;
     if (!load(here))
         return false;
-    root = cell == 0 ? world::kOutside : world::findCell(loaded_->world, cell);
-    if (root == world::kNone) // its block is damaged or was left out: look again
-        root = motion::locate(loaded_->world, eye).space;
+    root = rootIn(*loaded_, cell, eye);
     return true;
 }
 

@@ -20,7 +20,7 @@ ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr
     : device_(device),
       textures_(device, std::move(staged.textures), before != nullptr ? &before->textures_ : nullptr),
       programs_(std::move(programs)), scene_(std::move(staged.arrays)),
-      pieces_(static_cast<std::uint32_t>(scene_.pieces.size())) {}
+      pieces_(static_cast<std::uint32_t>(scene_->pieces.size())) {}
 
 ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_) {
@@ -53,18 +53,18 @@ void ResidentScene::listArrays() {
     const auto texels = [&](const char* label, std::span<const std::byte> bytes) {
         arrays_.push_back({label, bytes, kNoBinding, true});
     };
-    storage(layout::kBindMaterials, "materials", bytesOf(scene_.materials));
-    storage(layout::kBindMaterialRefs, "material references", bytesOf(scene_.materialRefs));
-    storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_.terrainCells));
-    storage(layout::kBindLightSets, "light sets", bytesOf(scene_.lightSets));
-    storage(layout::kBindLights, "lights", bytesOf(scene_.lights));
+    storage(layout::kBindMaterials, "materials", bytesOf(scene_->materials));
+    storage(layout::kBindMaterialRefs, "material references", bytesOf(scene_->materialRefs));
+    storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_->terrainCells));
+    storage(layout::kBindLightSets, "light sets", bytesOf(scene_->lightSets));
+    storage(layout::kBindLights, "lights", bytesOf(scene_->lights));
     storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
-    storage(layout::kBindIndices, "indices", bytesOf(scene_.indices));
+    storage(layout::kBindIndices, "indices", bytesOf(scene_->indices));
     // From kUnitVertices on.
-    texels("vertices", bytesOf(scene_.vertices));
-    texels("instances", bytesOf(scene_.instances));
-    texels("members", bytesOf(scene_.members));
-    texels("pieces", bytesOf(scene_.pieces));
+    texels("vertices", bytesOf(scene_->vertices));
+    texels("instances", bytesOf(scene_->instances));
+    texels("members", bytesOf(scene_->members));
+    texels("pieces", bytesOf(scene_->pieces));
 }
 
 Result<bool> ResidentScene::advance(std::size_t& bytes) {
@@ -79,7 +79,7 @@ Result<bool> ResidentScene::advance(std::size_t& bytes) {
             return uploaded;
         }
     }
-    scene_ = {};
+    scene_.reset();
     return programs_->buildNext(bytes);
 }
 

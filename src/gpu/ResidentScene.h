@@ -59,7 +59,7 @@ private:
     Device& device_;
     TextureStore textures_;
     std::shared_ptr<Programs> programs_;
-    frame::SceneUpload scene_; ///< until it is uploaded
+    std::shared_ptr<const frame::SceneUpload> scene_; ///< until it is uploaded
     std::vector<Array> arrays_;
     std::size_t done_ = 0; ///< of these
     std::vector<BufferHandle> owned_;

@@ -63,8 +63,8 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& 
         include(before.bindings->meshes, staged.bindings.meshes);
         include(before.bindings->terrain, staged.bindings.terrain);
     }
-    staged.arrays = std::move(scene);
-    staged.arrays.textures.clear();
+    scene.textures.clear();
+    staged.arrays = std::make_shared<const frame::SceneUpload>(std::move(scene));
     staged.textures = std::move(*textures);
     return staged;
 }

@@ -5,6 +5,7 @@
 #include "gpu/RendererOptions.h"
 #include "gpu/TextureStaging.h"
 
+#include <memory>
 #include <optional>
 
 namespace limen::gpu {
@@ -17,7 +18,8 @@ struct SceneState {
 
 /// A scene made ready to be uploaded piece by piece. Plain data, made by any thread.
 struct StagedScene {
-    frame::SceneUpload arrays; ///< without textures
+    /// Without textures. Whoever keeps it, too, decides on which thread all that memory is given back.
+    std::shared_ptr<const frame::SceneUpload> arrays;
     StagedTextures textures;
     SceneBindings bindings;
 };

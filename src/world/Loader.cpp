@@ -74,6 +74,11 @@ dat::BlockCoord blockAt(const Vec3& position) {
     return {clamped(position.x), clamped(position.y)};
 }
 
+double metresBeside(dat::BlockCoord block, const Vec3& position) {
+    const Vec3 local = position - Vec3(block.x, block.y, 0.0) * kBlockSize;
+    return std::max({-local.x, local.x - kBlockSize, -local.y, local.y - kBlockSize, 0.0});
+}
+
 const Block* findBlock(const World& world, dat::BlockCoord coord) {
     const auto before = [](const Block& block, dat::BlockCoord c) {
         return block.coord.x != c.x ? block.coord.x < c.x : block.coord.y < c.y;

@@ -41,6 +41,9 @@ struct LoadHelp {
 /// The block that holds a global position; coordinates clamped to the map.
 [[nodiscard]] dat::BlockCoord blockAt(const Vec3& position);
 
+/// How far a global position lies outside a block, on the level; metres, 0 within.
+[[nodiscard]] double metresBeside(dat::BlockCoord block, const Vec3& position);
+
 /// Height of the ground at a global position, by the triangle there; NaN where no terrain is resident.
 [[nodiscard]] double terrainHeight(const World& world, double x, double y);
 
