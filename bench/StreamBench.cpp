@@ -8,6 +8,7 @@
 #include "demo/Demo.h"
 #include "demo/Generated.h"
 #include "gpu/NullDevice.h"
+#include "world/Nearby.h"
 
 #include <fmt/format.h>
 #include <fstream>
@@ -26,6 +27,7 @@ constexpr double kAbove = 30.0; // metres over the ground
 constexpr int kNear = 4, kFar = 12;
 /// The eye may be a block from the middle of what is loaded: so far everything is to be there at any time.
 constexpr int kAlwaysNear = kNear - 1;
+constexpr std::uint32_t kMapCells = 60'000;
 constexpr double kMiB = 1 << 20;
 
 double residentMiB() {
@@ -35,26 +37,30 @@ double residentMiB() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
 }
 
-/// Blocks that there are, and the way over them.
+/// Blocks that there are, and the way over them: from end to end of a small world, else some blocks eastwards from its first place.
 struct Land {
     std::vector<dat::BlockCoord> blocks;
     Vec3 from{0.0}, to{0.0};
 
-    explicit Land(const dat::Archive& archive) {
+    explicit Land(const app::WorldSource& source) {
+        constexpr double kLongest = 12.0 * world::kBlockSize; // metres, eastwards
         Aabb bounds;
-        for (int x = 0; x < 255; ++x) {
-            for (int y = 0; y < 255; ++y) {
+        for (int x = 0; x < world::kMapSize; ++x) {
+            for (int y = 0; y < world::kMapSize; ++y) {
                 const dat::BlockCoord block{x, y};
-                if (!archive.contains<dat::LandBlock>(dat::landBlockId(block)) ||
-                    world::isDungeon(archive, block)) {
-                    continue;
+                if (source.archive.contains<dat::LandBlock>(dat::landBlockId(block)) &&
+                    !world::isDungeon(source.archive, block)) {
+                    blocks.push_back(block);
+                    bounds.include(Vec3(x + 0.5, y + 0.45, 0.0) * world::kBlockSize);
                 }
-                blocks.push_back(block);
-                bounds.include(Vec3(x + 0.5, y + 0.45, 0.0) * world::kBlockSize);
             }
         }
         from = bounds.min;
         to = bounds.max;
+        if (to.x - from.x > kLongest && !source.file.places.empty()) {
+            from = source.file.places.front().eye;
+            to = from + Vec3(kLongest, 0.1 * kLongest, 0.0);
+        }
     }
 };
 
@@ -81,7 +87,7 @@ bool isAllThere(const world::World& world, const Land& land, dat::BlockCoord eye
 }
 
 Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, gpu::Device& device) {
-    const Land land(source->archive);
+    const Land land(*source);
     app::SessionOptions options;
     options.load.radius = kNear;
     options.load.farRadius = kFar;
@@ -162,12 +168,11 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
     };
     gpu::NullDevice first, second;
     measure("built-in world, null device", builtIn, demo::writeBuiltInWorld(builtIn.path()), first);
-    const Result<void> land =
-        demo::writeGeneratedWorld({demo::GeneratedKind::Terrain, 500}, generated.path());
-    measure("generated land of 125 blocks, null device", generated, land, second);
+    const Result<void> map =
+        demo::writeGeneratedWorld({demo::GeneratedKind::Map, kMapCells}, generated.path());
+    measure("whole map, null device", generated, map, second);
     if (const std::optional<HeadlessDriver> driver = openDriver()) {
-        measure("generated land, " + driver->device->capabilities().renderer, generated, land,
-                *driver->device);
+        measure("whole map, " + driver->device->capabilities().renderer, generated, map, *driver->device);
     }
     return rows;
 }

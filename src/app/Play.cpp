@@ -59,6 +59,10 @@ void Play::act(const PlayAct& act) {
     case PlayAct::Kind::Distance:
         walk_.keepDistance(act.value);
         return;
+    case PlayAct::Kind::Quality:
+        if (act.value >= 0.0 && act.value < static_cast<double>(kQualities.size()))
+            session_.drawBy(static_cast<std::size_t>(act.value));
+        return;
     }
 }
 

@@ -39,6 +39,13 @@ int leashOf(int radius) {
     return std::max(1, radius / 2);
 }
 
+void choose(std::size_t quality, SessionOptions& options) {
+    options.quality = quality;
+    options.load = loadBy(kQualities[quality], options.load);
+    options.samples = kQualities[quality].samples;
+    options.anisotropy = kQualities[quality].anisotropy;
+}
+
 Result<world::SpaceIndex> findRoot(const world::World& world, const RootChoice& root, const Vec3& eye,
                                    bool& ambiguous) {
     if (root.kind == RootChoice::Kind::Outside)
@@ -71,6 +78,13 @@ frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
 } // namespace
 
 void addSessionOptions(CLI::App& command, SessionOptions& options) {
+    command // first: what else is said comes after it
+        .add_option_function<std::string>(
+            "--quality", [&options](const std::string& text) { choose(*qualityNamed(text), options); },
+            "sets --radius, --far, --detail and --msaa, and how sharp textures are seen askew")
+        ->type_name("low|medium|high|ultra")
+        ->check(CLI::IsMember({"low", "medium", "high", "ultra"}))
+        ->group("World");
     command
         .add_option("--dat", options.dat,
                     "directory of client_portal.dat and client_cell_1.dat; the built-in world unless said")
@@ -229,7 +243,8 @@ Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions
                  gpu::Device& device)
     : source_(std::move(source)), options_(options), device_(device),
       checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
-      renderer_(drawnOn(), {.textures = {.mode = options.textures}, .culling = options.culling}) {}
+      renderer_(drawnOn(), {.textures = {.mode = options.textures, .anisotropy = options.anisotropy},
+                            .culling = options.culling}) {}
 
 Session::~Session() = default;
 
@@ -237,6 +252,11 @@ gpu::Device& Session::drawnOn() {
     if (checked_)
         return *checked_;
     return device_;
+}
+
+void Session::drawBy(std::size_t quality) {
+    choose(quality, options_);
+    renderer_.setAnisotropy(options_.anisotropy);
 }
 
 Result<void> Session::load(dat::BlockCoord centre) {
@@ -273,7 +293,7 @@ bool Session::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
     const dat::BlockCoord here =
         root == world::kOutside ? world::blockAt(eye) : dat::blockOf(before.spaces[root].cellId);
     const int distance = std::max(std::abs(here.x - loaded_->centre.x), std::abs(here.y - loaded_->centre.y));
-    if (distance <= leashOf(options_.load.radius))
+    if (distance <= leashOf(options_.load.radius) && loaded_->target.options == options_.load)
         return false;
     const dat::RecordId cell = root == world::kOutside ? 0 : before.spaces[root].cellId;
     if (!load(here))

@@ -3,6 +3,7 @@
 #include "app/FrameReport.h"
 #include "app/MomentInput.h"
 #include "app/Picked.h"
+#include "app/Quality.h"
 #include "app/Residency.h"
 #include "app/Streamer.h"
 #include "app/WorldSource.h"
@@ -31,6 +32,8 @@ struct SessionOptions {
     gpu::TextureMode textures = gpu::TextureMode::Auto;
     gpu::Culling culling = gpu::Culling::Hidden;
     std::uint32_t samples = 0; ///< a pixel, of frames without ids and layers; 0 and 1: no multisampling
+    float anisotropy = 4.0f;   ///< of textures, at most
+    std::optional<std::size_t> quality{}; ///< of kQualities, that was chosen last
 };
 void addSessionOptions(CLI::App& command, SessionOptions& options);
 
@@ -116,6 +119,9 @@ public:
     [[nodiscard]] std::shared_ptr<LoadedWorld> take(std::shared_ptr<LoadedWorld> world);
     /// How parts of the world are loaded from now on.
     void loadBy(const world::LoadOptions& load) { options_.load = load; }
+    /// Index into kQualities. Samples change with the next frame, all else with the next part of the world that is loaded: where the
+    /// session loads by itself, with the next frame, too.
+    void drawBy(std::size_t quality);
     /// Loads the blocks around a moving eye when it comes near the edge of what is loaded; `root` is
     /// translated. True if something was loaded. Where nothing can be loaded the old world stays.
     bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;

@@ -18,17 +18,14 @@ unsigned threadsToReadOn() {
 
 SessionStream::SessionStream(Session& session) : session_(session) {}
 
-void SessionStream::want(const world::LoadOptions& load) {
-    session_.loadBy(load);
-}
-
 bool SessionStream::follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) {
     const LoadedWorld& before = session_.loaded();
     const dat::RecordId cell = root == world::kOutside ? 0 : before.world.spaces[root].cellId;
     const StreamEye place{eye, cell == 0 ? world::blockAt(eye) : dat::blockOf(cell)};
     walk_ = walk;
     justShown_.reset();
-    if (!streamer_.step(before.target, place, session_.options().load))
+    const StreamTarget shown = before.target; // it may go meanwhile
+    if (!streamer_.step(shown, place, session_.options().load))
         return false;
     justShown_ = session_.loaded().target;
     root = rootIn(session_.loaded(), cell, eye);
@@ -36,23 +33,24 @@ bool SessionStream::follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk)
 }
 
 Result<SessionStream::Part> SessionStream::read(const Session& session, const StreamTarget& target,
+                                                const gpu::RendererOptions& options,
                                                 const gpu::SceneState& before) {
     Result<std::shared_ptr<LoadedWorld>> loaded = session.read(target, threadsToReadOn());
     if (!loaded)
         return tl::unexpected(loaded.error());
+    frame::SceneUpload scene = frame::buildScene((*loaded)->world, (*loaded)->planner.pieces());
     Result<gpu::StagedScene> staged =
-        gpu::stageScene(frame::buildScene((*loaded)->world, (*loaded)->planner.pieces()),
-                        session.renderer().options(), session.capabilities(), before);
+        gpu::stageScene(std::move(scene), options, session.capabilities(), before);
     if (!staged)
         return tl::unexpected(staged.error());
-    return Part{std::move(*loaded), std::make_unique<gpu::StagedScene>(std::move(*staged))};
+    return Part{std::move(*loaded), std::make_unique<gpu::StagedScene>(std::move(*staged)), {}};
 }
 
 void SessionStream::beginToRead(const StreamTarget& target) {
-    reading_ =
-        background_.run([&session = std::as_const(session_), target, before = session_.renderer().state()] {
-            return read(session, target, before);
-        });
+    // Copies: the session goes on meanwhile.
+    reading_ = background_.run(
+        [&session = std::as_const(session_), target, options = session_.renderer().options(),
+         before = session_.renderer().state()] { return read(session, target, options, before); });
 }
 
 std::optional<Result<void>> SessionStream::pollRead() {

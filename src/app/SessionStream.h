@@ -5,7 +5,7 @@
 
 namespace limen::app {
 
-/// Streams the parts of a session's world that come near a moving eye: they are read and made ready on other threads, uploaded in
+/// Streams the parts of a session's world that come near a moving eye, as the session's options say at the time: they are read and made ready on other threads, uploaded in
 /// slices, and shown in one frame, in which eye, root and body follow as they do for what is loaded at once.
 class SessionStream final : public Residency, private StreamTasks {
 public:
@@ -17,8 +17,6 @@ public:
     explicit SessionStream(Session& session);
 
     bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
-    /// Blocks, what is far, and detail: from now on, as soon as that is read.
-    void want(const world::LoadOptions& load);
     /// What was shown anew in the last frame.
     [[nodiscard]] const std::optional<StreamTarget>& shown() const { return justShown_; }
     [[nodiscard]] const Streamer& streamer() const { return streamer_; }
@@ -33,6 +31,7 @@ private:
         std::shared_ptr<const frame::SceneUpload> arrays; ///< of the scene that is being uploaded
     };
     [[nodiscard]] static Result<Part> read(const Session& session, const StreamTarget& target,
+                                           const gpu::RendererOptions& options,
                                            const gpu::SceneState& before);
 
     void beginToRead(const StreamTarget& target) override;

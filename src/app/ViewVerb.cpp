@@ -338,6 +338,8 @@ private:
             act({PlayAct::Kind::Weather});
         if (choice.doors != eye().doors)
             act({PlayAct::Kind::AllDoors, choice.doors.value_or(-1.0)});
+        if (choice.quality && choice.quality != session_.options().quality)
+            act({PlayAct::Kind::Quality, static_cast<double>(*choice.quality)});
         if (choice.place >= 0)
             act({PlayAct::Kind::Place, static_cast<double>(choice.place)});
         if (choice.rebinding)
@@ -374,6 +376,7 @@ private:
                                .frozen = frozen_ ? &*frozen_ : nullptr,
                                .portals = portals_,
                                .residency = blocks,
+                               .quality = session_.options().quality,
                                .places = session_.source().file.places,
                                .ids = ids,
                                .bindings = bindings_,

@@ -53,7 +53,8 @@ void Walk::end(FrameEye& eye) {
 
 void Walk::drop() {
     isOn_ = false;
-    coming_ = next_ = {};
+    coming_ = {};
+    next_ = {};
     background_.discard(std::move(around_));
     around_.reset();
 }
@@ -88,7 +89,8 @@ Result<void> Walk::takeSurroundings(const Session& session, dat::BlockCoord cent
     Reading around = coming.isOf(session.shareLoaded(), centre)
                          ? coming.reading.get()
                          : read(session.shareSource(), session.shareLoaded(), centre);
-    coming_ = next_ = {};
+    coming_ = {};
+    next_ = {};
     if (!around)
         return tl::unexpected(around.error());
     background_.discard(std::exchange(around_, std::move(*around)));

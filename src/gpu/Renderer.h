@@ -34,6 +34,8 @@ public:
     /// What stageScene takes, beside the device's capabilities.
     [[nodiscard]] SceneState state() const;
     [[nodiscard]] const RendererOptions& options() const { return options_; }
+    /// Of the textures of scenes that are uploaded from now on.
+    void setAnisotropy(float most) { options_.textures.anisotropy = most; }
     /// Begins with a staged scene; one that was coming is dropped. Errors: Driver, if a program does not build.
     [[nodiscard]] Result<void> begin(StagedScene staged);
     /// Goes on with it by about so many bytes, and gives back some of what is drawn no more. Between frames. Yields true when the next
