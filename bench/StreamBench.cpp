@@ -15,6 +15,9 @@
 #include <limits>
 #include <thread>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace limen::bench {
 
@@ -37,13 +40,14 @@ double residentMiB() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
 }
 
-/// Blocks that there are, and the way over them: from end to end of a small world, else some blocks eastwards from its first place.
+/// Blocks that there are, and the way over them: from end to end of a small world, else some blocks from its last place that is in no
+/// dungeon towards the middle.
 struct Land {
     std::vector<dat::BlockCoord> blocks;
     Vec3 from{0.0}, to{0.0};
 
     explicit Land(const app::WorldSource& source) {
-        constexpr double kLongest = 12.0 * world::kBlockSize; // metres, eastwards
+        constexpr double kLongest = 12.0 * world::kBlockSize; // metres
         Aabb bounds;
         for (int x = 0; x < world::kMapSize; ++x) {
             for (int y = 0; y < world::kMapSize; ++y) {
@@ -57,9 +61,18 @@ struct Land {
         }
         from = bounds.min;
         to = bounds.max;
-        if (to.x - from.x > kLongest && !source.file.places.empty()) {
-            from = source.file.places.front().eye;
-            to = from + Vec3(kLongest, 0.1 * kLongest, 0.0);
+        const std::vector<world::Place>& places = source.file.places;
+        const auto isInTown =
+            [&](const world::Place& place) { // and no cell of a dungeon, which may lie anywhere
+                const dat::BlockCoord block =
+                    place.cell == 0 ? world::blockAt(place.eye) : dat::blockOf(place.cell);
+                return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
+            };
+        const auto town = std::find_if(places.rbegin(), places.rend(), isInTown);
+        if (to.x - from.x > kLongest && town != places.rend()) {
+            const double inwards = town->eye.x < 0.5 * (from.x + to.x) ? 1.0 : -1.0;
+            from = town->eye;
+            to = from + Vec3(inwards * kLongest, 0.1 * kLongest, 0.0);
         }
     }
 };
@@ -159,6 +172,9 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory,
                              Result<void> written, gpu::Device& device) {
+#ifdef __GLIBC__
+        ::malloc_trim(0); // what was written is no part of a session
+#endif
         Result<app::WorldSource> source = app::openWorldSource(directory.path().string());
         if (!written || !source) {
             addRows(scene, tl::unexpected(written ? source.error() : written.error()), rows);
