@@ -72,7 +72,7 @@ private:
     }
 
     void addGround() {
-        world_.textures.push_back(noisyPicture(kTextures, 64, dice_));
+        world_.textures.push_back(std::make_shared<const world::Image>(noisyPicture(kTextures, 64, dice_)));
         world::TerrainCell cell;
         cell.base.texture = 0;
         cell.base.tiling = 4.0f;
@@ -102,7 +102,8 @@ private:
 
     void addGroups() {
         for (std::uint32_t i = 0; i < kTextures; ++i) {
-            world_.textures.push_back(noisyPicture(i, 16u << i % 3, dice_));
+            world_.textures.push_back(
+                std::make_shared<const world::Image>(noisyPicture(i, 16u << i % 3, dice_)));
             world::Material material;
             material.texture = i + 1; // behind the ground's
             world_.materials.push_back(material);

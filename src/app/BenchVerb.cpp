@@ -8,6 +8,7 @@
 #include "FloodBench.h"
 #include "FrameBench.h"
 #include "SoakBench.h"
+#include "StreamBench.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -34,6 +35,9 @@ constexpr std::array kBenches{
     Bench{"frame", "whole frames along the tour, beside frames without visibility and without ownership",
           &bench::benchFrame},
     Bench{"soak", "memory and device objects over an hour of walking", &bench::benchSoak},
+    Bench{"stream",
+          "flying over landblocks that are streamed in: time of the drawing thread, what is missing, memory",
+          &bench::benchStream},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &bench::benchCalls},
     Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
           &bench::benchFlood},

@@ -110,7 +110,7 @@ private:
         if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
             return drawn;
         const std::uint64_t decided = decisionHash(play_.eye(), session_.visible(), session_.moment());
-        walk_.record.frames.push_back({std::move(input), decided});
+        walk_.record.frames.push_back({std::move(input), decided, {}});
         return {};
     }
 

@@ -3,6 +3,7 @@
 #include "app/DecisionHash.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace limen::app {
 namespace {
@@ -21,6 +22,12 @@ private:
     std::size_t next_ = 0;
 };
 
+/// Records do not tell how cells were joined.
+world::LoadOptions sameZones(world::LoadOptions load, const Session& session) {
+    load.mergeZones = session.options().load.mergeZones;
+    return load;
+}
+
 /// All frames of one size, if that is asked for. What is seen may be another part of the world then, so nothing is compared.
 Result<void> resize(const std::string& text, WalkRecord& walk) {
     if (text.empty())
@@ -37,6 +44,18 @@ Result<void> resize(const std::string& text, WalkRecord& walk) {
 
 } // namespace
 
+bool RecordedResidency::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
+    const std::optional<StreamTarget> next = std::exchange(next_, std::nullopt);
+    if (!next)
+        return false;
+    const dat::RecordId cell = root == world::kOutside ? 0 : session_.loaded().world.spaces[root].cellId;
+    session_.loadBy(sameZones(next->options, session_));
+    if (!session_.load(next->centre))
+        return false;
+    root = rootIn(session_.loaded(), cell, eye);
+    return true;
+}
+
 Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(Session& session, WalkRecord record) {
     const Result<ViewRequest> view = parseView(record.start, "the walk's beginning");
     if (!view)
@@ -44,6 +63,8 @@ Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(Session& session, W
     const Result<Standpoint> stand = standpointOf(*view, session.source().file);
     if (!stand)
         return tl::unexpected(stand.error());
+    if (record.streamed)
+        session.loadBy(sameZones(*record.streamed, session));
     if (Result<void> loaded = session.load(stand->centre); !loaded)
         return tl::unexpected(loaded.error());
     Result<FrameEye> start = placeEye(session.loaded(), *stand, record.frames.front().input.size);
@@ -64,7 +85,9 @@ void ReplayedFrames::compareLast() {
 
 Result<const FrameEye*> ReplayedFrames::next() {
     compareLast();
-    if (Result<void> stepped = play_.step(record_.frames[next_++].input); !stepped)
+    const RecordedFrame& frame = record_.frames[next_++];
+    residency_.show(frame.shown);
+    if (Result<void> stepped = play_.step(frame.input); !stepped)
         return tl::unexpected(stepped.error());
     return &play_.eye();
 }

@@ -19,7 +19,20 @@ public:
     [[nodiscard]] virtual std::optional<std::size_t> firstDifference() { return {}; }
 };
 
-/// A walk, played again in the session's world.
+/// Loads what a walk's record says, when it says so.
+class RecordedResidency final : public Residency {
+public:
+    explicit RecordedResidency(Session& session) : session_(session) {}
+    /// What is shown from the next frame on.
+    void show(const std::optional<StreamTarget>& next) { next_ = next; }
+    bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
+
+private:
+    Session& session_;
+    std::optional<StreamTarget> next_;
+};
+
+/// A walk, played again in the session's world. One that was streamed is loaded as it was then, whatever the session's options.
 class ReplayedFrames final : public FrameSource {
 public:
     /// Loads what is around the beginning. Errors: the session's; a beginning that is nowhere.
@@ -34,10 +47,13 @@ public:
 
 private:
     ReplayedFrames(Session& session, FrameEye start, WalkRecord record)
-        : session_(session), play_(session, std::move(start)), record_(std::move(record)) {}
+        : session_(session), residency_(session),
+          play_(session, std::move(start), record.streamed ? &residency_ : nullptr),
+          record_(std::move(record)) {}
     void compareLast();
 
     Session& session_;
+    RecordedResidency residency_;
     Play play_;
     WalkRecord record_;
     std::size_t next_ = 0;

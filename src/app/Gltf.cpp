@@ -97,7 +97,7 @@ private:
         const auto [entry, fresh] = textures_.try_emplace({index, clamp}, -1);
         if (!fresh)
             return entry->second;
-        const world::Image& picture = world_.textures[index];
+        const world::Image& picture = *world_.textures[index];
         const auto png = encodePng(picture.width, picture.height, picture.rgba);
         if (!png)
             return tl::unexpected(png.error());

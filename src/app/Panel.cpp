@@ -219,6 +219,17 @@ void drawFigures(const PanelFacts& facts) {
     drawStages(facts);
 }
 
+void drawQuality(PanelChoice& choice) {
+    const char* name = choice.quality ? kQualities[*choice.quality].name : "as the options say";
+    if (!ImGui::BeginCombo("quality", name))
+        return;
+    for (std::size_t i = 0; i < kQualities.size(); ++i) {
+        if (ImGui::Selectable(kQualities[i].name, choice.quality == i))
+            choice.quality = i;
+    }
+    ImGui::EndCombo();
+}
+
 void drawControls(PanelChoice& choice) {
     if (!ImGui::CollapsingHeader("World", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -228,6 +239,7 @@ void drawControls(PanelChoice& choice) {
     bool rain = choice.weather == Weather::Rain;
     if (ImGui::Checkbox("rain", &rain))
         choice.weather = rain ? Weather::Rain : Weather::Clear;
+    drawQuality(choice);
     int doors = choice.doors ? 1 : 0;
     ImGui::RadioButton("doors at rest", &doors, 0);
     ImGui::SameLine();
@@ -518,6 +530,7 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     choice.time = facts.eye.time;
     choice.weather = facts.eye.weather;
     choice.doors = facts.eye.doors;
+    choice.quality = facts.quality;
     if (switches.panel)
         choice = drawPanel(facts, choice);
     drawDoor(facts);

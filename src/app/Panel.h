@@ -4,6 +4,7 @@
 #include "app/FrozenFlood.h"
 #include "app/Picked.h"
 #include "app/PortalSights.h"
+#include "app/Quality.h"
 #include "app/ResidencyMap.h"
 #include "app/TimeWindow.h"
 #include "app/ViewCheck.h"
@@ -56,6 +57,7 @@ struct PanelFacts {
     std::span<const PortalSight>
         portals; ///< of this flood, or the one that is kept; only when they are to be shown
     const ResidencyMap& residency;
+    std::optional<std::size_t> quality; ///< of kQualities
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
     const KeyBindings& bindings;
@@ -71,6 +73,7 @@ struct PanelChoice {
     std::optional<double> doors;        ///< as in FrameEye
     std::optional<Rebinding> rebinding; ///< the next key is to be that
     bool keysAsAtFirst = false;
+    std::optional<std::size_t> quality; ///< of kQualities
 };
 
 /// The overlay stage of the window: panel, help, places, outlines. Owns the Dear ImGui context and its GL

@@ -147,7 +147,7 @@ const FrameEye& PathWalk::moveTo(double time) {
     }
     eye_.camera.heading = camera.heading;
     eye_.player = eye_.camera.eye;
-    if (session_.follow(eye_.camera.eye, eye_.root))
+    if (session_.follow(eye_.camera.eye, eye_.root, nullptr))
         tracker_.place(eye_.root);
     time_ = time;
     return eye_;

@@ -6,8 +6,9 @@
 
 namespace limen::app {
 
-Play::Play(Session& session, FrameEye start)
-    : session_(session), eye_(std::move(start)), tracker_(eye_.root) {
+Play::Play(Session& session, FrameEye start, Residency* residency)
+    : session_(session), residency_(residency != nullptr ? *residency : session), eye_(std::move(start)),
+      tracker_(eye_.root) {
     const std::vector<world::Door>& doors = session_.loaded().world.doors;
     for (std::size_t i = 0; i < std::min(doors.size(), eye_.eachDoor.size()); ++i) {
         if (eye_.eachDoor[i] != doors[i].open)
@@ -57,6 +58,10 @@ void Play::act(const PlayAct& act) {
         return;
     case PlayAct::Kind::Distance:
         walk_.keepDistance(act.value);
+        return;
+    case PlayAct::Kind::Quality:
+        if (act.value >= 0.0 && act.value < static_cast<double>(kQualities.size()))
+            session_.drawBy(static_cast<std::size_t>(act.value));
         return;
     }
 }
@@ -138,7 +143,7 @@ Result<void> Play::moveEye(const PlayInput& input) {
         eye_.player = eye_.camera.eye;
         eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, input.seconds);
     }
-    if (!session_.follow(eye_.camera.eye, eye_.root))
+    if (!residency_.follow(eye_.camera.eye, eye_.root, walk_.isOn() ? &walk_ : nullptr))
         return {};
     tracker_.place(eye_.root);
     doors_.write(session_.loaded().world, eye_.eachDoor);

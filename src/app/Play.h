@@ -12,8 +12,8 @@ namespace limen::app {
 /// start and the inputs alone, so that recorded inputs give the same frames again; each frame must be drawn before the next step.
 class Play {
 public:
-    /// The session must outlive it.
-    Play(Session& session, FrameEye start);
+    /// The session must outlive it. `residency`: what loads what comes near; null: the session itself, at once. It outlives it, too.
+    Play(Session& session, FrameEye start, Residency* residency = nullptr);
 
     /// Errors: what is around a body cannot be read.
     [[nodiscard]] Result<void> step(const PlayInput& input);
@@ -40,6 +40,7 @@ private:
     void findDoor();
 
     Session& session_;
+    Residency& residency_;
     FrameEye eye_;
     RootTracker tracker_;
     Walk walk_;

@@ -18,9 +18,10 @@ struct PlayAct {
         Place,    ///< goes to one of the world's places: `value` is its number
         Time,     ///< of day becomes `value`
         AllDoors, ///< stand open as far as `value`; less than 0: each as it was left
-        Distance  ///< of the eye from the body's head: `value`, metres
+        Distance, ///< of the eye from the body's head: `value`, metres
+        Quality   ///< of kQualities: `value` is its number
     };
-    static constexpr std::size_t kKinds = 9;
+    static constexpr std::size_t kKinds = 10;
     Kind kind = Kind::Walk;
     double value = 0.0;
     friend bool operator==(const PlayAct&, const PlayAct&) = default;

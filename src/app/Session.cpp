@@ -11,6 +11,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace limen::app {
 namespace {
@@ -36,6 +37,13 @@ constexpr bool kIsDevelopment = false;
 /// Blocks that an eye may go from the loaded centre before the next part is loaded, as a share of the radius.
 int leashOf(int radius) {
     return std::max(1, radius / 2);
+}
+
+void choose(std::size_t quality, SessionOptions& options) {
+    options.quality = quality;
+    options.load = loadBy(kQualities[quality], options.load);
+    options.samples = kQualities[quality].samples;
+    options.anisotropy = kQualities[quality].anisotropy;
 }
 
 Result<world::SpaceIndex> findRoot(const world::World& world, const RootChoice& root, const Vec3& eye,
@@ -70,6 +78,13 @@ frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
 } // namespace
 
 void addSessionOptions(CLI::App& command, SessionOptions& options) {
+    command // first: what else is said comes after it
+        .add_option_function<std::string>(
+            "--quality", [&options](const std::string& text) { choose(*qualityNamed(text), options); },
+            "sets --radius, --far, --detail and --msaa, and how sharp textures are seen askew")
+        ->type_name("low|medium|high|ultra")
+        ->check(CLI::IsMember({"low", "medium", "high", "ultra"}))
+        ->group("World");
     command
         .add_option("--dat", options.dat,
                     "directory of client_portal.dat and client_cell_1.dat; the built-in world unless said")
@@ -89,6 +104,12 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
         .add_option("--radius", options.load.radius, "landblocks that are loaded each way around the eye (4)")
         ->type_name("N")
         ->check(CLI::Range(0, 16))
+        ->group("World");
+    command
+        .add_option("--far", options.load.farRadius,
+                    "landblocks beyond these up to so many each way have their ground alone (0: none)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 32))
         ->group("World");
     command
         .add_option("--detail", options.load.detail,
@@ -131,15 +152,23 @@ void addSessionOptions(CLI::App& command, SessionOptions& options) {
 
 Result<std::unique_ptr<LoadedWorld>> LoadedWorld::load(const dat::Archive& archive, dat::BlockCoord centre,
                                                        const world::LoadOptions& options,
-                                                       const world::MovingEntries& moving) {
-    Result<world::World> world = world::loadWorld(archive, centre, options, moving);
+                                                       const world::MovingEntries& moving,
+                                                       const world::LoadHelp& help) {
+    Result<world::World> world = world::loadWorld(archive, centre, options, moving, help);
     if (!world)
         return tl::unexpected(world.error());
     Result<visibility::Graph> graph = frame::visibilityGraph(*world);
     if (!graph)
         return tl::unexpected(graph.error());
-    return std::unique_ptr<LoadedWorld>(
-        new LoadedWorld(std::make_shared<const Contents>(std::move(*world), std::move(*graph), centre)));
+    return std::unique_ptr<LoadedWorld>(new LoadedWorld(std::make_shared<const Contents>(
+        std::move(*world), std::move(*graph), StreamTarget{centre, options})));
+}
+
+world::SpaceIndex rootIn(const LoadedWorld& loaded, dat::RecordId cell, const Vec3& eye) {
+    const world::SpaceIndex root = cell == 0 ? world::kOutside : world::findCell(loaded.world, cell);
+    return root != world::kNone
+               ? root
+               : motion::locate(loaded.world, eye).space; // its block is damaged or was left out: look again
 }
 
 Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size) {
@@ -214,7 +243,8 @@ Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions
                  gpu::Device& device)
     : source_(std::move(source)), options_(options), device_(device),
       checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
-      renderer_(drawnOn(), {.textures = {.mode = options.textures}, .culling = options.culling}) {}
+      renderer_(drawnOn(), {.textures = {.mode = options.textures, .anisotropy = options.anisotropy},
+                            .culling = options.culling}) {}
 
 Session::~Session() = default;
 
@@ -224,8 +254,13 @@ gpu::Device& Session::drawnOn() {
     return device_;
 }
 
+void Session::drawBy(std::size_t quality) {
+    choose(quality, options_);
+    renderer_.setAnisotropy(options_.anisotropy);
+}
+
 Result<void> Session::load(dat::BlockCoord centre) {
-    if (loaded_ && loaded_->centre == centre)
+    if (loaded_ && loaded_->target == StreamTarget{centre, options_.load})
         return {};
     Result<std::shared_ptr<LoadedWorld>> loaded = read(centre);
     if (!loaded)
@@ -233,9 +268,9 @@ Result<void> Session::load(dat::BlockCoord centre) {
     return show(std::move(*loaded));
 }
 
-Result<std::shared_ptr<LoadedWorld>> Session::read(dat::BlockCoord centre) const {
-    Result<std::unique_ptr<LoadedWorld>> loaded =
-        LoadedWorld::load(source_->archive, centre, options_.load, source_->file.moving);
+Result<std::shared_ptr<LoadedWorld>> Session::read(const StreamTarget& target, unsigned threads) const {
+    Result<std::unique_ptr<LoadedWorld>> loaded = LoadedWorld::load(
+        source_->archive, target.centre, target.options, source_->file.moving, {cache_.get(), threads});
     if (!loaded)
         return tl::unexpected(loaded.error());
     return std::shared_ptr<LoadedWorld>(std::move(*loaded));
@@ -245,23 +280,25 @@ Result<void> Session::show(std::shared_ptr<LoadedWorld> world) {
     if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->world, world->planner.pieces()));
         !uploaded)
         return uploaded;
-    loaded_ = std::move(world);
+    static_cast<void>(take(std::move(world)));
     return {};
 }
 
-bool Session::follow(const Vec3& eye, world::SpaceIndex& root) {
+std::shared_ptr<LoadedWorld> Session::take(std::shared_ptr<LoadedWorld> world) {
+    return std::exchange(loaded_, std::move(world));
+}
+
+bool Session::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
     const world::World& before = loaded_->world;
     const dat::BlockCoord here =
         root == world::kOutside ? world::blockAt(eye) : dat::blockOf(before.spaces[root].cellId);
     const int distance = std::max(std::abs(here.x - loaded_->centre.x), std::abs(here.y - loaded_->centre.y));
-    if (distance <= leashOf(options_.load.radius))
+    if (distance <= leashOf(options_.load.radius) && loaded_->target.options == options_.load)
         return false;
     const dat::RecordId cell = root == world::kOutside ? 0 : before.spaces[root].cellId;
     if (!load(here))
         return false;
-    root = cell == 0 ? world::kOutside : world::findCell(loaded_->world, cell);
-    if (root == world::kNone) // its block is damaged or was left out: look again
-        root = motion::locate(loaded_->world, eye).space;
+    root = rootIn(*loaded_, cell, eye);
     return true;
 }
 

@@ -3,6 +3,9 @@
 #include "app/FrameReport.h"
 #include "app/MomentInput.h"
 #include "app/Picked.h"
+#include "app/Quality.h"
+#include "app/Residency.h"
+#include "app/Streamer.h"
 #include "app/WorldSource.h"
 #include "frame/Planner.h"
 #include "gpu/CheckedDevice.h"
@@ -11,6 +14,7 @@
 #include "gpu/Renderer.h"
 #include "motion/Moments.h"
 #include "visibility/Flood.h"
+#include "world/LoadCache.h"
 #include "world/Loader.h"
 
 #include <memory>
@@ -28,6 +32,8 @@ struct SessionOptions {
     gpu::TextureMode textures = gpu::TextureMode::Auto;
     gpu::Culling culling = gpu::Culling::Hidden;
     std::uint32_t samples = 0; ///< a pixel, of frames without ids and layers; 0 and 1: no multisampling
+    float anisotropy = 4.0f;   ///< of textures, at most
+    std::optional<std::size_t> quality{}; ///< of kQualities, that was chosen last
 };
 void addSessionOptions(CLI::App& command, SessionOptions& options);
 
@@ -35,20 +41,19 @@ void addSessionOptions(CLI::App& command, SessionOptions& options);
 class LoadedWorld {
     /// What never changes.
     struct Contents {
-        Contents(world::World loaded, visibility::Graph made, dat::BlockCoord around)
-            : world(std::move(loaded)), graph(std::move(made)), ids(world), centre(around) {}
+        Contents(world::World loaded, visibility::Graph made, const StreamTarget& asked)
+            : world(std::move(loaded)), graph(std::move(made)), ids(world), target(asked) {}
         const world::World world;
         const visibility::Graph graph;
         const IdTable ids; ///< refers to world
-        const dat::BlockCoord centre;
+        const StreamTarget target;
     };
 
 public:
     /// Errors: the loader's; portals that the graph refuses.
-    [[nodiscard]] static Result<std::unique_ptr<LoadedWorld>> load(const dat::Archive& archive,
-                                                                   dat::BlockCoord centre,
-                                                                   const world::LoadOptions& options,
-                                                                   const world::MovingEntries& moving = {});
+    [[nodiscard]] static Result<std::unique_ptr<LoadedWorld>>
+    load(const dat::Archive& archive, dat::BlockCoord centre, const world::LoadOptions& options,
+         const world::MovingEntries& moving = {}, const world::LoadHelp& help = {});
     /// The same part, to be planned by another thread.
     explicit LoadedWorld(const LoadedWorld& other) : LoadedWorld(other.contents_) {}
     LoadedWorld& operator=(const LoadedWorld&) = delete;
@@ -56,17 +61,22 @@ public:
 private:
     explicit LoadedWorld(std::shared_ptr<const Contents> contents)
         : contents_(std::move(contents)), world(contents_->world), graph(contents_->graph),
-          ids(contents_->ids), centre(contents_->centre), planner(world), moments(world) {}
+          ids(contents_->ids), target(contents_->target), centre(target.centre), planner(world),
+          moments(world) {}
     const std::shared_ptr<const Contents> contents_; // first: the others refer to it
 
 public:
     const world::World& world;
     const visibility::Graph& graph;
     const IdTable& ids;
-    const dat::BlockCoord centre;
+    const StreamTarget& target; ///< what it was asked for
+    const dat::BlockCoord& centre;
     frame::Planner planner;
     motion::Moments moments;
 };
+
+/// The space, in a part of the world that is shown now, that an eye is in which was in the cell `cell` (0: outside) before.
+[[nodiscard]] world::SpaceIndex rootIn(const LoadedWorld& loaded, dat::RecordId cell, const Vec3& eye);
 
 /// Eye, root and height of the ground of a standpoint, found in a loaded world. Errors: a root cell that is
 /// not there; no ground where the eye is to stand on it.
@@ -87,10 +97,10 @@ struct DrawOptions {
 
 /// One world on one graphics device: archive, loaded part, flood, plan, renderer. Every verb that draws goes
 /// through here. The device must outlive it.
-class Session {
+class Session final : public Residency {
 public:
     Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options, gpu::Device& device);
-    ~Session();
+    ~Session() override;
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
@@ -98,12 +108,23 @@ public:
     /// was there stays.
     [[nodiscard]] Result<void> load(dat::BlockCoord centre);
     /// The two halves of it. Reads the blocks around `centre`; any thread may, whatever else the session does.
-    [[nodiscard]] Result<std::shared_ptr<LoadedWorld>> read(dat::BlockCoord centre) const;
+    [[nodiscard]] Result<std::shared_ptr<LoadedWorld>> read(dat::BlockCoord centre) const {
+        return read({centre, options_.load});
+    }
+    [[nodiscard]] Result<std::shared_ptr<LoadedWorld>> read(const StreamTarget& target,
+                                                            unsigned threads = 1) const;
     /// Uploads what was read; it is drawn from now on. On an error the world that was there stays.
     [[nodiscard]] Result<void> show(std::shared_ptr<LoadedWorld> world);
+    /// What is loaded is drawn from now on, of which the renderer has just shown the scene. Yields what was drawn before.
+    [[nodiscard]] std::shared_ptr<LoadedWorld> take(std::shared_ptr<LoadedWorld> world);
+    /// How parts of the world are loaded from now on.
+    void loadBy(const world::LoadOptions& load) { options_.load = load; }
+    /// Index into kQualities. Samples change with the next frame, all else with the next part of the world that is loaded: where the
+    /// session loads by itself, with the next frame, too.
+    void drawBy(std::size_t quality);
     /// Loads the blocks around a moving eye when it comes near the edge of what is loaded; `root` is
     /// translated. True if something was loaded. Where nothing can be loaded the old world stays.
-    bool follow(const Vec3& eye, world::SpaceIndex& root);
+    bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
     /// Floods, plans and draws one frame. Requires a loaded world.
     [[nodiscard]] Result<void> draw(const FrameEye& eye, const DrawOptions& options);
     /// What a pixel (from the upper left corner) shows. Draws a frame of ids for it: draw the one to show again. Requires a
@@ -120,6 +141,9 @@ public:
     /// The same, for who needs it longer than until the next load.
     [[nodiscard]] std::shared_ptr<const LoadedWorld> shareLoaded() const { return loaded_; }
     [[nodiscard]] bool isLoaded() const { return loaded_ != nullptr; }
+    [[nodiscard]] gpu::Renderer& renderer() { return renderer_; }
+    [[nodiscard]] const gpu::Renderer& renderer() const { return renderer_; }
+    [[nodiscard]] const gpu::Capabilities& capabilities() const { return device_.capabilities(); }
     /// The last frame.
     [[nodiscard]] const visibility::VisibleSet& visible() const { return visible_; }
     [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
@@ -136,6 +160,7 @@ private:
 
     std::shared_ptr<const WorldSource> source_;
     SessionOptions options_;
+    const std::shared_ptr<world::LoadCache> cache_ = std::make_shared<world::LoadCache>();
     gpu::Device& device_;
     std::optional<gpu::CheckedDevice> checked_; ///< in development builds
     gpu::Renderer renderer_;

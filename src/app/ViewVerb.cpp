@@ -4,6 +4,7 @@
 #include "app/Play.h"
 #include "app/Probe.h"
 #include "app/Screenshots.h"
+#include "app/SessionStream.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
 #include "app/ViewOfEye.h"
@@ -54,8 +55,8 @@ public:
     /// Pictures are kept in `screenshots`.
     Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye start, Keys keys,
            std::filesystem::path screenshots)
-        : window_(window), device_(device), session_(session), panel_(window),
-          play_(session, std::move(start)), bindings_(std::move(keys.bindings)),
+        : window_(window), device_(device), session_(session), panel_(window), stream_(session),
+          play_(session, std::move(start), &stream_), bindings_(std::move(keys.bindings)),
           keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
         lastSeconds_ = window_.seconds();
         device_.restoreState(); // the panel has set up its own things
@@ -112,6 +113,7 @@ public:
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
     [[nodiscard]] const FrameEye& eye() const { return play_.eye(); }
     [[nodiscard]] const PlayInput& input() const { return input_; }
+    [[nodiscard]] SessionStream& stream() { return stream_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
@@ -336,6 +338,8 @@ private:
             act({PlayAct::Kind::Weather});
         if (choice.doors != eye().doors)
             act({PlayAct::Kind::AllDoors, choice.doors.value_or(-1.0)});
+        if (choice.quality && choice.quality != session_.options().quality)
+            act({PlayAct::Kind::Quality, static_cast<double>(*choice.quality)});
         if (choice.place >= 0)
             act({PlayAct::Kind::Place, static_cast<double>(choice.place)});
         if (choice.rebinding)
@@ -372,6 +376,7 @@ private:
                                .frozen = frozen_ ? &*frozen_ : nullptr,
                                .portals = portals_,
                                .residency = blocks,
+                               .quality = session_.options().quality,
                                .places = session_.source().file.places,
                                .ids = ids,
                                .bindings = bindings_,
@@ -386,6 +391,7 @@ private:
     gpu::GlDevice& device_;
     Session& session_;
     Panel panel_;
+    SessionStream stream_;
     Play play_;
     PlayInput input_;
     std::vector<PlayAct> acts_; ///< of the next frame
@@ -557,7 +563,8 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
     if (options.chase)
         viewer.act({PlayAct::Kind::Chase});
     std::size_t frames = 0;
-    std::string record = beginningLine(check::shotOptions(viewOf(start, session.loaded().world)));
+    std::string record =
+        beginningLine(check::shotOptions(viewOf(start, session.loaded().world)), session.options().load);
     while (!viewer.isLeaving() && !window.isLost() && (script.frames == 0 || frames < script.frames)) {
         if (script.frames == 0 && !window.isShown()) {
             viewer.rest();
@@ -568,7 +575,10 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         ++frames;
         if (!options.record.empty())
             record +=
-                frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.moment())});
+                frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.moment()),
+                           viewer.stream().shown()});
+        if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
+            console.note("limen: what is near cannot be loaded: " + fault);
         if (!viewer.probed().empty())
             console.data(viewer.probed());
         if (frames == script.frames && !options.screenshot.empty()) {
@@ -641,6 +651,7 @@ std::string keysFooter() {
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb = program.add_subcommand("view", "opens a window to walk through a world");
     const auto options = std::make_shared<ViewOptions>();
+    options->session.load.farRadius = 12;
     addViewOptions(*verb, options->view);
     verb->add_option("--frames", options->frames, "leaves after N frames, for scripts")
         ->type_name("N")

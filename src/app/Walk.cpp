@@ -3,21 +3,13 @@
 #include "motion/Locate.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace limen::app {
 namespace {
 
 constexpr int kRadius = 1; // landblocks around the body's whose solids are known
-
-/// How far a place lies outside a block, on the level.
-double metresBeside(dat::BlockCoord block, const Vec3& at) {
-    const Vec3 local = at - Vec3(block.x, block.y, 0.0) * world::kBlockSize;
-    const double beyond =
-        std::max({-local.x, local.x - world::kBlockSize, -local.y, local.y - world::kBlockSize});
-    return std::max(beyond, 0.0);
-}
 
 /// A body fades when the eye comes near its head, and is gone before the eye is in it.
 double opacityAt(double metres) {
@@ -61,7 +53,9 @@ void Walk::end(FrameEye& eye) {
 
 void Walk::drop() {
     isOn_ = false;
-    coming_ = {}; // waits for its thread
+    coming_ = {};
+    next_ = {};
+    background_.discard(std::move(around_));
     around_.reset();
 }
 
@@ -81,15 +75,33 @@ void Walk::follow(const LoadedWorld& before, const LoadedWorld& now) {
     }
 }
 
+Walk::Coming Walk::beginToRead(const Session& session, std::shared_ptr<const LoadedWorld> loaded,
+                               dat::BlockCoord centre) {
+    Coming coming{loaded, centre, {}};
+    coming.reading = background_.run([source = session.shareSource(), loaded = std::move(loaded), centre] {
+        return read(source, loaded, centre);
+    });
+    return coming;
+}
+
 Result<void> Walk::takeSurroundings(const Session& session, dat::BlockCoord centre) {
-    Reading around = coming_.valid() && comingCentre_ == centre
-                         ? coming_.get()
+    Coming& coming = next_.isOf(session.shareLoaded(), centre) ? next_ : coming_;
+    Reading around = coming.isOf(session.shareLoaded(), centre)
+                         ? coming.reading.get()
                          : read(session.shareSource(), session.shareLoaded(), centre);
     coming_ = {};
+    next_ = {};
     if (!around)
         return tl::unexpected(around.error());
-    around_ = std::move(*around);
+    background_.discard(std::exchange(around_, std::move(*around)));
     return {};
+}
+
+bool Walk::prepare(const Session& session, const std::shared_ptr<const LoadedWorld>& next) {
+    const dat::BlockCoord here = blockOfBody(session.loaded());
+    if (!next_.isOf(next, here))
+        next_ = beginToRead(session, next, here);
+    return Background::isReady(next_.reading);
 }
 
 Result<void> Walk::keepSurroundings(const Session& session) {
@@ -103,13 +115,11 @@ Result<void> Walk::keepSurroundings(const Session& session) {
         return takeSurroundings(session, here);
     if (around_->collisions.centre() == here)
         return {};
-    if (!coming_.valid() || !(comingCentre_ == here)) {
-        comingCentre_ = here;
-        coming_ = std::async(std::launch::async, read, session.shareSource(), session.shareLoaded(), here);
-    }
+    if (!coming_.isOf(session.shareLoaded(), here))
+        coming_ = beginToRead(session, session.shareLoaded(), here);
     // Within this distance the old ones still hold what is around. Waiting for a time instead would make a walk depend on the disk.
     constexpr double kTaken = 24.0;
-    return metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
+    return world::metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
                ? takeSurroundings(session, here)
                : Result<void>{};
 }

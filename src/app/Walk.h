@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/Background.h"
 #include "app/Session.h"
 #include "motion/ChaseCamera.h"
 #include "motion/DoorUse.h"
@@ -41,6 +42,9 @@ public:
     void passDoors(motion::DoorUse& doors, double seconds);
     /// How far all doors come that swing alike from one openness to another. Requires a body.
     [[nodiscard]] double swingAllDoors(double from, double to);
+    /// Reads what is around the body in the part of the world that is shown next. True when that is done: then the step after it is
+    /// shown does not wait. Requires a body.
+    [[nodiscard]] bool prepare(const Session& session, const std::shared_ptr<const LoadedWorld>& next);
 
     [[nodiscard]] const motion::BodyState& body() const { return body_; }
     /// Where its eyes would be.
@@ -54,6 +58,18 @@ private:
     };
     using Reading = Result<std::shared_ptr<const Surroundings>>;
 
+    /// Surroundings that are being read.
+    struct Coming {
+        std::shared_ptr<const LoadedWorld> loaded;
+        dat::BlockCoord centre;
+        std::future<Reading> reading;
+        [[nodiscard]] bool isOf(const std::shared_ptr<const LoadedWorld>& part, dat::BlockCoord block) const {
+            return reading.valid() && loaded == part && centre == block;
+        }
+    };
+
+    [[nodiscard]] Coming beginToRead(const Session& session, std::shared_ptr<const LoadedWorld> loaded,
+                                     dat::BlockCoord centre);
     [[nodiscard]] static Reading read(const std::shared_ptr<const WorldSource>& source,
                                       std::shared_ptr<const LoadedWorld> loaded, dat::BlockCoord centre);
     void drop();
@@ -79,8 +95,9 @@ private:
     motion::ChaseState chase_;
     motion::ChaseShape chaseShape_;
     std::shared_ptr<const Surroundings> around_;
-    std::future<Reading> coming_;
-    dat::BlockCoord comingCentre_;
+    Coming coming_; ///< of the part that is shown
+    Coming next_;   ///< of the part that is shown next
+    Background background_;
 };
 
 } // namespace limen::app

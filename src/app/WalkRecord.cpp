@@ -1,12 +1,14 @@
 #include "app/WalkRecord.h"
 
 #include "app/OutputFile.h"
+#include "world/Nearby.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -17,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes: some days of walking
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
-    "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance"};
+    "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality"};
 
 /// The numbers and flags of an input by their names, for writing and reading alike; what is 0 or false is left out.
 template <class Input, class Number, class Flag>
@@ -46,6 +48,39 @@ bool readSide(const Json& json, std::uint32_t& side) {
         return false;
     side = json.get<std::uint32_t>();
     return true;
+}
+
+constexpr int kMostRadius = 64; ///< blocks; more is no record of ours
+
+nlohmann::ordered_json loadJson(const world::LoadOptions& load) {
+    nlohmann::ordered_json json{{"radius", load.radius}, {"far", load.farRadius}};
+    if (std::isfinite(load.detail)) // else it is not there: the nearest stays
+        json["detail"] = load.detail;
+    return json;
+}
+
+bool readWithin(const Json& json, const char* name, int most, int& value) {
+    const auto found = json.find(name);
+    if (found == json.end() || !found->is_number_unsigned() ||
+        found->get<std::uint64_t>() > static_cast<std::uint64_t>(most))
+        return false;
+    value = found->get<int>();
+    return true;
+}
+
+bool readLoad(const Json& json, world::LoadOptions& load) {
+    if (!json.is_object() || !readWithin(json, "radius", kMostRadius, load.radius) ||
+        !readWithin(json, "far", kMostRadius, load.farRadius))
+        return false;
+    load.detail = std::numeric_limits<double>::infinity();
+    if (const auto found = json.find("detail"); found != json.end())
+        load.detail = found->is_number() ? found->get<double>() : -1.0;
+    return load.detail > 0.0;
+}
+
+bool readShown(const Json& json, StreamTarget& shown) {
+    return readLoad(json, shown.options) && readWithin(json, "x", world::kMapSize - 1, shown.centre.x) &&
+           readWithin(json, "y", world::kMapSize - 1, shown.centre.y);
 }
 
 bool readHash(const Json& json, std::uint64_t& value) {
@@ -89,20 +124,28 @@ bool readFrame(const Json& json, RecordedFrame& frame) {
                });
     });
     take("decided", [&](const Json& v) { return readHash(v, frame.decided); });
+    take("shown", [&](const Json& v) { return readShown(v, frame.shown.emplace()); });
     return good && frame.input.seconds >= 0.0;
 }
 
-std::optional<std::string> readBeginning(const Json& json) {
+bool readBeginning(const Json& json, WalkRecord& record) {
     const bool good = json.is_object() && json.value("format", Json()) == "limen walk" &&
                       json.value("version", Json()) == 1 && json.contains("start") &&
                       json["start"].is_string();
-    return good ? std::make_optional(json["start"].get<std::string>()) : std::nullopt;
+    if (!good)
+        return false;
+    record.start = json["start"].get<std::string>();
+    const auto streamed = json.find("streamed");
+    return streamed == json.end() || readLoad(*streamed, record.streamed.emplace());
 }
 
 } // namespace
 
-std::string beginningLine(const std::string& start) {
-    return nlohmann::ordered_json{{"format", "limen walk"}, {"version", 1}, {"start", start}}.dump() + "\n";
+std::string beginningLine(const std::string& start, const std::optional<world::LoadOptions>& streamed) {
+    nlohmann::ordered_json json{{"format", "limen walk"}, {"version", 1}, {"start", start}};
+    if (streamed)
+        json["streamed"] = loadJson(*streamed);
+    return json.dump() + "\n";
 }
 
 std::string frameLine(const RecordedFrame& frame) {
@@ -120,6 +163,10 @@ std::string frameLine(const RecordedFrame& frame) {
     json["size"] = {frame.input.size.width, frame.input.size.height};
     for (const PlayAct& act : frame.input.acts)
         json["acts"].push_back({kActNames[static_cast<std::size_t>(act.kind)], act.value});
+    if (frame.shown) {
+        json["shown"] = {{"x", frame.shown->centre.x}, {"y", frame.shown->centre.y}};
+        json["shown"].update(loadJson(frame.shown->options));
+    }
     json["decided"] = fmt::format("{:016x}", frame.decided);
     return json.dump() + "\n";
 }
@@ -133,10 +180,8 @@ Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
                                       text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
         begin = end + 1;
         if (number == 0) {
-            const std::optional<std::string> start = readBeginning(json);
-            if (!start)
+            if (!readBeginning(json, record))
                 return fail(ErrorCode::Malformed, name, "is no walk that limen view --record has written");
-            record.start = *start;
             continue;
         }
         if (!readFrame(json, record.frames.emplace_back()))

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "app/PlayInput.h"
+#include "app/Streamer.h"
 #include "core/Error.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,15 +16,21 @@ namespace limen::app {
 struct RecordedFrame {
     PlayInput input;
     std::uint64_t decided = 0; ///< decisionHash of the frame it led to
+    std::optional<StreamTarget>
+        shown; ///< what was streamed and is shown from this frame on; zones are not told
 };
 
 struct WalkRecord {
     std::string start; ///< options of `limen shot`
+    /// How the world was loaded where it was streamed: frames say what was shown when. None: it was loaded at once whenever the eye
+    /// came near an edge. Zones are not told.
+    std::optional<world::LoadOptions> streamed;
     std::vector<RecordedFrame> frames;
 };
 
 /// The first line, and those of frames; each ended.
-[[nodiscard]] std::string beginningLine(const std::string& start);
+[[nodiscard]] std::string beginningLine(const std::string& start,
+                                        const std::optional<world::LoadOptions>& streamed = {});
 [[nodiscard]] std::string frameLine(const RecordedFrame& frame);
 
 /// `name` is for messages. Errors: a line that is not of this shape, with its number; no frame.

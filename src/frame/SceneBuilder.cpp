@@ -106,8 +106,8 @@ std::vector<std::uint8_t> clampedTextures(const world::World& world) {
 void addTextures(const world::World& world, SceneUpload& scene) {
     const std::vector<std::uint8_t> clamped = clampedTextures(world);
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
-        const world::Image& image = world.textures[i];
-        scene.textures.push_back({image.width, image.height, image.rgba, clamped[i] != 0});
+        const world::Image& image = *world.textures[i];
+        scene.textures.push_back({image.width, image.height, image.rgba, clamped[i] != 0, image.contentKey});
     }
 }
 

@@ -11,7 +11,8 @@ namespace limen::frame {
 struct TextureUpload {
     std::uint32_t width = 0, height = 0;
     std::span<const std::uint8_t> rgba;
-    bool clamp = false; ///< sampled with clamp-to-edge, else repeat
+    bool clamp = false;           ///< sampled with clamp-to-edge, else repeat
+    std::uint64_t contentKey = 0; ///< pictures of one key are the same; 0: not known to be
 };
 
 /// Everything static, in the GPU's own layout, written once when it becomes resident. `textures` are views

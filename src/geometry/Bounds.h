@@ -10,6 +10,7 @@ namespace limen {
 struct Sphere {
     Vec3 centre{0.0};
     double radius = -1.0;
+    friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
 /// An axis-aligned box. Default-constructed it is empty (min > max) and grows by `include`.
@@ -30,6 +31,7 @@ struct Aabb {
     [[nodiscard]] bool contains(const Vec3& p) const {
         return p.x >= min.x && p.y >= min.y && p.z >= min.z && p.x <= max.x && p.y <= max.y && p.z <= max.z;
     }
+    friend bool operator==(const Aabb&, const Aabb&) = default;
 };
 
 /// A ball that contains all points: the centre of their box and the farthest point from it (at most 1.74

@@ -15,6 +15,7 @@ struct Plane {
     [[nodiscard]] Plane flipped() const { return {-n, -d}; }
     /// The same plane for points given relative to `origin`.
     [[nodiscard]] Plane relativeTo(const Vec3& origin) const { return {n, signedDistance(origin)}; }
+    friend bool operator==(const Plane&, const Plane&) = default;
 };
 
 /// The plane through a polygon by Newell's sum, normal towards the side from which the vertices run

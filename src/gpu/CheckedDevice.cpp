@@ -79,6 +79,35 @@ Result<BufferHandle> CheckedDevice::createBuffer(std::string_view label, std::sp
     return buffer;
 }
 
+Result<BufferHandle> CheckedDevice::reserveBuffer(std::string_view label, std::size_t bytes) {
+    expectBetweenFrames("a buffer is made");
+    Result<BufferHandle> buffer = ForwardingDevice::reserveBuffer(label, bytes);
+    if (buffer) {
+        buffers_[*buffer] =
+            capabilities().bindless ? std::make_shared<const std::vector<std::byte>>(bytes) : nullptr;
+    }
+    return buffer;
+}
+
+void CheckedDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) {
+    expectBetweenFrames("a buffer is written");
+    expectBuffer(buffer, "is written");
+    const auto found = buffers_.find(buffer);
+    if (found != buffers_.end() && found->second) {
+        if (offset + bytes.size() > found->second->size()) {
+            fault(fmt::format("buffer {} is written beyond its end", static_cast<std::uint32_t>(buffer)));
+            return;
+        }
+        if (found->second.use_count() > 1) { // a frame has read it
+            fault(fmt::format("buffer {} is written after it was read", static_cast<std::uint32_t>(buffer)));
+        }
+        auto written = std::make_shared<std::vector<std::byte>>(*found->second);
+        std::copy(bytes.begin(), bytes.end(), written->begin() + static_cast<std::ptrdiff_t>(offset));
+        found->second = std::move(written);
+    }
+    ForwardingDevice::writeBuffer(buffer, offset, bytes);
+}
+
 Result<BufferHandle> CheckedDevice::createScratch(std::string_view label, std::size_t bytes) {
     expectBetweenFrames("a buffer is made");
     Result<BufferHandle> buffer = ForwardingDevice::createScratch(label, bytes);

@@ -71,6 +71,14 @@ struct TextureShape {
     std::uint32_t width = 1, height = 1, layers = 1, levels = 1;
     bool clamp = false;
     float anisotropy = 1.0f;
+    friend bool operator==(const TextureShape&, const TextureShape&) = default;
+};
+
+/// Rows of one level of one layer of a texture, from `first` down.
+struct TextureRows {
+    std::uint32_t layer = 0, level = 0;
+    std::uint32_t width = 1; ///< of the level
+    std::uint32_t first = 0, count = 1;
 };
 
 /// What an image is cleared to: colour or layers, visit number or id, depth.
@@ -113,6 +121,9 @@ public:
     /// Immutable copy of `bytes`; may be empty. Errors, of all that is made: Driver, naming it, if it has no memory.
     [[nodiscard]] virtual Result<BufferHandle> createBuffer(std::string_view label,
                                                             std::span<const std::byte> bytes) = 0;
+    /// A buffer of `bytes` that is filled by writeBuffer, from its beginning to its end, before anything reads it.
+    [[nodiscard]] virtual Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) = 0;
+    virtual void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) = 0;
     /// Memory that only the GPU writes and reads.
     [[nodiscard]] virtual Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) = 0;
     virtual void destroyBuffer(BufferHandle buffer) = 0;
@@ -122,9 +133,8 @@ public:
     /// Errors: Unsupported, if larger than the capabilities allow.
     [[nodiscard]] virtual Result<TextureHandle> createTexture(std::string_view label,
                                                               const TextureShape& shape) = 0;
-    /// One level of one layer, tightly packed R,G,B,A, top row first (v runs downwards in all our data).
-    virtual void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
-                              std::uint32_t width, std::uint32_t height,
+    /// Tightly packed R,G,B,A, top row first (v runs downwards in all our data).
+    virtual void writeTexture(TextureHandle texture, const TextureRows& rows,
                               std::span<const std::uint8_t> rgba) = 0;
     /// The texture's bindless handle, resident until it is released. Requires capabilities().bindless.
     [[nodiscard]] virtual std::uint64_t residentHandle(TextureHandle texture) = 0;

@@ -24,6 +24,11 @@ public:
     void prepare(const frame::FramePlan& plan, const RenderOptions& options, const RenderTarget& target);
     /// Why frames are drawn without what they were to have; none if they have it.
     [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
+    /// With another scene what could not be had before is asked for again.
+    void tryAgain() {
+        failures_ = 0;
+        failure_.reset();
+    }
     /// How many draw commands that makes: each has a slot.
     [[nodiscard]] std::uint32_t slotCount() const { return slotCount_; }
     /// Fills in all slots, straight into the frame's memory. Plan and options are those of `prepare`.

@@ -15,6 +15,12 @@ public:
                                                     std::span<const std::byte> bytes) override {
         return device_.createBuffer(label, bytes);
     }
+    [[nodiscard]] Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) override {
+        return device_.reserveBuffer(label, bytes);
+    }
+    void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) override {
+        device_.writeBuffer(buffer, offset, bytes);
+    }
     [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override {
         return device_.createScratch(label, bytes);
     }
@@ -26,9 +32,9 @@ public:
                                                       const TextureShape& shape) override {
         return device_.createTexture(label, shape);
     }
-    void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
-                      std::uint32_t height, std::span<const std::uint8_t> rgba) override {
-        device_.writeTexture(texture, layer, level, width, height, rgba);
+    void writeTexture(TextureHandle texture, const TextureRows& rows,
+                      std::span<const std::uint8_t> rgba) override {
+        device_.writeTexture(texture, rows, rgba);
     }
     [[nodiscard]] std::uint64_t residentHandle(TextureHandle texture) override {
         return device_.residentHandle(texture);

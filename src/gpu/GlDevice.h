@@ -23,13 +23,15 @@ public:
     [[nodiscard]] const Capabilities& capabilities() const override { return capabilities_; }
     [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
                                                     std::span<const std::byte> bytes) override;
+    [[nodiscard]] Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) override;
+    void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) override;
     [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
                                                       const TextureShape& shape) override;
-    void writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level, std::uint32_t width,
-                      std::uint32_t height, std::span<const std::uint8_t> rgba) override;
+    void writeTexture(TextureHandle texture, const TextureRows& rows,
+                      std::span<const std::uint8_t> rgba) override;
     [[nodiscard]] std::uint64_t residentHandle(TextureHandle texture) override;
     void releaseHandle(TextureHandle texture) override;
     void destroyTexture(TextureHandle texture) override;

@@ -97,6 +97,19 @@ Result<BufferHandle> GlDevice::createBuffer(std::string_view label, std::span<co
     });
 }
 
+Result<BufferHandle> GlDevice::reserveBuffer(std::string_view label, std::size_t bytes) {
+    return Buffer::createFillable(label, bytes).map([&](Buffer buffer) {
+        return static_cast<BufferHandle>(placeNamed(buffers_, std::move(buffer)));
+    });
+}
+
+void GlDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) {
+    const Buffer& to = buffers_[static_cast<std::size_t>(buffer)];
+    LIMEN_ASSERT(offset + bytes.size() <= to.size(), "within the buffer");
+    glNamedBufferSubData(to.id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                         bytes.data());
+}
+
 Result<BufferHandle> GlDevice::createScratch(std::string_view label, std::size_t bytes) {
     return Buffer::createScratch(label, bytes).map([&](Buffer buffer) {
         return static_cast<BufferHandle>(placeNamed(buffers_, std::move(buffer)));
@@ -134,12 +147,13 @@ Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandl
         placeNamed(textures_, Texture::createBufferView(label, from.id(), 0, from.size())));
 }
 
-void GlDevice::writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
-                            std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
-    LIMEN_ASSERT(rgba.size() == std::size_t{width} * height * 4, "four bytes a texel");
-    glTextureSubImage3D(textures_[static_cast<std::size_t>(texture)].id(), static_cast<GLint>(level), 0, 0,
-                        static_cast<GLint>(layer), static_cast<GLsizei>(width), static_cast<GLsizei>(height),
-                        1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+void GlDevice::writeTexture(TextureHandle texture, const TextureRows& rows,
+                            std::span<const std::uint8_t> rgba) {
+    LIMEN_ASSERT(rgba.size() == std::size_t{rows.width} * rows.count * 4, "four bytes a texel");
+    glTextureSubImage3D(textures_[static_cast<std::size_t>(texture)].id(), static_cast<GLint>(rows.level), 0,
+                        static_cast<GLint>(rows.first), static_cast<GLint>(rows.layer),
+                        static_cast<GLsizei>(rows.width), static_cast<GLsizei>(rows.count), 1, GL_RGBA,
+                        GL_UNSIGNED_BYTE, rgba.data());
 }
 
 std::uint64_t GlDevice::residentHandle(TextureHandle texture) {

@@ -101,13 +101,21 @@ Result<Buffer> Buffer::createStatic(std::string_view name, std::span<const std::
     return kept(Buffer(id, size, {}), name);
 }
 
-Result<Buffer> Buffer::createScratch(std::string_view name, std::size_t size) {
+Result<Buffer> Buffer::createEmpty(std::string_view name, std::size_t size, GLbitfield flags) {
     GLuint id = 0;
     glCreateBuffers(1, &id);
     label(GL_BUFFER, id, name);
     size = std::max(size, kSmallestBuffer);
-    glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), nullptr, 0);
+    glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), nullptr, flags);
     return kept(Buffer(id, size, {}), name);
+}
+
+Result<Buffer> Buffer::createFillable(std::string_view name, std::size_t size) {
+    return createEmpty(name, size, GL_DYNAMIC_STORAGE_BIT);
+}
+
+Result<Buffer> Buffer::createScratch(std::string_view name, std::size_t size) {
+    return createEmpty(name, size, 0);
 }
 
 Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {

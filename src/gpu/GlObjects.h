@@ -61,6 +61,8 @@ public:
     /// Driver, if it has no memory.
     [[nodiscard]] static Result<Buffer> createStatic(std::string_view label,
                                                      std::span<const std::byte> bytes);
+    /// `size` bytes, at least 16, to be filled later (glNamedBufferSubData).
+    [[nodiscard]] static Result<Buffer> createFillable(std::string_view label, std::size_t size);
     /// `size` bytes that only the GPU writes and reads.
     [[nodiscard]] static Result<Buffer> createScratch(std::string_view label, std::size_t size);
     /// `size` bytes, mapped for writing until destroyed, coherent. Errors: Driver, if it cannot be mapped.
@@ -70,6 +72,8 @@ public:
     [[nodiscard]] std::span<std::byte> mapped() const { return mapped_; }
 
 private:
+    [[nodiscard]] static Result<Buffer> createEmpty(std::string_view label, std::size_t size,
+                                                    GLbitfield flags);
     Buffer(GLuint id, std::size_t size, std::span<std::byte> mapped)
         : GlName(id), size_(size), mapped_(mapped) {}
     std::size_t size_ = 0;

@@ -19,22 +19,38 @@ Capabilities NullDevice::defaultCapabilities() {
 Result<BufferHandle> NullDevice::createBuffer(std::string_view, std::span<const std::byte> bytes) {
     ++objects_.buffers;
     objects_.bufferBytes += bytes.size();
+    bufferSizes_.push_back(bytes.size());
     buffers_.emplace_back(bytes.begin(), bytes.end());
     return static_cast<BufferHandle>(buffers_.size() - 1);
+}
+
+Result<BufferHandle> NullDevice::reserveBuffer(std::string_view, std::size_t bytes) {
+    ++objects_.buffers;
+    objects_.bufferBytes += bytes;
+    bufferSizes_.push_back(bytes);
+    buffers_.emplace_back().reserve(bytes);
+    return static_cast<BufferHandle>(buffers_.size() - 1);
+}
+
+void NullDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) {
+    std::vector<std::byte>& to = buffers_[static_cast<std::size_t>(buffer)];
+    LIMEN_ASSERT(offset == to.size() && offset + bytes.size() <= to.capacity(),
+                 "filled from its beginning on");
+    to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
 Result<BufferHandle> NullDevice::createScratch(std::string_view, std::size_t bytes) {
     ++objects_.buffers;
     objects_.bufferBytes += bytes;
+    bufferSizes_.push_back(bytes);
     buffers_.emplace_back(bytes);
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
 void NullDevice::destroyBuffer(BufferHandle buffer) {
-    std::vector<std::byte>& bytes = buffers_[static_cast<std::size_t>(buffer)];
     --objects_.buffers;
-    objects_.bufferBytes -= bytes.size();
-    bytes = {};
+    objects_.bufferBytes -= bufferSizes_[static_cast<std::size_t>(buffer)];
+    buffers_[static_cast<std::size_t>(buffer)] = {};
 }
 
 Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {
@@ -53,13 +69,14 @@ Result<TextureHandle> NullDevice::createTexels(std::string_view, BufferHandle) {
     return static_cast<TextureHandle>(textures_.size() - 1);
 }
 
-void NullDevice::writeTexture(TextureHandle texture, std::uint32_t layer, std::uint32_t level,
-                              std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
+void NullDevice::writeTexture(TextureHandle texture, const TextureRows& rows,
+                              std::span<const std::uint8_t> rgba) {
     const TextureShape& shape = textures_[static_cast<std::size_t>(texture)];
-    LIMEN_ASSERT(layer < shape.layers && level < shape.levels, "a layer and level of the texture");
-    LIMEN_ASSERT(width == std::max(1u, shape.width >> level) && height == std::max(1u, shape.height >> level),
-                 "the level's size");
-    LIMEN_ASSERT(rgba.size() == std::size_t{width} * height * 4, "four bytes a texel");
+    LIMEN_ASSERT(rows.layer < shape.layers && rows.level < shape.levels, "a layer and level of the texture");
+    LIMEN_ASSERT(rows.width == std::max(1u, shape.width >> rows.level) &&
+                     rows.first + rows.count <= std::max(1u, shape.height >> rows.level),
+                 "rows of the level");
+    LIMEN_ASSERT(rgba.size() == std::size_t{rows.width} * rows.count * 4, "four bytes a texel");
 }
 
 std::uint64_t NullDevice::residentHandle(TextureHandle texture) {

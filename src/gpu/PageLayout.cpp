@@ -91,11 +91,37 @@ void mergeUntilItFits(std::vector<Group>& groups, std::uint32_t maxPages, std::u
     }
 }
 
+/// Each picture in the first page of its shape that has room; new pages come last.
+PageLayout goOnFrom(std::span<const TextureClass> before, std::span<const TextureClass> textures,
+                    std::uint32_t maxLayers) {
+    PageLayout layout;
+    for (const TextureClass& shape : before) {
+        layout.pages.push_back({shape, 0});
+    }
+    for (const TextureClass& texture : textures) {
+        const auto hasRoom = [&](const PageLayout::Page& page) {
+            return page.shape == texture && page.layers < maxLayers;
+        };
+        auto page = std::find_if(layout.pages.begin(), layout.pages.end(), hasRoom);
+        if (page == layout.pages.end()) {
+            page = layout.pages.insert(page, {texture, 0});
+        }
+        layout.places.push_back({static_cast<std::uint32_t>(page - layout.pages.begin()), page->layers++});
+    }
+    return layout;
+}
+
 } // namespace
 
 PageLayout layOutPages(std::span<const TextureClass> textures, std::uint32_t maxPages,
-                       std::uint32_t maxLayers) {
+                       std::uint32_t maxLayers, std::span<const TextureClass> before) {
     LIMEN_ASSERT(maxPages >= 2 && maxLayers >= 1, "a page for each way of wrapping");
+    if (!before.empty()) {
+        PageLayout goingOn = goOnFrom(before, textures, maxLayers);
+        if (goingOn.pages.size() <= maxPages) {
+            return goingOn;
+        }
+    }
     std::vector<Group> groups = groupByClass(textures);
     mergeUntilItFits(groups, maxPages, maxLayers);
     PageLayout layout;

@@ -32,7 +32,9 @@ struct PageLayout {
 /// become one, of the larger width and height, until it fits. Requires maxPages >= 2. Should whole layers not
 /// fit, the result has more pages than `maxPages` and the caller says so. Cost: cubic in the number of
 /// classes.
+/// `before`: shapes of pages that come first, whether they are needed (else they have no layers) or not, if all fit with no two
+/// becoming one.
 [[nodiscard]] PageLayout layOutPages(std::span<const TextureClass> textures, std::uint32_t maxPages,
-                                     std::uint32_t maxLayers);
+                                     std::uint32_t maxLayers, std::span<const TextureClass> before = {});
 
 } // namespace limen::gpu

@@ -121,15 +121,37 @@ Programs::Programs(Device& device, SceneBindings textures, std::span<const std::
 Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
                                   std::span<const std::string> defines) {
     Programs programs(device, textures, defines);
-    for (std::size_t i = 0; i < kPrograms; ++i) {
-        for (const bool gated : {false, true}) {
-            if (Result<void> made = programs.prepare(static_cast<frame::Program>(i), {.gated = gated});
-                !made) {
-                return tl::unexpected(made.error());
-            }
+    for (bool isBuilt = false; !isBuilt;) {
+        std::size_t bytes = 1;
+        const Result<bool> next = programs.buildNext(bytes);
+        if (!next) {
+            return tl::unexpected(next.error());
         }
+        isBuilt = *next;
     }
     return programs;
+}
+
+Result<bool> Programs::buildNext(std::size_t& bytes) {
+    for (; built_ < 2 * kPrograms; ++built_) {
+        const auto program = static_cast<frame::Program>(built_ / 2);
+        const ProgramVariant variant{.gated = built_ % 2 == 1};
+        if (has(program, variant)) {
+            continue;
+        }
+        if (bytes == 0) {
+            return false;
+        }
+        bytes = 0;
+        if (Result<void> made = prepare(program, variant); !made) {
+            return tl::unexpected(made.error());
+        }
+    }
+    return true;
+}
+
+bool Programs::has(frame::Program program, ProgramVariant variant) const {
+    return handles_[static_cast<std::size_t>(program)][indexOf(program, variant)] != ProgramHandle::Invalid;
 }
 
 std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
@@ -156,13 +178,14 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
 
 Programs::Programs(Programs&& other) noexcept
     : device_(std::exchange(other.device_, nullptr)), textures_(std::move(other.textures_)),
-      defines_(std::move(other.defines_)), handles_(other.handles_) {}
+      defines_(std::move(other.defines_)), handles_(other.handles_), built_(other.built_) {}
 
 Programs& Programs::operator=(Programs&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(textures_, other.textures_);
     std::swap(defines_, other.defines_);
     std::swap(handles_, other.handles_);
+    std::swap(built_, other.built_);
     return *this;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 
 namespace limen::gpu {
@@ -76,6 +77,14 @@ ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options
             multisampled};
 }
 
+std::vector<std::string> definesOf(const RendererOptions& options) {
+    std::vector<std::string> defines = options.shaderDefines;
+    if (options.exactOutlines) {
+        defines.emplace_back("EXACT_OUTLINES");
+    }
+    return defines;
+}
+
 } // namespace
 
 Renderer::Renderer(Device& device, RendererOptions options) : device_(&device), options_(options) {}
@@ -83,17 +92,106 @@ Renderer::Renderer(Device& device, RendererOptions options) : device_(&device), 
 Renderer::~Renderer() = default;
 
 Result<void> Renderer::upload(const frame::SceneUpload& upload) {
-    Result<std::unique_ptr<ResidentScene>> scene = ResidentScene::create(*device_, upload, options_);
-    for (int tried = 1; tried < kUploadAttempts && !scene && scene.error().code == ErrorCode::Driver;
-         ++tried) {
+    Result<void> done = uploadOnce(upload);
+    for (int tried = 1; tried < kUploadAttempts && !done && done.error().code == ErrorCode::Driver; ++tried) {
         device_->finishFrames(); // drivers keep what is destroyed until then
-        scene = ResidentScene::create(*device_, upload, options_);
+        done = uploadOnce(upload);
     }
-    if (!scene) {
-        return tl::unexpected(scene.error());
+    return done;
+}
+
+Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
+    Result<StagedScene> staged = stageScene(std::move(upload), options_, device_->capabilities(), state());
+    if (!staged) {
+        return tl::unexpected(staged.error());
     }
-    scene_ = std::move(*scene);
+    if (Result<void> begun = begin(std::move(*staged)); !begun) {
+        return begun;
+    }
+    for (bool isThere = false; !isThere;) {
+        const Result<bool> advanced = advance(std::numeric_limits<std::size_t>::max());
+        if (!advanced) {
+            retired_.clear(); // what did not come goes at once
+            return tl::unexpected(advanced.error());
+        }
+        isThere = *advanced;
+    }
+    scene_ = std::move(coming_);
     return {};
+}
+
+SceneState Renderer::state() const {
+    if (scene_ == nullptr) {
+        return {};
+    }
+    return {scene_->textures().contents(), scene_->programs().bindings()};
+}
+
+std::shared_ptr<Programs> Renderer::programsFor(const SceneBindings& bindings) {
+    constexpr std::size_t kMost = 3;
+    auto found = std::find_if(programs_.begin(), programs_.end(),
+                              [&](const auto& programs) { return programs->bindings() == bindings; });
+    if (found == programs_.end()) {
+        programs_.resize(std::min(programs_.size(), kMost - 1));
+        found = programs_.insert(programs_.end(),
+                                 std::make_shared<Programs>(*device_, bindings, definesOf(options_)));
+    }
+    std::rotate(programs_.begin(), found, found + 1);
+    return programs_.front();
+}
+
+Result<void> Renderer::begin(StagedScene staged) {
+    drop();
+    if (culling_ == nullptr) {
+        Result<DrawCulling> culling = DrawCulling::create(
+            *device_, definesOf(options_), options_.exactOutlines ? options_.culling : Culling::None);
+        if (!culling) {
+            return tl::unexpected(culling.error());
+        }
+        culling_ = std::make_unique<DrawCulling>(std::move(*culling));
+    }
+    culling_->tryAgain();
+    std::shared_ptr<Programs> programs = programsFor(staged.bindings);
+    coming_ = std::make_unique<ResidentScene>(*device_, std::move(staged), std::move(programs), scene_.get());
+    return {};
+}
+
+Result<bool> Renderer::advance(std::size_t bytes) {
+    releaseSome();
+    if (coming_ == nullptr) {
+        return true;
+    }
+    Result<bool> advanced = coming_->advance(bytes);
+    if (!advanced) {
+        drop();
+    }
+    return advanced;
+}
+
+void Renderer::swap() {
+    LIMEN_ASSERT(coming_ != nullptr, "a scene was begun");
+    if (scene_ != nullptr) {
+        retired_.push_back({std::move(scene_), frames_});
+    }
+    scene_ = std::move(coming_);
+}
+
+void Renderer::drop() {
+    if (coming_ != nullptr) { // nothing has read it: it may go at once, but little by little
+        coming_->markUnused();
+        retired_.insert(retired_.begin(), {std::move(coming_), 0});
+    }
+}
+
+void Renderer::releaseSome() {
+    if (retired_.empty() ||
+        (retired_.front().frame != 0 && frames_ - retired_.front().frame < kFramesInFlight)) {
+        return;
+    }
+    retired_.front().scene->markUnused();
+    if (!retired_.front().scene->releaseSome()) {
+        retired_.erase(retired_.begin());
+    }
 }
 
 Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
@@ -158,8 +256,8 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (stage.firstBatch + i == plan.firstHideable && scene_->culling().leavesOutHidden()) {
-                scene_->culling().runBehind();
+            if (stage.firstBatch + i == plan.firstHideable && culling_->leavesOutHidden()) {
+                culling_->runBehind();
             }
             if (!isDrawn(batch.program, options)) {
                 continue;
@@ -168,7 +266,7 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
                 device_->beginPass(pass);
                 current = pass;
             }
-            const std::size_t slot = scene_->culling().firstSlot(stage.firstBatch + i);
+            const std::size_t slot = culling_->firstSlot(stage.firstBatch + i);
             drawBatch(batch, commandsOffset + slot * sizeof(layout::DrawCommand), options, multisampled);
             ++report.batches;
             report.draws += batch.draws;
@@ -195,7 +293,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     for (std::size_t i = 0; i < report_.stages.size(); ++i) {
         report_.stages[i].kind = static_cast<frame::StageKind>(i);
     }
-    DrawCulling& culling = scene_->culling();
+    DrawCulling& culling = *culling_;
     culling.prepare(plan, options, target);
     const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved) {
@@ -222,6 +320,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     Result<void> ended = device_->endFrame();
     report_.cpuMs = watch.milliseconds();
     report_.bytesWritten = ring.size();
+    ++frames_;
     return ended;
 }
 
@@ -229,8 +328,8 @@ FrameReport Renderer::report() const {
     FrameReport report = report_;
     report.glCalls = device_->glCalls();
     report.ringStalls = device_->ringStalls();
-    if (scene_ != nullptr && scene_->culling().failure()) {
-        report.trouble = scene_->culling().failure()->message();
+    if (culling_ != nullptr && culling_->failure()) {
+        report.trouble = culling_->failure()->message();
     }
     const StageTimes times = device_->stageTimes();
     for (std::size_t i = 0; i < times.size(); ++i) {

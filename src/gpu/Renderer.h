@@ -7,6 +7,7 @@
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
+#include "gpu/SceneStaging.h"
 
 #include <memory>
 
@@ -27,6 +28,25 @@ public:
     /// Replaces the static scene. Tries again, but not for ever, where the driver fails. Errors: BadArgument for indices that lead
     /// nowhere; what textures, buffers and programs report. On an error the scene that was there stays.
     [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
+
+    // The same in slices, over several frames: the next scene comes beside the one that is drawn.
+
+    /// What stageScene takes, beside the device's capabilities.
+    [[nodiscard]] SceneState state() const;
+    [[nodiscard]] const RendererOptions& options() const { return options_; }
+    /// Of the textures of scenes that are uploaded from now on.
+    void setAnisotropy(float most) { options_.textures.anisotropy = most; }
+    /// Begins with a staged scene; one that was coming is dropped. Errors: Driver, if a program does not build.
+    [[nodiscard]] Result<void> begin(StagedScene staged);
+    /// Goes on with it by about so many bytes, and gives back some of what is drawn no more. Between frames. Yields true when the next
+    /// scene is there, also when none was begun. Errors: as upload's, and BadArgument if it was staged beside another scene;
+    /// then it is dropped.
+    [[nodiscard]] Result<bool> advance(std::size_t bytes);
+    /// It is drawn from now on. Requires that it is there.
+    void swap();
+    /// It is not wanted any more.
+    void drop();
+
     /// Draws one frame. Requires an uploaded scene and a plan made for it: at least one visit, parents before
     /// children, batches within the runs, runs within the pieces. The first frame of its kind builds its programs. Errors: Driver, if they
     /// do not build, memory for the frame's arrays cannot be had, or the driver has lost all it held. Without memory for what only makes
@@ -39,6 +59,14 @@ public:
     [[nodiscard]] DriverReport driver() const;
 
 private:
+    /// A scene that is drawn no more.
+    struct Retired {
+        std::unique_ptr<ResidentScene> scene;
+        std::uint64_t frame = 0; ///< from which on it was not
+    };
+    [[nodiscard]] std::shared_ptr<Programs> programsFor(const SceneBindings& bindings);
+    [[nodiscard]] Result<void> uploadOnce(frame::SceneUpload upload);
+    void releaseSome();
     [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
                                                bool multisampled);
     void bindAll(const FrameRing& ring, const DrawCulling& culling);
@@ -50,7 +78,11 @@ private:
 
     Device* device_;
     RendererOptions options_;
-    std::unique_ptr<ResidentScene> scene_;
+    std::vector<std::shared_ptr<Programs>> programs_; ///< of the last scenes, the last used first
+    std::unique_ptr<DrawCulling> culling_;            ///< with the first scene
+    std::unique_ptr<ResidentScene> scene_, coming_;
+    std::vector<Retired> retired_; ///< the oldest first
+    std::uint64_t frames_ = 0;     ///< drawn so far
     FrameReport report_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/TextureStore.h"
+#include "gpu/TextureStaging.h"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,7 @@
 #include "gpu/ResidentScene.h"
 
-#include "gpu/SceneCheck.h"
-
 #include <algorithm>
+#include <array>
 
 namespace limen::gpu {
 namespace {
@@ -14,59 +13,14 @@ std::span<const std::byte> bytesOf(const std::vector<T>& array) {
     return std::as_bytes(std::span(array));
 }
 
-SceneBindings bindingsOf(const frame::SceneUpload& upload, const TextureStore& textures) {
-    std::vector<std::uint32_t> meshes, terrain;
-    for (const layout::Material& material : upload.materials) {
-        meshes.push_back(material.texture);
-    }
-    const auto addLayer = [&](const layout::TerrainLayer& layer) {
-        if (layer.texture != layout::kNoTexture) {
-            terrain.insert(terrain.end(), {layer.texture, layer.alpha});
-        }
-    };
-    for (const layout::TerrainCell& cell : upload.terrainCells) {
-        terrain.push_back(cell.base.texture);
-        std::for_each(std::begin(cell.overlays), std::end(cell.overlays), addLayer);
-        std::for_each(std::begin(cell.roads), std::end(cell.roads), addLayer);
-    }
-    return {textures.bindingFor(meshes), textures.bindingFor(terrain)};
-}
-
-std::vector<std::string> definesOf(const RendererOptions& options) {
-    std::vector<std::string> defines = options.shaderDefines;
-    if (options.exactOutlines) {
-        defines.emplace_back("EXACT_OUTLINES");
-    }
-    return defines;
-}
-
 } // namespace
 
-Result<std::unique_ptr<ResidentScene>> ResidentScene::create(Device& device, const frame::SceneUpload& upload,
-                                                             const RendererOptions& options) {
-    if (Result<void> checked = checkScene(upload); !checked) {
-        return tl::unexpected(checked.error());
-    }
-    Result<TextureStore> textures = TextureStore::create(device, upload.textures, options.textures);
-    if (!textures) {
-        return tl::unexpected(textures.error());
-    }
-    Result<Programs> programs = Programs::create(device, bindingsOf(upload, *textures), definesOf(options));
-    if (!programs) {
-        return tl::unexpected(programs.error());
-    }
-    Result<DrawCulling> culling = DrawCulling::create(
-        device, definesOf(options), options.exactOutlines ? options.culling : Culling::None);
-    if (!culling) {
-        return tl::unexpected(culling.error());
-    }
-    std::unique_ptr<ResidentScene> scene(
-        new ResidentScene(device, std::move(*textures), std::move(*programs), std::move(*culling)));
-    if (Result<void> uploaded = scene->upload(upload); !uploaded) {
-        return tl::unexpected(uploaded.error());
-    }
-    return scene;
-}
+ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr<Programs> programs,
+                             const ResidentScene* before)
+    : device_(device),
+      textures_(device, std::move(staged.textures), before != nullptr ? &before->textures_ : nullptr),
+      programs_(std::move(programs)), scene_(std::move(staged.arrays)),
+      pieces_(static_cast<std::uint32_t>(scene_->pieces.size())) {}
 
 ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_) {
@@ -77,61 +31,109 @@ ResidentScene::~ResidentScene() {
     }
 }
 
-Result<void> ResidentScene::upload(const frame::SceneUpload& scene) {
-    const auto storage = [&](std::uint32_t binding, std::string_view label,
-                             std::span<const std::byte> bytes) {
-        return [=, this] { return addStorage(binding, label, bytes); };
-    };
-    const auto texels = [&](std::string_view label, std::span<const std::byte> bytes) {
-        return [=, this] { return addTexels(label, bytes); };
-    };
-    Result<void> added =
-        storage(layout::kBindMaterials, "materials", bytesOf(scene.materials))()
-            .and_then(storage(layout::kBindMaterialRefs, "material references", bytesOf(scene.materialRefs)))
-            .and_then(storage(layout::kBindTerrain, "terrain cells", bytesOf(scene.terrainCells)))
-            .and_then(storage(layout::kBindLightSets, "light sets", bytesOf(scene.lightSets)))
-            .and_then(storage(layout::kBindLights, "lights", bytesOf(scene.lights)))
-            .and_then(storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs())))
-            .and_then(storage(layout::kBindIndices, "indices", bytesOf(scene.indices)))
-            // From kUnitVertices on.
-            .and_then(texels("vertices", bytesOf(scene.vertices)))
-            .map([&] { vertices_ = owned_.back(); })
-            .and_then(texels("instances", bytesOf(scene.instances)))
-            .and_then(texels("members", bytesOf(scene.members)))
-            .and_then(texels("pieces", bytesOf(scene.pieces)));
-    pieces_ = static_cast<std::uint32_t>(scene.pieces.size());
-    bound_ = texels_;
-    bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());
-    return added;
+bool ResidentScene::releaseSome() {
+    if (textures_.releaseSome()) {
+        return true;
+    }
+    for (TextureHandle texels : texels_) { // views of the buffers
+        device_.destroyTexture(texels);
+    }
+    texels_.clear();
+    if (!owned_.empty()) {
+        device_.destroyBuffer(owned_.back());
+        owned_.pop_back();
+    }
+    return !owned_.empty();
 }
 
-Result<BufferHandle> ResidentScene::add(std::string_view label, std::span<const std::byte> bytes) {
-    const std::size_t texels = (bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
+void ResidentScene::listArrays() {
+    const auto storage = [&](std::uint32_t binding, const char* label, std::span<const std::byte> bytes) {
+        arrays_.push_back({label, bytes, binding});
+    };
+    const auto texels = [&](const char* label, std::span<const std::byte> bytes) {
+        arrays_.push_back({label, bytes, kNoBinding, true});
+    };
+    storage(layout::kBindMaterials, "materials", bytesOf(scene_->materials));
+    storage(layout::kBindMaterialRefs, "material references", bytesOf(scene_->materialRefs));
+    storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_->terrainCells));
+    storage(layout::kBindLightSets, "light sets", bytesOf(scene_->lightSets));
+    storage(layout::kBindLights, "lights", bytesOf(scene_->lights));
+    storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
+    storage(layout::kBindIndices, "indices", bytesOf(scene_->indices));
+    // From kUnitVertices on.
+    texels("vertices", bytesOf(scene_->vertices));
+    texels("instances", bytesOf(scene_->instances));
+    texels("members", bytesOf(scene_->members));
+    texels("pieces", bytesOf(scene_->pieces));
+}
+
+Result<bool> ResidentScene::advance(std::size_t& bytes) {
+    if (const Result<bool> filled = textures_.advance(bytes); !filled || !*filled) {
+        return filled;
+    }
+    if (arrays_.empty()) {
+        listArrays();
+    }
+    for (; done_ < arrays_.size(); ++done_) {
+        if (const Result<bool> uploaded = upload(arrays_[done_], bytes); !uploaded || !*uploaded) {
+            return uploaded;
+        }
+    }
+    scene_.reset();
+    return programs_->buildNext(bytes);
+}
+
+Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
+    const std::size_t texels = (array.bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
     const std::size_t size = std::max(texels * kBytesPerTexel, kSmallestRange);
-    std::vector<std::byte> padded;
-    if (bytes.size() < size) {
-        padded.assign(bytes.begin(), bytes.end());
-        padded.resize(size);
-        bytes = padded;
+    if (bytes == 0) {
+        return false;
     }
-    Result<BufferHandle> buffer = device_.createBuffer(label, bytes);
-    if (buffer) {
-        owned_.push_back(*buffer);
+    if (array.buffer == BufferHandle::Invalid) {
+        const Result<BufferHandle> reserved = device_.reserveBuffer(array.label, size);
+        if (!reserved) {
+            return tl::unexpected(reserved.error());
+        }
+        array.buffer = *reserved;
+        owned_.push_back(array.buffer);
     }
-    return buffer;
+    const std::size_t count = std::min(bytes, array.bytes.size() - array.written);
+    if (count > 0) {
+        device_.writeBuffer(array.buffer, array.written, array.bytes.subspan(array.written, count));
+        array.written += count;
+        bytes -= count;
+    }
+    if (array.written < array.bytes.size()) {
+        return false;
+    }
+    if (array.written < size) {
+        constexpr std::array<std::byte, std::max(kBytesPerTexel, kSmallestRange)> kNothing{};
+        device_.writeBuffer(array.buffer, array.written, std::span(kNothing).first(size - array.written));
+        bytes -= std::min(bytes, size - array.written);
+    }
+    return finish(array).map([] { return true; });
 }
 
-Result<void> ResidentScene::addStorage(std::uint32_t binding, std::string_view label,
-                                       std::span<const std::byte> bytes) {
-    return add(label, bytes).map([&](BufferHandle buffer) {
-        storage_[binding] = {buffer, 0, std::max(bytes.size(), kSmallestRange)};
-    });
-}
-
-Result<void> ResidentScene::addTexels(std::string_view label, std::span<const std::byte> bytes) {
-    return add(label, bytes)
-        .and_then([&](BufferHandle buffer) { return device_.createTexels(label, buffer); })
-        .map([&](TextureHandle texels) { texels_.push_back(texels); });
+Result<void> ResidentScene::finish(const Array& array) {
+    if (array.binding != kNoBinding) {
+        storage_[array.binding] = {array.buffer, 0, std::max(array.bytes.size(), kSmallestRange)};
+    }
+    if (!array.isTexels) {
+        return {};
+    }
+    const Result<TextureHandle> texels = device_.createTexels(array.label, array.buffer);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    texels_.push_back(*texels);
+    if (texels_.size() == 1) { // the vertices are the first
+        vertices_ = array.buffer;
+    }
+    if (&array == &arrays_.back()) {
+        bound_ = texels_;
+        bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());
+    }
+    return {};
 }
 
 } // namespace limen::gpu

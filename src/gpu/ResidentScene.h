@@ -1,10 +1,9 @@
 #pragma once
 
-#include "frame/SceneUpload.h"
-#include "gpu/DrawCulling.h"
 #include "gpu/FrameRing.h"
 #include "gpu/Programs.h"
-#include "gpu/RendererOptions.h"
+#include "gpu/SceneStaging.h"
+#include "gpu/TextureStore.h"
 
 #include <memory>
 
@@ -14,16 +13,25 @@ namespace limen::gpu {
 /// outlive it.
 class ResidentScene {
 public:
-    /// Errors: BadArgument for indices that lead nowhere; what textures, buffers and programs report.
-    [[nodiscard]] static Result<std::unique_ptr<ResidentScene>>
-    create(Device& device, const frame::SceneUpload& upload, const RendererOptions& options);
+    /// One to be filled by `advance`. `programs`: for the staged bindings; others may share them. `before`: null, or the scene that it
+    /// was staged beside.
+    ResidentScene(Device& device, StagedScene staged, std::shared_ptr<Programs> programs,
+                  const ResidentScene* before);
     ResidentScene(const ResidentScene&) = delete;
     ResidentScene& operator=(const ResidentScene&) = delete;
     ~ResidentScene();
 
-    [[nodiscard]] Programs& programs() { return programs_; }
+    /// Uploads the next part, until `bytes` are used up, of which it takes away what it moves; a program that has to be built counts
+    /// for all that is left. Yields true when everything is there. Errors: the device's; BadArgument, if it was staged beside another scene.
+    [[nodiscard]] Result<bool> advance(std::size_t& bytes);
+    /// No frame reads the scene any more, those under way included.
+    void markUnused() { textures_.markUnused(); }
+    /// Gives a little of it back, after markUnused. False when nothing is left.
+    bool releaseSome();
+
+    [[nodiscard]] const std::shared_ptr<Programs>& sharePrograms() const { return programs_; }
+    [[nodiscard]] Programs& programs() { return *programs_; }
     [[nodiscard]] const TextureStore& textures() const { return textures_; }
-    [[nodiscard]] DrawCulling& culling() { return culling_; }
     [[nodiscard]] BufferHandle vertices() const { return vertices_; }
     [[nodiscard]] BufferHandle indices() const { return storage_[frame::gpu::kBindIndices].buffer; }
     [[nodiscard]] std::uint32_t pieces() const { return pieces_; } ///< how many
@@ -33,19 +41,27 @@ public:
     [[nodiscard]] std::span<const TextureHandle> boundTextures() const { return bound_; }
 
 private:
-    ResidentScene(Device& device, TextureStore&& textures, Programs&& programs, DrawCulling&& culling)
-        : device_(device), textures_(std::move(textures)), programs_(std::move(programs)),
-          culling_(std::move(culling)) {}
-    [[nodiscard]] Result<void> upload(const frame::SceneUpload& scene);
-    [[nodiscard]] Result<BufferHandle> add(std::string_view label, std::span<const std::byte> bytes);
-    [[nodiscard]] Result<void> addStorage(std::uint32_t binding, std::string_view label,
-                                          std::span<const std::byte> bytes);
-    [[nodiscard]] Result<void> addTexels(std::string_view label, std::span<const std::byte> bytes);
+    /// An array of the scene on its way to the device.
+    struct Array {
+        const char* label = "";
+        std::span<const std::byte> bytes;
+        std::uint32_t binding = kNoBinding; ///< of storage, or
+        bool isTexels = false;              ///< read as a texture, in the order of the arrays
+        std::size_t written = 0;
+        BufferHandle buffer = BufferHandle::Invalid;
+    };
+    static constexpr std::uint32_t kNoBinding = 0xFFFFFFFFu;
+    void listArrays();
+    /// True when it is there.
+    [[nodiscard]] Result<bool> upload(Array& array, std::size_t& bytes);
+    [[nodiscard]] Result<void> finish(const Array& array);
 
     Device& device_;
     TextureStore textures_;
-    Programs programs_;
-    DrawCulling culling_;
+    std::shared_ptr<Programs> programs_;
+    std::shared_ptr<const frame::SceneUpload> scene_; ///< until it is uploaded
+    std::vector<Array> arrays_;
+    std::size_t done_ = 0; ///< of these
     std::vector<BufferHandle> owned_;
     std::vector<TextureHandle> texels_; ///< buffers read as textures, in the order of their units
     std::vector<TextureHandle> bound_;  ///< these, and the textures' pages

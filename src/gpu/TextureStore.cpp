@@ -1,30 +1,13 @@
 #include "gpu/TextureStore.h"
 
-#include "gpu/MipChain.h"
-#include "gpu/PageLayout.h"
+#include "core/Assert.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace limen::gpu {
 namespace {
-
-void writeLevels(Device& device, TextureHandle texture, std::uint32_t layer,
-                 const std::vector<MipLevel>& levels) {
-    for (std::uint32_t level = 0; level < levels.size(); ++level) {
-        device.writeTexture(texture, layer, level, levels[level].width, levels[level].height,
-                            levels[level].rgba);
-    }
-}
-
-std::vector<MipLevel> levelsFor(const frame::TextureUpload& upload, const TextureClass& shape) {
-    if (upload.width == shape.width && upload.height == shape.height) {
-        return mipChain(upload.width, upload.height, upload.rgba);
-    }
-    const MipLevel large = enlarged(upload.width, upload.height, upload.rgba, shape.width, shape.height);
-    return mipChain(large.width, large.height, large.rgba);
-}
 
 frame::gpu::TextureRef makeRef(std::uint32_t x, std::uint32_t y, const TextureClass& shape) {
     return {{x, y, shape.width | (shape.clamp ? frame::gpu::kTextureClamp : 0u), shape.height}};
@@ -32,128 +15,173 @@ frame::gpu::TextureRef makeRef(std::uint32_t x, std::uint32_t y, const TextureCl
 
 } // namespace
 
+ResidentTexture::~ResidentTexture() {
+    if (handle_ != 0) {
+        device_.releaseHandle(texture_);
+    }
+    device_.destroyTexture(texture_);
+}
+
+bool ResidentTexture::takeHandle() {
+    handle_ = device_.residentHandle(texture_);
+    return handle_ != 0;
+}
+
 Result<TextureStore> TextureStore::create(Device& device, std::span<const frame::TextureUpload> textures,
                                           const TextureStoreOptions& options) {
-    const Capabilities& capabilities = device.capabilities();
-    if (options.mode == TextureMode::Bindless && !capabilities.bindless) {
-        return fail(ErrorCode::Unsupported, capabilities.renderer,
-                    "the driver has no GL_ARB_bindless_texture; use array pages");
+    Result<StagedTextures> staged = stageTextures(textures, options, device.capabilities(), {});
+    if (!staged) {
+        return tl::unexpected(staged.error());
     }
-    const float anisotropy = capabilities.software ? 1.0f : options.anisotropy;
-    TextureStore store(device, options.mode != TextureMode::ArrayPages && capabilities.bindless);
-    const Result<void> filled = store.bindless_ ? store.fillHandles(textures, anisotropy)
-                                                : store.fillPages(textures, options, anisotropy);
-    if (!filled) {
+    TextureStore store(device, std::move(*staged), nullptr);
+    std::size_t bytes = std::numeric_limits<std::size_t>::max();
+    if (const Result<bool> filled = store.advance(bytes); !filled) {
         return tl::unexpected(filled.error());
     }
     return store;
 }
 
+TextureStore::TextureStore(Device& device, StagedTextures staged, const TextureStore* before)
+    : device_(&device), staged_(std::move(staged)), shared_(staged_.textures.size()) {
+    for (std::size_t i = 0; before != nullptr && i < shared_.size(); ++i) {
+        const StagedTexture& wanted = staged_.textures[i];
+        const auto isIt = [&](const auto& other) { return other->content() == wanted.content; };
+        const auto& there = before->textures_;
+        if (const auto found = std::find_if(there.begin(), there.end(), isIt);
+            wanted.isThere && found != there.end()) {
+            shared_[i] = *found;
+        }
+    }
+}
+
 TextureStore::TextureStore(TextureStore&& other) noexcept
-    : device_(other.device_), bindless_(other.bindless_), textures_(std::exchange(other.textures_, {})),
-      refs_(std::exchange(other.refs_, {})), resampled_(other.resampled_) {}
+    : device_(other.device_), staged_(std::exchange(other.staged_, {})),
+      shared_(std::exchange(other.shared_, {})), textures_(std::exchange(other.textures_, {})),
+      pages_(std::exchange(other.pages_, {})), refs_(std::exchange(other.refs_, {})), layer_(other.layer_),
+      level_(other.level_), row_(other.row_), isBegun_(other.isBegun_), isUnused_(other.isUnused_) {}
 
 TextureStore& TextureStore::operator=(TextureStore&& other) noexcept {
     std::swap(device_, other.device_);
-    std::swap(bindless_, other.bindless_);
+    std::swap(staged_, other.staged_);
+    std::swap(shared_, other.shared_);
     std::swap(textures_, other.textures_);
+    std::swap(pages_, other.pages_);
     std::swap(refs_, other.refs_);
-    std::swap(resampled_, other.resampled_);
+    std::swap(layer_, other.layer_);
+    std::swap(level_, other.level_);
+    std::swap(row_, other.row_);
+    std::swap(isBegun_, other.isBegun_);
+    std::swap(isUnused_, other.isUnused_);
     return *this;
 }
 
 TextureStore::~TextureStore() {
-    if (bindless_ && !refs_.empty()) {
+    const bool isSampledByHandle =
+        std::any_of(textures_.begin(), textures_.end(), [](const auto& t) { return t->handle() != 0; });
+    if (isSampledByHandle && !isUnused_) {
         device_->finishFrames();
-        for (std::size_t i = 0; i < refs_.size(); ++i) { // the last texture may have got none
-            device_->releaseHandle(textures_[i]);
-        }
-    }
-    for (TextureHandle texture : textures_) {
-        device_->destroyTexture(texture);
     }
 }
 
-std::span<const TextureHandle> TextureStore::pages() const {
-    return bindless_ ? std::span<const TextureHandle>{} : std::span<const TextureHandle>{textures_};
+bool TextureStore::releaseSome() {
+    constexpr std::size_t kAtOnce = 4;
+    LIMEN_ASSERT(isUnused_, "nobody samples them");
+    shared_.clear();
+    textures_.resize(textures_.size() - std::min(kAtOnce, textures_.size()));
+    return !textures_.empty();
 }
 
-TextureBinding TextureStore::bindingFor(std::span<const std::uint32_t> textures) const {
-    TextureBinding binding{bindless_, 0, {}};
-    if (bindless_) {
-        return binding;
+std::vector<TextureContent> TextureStore::contents() const {
+    std::vector<TextureContent> contents;
+    for (const auto& texture : textures_) {
+        contents.push_back(texture->content());
     }
-    binding.pageCount = static_cast<std::uint32_t>(textures_.size());
-    std::vector<bool> used(textures_.size(), false);
-    for (const std::uint32_t texture : textures) {
-        if (texture != frame::gpu::kNoTexture) {
-            used[refs_[texture].place.y] = true;
-        }
-    }
-    for (std::uint32_t page = 0; page < binding.pageCount; ++page) {
-        if (used[page]) {
-            binding.pages.push_back(page);
-        }
-    }
-    return binding;
+    return contents;
 }
 
-Result<void> TextureStore::fillPages(std::span<const frame::TextureUpload> textures,
-                                     const TextureStoreOptions& options, float anisotropy) {
-    const Capabilities& capabilities = device_->capabilities();
-    const std::uint32_t units = capabilities.textureUnits - frame::gpu::kUnitFirstPage;
-    const std::uint32_t maxPages = options.pageLimit == 0 ? units : std::min(units, options.pageLimit);
-    std::vector<TextureClass> classes;
-    for (const frame::TextureUpload& upload : textures) {
-        classes.push_back({upload.width, upload.height, upload.clamp});
+Result<void> TextureStore::begin(const StagedTexture& staged) {
+    layer_ = level_ = 0;
+    row_ = 0;
+    isBegun_ = true;
+    std::shared_ptr<ResidentTexture>& shared = shared_[textures_.size()];
+    if (staged.isThere && shared == nullptr) {
+        return fail(ErrorCode::BadArgument, staged.label, "is not there any more: stage the scene again");
     }
-    const PageLayout layout = layOutPages(classes, maxPages, capabilities.maxArrayLayers);
-    if (layout.pages.size() > maxPages) {
-        return fail(ErrorCode::Unsupported, capabilities.renderer,
-                    fmt::format("{} textures are more than its {} pages of {} layers hold", textures.size(),
-                                maxPages, capabilities.maxArrayLayers));
+    if (shared != nullptr) {
+        textures_.push_back(std::move(shared));
+        return {};
     }
-    for (const PageLayout::Page& page : layout.pages) {
-        const TextureShape shape{page.shape.width, page.shape.height,
-                                 page.layers,      mipLevelCount(page.shape.width, page.shape.height),
-                                 page.shape.clamp, anisotropy};
-        const std::string label =
-            fmt::format("page {}x{}{}", shape.width, shape.height, shape.clamp ? " clamped" : "");
-        Result<TextureHandle> texture = device_->createTexture(label, shape);
-        if (!texture) {
-            return tl::unexpected(texture.error());
-        }
-        textures_.push_back(*texture);
+    const Result<TextureHandle> made = device_->createTexture(staged.label, staged.content.shape);
+    if (!made) {
+        return tl::unexpected(made.error());
     }
-    for (std::size_t i = 0; i < textures.size(); ++i) {
-        const PageLayout::Place place = layout.places[i];
-        const TextureClass& shape = layout.pages[place.page].shape;
-        writeLevels(*device_, textures_[place.page], place.layer, levelsFor(textures[i], shape));
-        refs_.push_back(makeRef(place.layer, place.page, shape));
-    }
-    resampled_ = layout.resampled;
+    textures_.push_back(std::make_shared<ResidentTexture>(*device_, *made, staged.content));
     return {};
 }
 
-Result<void> TextureStore::fillHandles(std::span<const frame::TextureUpload> textures, float anisotropy) {
-    for (const frame::TextureUpload& upload : textures) {
-        const TextureShape shape{upload.width, upload.height, 1, mipLevelCount(upload.width, upload.height),
-                                 upload.clamp, anisotropy};
-        Result<TextureHandle> texture =
-            device_->createTexture(fmt::format("texture {}", textures_.size()), shape);
-        if (!texture) {
-            return tl::unexpected(texture.error());
+bool TextureStore::write(const StagedTexture& staged, std::size_t& bytes) {
+    for (; layer_ < staged.layers.size(); ++layer_, level_ = 0) {
+        for (; level_ < staged.layers[layer_].size(); ++level_, row_ = 0) {
+            const MipLevel& level = staged.layers[layer_][level_];
+            const std::size_t rowBytes = std::size_t{level.width} * 4;
+            while (row_ < level.height) {
+                if (bytes == 0) {
+                    return false;
+                }
+                const auto count = static_cast<std::uint32_t>(
+                    std::clamp<std::size_t>(bytes / rowBytes, 1, level.height - row_));
+                device_->writeTexture(textures_.back()->texture(),
+                                      {static_cast<std::uint32_t>(layer_), static_cast<std::uint32_t>(level_),
+                                       level.width, row_, count},
+                                      std::span(level.rgba).subspan(row_ * rowBytes, count * rowBytes));
+                row_ += count;
+                bytes -= std::min(bytes, count * rowBytes);
+            }
         }
-        textures_.push_back(*texture);
-        writeLevels(*device_, *texture, 0, mipChain(upload.width, upload.height, upload.rgba));
-        const std::uint64_t handle = device_->residentHandle(*texture);
-        if (handle == 0) {
+    }
+    return true;
+}
+
+Result<bool> TextureStore::advance(std::size_t& bytes) {
+    constexpr std::size_t kMaking = 4096; // what making a texture counts for
+    while (isBegun_ || textures_.size() < staged_.textures.size()) {
+        if (bytes == 0) {
+            return false;
+        }
+        if (!isBegun_) {
+            if (Result<void> begun = begin(staged_.textures[textures_.size()]); !begun) {
+                return tl::unexpected(begun.error());
+            }
+        }
+        StagedTexture& staged = staged_.textures[textures_.size() - 1];
+        if (!write(staged, bytes)) {
+            return false;
+        }
+        bytes -= std::min(bytes, kMaking);
+        staged.layers = {};
+        isBegun_ = false;
+        if (staged_.bindless && textures_.back()->handle() == 0 && !textures_.back()->takeHandle()) {
             return fail(ErrorCode::Driver, device_->capabilities().renderer, "gives no handle for a texture");
         }
-        refs_.push_back(makeRef(static_cast<std::uint32_t>(handle), static_cast<std::uint32_t>(handle >> 32),
-                                {upload.width, upload.height, upload.clamp}));
     }
-    return {};
+    if (refs_.empty()) {
+        tellPlaces();
+    }
+    return true;
+}
+
+void TextureStore::tellPlaces() {
+    for (std::size_t i = 0; i < staged_.places.size(); ++i) {
+        const auto [texture, layer] = staged_.places[i];
+        const std::uint64_t handle = textures_[texture]->handle();
+        refs_.push_back(staged_.bindless
+                            ? makeRef(static_cast<std::uint32_t>(handle),
+                                      static_cast<std::uint32_t>(handle >> 32), staged_.stored[i])
+                            : makeRef(layer, texture, staged_.stored[i]));
+    }
+    for (std::size_t i = 0; i < textures_.size() && !staged_.bindless; ++i) {
+        pages_.push_back(textures_[i]->texture());
+    }
 }
 
 } // namespace limen::gpu

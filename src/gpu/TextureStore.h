@@ -1,26 +1,35 @@
 #pragma once
 
-#include "frame/SceneUpload.h"
-#include "gpu/Device.h"
+#include "gpu/TextureStaging.h"
 
-#include <vector>
+#include <memory>
 
 namespace limen::gpu {
 
-/// How textures reach the shaders.
-enum class TextureMode : std::uint8_t {
-    Auto,       ///< bindless where the driver has it
-    ArrayPages, ///< one array texture per size and wrapping
-    Bindless    ///< ARB_bindless_texture handles
+/// A texture on a device, which stores may share. Given back with its last owner; the device must outlive it.
+class ResidentTexture {
+public:
+    ResidentTexture(Device& device, TextureHandle texture, TextureContent content)
+        : device_(device), texture_(texture), content_(std::move(content)) {}
+    ResidentTexture(const ResidentTexture&) = delete;
+    ResidentTexture& operator=(const ResidentTexture&) = delete;
+    ~ResidentTexture();
+
+    [[nodiscard]] TextureHandle texture() const { return texture_; }
+    [[nodiscard]] const TextureContent& content() const { return content_; }
+    /// Its bindless handle; 0: none was taken.
+    [[nodiscard]] std::uint64_t handle() const { return handle_; }
+    /// Makes it resident, when it is written. False if the driver refuses.
+    [[nodiscard]] bool takeHandle();
+
+private:
+    Device& device_;
+    TextureHandle texture_;
+    TextureContent content_;
+    std::uint64_t handle_ = 0;
 };
 
-struct TextureStoreOptions {
-    TextureMode mode = TextureMode::Auto;
-    float anisotropy = 4.0f;     ///< at most; 1 on software drivers, where it costs too much
-    std::uint32_t pageLimit = 0; ///< array pages at most (>= 2); 0: what the driver's texture units allow
-};
-
-/// All textures of a scene on a device, mipmapped, trilinear. Destroyed with the store.
+/// All textures of a scene on a device, mipmapped, trilinear. Destroyed with the store, but those that another store shares.
 class TextureStore {
 public:
     /// Errors: Unsupported, for bindless without the extension, a picture beyond the driver's limits, or more
@@ -28,31 +37,50 @@ public:
     [[nodiscard]] static Result<TextureStore> create(Device& device,
                                                      std::span<const frame::TextureUpload> textures,
                                                      const TextureStoreOptions& options);
+    /// One to be filled by `advance`. `before`: null, or the store that they were staged beside.
+    TextureStore(Device& device, StagedTextures staged, const TextureStore* before);
     TextureStore(TextureStore&& other) noexcept;
     TextureStore& operator=(TextureStore&& other) noexcept;
     ~TextureStore();
 
+    /// Writes the next rows, until `bytes` are used up, of which it takes away what it writes. Yields true when all is there. Errors:
+    /// the device's; BadArgument, if the store before has not what it had when they were staged.
+    [[nodiscard]] Result<bool> advance(std::size_t& bytes);
+    /// No frame samples these textures, those under way included: they may go at once.
+    void markUnused() { isUnused_ = true; }
+    /// Gives some of them back, after markUnused. False when none is left.
+    bool releaseSome();
+
     /// For the shaders, one per texture in order.
     [[nodiscard]] std::span<const frame::gpu::TextureRef> refs() const { return refs_; }
     /// What to bind to units from kUnitFirstPage on; empty in bindless mode.
-    [[nodiscard]] std::span<const TextureHandle> pages() const;
+    [[nodiscard]] std::span<const TextureHandle> pages() const { return pages_; }
     /// What a program that samples these textures (indices; kNoTexture is skipped) is built with.
-    [[nodiscard]] TextureBinding bindingFor(std::span<const std::uint32_t> textures) const;
-    [[nodiscard]] bool bindless() const { return bindless_; }
+    [[nodiscard]] TextureBinding bindingFor(std::span<const std::uint32_t> textures) const {
+        return gpu::bindingFor(staged_, textures);
+    }
+    [[nodiscard]] bool bindless() const { return staged_.bindless; }
     /// Textures stored larger than they are, because the pages did not suffice for every size.
-    [[nodiscard]] std::uint32_t resampled() const { return resampled_; }
+    [[nodiscard]] std::uint32_t resampled() const { return staged_.resampled; }
+    /// What there is, texture by texture.
+    [[nodiscard]] std::vector<TextureContent> contents() const;
 
 private:
-    TextureStore(Device& device, bool bindless) : device_(&device), bindless_(bindless) {}
-    [[nodiscard]] Result<void> fillPages(std::span<const frame::TextureUpload> textures,
-                                         const TextureStoreOptions& options, float anisotropy);
-    [[nodiscard]] Result<void> fillHandles(std::span<const frame::TextureUpload> textures, float anisotropy);
+    [[nodiscard]] Result<void> begin(const StagedTexture& staged);
+    /// True when the last of it is written.
+    [[nodiscard]] bool write(const StagedTexture& staged, std::size_t& bytes);
+    void tellPlaces();
 
     Device* device_ = nullptr;
-    bool bindless_ = false;
-    std::vector<TextureHandle> textures_;
+    StagedTextures staged_; ///< without what is written already
+    std::vector<std::shared_ptr<ResidentTexture>>
+        shared_; ///< of the store before, by what is staged; null: not shared
+    std::vector<std::shared_ptr<ResidentTexture>> textures_;
+    std::vector<TextureHandle> pages_;
     std::vector<frame::gpu::TextureRef> refs_;
-    std::uint32_t resampled_ = 0;
+    std::size_t layer_ = 0, level_ = 0; ///< what of the texture that is begun is written next
+    std::uint32_t row_ = 0;
+    bool isBegun_ = false, isUnused_ = false;
 };
 
 } // namespace limen::gpu

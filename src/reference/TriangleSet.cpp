@@ -92,7 +92,7 @@ bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, co
     const world::Material& material = world.materials[cut.material];
     if (material.texture == world::kNone)
         return false;
-    const world::Image& image = world.textures[material.texture];
+    const world::Image& image = *world.textures[material.texture];
     if (image.width == 0 || image.height == 0)
         return false;
     const Vec2 uv = Vec2(cut.a) * at.a + Vec2(cut.b) * at.b + Vec2(cut.c) * at.c;

@@ -15,8 +15,8 @@ Plane toGlobal(const Plane& plane, const Vec3& origin) {
 
 } // namespace
 
-Assembly::Assembly(Records& records, Models& models, const dat::Region* region)
-    : records_(records), models_(models), region_(region), materials_(records, world_), arena_(world_),
+Assembly::Assembly(Records& records, Models& models, const dat::Region* region, LoadCache* cache)
+    : records_(records), models_(models), region_(region), materials_(records, world_, cache), arena_(world_),
       cycles_(records, world_), starts_(records) {
     Space outside;
     outside.zone = kOutsideZone;
@@ -35,10 +35,12 @@ SpaceIndex Assembly::spaceOf(std::uint32_t local) const {
 void Assembly::add(const BlockContent& block) {
     Block resident;
     resident.coord = block.coord;
+    resident.isFar = block.isFar;
     resident.hasTerrain = block.ground.has_value();
     resident.heightIndices = block.heightIndices;
     if (block.ground)
         resident.heights.assign(block.ground->heights.begin(), block.ground->heights.end());
+    records_.say(block.said);
     block_ = static_cast<std::uint32_t>(world_.blocks.size());
     world_.blocks.push_back(std::move(resident));
     addSpaces(block);

@@ -32,7 +32,8 @@ enum class MovingThing : std::uint64_t {
 /// on nothing else.
 class Assembly {
 public:
-    Assembly(Records& records, Models& models, const dat::Region* region);
+    /// `cache`: null, or where pictures may be that others have decoded. All outlive it.
+    Assembly(Records& records, Models& models, const dat::Region* region, LoadCache* cache = nullptr);
 
     void add(const BlockContent& block);
     [[nodiscard]] World finish(const MovingEntries& moving = {});

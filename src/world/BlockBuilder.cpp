@@ -56,6 +56,43 @@ bool isPureDungeon(const dat::LandBlock& land, const dat::LandBlockInfo* info) {
 }
 
 std::optional<BlockContent> BlockBuilder::build(dat::BlockCoord coord) {
+    auto [block, said] = records_.listen([&] { return read(coord); });
+    if (block)
+        block->said = std::move(said);
+    return std::move(block);
+}
+
+std::optional<BlockContent> BlockBuilder::buildFar(dat::BlockCoord coord) {
+    auto [block, said] = records_.listen([&] { return readFar(coord); });
+    if (block)
+        block->said = std::move(said);
+    return std::move(block);
+}
+
+std::optional<BlockContent> BlockBuilder::readFar(dat::BlockCoord coord) {
+    BlockContent block;
+    block.coord = coord;
+    block.isFar = true;
+    const dat::Archive& archive = records_.archive();
+    const std::optional<dat::LandBlock> land =
+        load<dat::LandBlock>(archive, dat::landBlockId(coord), block.findings);
+    if (!land && block.findings.empty())
+        return std::nullopt;
+    if (!land || region_ == nullptr)
+        return block;
+    const bool isFlat =
+        std::all_of(land->heights.begin(), land->heights.end(), [](std::uint8_t h) { return h == 0; });
+    if (isFlat) { // else its cells do not matter
+        const std::optional<dat::LandBlockInfo> info =
+            load<dat::LandBlockInfo>(archive, dat::landBlockInfoId(coord), block.findings);
+        if (isPureDungeon(*land, info ? &*info : nullptr))
+            return std::nullopt;
+    }
+    addTerrain(*land, block);
+    return block;
+}
+
+std::optional<BlockContent> BlockBuilder::read(dat::BlockCoord coord) {
     BlockContent block;
     block.coord = coord;
     const dat::Archive& archive = records_.archive();
@@ -117,16 +154,20 @@ void BlockBuilder::buildCells(const dat::LandBlockInfo& info, BlockContent& bloc
 
 void BlockBuilder::buildGround(const dat::LandBlock& record, const dat::LandBlockInfo* info,
                                BlockContent& block) {
-    block.ground = groundOf(record, *region_);
-    block.heightIndices.assign(record.heights.begin(), record.heights.end());
-    block.terrain = terrainMesh(
-        *block.ground, [this](int x, int y) { return x < 0 || y < 0 ? std::nullopt : heightAt(x, y); });
+    addTerrain(record, block);
     const std::vector<SceneryObject> scenery =
         growScenery(*block.ground, *region_, builtCells(info), records_);
     for (std::size_t i = 0; i < scenery.size(); ++i) {
         block.objects.push_back({Kind::Scenery, scenery[i].model, objectId(record.id, i), scenery[i].origin,
                                  scenery[i].orientation, scenery[i].scale, kOutdoorSpace});
     }
+}
+
+void BlockBuilder::addTerrain(const dat::LandBlock& record, BlockContent& block) {
+    block.ground = groundOf(record, *region_);
+    block.heightIndices.assign(record.heights.begin(), record.heights.end());
+    block.terrain = terrainMesh(
+        *block.ground, [this](int x, int y) { return x < 0 || y < 0 ? std::nullopt : heightAt(x, y); });
 }
 
 void BlockBuilder::placeObjects(const dat::LandBlockInfo& info, BlockContent& block) {

@@ -15,8 +15,13 @@ public:
     /// No value if the cell file holds nothing of this block. Damage is said in the content's findings: a
     /// record that cannot be read is left out.
     [[nodiscard]] std::optional<BlockContent> build(dat::BlockCoord coord);
+    /// The same, of the ground alone. No value if there is none.
+    [[nodiscard]] std::optional<BlockContent> buildFar(dat::BlockCoord coord);
 
 private:
+    [[nodiscard]] std::optional<BlockContent> read(dat::BlockCoord coord);
+    [[nodiscard]] std::optional<BlockContent> readFar(dat::BlockCoord coord);
+    void addTerrain(const dat::LandBlock& record, BlockContent& block);
     void buildCells(const dat::LandBlockInfo& info, BlockContent& block);
     void buildGround(const dat::LandBlock& record, const dat::LandBlockInfo* info, BlockContent& block);
     void placeObjects(const dat::LandBlockInfo& info, BlockContent& block);

@@ -63,6 +63,7 @@ struct PlacedModel {
 /// other blocks are resident, so blocks can be built apart and in any order.
 struct BlockContent {
     dat::BlockCoord coord;
+    bool isFar = false; ///< nothing but its ground
     std::optional<Ground> ground;
     std::vector<std::uint8_t> heightIndices;
     MeshData terrain;
@@ -73,6 +74,7 @@ struct BlockContent {
     std::vector<ExteriorContent> exteriors;
     std::vector<PlacedModel> objects;
     std::vector<Finding> findings;
+    std::vector<Finding> said; ///< of records of the portal file, while it was built
 };
 
 } // namespace limen::world

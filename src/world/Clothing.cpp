@@ -62,9 +62,8 @@ Dress dressOf(dat::RecordId setup, std::span<const ClothingEntry> clothes, Recor
         if (colours != nullptr)
             changeColours(*colours, piece.shade, records, dress);
         else if (piece.palette != 0)
-            note(records.findings(), piece.table,
-                 "has no palette template " + std::to_string(piece.palette) +
-                     ", in which world.json has somebody wear it");
+            records.say({piece.table, "has no palette template " + std::to_string(piece.palette) +
+                                          ", in which world.json has somebody wear it"});
     }
     return dress;
 }

@@ -18,6 +18,7 @@ inline constexpr std::size_t kGaits = 3;
 struct PartFrame {
     Quat orientation{1.0, 0.0, 0.0, 0.0};
     Vec3 origin{0.0};
+    friend bool operator==(const PartFrame&, const PartFrame&) = default;
 };
 
 /// Frames played at one rate: `frameCount` times `partCount` of World::partFrames, in the order of their record.
@@ -26,6 +27,7 @@ struct Stretch {
     std::uint32_t partCount = 0;      ///< of each frame; of a body with more the others stay as they rest
     std::uint32_t frameCount = 0;     ///< at least one
     double rate = 0.0;                ///< frames a second; negative: backwards; 0: stays at its first frame
+    friend bool operator==(const Stretch&, const Stretch&) = default;
 };
 
 /// Stretches played one after another, of which the last goes on for ever.
@@ -33,12 +35,14 @@ struct Cycle {
     std::uint32_t firstStretch = 0, stretchCount = 0; ///< run of World::stretches; at least one
     /// Metres a second, in the body's own frame: how it goes forward while this is played at its own rate. Zero: not said.
     Vec3 velocity{0.0};
+    friend bool operator==(const Cycle&, const Cycle&) = default;
 };
 
 /// Of a moving part: which part of its Setup it shows, perhaps one level of detail of several, and at which size.
 struct PosedPart {
     std::uint32_t part = 0; ///< index in the Setup, and so in each frame
     Vec3 scale{1.0};
+    friend bool operator==(const PosedPart&, const PosedPart&) = default;
 };
 
 /// The position in the record of the frame that is played as the `step`-th of a stretch, 0..frameCount-1.

@@ -102,7 +102,7 @@ std::optional<Stretch> Cycles::stretchOf(const dat::AnimationRange& range) {
     if (std::isfinite(range.fps))
         stretch.rate = static_cast<double>(range.fps);
     else
-        note(records_.findings(), range.animation, "is played at a rate that is no number: it stands still");
+        records_.say({range.animation, "is played at a rate that is no number: it stands still"});
     return stretch;
 }
 
@@ -113,7 +113,7 @@ const Cycles::Frames& Cycles::framesOf(dat::RecordId animation) {
     if (record == nullptr)
         return frames;
     if (record->frames.empty())
-        note(records_.findings(), animation, "an animation without frames: what it would move rests");
+        records_.say({animation, "an animation without frames: what it would move rests"});
     frames = {static_cast<std::uint32_t>(world_.partFrames.size()), record->partCount,
               static_cast<std::uint32_t>(record->frames.size())};
     for (const dat::AnimationFrame& frame : record->frames) {

@@ -63,7 +63,7 @@ void EmitterStarts::run(dat::RecordId script, double at) {
         return;
     if (running_.size() == kDeepest || ++runs_ > kMostRuns) {
         if (runs_ <= kMostRuns + 1) // once is enough
-            note(records_.findings(), script, "scripts call each other too often: it is not run");
+            records_.say({script, "scripts call each other too often: it is not run"});
         return;
     }
     running_.push_back({script, at, started_.size(), 0.0});

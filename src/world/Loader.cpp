@@ -2,6 +2,7 @@
 
 #include "world/Assembly.h"
 #include "world/BlockBuilder.h"
+#include "world/BlockSource.h"
 #include "world/Nearby.h"
 
 #include <algorithm>
@@ -15,24 +16,37 @@ bool isDungeon(const dat::Archive& archive, dat::BlockCoord coord) {
 }
 
 Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, const LoadOptions& options,
-                        const MovingEntries& moving) {
+                        const MovingEntries& moving, const LoadHelp& help) {
     if (centre.x < 0 || centre.y < 0 || centre.x >= kMapSize || centre.y >= kMapSize || options.radius < 0)
         return fail(ErrorCode::BadArgument, archive.directory().string(),
                     "no landblock there: blocks run from 0 to 254");
-    const int radius = isDungeon(archive, centre) ? 0 : std::min(options.radius, kMapSize);
-    const std::vector<dat::BlockCoord> blocks = blocksAround(centre, radius);
+    const bool isSealed = isDungeon(archive, centre);
+    const int radius = isSealed ? 0 : std::min(options.radius, kMapSize);
+    const int farRadius = isSealed ? 0 : std::min(options.farRadius, kMapSize);
+    const std::vector<dat::BlockCoord> blocks = blocksAround(centre, std::max(radius, farRadius));
     Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
     if (!region)
         return tl::unexpected(region.error());
+    const auto keyOf = [&](dat::BlockCoord block) {
+        const int away = std::max(std::abs(block.x - centre.x), std::abs(block.y - centre.y));
+        return BlockKey{block.x, block.y, away > radius ? Tier::Far : Tier::Near, options.mergeZones,
+                        options.detail};
+    };
+    BlockSource source(archive, region->get(), options.detail, help);
     Records records(archive);
-    Models models(records, options.detail);
-    BlockBuilder builder(records, models, region->get(), options.mergeZones);
-    Assembly assembly(records, models, region->get());
+    Models models(records, options.detail, help.cache);
+    Assembly assembly(records, models, region->get(), help.cache);
     bool any = false;
-    for (const dat::BlockCoord coord : blocks) {
-        if (const std::optional<BlockContent> block = builder.build(coord)) {
-            assembly.add(*block);
-            any = true;
+    for (std::size_t done = 0; done < blocks.size(); done += BlockSource::kBatch) {
+        const std::size_t end = std::min(done + BlockSource::kBatch, blocks.size());
+        std::vector<BlockKey> batch;
+        std::transform(blocks.begin() + std::ptrdiff_t(done), blocks.begin() + std::ptrdiff_t(end),
+                       std::back_inserter(batch), keyOf);
+        for (const std::shared_ptr<const BlockContent>& block : source.build(batch)) {
+            if (block != nullptr) {
+                assembly.add(*block);
+                any = true;
+            }
         }
     }
     if (!any)
@@ -58,6 +72,11 @@ dat::BlockCoord blockAt(const Vec3& position) {
         return block > 0.0 ? static_cast<int>(std::min(block, kMapSize - 1.0)) : 0;
     };
     return {clamped(position.x), clamped(position.y)};
+}
+
+double metresBeside(dat::BlockCoord block, const Vec3& position) {
+    const Vec3 local = position - Vec3(block.x, block.y, 0.0) * kBlockSize;
+    return std::max({-local.x, local.x - kBlockSize, -local.y, local.y - kBlockSize, 0.0});
 }
 
 const Block* findBlock(const World& world, dat::BlockCoord coord) {

@@ -1,5 +1,7 @@
 #include "world/Materials.h"
 
+#include "world/LoadCache.h"
+
 #include <algorithm>
 
 namespace limen::world {
@@ -21,6 +23,31 @@ std::uint32_t flagsOf(const dat::Surface& surface, bool clamp) {
     flags |= (surface.type & dat::Surface::kAlpha) != 0 ? Material::kAlpha : 0;
     flags |= isSplit(surface) ? Material::kSplit : 0;
     return flags;
+}
+
+constexpr std::uint64_t kGreyKey = 1; ///< no picture's
+
+/// What tells a picture from all others of an archive: ids of pictures and palettes differ in their lower three bytes alone.
+std::uint64_t contentKey(const KeptPicture& key) {
+    const auto [picture, palette, clipMap, additive] = key;
+    const std::uint64_t rules = (clipMap ? 2u : 0u) | (additive ? 1u : 0u);
+    return 1ull << 63 | rules << 48 | std::uint64_t{palette & 0xFFFFFFu} << 24 | (picture & 0xFFFFFFu);
+}
+
+Result<Image> decode(const KeptPicture& key, Records& records) {
+    const auto [id, palette, clipMap, additive] = key;
+    const Result<dat::RenderSurface> picture = records.archive().load<dat::RenderSurface>(id);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    const dat::RecordId paletteId = palette != 0 ? palette : picture->defaultPalette;
+    Result<Image> image =
+        decodeImage(*picture, paletteId != 0 ? records.palette(paletteId) : nullptr, {clipMap, additive});
+    if (!image)
+        return image;
+    if (clipMap && image->hasAlpha)
+        bleedColour(*image);
+    image->contentKey = contentKey(key);
+    return image;
 }
 
 } // namespace
@@ -105,23 +132,55 @@ std::uint32_t Materials::decoded(const PictureKey& key) {
     const auto [entry, fresh] = pictures_.try_emplace(key, kNone);
     if (!fresh)
         return entry->second;
-    const Result<dat::RenderSurface> picture = records_.archive().load<dat::RenderSurface>(key.picture);
-    if (!picture)
-        return entry->second = fallback(key.picture, picture.error().message());
-    if (key.overlays != 0 && !isIndexed(picture->format)) {
+    if (key.overlays != 0 && !hasPalette(key.picture)) {
         PictureKey plain = key; // there is no palette to lay anything over
         plain.overlays = 0;
         return entry->second = decoded(plain);
     }
-    const DecodeRules rules{key.clipMap, key.additive};
-    const dat::RecordId paletteId = key.palette != 0 ? key.palette : picture->defaultPalette;
-    Result<Image> image = decodeImage(*picture, palette(paletteId, key.overlays), rules);
+    Result<std::shared_ptr<const Image>> image =
+        key.overlays == 0 ? picture({key.picture, key.palette, key.clipMap, key.additive}) : overlaid(key);
     if (!image)
         return entry->second = fallback(key.picture, image.error().message());
-    if (key.clipMap && image->hasAlpha)
-        bleedColour(*image);
     world_.textures.push_back(std::move(*image));
     return entry->second = static_cast<std::uint32_t>(world_.textures.size() - 1);
+}
+
+/// One that cannot be read counts as if it had none: who reads it then says why.
+bool Materials::hasPalette(dat::RecordId picture) const {
+    const Result<dat::RenderSurface> record = records_.archive().load<dat::RenderSurface>(picture);
+    return record && isIndexed(record->format);
+}
+
+Result<std::shared_ptr<const Image>> Materials::overlaid(const PictureKey& key) {
+    const Result<dat::RenderSurface> picture = records_.archive().load<dat::RenderSurface>(key.picture);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    const dat::RecordId paletteId = key.palette != 0 ? key.palette : picture->defaultPalette;
+    Result<Image> image =
+        decodeImage(*picture, palette(paletteId, key.overlays), {key.clipMap, key.additive});
+    if (!image)
+        return tl::unexpected(image.error());
+    if (key.clipMap && image->hasAlpha)
+        bleedColour(*image);
+    return std::make_shared<const Image>(
+        std::move(*image)); // without a key: overlays are numbered anew in each world
+}
+
+Result<std::shared_ptr<const Image>> Materials::picture(const KeptPicture& key) {
+    if (const auto kept = cache_ != nullptr ? cache_->pictures.find(key) : nullptr) {
+        records_.say(kept->said);
+        return kept->value;
+    }
+    auto made = records_.listen([&] { return decode(key, records_); });
+    if (!made.value)
+        return tl::unexpected(made.value.error());
+    const auto image = std::make_shared<const Image>(std::move(*made.value));
+    if (cache_ == nullptr)
+        return image;
+    using Kept = Found<std::shared_ptr<const Image>>;
+    return cache_->pictures
+        .keep(key, std::make_shared<const Kept>(Kept{image, std::move(made.said)}), image->rgba.size())
+        ->value;
 }
 
 std::uint32_t Materials::fallback(dat::RecordId record, std::string what) {
@@ -133,8 +192,9 @@ std::uint32_t Materials::fallback(dat::RecordId record, std::string what) {
         image.rgba.assign(64, 128);
         for (std::size_t i = 3; i < image.rgba.size(); i += 4)
             image.rgba[i] = 255;
+        image.contentKey = kGreyKey;
         grey_ = static_cast<std::uint32_t>(world_.textures.size());
-        world_.textures.push_back(std::move(image));
+        world_.textures.push_back(std::make_shared<const Image>(std::move(image)));
     }
     return grey_;
 }

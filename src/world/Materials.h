@@ -5,15 +5,23 @@
 #include "world/Textures.h"
 
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace limen::world {
+
+class LoadCache;
+
+/// A picture, the palette that is said for it (0: its own), and how it is read: DecodeRules::clipMap, additive.
+using KeptPicture = std::tuple<dat::RecordId, dat::RecordId, bool, bool>;
 
 /// Makes materials and textures on demand, each once, straight into the world's arrays. A picture that is
 /// missing or cannot be decoded becomes a mid grey one and a finding.
 class Materials {
 public:
-    Materials(Records& records, World& world) : records_(records), world_(world) {}
+    /// `cache`: null, or where pictures may be that others have decoded.
+    Materials(Records& records, World& world, LoadCache* cache = nullptr)
+        : records_(records), world_(world), cache_(cache) {}
 
     /// The material of a Surface. `clamp`: its texture coordinates never leave 0..1.
     [[nodiscard]] std::uint32_t material(dat::RecordId surface, bool clamp) {
@@ -50,8 +58,15 @@ private:
     std::uint32_t fallback(dat::RecordId record, std::string what);
     [[nodiscard]] dat::RecordId firstPicture(const dat::SurfaceTexture& texture) const;
 
+    /// The picture as it is, or is made now and kept. Errors: it is missing or damaged.
+    [[nodiscard]] Result<std::shared_ptr<const Image>> picture(const KeptPicture& key);
+    [[nodiscard]] bool hasPalette(dat::RecordId picture) const;
+    /// Its palette overlaid.
+    [[nodiscard]] Result<std::shared_ptr<const Image>> overlaid(const PictureKey& key);
+
     Records& records_;
     World& world_;
+    LoadCache* cache_;
     std::map<MaterialKey, std::uint32_t> materials_;
     std::map<PictureKey, std::uint32_t> textures_;         ///< by SurfaceTexture
     std::map<PictureKey, std::uint32_t> pictures_;         ///< by RenderSurface

@@ -1,9 +1,29 @@
 #include "world/Models.h"
 
+#include "world/LoadCache.h"
+
 #include <algorithm>
 
 namespace limen::world {
 namespace {
+
+/// What `map` has under `id`: else what `kept` has, if anything is kept, else what `make` makes. What was found when it was made is said
+/// again: whoever listens hears the same, whoever made it.
+template <class Map, class Kept, class Key, class Make>
+const auto& made(Map& map, dat::RecordId id, Kept* kept, const Key& key, Records& records, Make&& make) {
+    auto& entry = map[id];
+    if (entry == nullptr && kept != nullptr)
+        entry = kept->find(key);
+    if (entry == nullptr) {
+        auto fresh = records.listen(make);
+        const std::size_t bytes = bytesOf(fresh.value);
+        auto shared = std::make_shared<const decltype(fresh)>(std::move(fresh));
+        map[id] = kept != nullptr ? kept->keep(key, std::move(shared), bytes) : std::move(shared);
+    }
+    const auto& found = *map[id]; // making it may have put others into the map
+    records.say(found.said);
+    return found.value;
+}
 
 /// The frames of the pose for static display: resting, else default, else the first there is.
 const dat::AnimationFrame* restingPose(const dat::Setup& setup) {
@@ -79,10 +99,8 @@ std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Record
 }
 
 const Model& Models::model(dat::RecordId id) {
-    std::unique_ptr<Model>& entry = models_[id];
-    if (entry == nullptr)
-        entry = std::make_unique<Model>(read(id, nullptr));
-    return *entry;
+    return made(models_, id, cache_ != nullptr ? &cache_->models : nullptr, std::pair(id, detail_), records_,
+                [&] { return read(id, nullptr); });
 }
 
 std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
@@ -155,17 +173,16 @@ Model Models::read(dat::RecordId id, const Dress* dress) {
 }
 
 const PartMesh* Models::part(dat::RecordId gfxObj) {
-    const auto [entry, fresh] = parts_.try_emplace(gfxObj);
-    if (fresh)
-        entry->second = build(gfxObj);
-    return entry->second.get();
+    const std::optional<PartMesh>& part = made(parts_, gfxObj, cache_ != nullptr ? &cache_->parts : nullptr,
+                                               gfxObj, records_, [&] { return build(gfxObj); });
+    return part ? &*part : nullptr;
 }
 
-std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
+std::optional<PartMesh> Models::build(dat::RecordId gfxObj) {
     const dat::GfxObj* record = records_.gfxObj(gfxObj);
     if (record == nullptr)
-        return nullptr;
-    auto part = std::make_unique<PartMesh>();
+        return std::nullopt;
+    std::optional<PartMesh> part(std::in_place);
     part->gfxObj = gfxObj;
     part->surfaces = record->surfaces;
     std::set<std::uint16_t> portals;
@@ -173,11 +190,13 @@ std::unique_ptr<PartMesh> Models::build(dat::RecordId gfxObj) {
         portals.insert(ref.polygonId);
     BakedGeometry geometry;
     std::vector<std::uint32_t> polygons;
+    std::vector<Finding> findings;
     for (SourcePolygon& polygon : readPolygons(record->vertexArray, record->polygons, record->surfaces.size(),
-                                               portals, gfxObj, records_.findings())) {
+                                               portals, gfxObj, findings)) {
         if (polygon.isDrawn())
             polygons.push_back(geometry.add(std::move(polygon), {})); // readPolygons refuses what add would
     }
+    records_.say(findings);
     geometry.bake();
     MeshBuilder builder(listsOf(record->surfaces, records_));
     for (const std::uint32_t handle : polygons)

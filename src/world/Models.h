@@ -5,6 +5,8 @@
 #include "world/PolygonSource.h"
 #include "world/Records.h"
 
+#include <optional>
+
 namespace limen::world {
 
 /// A GfxObj as a mesh in its own space, baked: no corner lies within an edge of another polygon.
@@ -39,11 +41,15 @@ struct Model {
     Sphere bounds; ///< object space at scale 1, of the vertices
 };
 
+class LoadCache;
+
 /// Reads models once each. References stay valid as long as the object. One per thread.
 class Models {
 public:
-    /// `detail`: levels of detail change at so many times the distances of their records; infinite: the nearest stays.
-    explicit Models(Records& records, double detail = 1.0) : records_(records), detail_(detail) {}
+    /// `detail`: levels of detail change at so many times the distances of their records; infinite: the nearest stays. `cache`: null, or
+    /// what others have made of the same archive; it outlives the object.
+    explicit Models(Records& records, double detail = 1.0, LoadCache* cache = nullptr)
+        : records_(records), detail_(detail), cache_(cache) {}
 
     [[nodiscard]] const Model& model(dat::RecordId id);
     /// The same with the meshes of some of its parts changed. Cost: read anew each time.
@@ -61,12 +67,13 @@ private:
     [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);
     /// Adds all levels of detail of `posed`.
     void addPart(Model& model, const ModelPart& posed);
-    [[nodiscard]] std::unique_ptr<PartMesh> build(dat::RecordId gfxObj);
+    [[nodiscard]] std::optional<PartMesh> build(dat::RecordId gfxObj);
 
     Records& records_;
     double detail_;
-    std::unordered_map<dat::RecordId, std::unique_ptr<Model>> models_;
-    std::unordered_map<dat::RecordId, std::unique_ptr<PartMesh>> parts_;
+    LoadCache* cache_;
+    std::unordered_map<dat::RecordId, std::shared_ptr<const Found<Model>>> models_;
+    std::unordered_map<dat::RecordId, std::shared_ptr<const Found<std::optional<PartMesh>>>> parts_;
 };
 
 /// Whether what is seen of a GfxObj from nearby is a sprite that faces the eye, by its levels of detail.

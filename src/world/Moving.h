@@ -19,6 +19,7 @@ struct MovingBody {
     /// By Gait: index into World::cycles. kNone: it has none.
     std::array<std::uint32_t, kGaits> cycles{kNone, kNone, kNone};
     std::uint32_t firstPosed = kNone; ///< run of World::posedParts, one a part; kNone: it has no cycles
+    friend bool operator==(const MovingBody&, const MovingBody&) = default;
 };
 
 /// One leaf of a door, or a pane: it turns about the vertical through its hinge.
@@ -31,6 +32,7 @@ struct Leaf {
     /// Its parts where they stand while it is shut, block-local, edge to edge with the walls; none for leaves of opaque doors,
     /// which a filling stands beside.
     MovingBody shut;
+    friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
 /// The filling of one opening. An opaque one shuts it while all its leaves are exactly closed.
@@ -43,11 +45,13 @@ struct Door {
     std::uint32_t firstLeaf = 0, leafCount = 0; ///< run of World::leaves
     /// World::movingParts: the portal's polygon, facing both ways; shown while shut. kNone for glass.
     std::uint32_t filling = kNone;
+    friend bool operator==(const Door&, const Door&) = default;
 };
 
 struct RoutePoint {
     Vec3 position{0.0}; ///< global, on the ground
     SpaceIndex space = kOutside;
+    friend bool operator==(const RoutePoint&, const RoutePoint&) = default;
 };
 
 /// A way walked in straight lines.
@@ -55,6 +59,7 @@ struct Route {
     std::uint32_t firstPoint = 0, pointCount = 0; ///< run of World::routePoints; at least two
     bool loop = false;                            ///< goes on from the last to the first; else it leads back
     double length = 0.0;                          ///< once around, or there and back
+    friend bool operator==(const Route&, const Route&) = default;
 };
 
 struct Villager {
@@ -63,12 +68,14 @@ struct Villager {
     std::uint32_t route = kNone;
     double speed = 1.0; ///< metres a second
     double start = 0.0; ///< metres along the route at time 0
+    friend bool operator==(const Villager&, const Villager&) = default;
 };
 
 /// The body of whoever walks through the world. Its parts are there twice: as they are, and as glass, to fade when the eye comes
 /// near. None: no parts.
 struct Player {
     MovingBody solid, ghost;
+    friend bool operator==(const Player&, const Player&) = default;
 };
 
 /// What sends out sprites that face the eye.
@@ -86,6 +93,7 @@ struct Emitter {
     double alpha[2] = {1.0, 1.0}; ///< opacity, likewise
     std::uint32_t seed = 0;
     double reach = 0.0; ///< no sprite comes further from the position than this
+    friend bool operator==(const Emitter&, const Emitter&) = default;
 };
 
 /// A static object that moves where it stands: its parts by the cycle of standing still, or all of it by turning.
@@ -103,6 +111,7 @@ struct IdleObject {
 struct LooseObject {
     InstanceIndex firstInstance = 0, instanceCount = 0;
     Sphere bounds; ///< global, of all its instances
+    friend bool operator==(const LooseObject&, const LooseObject&) = default;
 };
 
 } // namespace limen::world

@@ -9,6 +9,16 @@ void note(std::vector<Finding>& findings, dat::RecordId record, std::string what
     findings.push_back({record, std::move(what)});
 }
 
+void Records::say(const Finding& finding) {
+    if (heard_.all.emplace(finding.record, finding.what).second)
+        heard_.findings.push_back(finding);
+}
+
+void Records::say(const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings)
+        say(finding);
+}
+
 SurfaceClass surfaceClassOf(const dat::Surface& surface) {
     constexpr std::uint32_t kBlending =
         dat::Surface::kTranslucent | dat::Surface::kAlpha | dat::Surface::kInvAlpha | dat::Surface::kAdditive;

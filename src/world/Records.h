@@ -4,15 +4,24 @@
 #include "world/World.h"
 
 #include <memory>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace limen::world {
 
 /// Adds a finding.
 void note(std::vector<Finding>& findings, dat::RecordId record, std::string what);
 
-/// Records of the portal file, decoded once each. A record that is missing or damaged is said once, and is
-/// null from then on. Pointers stay valid as long as the object. One per thread.
+/// Something made from records, with what was found of these meanwhile.
+template <class T>
+struct Found {
+    T value;
+    std::vector<Finding> said;
+};
+
+/// Records of the portal file, decoded once each. A record that is missing or damaged is null, and said whenever it is asked for; the
+/// findings have each thing once. Pointers stay valid as long as the object. One per thread.
 class Records {
 public:
     explicit Records(const dat::Archive& archive) : archive_(&archive) {}
@@ -44,9 +53,28 @@ public:
     }
 
     [[nodiscard]] const dat::Archive& archive() const { return *archive_; }
-    [[nodiscard]] std::vector<Finding>& findings() { return findings_; }
+    [[nodiscard]] const std::vector<Finding>& findings() const { return heard_.findings; }
+
+    /// Adds findings, but those that are there.
+    void say(const Finding& finding);
+    void say(const std::vector<Finding>& findings);
+    /// Makes something: yields it with what was found meanwhile, whether that had been found before or not. The findings have it, too.
+    template <class Make>
+    [[nodiscard]] auto listen(Make&& make) -> Found<decltype(make())> {
+        Heard before = std::exchange(heard_, {});
+        Found<decltype(make())> made{make(), {}};
+        made.said = std::move(heard_.findings);
+        heard_ = std::move(before);
+        say(made.said);
+        return made;
+    }
 
 private:
+    /// What was said since somebody listens.
+    struct Heard {
+        std::vector<Finding> findings;
+        std::set<std::pair<dat::RecordId, std::string>> all; ///< the same, to look them up
+    };
     template <class Record>
     using Cache = std::unordered_map<dat::RecordId, std::unique_ptr<const Record>>;
 
@@ -57,8 +85,10 @@ private:
             if (Result<Record> record = archive_->load<Record>(id))
                 entry->second = std::make_unique<const Record>(std::move(*record));
             else
-                note(findings_, id, record.error().message());
+                faults_[id] = record.error().message();
         }
+        if (entry->second == nullptr)
+            say({id, faults_[id]});
         return entry->second.get();
     }
 
@@ -78,7 +108,8 @@ private:
     Cache<dat::ParticleEmitter> particleEmitters_;
     Cache<dat::PhysicsScript> physicsScripts_;
     Cache<dat::PhysicsScriptTable> physicsScriptTables_;
-    std::vector<Finding> findings_;
+    std::unordered_map<dat::RecordId, std::string> faults_; ///< of records that are null
+    Heard heard_;
 };
 
 /// The bits of a Surface that decide how it is drawn (formats/textures.md): Alpha, InvAlpha, Additive and

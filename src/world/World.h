@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +38,9 @@ struct Block {
     bool hasTerrain = false; ///< false for pure dungeons and for blocks without a LandBlock record
     std::vector<std::uint8_t> heightIndices; ///< 81, index x*9+y; empty without terrain
     std::vector<float> heights;              ///< 81 metres
+    bool isFar = false;                      ///< of it the ground alone is resident
     [[nodiscard]] Vec3 origin() const { return {coord.x * kBlockSize, coord.y * kBlockSize, 0.0}; }
+    friend bool operator==(const Block&, const Block&) = default;
 };
 
 /// A cell, or the outside.
@@ -55,6 +58,7 @@ struct Space {
     Aabb bounds;             ///< global; of the shell's and the portals' vertices
     std::uint32_t firstBspNode = 0,
                   bspNodeCount = 0; ///< cell BSP in World::cellBspNodes; none: contains nothing
+    friend bool operator==(const Space&, const Space&) = default;
 };
 
 /// A node of a cell BSP in global coordinates: for a point with signedDistance < -0.2 mm the walk goes on in `negative` (kNone: it is outside the
@@ -63,6 +67,7 @@ struct CellBspNode {
     Plane plane;
     std::uint32_t positive = kNone; ///< index relative to the space's firstBspNode
     std::uint32_t negative = kNone; ///< likewise; of cells that are not convex
+    friend bool operator==(const CellBspNode&, const CellBspNode&) = default;
 };
 
 /// An opening that leads out of `space`. The outside's portals are its buildings' portals, with the polygon of the
@@ -81,11 +86,13 @@ struct Portal {
     std::uint16_t recordIndex = 0; ///< index in the cell's portal list; for outside: in the building's
     std::uint16_t polygonId = 0;   ///< in the CellStruct
     bool exact = true;             ///< false: both polygons bound the opening
+    friend bool operator==(const Portal&, const Portal&) = default;
 };
 
 /// Connected, closed and pairwise disjoint cells: depth alone decides what is in front inside one (docs/ray-rule.md).
 struct Zone {
     std::uint32_t firstSpace = 0, spaceCount = 0; ///< a run of World::zoneSpaces
+    friend bool operator==(const Zone&, const Zone&) = default;
 };
 
 enum class Kind : std::uint8_t { Shell, Terrain, Exterior, Scenery, Static, Dynamic, Filling, Sky };
@@ -117,6 +124,7 @@ struct MeshVertex {
         position = parts.nearest;
         rest = parts.rest;
     }
+    friend bool operator==(const MeshVertex&, const MeshVertex&) = default;
 };
 
 /// Geometry that instances share. Triangles are counter-clockwise from the front; back faces are never drawn
@@ -125,6 +133,7 @@ struct MeshVertex {
 struct Mesh {
     struct Range {
         std::uint32_t firstIndex = 0, indexCount = 0;
+        friend bool operator==(const Range&, const Range&) = default;
     };
     std::uint64_t contentKey =
         0; ///< what it was made from, e.g. the GfxObj id; never depends on where the player is
@@ -136,6 +145,7 @@ struct Mesh {
     std::uint32_t firstPolygonInfo =
         0;         ///< run of World::polygonIds: the polygon's id in its record, by number
     Sphere bounds; ///< model space, of the vertices
+    friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
 /// Something drawn: a shell, a building exterior, a block's terrain, or one part of an object.
@@ -156,6 +166,7 @@ struct Instance {
     std::uint32_t idBase = 0; ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
     float opacity = 1.0f;     ///< times its blended surfaces' own
     Reach reach;              ///< from where it is drawn: one level of detail of several
+    friend bool operator==(const Instance&, const Instance&) = default;
 };
 
 /// What a surface looks like.
@@ -170,6 +181,7 @@ struct Material {
     float luminosity = 0.0f; ///< light it always has, 0..1
     float diffuse = 1.0f;
     dat::RecordId surface = 0;
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// How one landcell's ground is painted (formats/landscape.md §7): base, then overlays and roads through
@@ -180,17 +192,20 @@ struct TerrainCell {
         std::uint32_t alpha = kNone;   ///< index into textures
         std::uint32_t rotation = 0;    ///< quarter turns of the alpha map, 0..3
         float tiling = 1.0f;           ///< repeats per landcell
+        friend bool operator==(const Layer&, const Layer&) = default;
     };
     Layer base;
     std::array<Layer, 3> overlays;
     std::array<Layer, 2> roads; ///< both in the same road texture; their alphas multiply
     std::uint32_t split = 0;    ///< 1: diagonal SW-NE, 0: SE-NW
+    friend bool operator==(const TerrainCell&, const TerrainCell&) = default;
 };
 
 struct Light {
     Vec3 position{0.0}; ///< global
     Vec3f colour{1.0f}; ///< times intensity
     float range = 0.0f; ///< metres
+    friend bool operator==(const Light&, const Light&) = default;
 };
 
 /// How a space is lit: sun and sky, or its own ambient, and the lamps that reach it.
@@ -199,12 +214,14 @@ struct LightSet {
     float sky = 1.0f;                             ///< share of the sky's ambient, 0..1
     float sun = 1.0f;                             ///< share of the sun, 0..1
     std::uint32_t firstLight = 0, lightCount = 0; ///< run of World::lights, at most 8, brightest first
+    friend bool operator==(const LightSet&, const LightSet&) = default;
 };
 
 /// Something odd in the data that the picture copes with; said once.
 struct Finding {
     dat::RecordId record = 0;
     std::string what;
+    friend bool operator==(const Finding&, const Finding&) = default;
 };
 
 struct World {
@@ -229,7 +246,8 @@ struct World {
     std::vector<Material> materials;
     std::vector<std::uint32_t> materialRefs; ///< indices into materials
     std::vector<TerrainCell> terrainCells;
-    std::vector<Image> textures;
+    std::vector<std::shared_ptr<const Image>>
+        textures; ///< never null; worlds that follow each other share them
     std::vector<Light> lights;
     std::vector<LightSet> lightSets;
     Sky sky;

@@ -158,6 +158,29 @@ class ViewWindow(WindowTest):
         self.assertEqual([e["root"] for e in events if e["event"] == "root"][-1], last["root"])
 
     @patiently
+    def test_a_flight_into_other_blocks_comes_out_the_same_again(self):
+        def fly():
+            self.xdotool("keydown", "shift")
+            self.hold("w", 6)
+            self.xdotool("keyup", "shift")
+            self.wait(4)
+
+        # Over the eastern border of a block, beyond the leash; blocks are streamed in.
+        last = self.drive(fly, "--fly", "--eye=32440,34850,120", "--yaw", "90", "--pitch", "0", "--record", "flight")
+        self.assertGreater(last["eye"][0], 32448 + 24)
+        with open(os.path.join(self.work.name, "flight")) as file:
+            lines = [json.loads(line) for line in file]
+        self.assertEqual(lines[0]["streamed"]["far"], 12)
+        shown = [line["shown"] for line in lines if "shown" in line]
+        self.assertTrue(shown)
+        self.assertGreaterEqual(shown[-1]["x"], 169)
+        again = subprocess.run([PROGRAM, "probe", "--walk", "flight"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("otherwise", again.stderr)
+        loaded = [json.loads(line) for line in again.stdout.splitlines() if '"loaded"' in line]
+        self.assertTrue(loaded)
+
+    @patiently
     def test_e_flies_up_and_q_down(self):
         still = self.drive(lambda: None, "--at", "hill")
         self.assertGreater(self.drive(lambda: self.hold("e", 0.8), "--fly", "--at", "hill")["eye"][2], still["eye"][2] + 0.2)

@@ -33,6 +33,21 @@ TEST(WalkRecord, isReadAsItWasWritten) {
     EXPECT_EQ(walk->frames[1].input, still.input);
 }
 
+TEST(WalkRecord, tellsWhatWasStreamedAndWhenItWasShown) {
+    RecordedFrame frame = someFrame();
+    frame.shown = StreamTarget{{0xA9, 0xB4}, {.radius = 4, .detail = 0.75, .farRadius = 12}};
+    world::LoadOptions nearest{.radius = 2};
+    nearest.detail = std::numeric_limits<double>::infinity();
+    const Result<WalkRecord> walk =
+        parseWalk(beginningLine("--eye=1,2,3", nearest) + frameLine(frame) + frameLine(someFrame()), "w");
+    ASSERT_TRUE(walk) << walk.error().message();
+    EXPECT_EQ(walk->streamed, nearest);
+    EXPECT_EQ(walk->frames[0].shown, frame.shown);
+    EXPECT_EQ(walk->frames[0].input, frame.input);
+    EXPECT_FALSE(walk->frames[1].shown);
+    EXPECT_FALSE(parseWalk(beginningLine("") + frameLine(frame), "w")->streamed);
+}
+
 TEST(WalkRecord, everyActHasAName) {
     RecordedFrame frame;
     for (std::size_t kind = 0; kind < PlayAct::kKinds; ++kind)
@@ -40,7 +55,7 @@ TEST(WalkRecord, everyActHasAName) {
     const Result<WalkRecord> walk = parseWalk(beginningLine("") + frameLine(frame), "w");
     ASSERT_TRUE(walk);
     EXPECT_EQ(walk->frames[0].input.acts, frame.input.acts);
-    EXPECT_EQ(static_cast<std::size_t>(PlayAct::Kind::Distance) + 1, PlayAct::kKinds);
+    EXPECT_EQ(static_cast<std::size_t>(PlayAct::Kind::Quality) + 1, PlayAct::kKinds);
 }
 
 TEST(WalkRecord, refusesWhatIsNoWalkAndSaysWhere) {
@@ -48,13 +63,30 @@ TEST(WalkRecord, refusesWhatIsNoWalkAndSaysWhere) {
     for (const std::string& text :
          {std::string(), std::string("{}\n"), std::string("walk\n"), frame, begin,
           std::string(R"({"format":"limen walk","version":2,"start":""})") + "\n" + frame,
-          std::string(R"({"format":"limen walk","version":1,"start":7})") + "\n" + frame})
+          std::string(R"({"format":"limen walk","version":1,"start":7})") + "\n" + frame,
+          std::string(R"({"format":"limen walk","version":1,"start":"","streamed":3})") + "\n" + frame})
         EXPECT_FALSE(parseWalk(text, "w")) << text;
-    for (const char* bad :
-         {"", "[]", "{", R"({"seconds":"1"})", R"({"seconds":-1})", R"({"seconds":1e999})", R"({"jump":1})",
-          R"({"size":[0,5]})", R"({"size":[640]})", R"({"size":[99999,5]})", R"({"acts":"use"})",
-          R"({"acts":[["fly",0]]})", R"({"acts":[["use"]]})", R"({"acts":[[0,0]]})", R"({"decided":"xyz"})",
-          R"({"decided":5})"}) {
+    for (const char* bad : {"",
+                            "[]",
+                            "{",
+                            R"({"seconds":"1"})",
+                            R"({"seconds":-1})",
+                            R"({"seconds":1e999})",
+                            R"({"jump":1})",
+                            R"({"size":[0,5]})",
+                            R"({"size":[640]})",
+                            R"({"size":[99999,5]})",
+                            R"({"acts":"use"})",
+                            R"({"acts":[["fly",0]]})",
+                            R"({"acts":[["use"]]})",
+                            R"({"acts":[[0,0]]})",
+                            R"({"decided":"xyz"})",
+                            R"({"decided":5})",
+                            R"({"shown":{}})",
+                            R"({"shown":{"x":1,"y":300,"radius":4,"far":0}})",
+                            R"({"shown":{"x":1,"y":2,"radius":-4,"far":0}})",
+                            R"({"shown":{"x":1,"y":2,"radius":4,"far":1e9}})",
+                            R"({"shown":{"x":1,"y":2,"radius":4,"far":0,"detail":0}})"}) {
         const Result<WalkRecord> walk = parseWalk(begin + frame + bad + "\n", "my walk");
         ASSERT_FALSE(walk) << bad;
         EXPECT_THAT(walk.error().message(), HasSubstr("my walk"));

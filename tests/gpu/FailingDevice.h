@@ -20,6 +20,9 @@ public:
                                                     std::span<const std::byte> bytes) override {
         return failsNow() ? outOfMemory(label) : device().createBuffer(label, bytes);
     }
+    [[nodiscard]] Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) override {
+        return failsNow() ? outOfMemory(label) : device().reserveBuffer(label, bytes);
+    }
     [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override {
         ++scratchRequests;
         if (scratchFailures > 0) {

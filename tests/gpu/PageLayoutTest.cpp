@@ -61,5 +61,28 @@ RC_GTEST_PROP(PageLayout, everyTextureHasALayerOfItsOwnAtLeastItsSize, (std::vec
     }
 }
 
+TEST(PageLayout, goesOnFromPagesThatWereThere) {
+    const TextureClass small{8, 8, false}, large{64, 64, false}, wide{64, 8, true};
+    const std::vector<TextureClass> before{large, small}, pictures{small, wide, small, small};
+    const PageLayout layout = layOutPages(pictures, 8, 2, before);
+    ASSERT_EQ(layout.pages.size(), 4u);
+    EXPECT_EQ(layout.pages[0].shape, large);
+    EXPECT_EQ(layout.pages[0].layers, 0u) << "nothing needs it";
+    EXPECT_EQ(layout.pages[1].shape, small);
+    EXPECT_EQ(layout.pages[1].layers, 2u);
+    EXPECT_EQ(layout.pages[2].shape, wide);
+    EXPECT_EQ(layout.pages[3].shape, small) << "the first of its shape is full";
+    EXPECT_EQ(layout.places[3].page, 3u);
+    EXPECT_EQ(layout.resampled, 0u);
+}
+
+TEST(PageLayout, beginsAnewWhereThePagesThatWereThereLeaveNoRoom) {
+    const TextureClass small{8, 8, false}, large{64, 64, false}, wide{64, 8, false};
+    const std::vector<TextureClass> before{large, wide}, pictures{small, small};
+    const PageLayout layout = layOutPages(pictures, 2, 4, before);
+    ASSERT_EQ(layout.pages.size(), 1u);
+    EXPECT_EQ(layout.pages[0].shape, small);
+}
+
 } // namespace
 } // namespace limen::gpu

@@ -122,7 +122,7 @@ bool NaiveTracer::isHole(const Triangle& triangle, double v, double w) const {
     if (material.texture == world::kNone) {
         return false;
     }
-    const world::Image& image = world_.textures[material.texture];
+    const world::Image& image = *world_.textures[material.texture];
     const Vec2 uv = Vec2(triangle.uvA) * (1.0 - v - w) + Vec2(triangle.uvB) * v + Vec2(triangle.uvC) * w;
     const auto texel = [&](double coordinate, std::uint32_t size) {
         const bool clamp = (material.flags & world::Material::kClamp) != 0;

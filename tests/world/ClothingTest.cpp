@@ -63,7 +63,7 @@ std::vector<std::pair<int, int>> texelsOf(const World& world, std::uint32_t part
     const Instance& in = world.movingParts[world.villagers.at(0).body.firstPart + part];
     const Material& material = world.materials[world.materialRefs[in.firstMaterial]];
     std::vector<std::pair<int, int>> out;
-    const Image& image = world.textures.at(material.texture);
+    const Image& image = *world.textures.at(material.texture);
     for (std::size_t i = 0; i < image.rgba.size(); i += 4)
         out.emplace_back(image.rgba[i], image.rgba[i + 1]);
     return out;
@@ -127,7 +127,7 @@ TEST(Clothing, isSharedByThoseWhoLookAlikeAndLeavesOthersAlone) {
     EXPECT_NE(materialOf(0), materialOf(2));
     EXPECT_EQ(texelsOf(world, 0).front().second, 2);
     const Material& plain = world.materials[materialOf(2)];
-    EXPECT_EQ(world.textures[plain.texture].rgba[1], 1);
+    EXPECT_EQ(world.textures[plain.texture]->rgba[1], 1);
 }
 
 TEST(Clothing, isWornByThePlayerSolidAndFaded) {
@@ -139,7 +139,7 @@ TEST(Clothing, isWornByThePlayerSolidAndFaded) {
     for (const MovingBody* body : {&world.player.solid, &world.player.ghost}) {
         const Material& material =
             world.materials[world.materialRefs[world.movingParts[body->firstPart].firstMaterial]];
-        EXPECT_EQ(world.textures[material.texture].rgba[1], 2);
+        EXPECT_EQ(world.textures[material.texture]->rgba[1], 2);
     }
 }
 

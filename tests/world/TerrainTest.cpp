@@ -193,7 +193,7 @@ TEST(TerrainCells, arePaintedFromTheRegionsTextures) {
     EXPECT_NE(paved.roads[0].alpha, kNone);
     EXPECT_EQ(paved.roads[0].rotation, 1u);
     EXPECT_EQ(paved.split, splitsSouthWestNorthEast({0x20, 0x30}, 5, 5) ? 1u : 0u);
-    EXPECT_EQ(world.textures[plain.base.texture].rgba[1], 0x80) << "grassland";
+    EXPECT_EQ(world.textures[plain.base.texture]->rgba[1], 0x80) << "grassland";
 }
 
 TEST(IsOnRoad, followsTheTableOfTheFormat) {

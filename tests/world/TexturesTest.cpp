@@ -233,7 +233,7 @@ TEST(Materials, fallBackToGreyAndSaySo) {
     source.addBox({0, 0, 0}, {4, 4, 3}, "jpeg");
     const World world = test::loadTestWorld(source);
     ASSERT_NE(materialOf(world, surface).texture, kNone);
-    EXPECT_EQ(world.textures[materialOf(world, surface).texture].rgba[0], 128);
+    EXPECT_EQ(world.textures[materialOf(world, surface).texture]->rgba[0], 128);
     EXPECT_THAT(test::findingsOf(world), HasSubstr("JPEG picture"));
 }
 

@@ -1,0 +1,196 @@
+#include "StreamBench.h"
+
+#include "HeadlessDriver.h"
+#include "Stopwatch.h"
+#include "TemporaryDirectory.h"
+
+#include "app/SessionStream.h"
+#include "demo/Demo.h"
+#include "demo/Generated.h"
+#include "gpu/NullDevice.h"
+#include "world/Nearby.h"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <thread>
+#include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace limen::bench {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSpeed = 50.0; // metres a second
+constexpr double kFrame = 1.0 / 60.0;
+constexpr double kAbove = 30.0; // metres over the ground
+constexpr int kNear = 4, kFar = 12;
+/// The eye may be a block from the middle of what is loaded: so far everything is to be there at any time.
+constexpr int kAlwaysNear = kNear - 1;
+constexpr std::uint32_t kMapCells = 60'000;
+constexpr double kMiB = 1 << 20;
+
+double residentMiB() {
+    std::ifstream in("/proc/self/statm");
+    double all = 0.0, resident = 0.0;
+    in >> all >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
+}
+
+/// Blocks that there are, and the way over them: from end to end of a small world, else some blocks from its last place that is in no
+/// dungeon towards the middle.
+struct Land {
+    std::vector<dat::BlockCoord> blocks;
+    Vec3 from{0.0}, to{0.0};
+
+    explicit Land(const app::WorldSource& source) {
+        constexpr double kLongest = 12.0 * world::kBlockSize; // metres
+        Aabb bounds;
+        for (int x = 0; x < world::kMapSize; ++x) {
+            for (int y = 0; y < world::kMapSize; ++y) {
+                const dat::BlockCoord block{x, y};
+                if (source.archive.contains<dat::LandBlock>(dat::landBlockId(block)) &&
+                    !world::isDungeon(source.archive, block)) {
+                    blocks.push_back(block);
+                    bounds.include(Vec3(x + 0.5, y + 0.45, 0.0) * world::kBlockSize);
+                }
+            }
+        }
+        from = bounds.min;
+        to = bounds.max;
+        const std::vector<world::Place>& places = source.file.places;
+        const auto isInTown =
+            [&](const world::Place& place) { // and no cell of a dungeon, which may lie anywhere
+                const dat::BlockCoord block =
+                    place.cell == 0 ? world::blockAt(place.eye) : dat::blockOf(place.cell);
+                return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
+            };
+        const auto town = std::find_if(places.rbegin(), places.rend(), isInTown);
+        if (to.x - from.x > kLongest && town != places.rend()) {
+            const double inwards = town->eye.x < 0.5 * (from.x + to.x) ? 1.0 : -1.0;
+            from = town->eye;
+            to = from + Vec3(inwards * kLongest, 0.1 * kLongest, 0.0);
+        }
+    }
+};
+
+struct Flight {
+    std::vector<double> cpu, wall; ///< seconds of streaming, by frame
+    std::size_t missing = 0;       ///< frames in which something of the near tier was not there
+    std::size_t shown = 0;         ///< parts of the world
+    double mostMiB = 0.0;
+};
+
+double quantile(std::vector<double> values, double q) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+bool isAllThere(const world::World& world, const Land& land, dat::BlockCoord eye) {
+    return std::all_of(land.blocks.begin(), land.blocks.end(), [&](dat::BlockCoord block) {
+        if (std::max(std::abs(block.x - eye.x), std::abs(block.y - eye.y)) > kAlwaysNear) {
+            return true;
+        }
+        const world::Block* there = world::findBlock(world, block);
+        return there != nullptr && !there->isFar;
+    });
+}
+
+Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, gpu::Device& device) {
+    const Land land(*source);
+    app::SessionOptions options;
+    options.load.radius = kNear;
+    options.load.farRadius = kFar;
+    app::Session session(source, options, device);
+    if (Result<void> loaded = session.load(world::blockAt(land.from)); !loaded) {
+        return tl::unexpected(loaded.error());
+    }
+    app::SessionStream stream(session);
+    app::FrameEye eye;
+    eye.size = {64, 36};
+    const Vec3 way = land.to - land.from;
+    eye.camera.heading.yaw = glm::degrees(std::atan2(way.x, way.y));
+    const auto frames = static_cast<std::size_t>(glm::length(way) / kSpeed / kFrame);
+    Flight flight;
+    auto due = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < frames; ++i) {
+        Vec3 at = land.from + way * (static_cast<double>(i) / static_cast<double>(frames));
+        const double ground = world::terrainHeight(session.loaded().world, at.x, at.y);
+        at.z = std::isfinite(ground) ? ground + kAbove : kAbove;
+        eye.camera.eye = eye.player = at;
+        eye.seconds = static_cast<double>(i) * kFrame;
+        const double cpu = threadSeconds();
+        flight.wall.push_back(
+            secondsOf([&] { flight.shown += stream.follow(at, eye.root, nullptr) ? 1 : 0; }));
+        flight.cpu.push_back(threadSeconds() - cpu);
+        if (const std::string fault = stream.takeFault(); !fault.empty()) {
+            return fail(ErrorCode::NotFound, "stream", fault);
+        }
+        flight.missing += isAllThere(session.loaded().world, land, world::blockAt(at)) ? 0 : 1;
+        if (Result<void> drawn = session.draw(eye, {}); !drawn) {
+            return tl::unexpected(drawn.error());
+        }
+        flight.mostMiB = std::max(flight.mostMiB, i % 20 == 0 ? residentMiB() : 0.0);
+        due = std::max(
+            due + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(kFrame)),
+            std::chrono::steady_clock::now());
+        std::this_thread::sleep_until(due);
+    }
+    return flight;
+}
+
+BenchRow rowOf(const char* name, std::string scene, double value, const char* unit, double target) {
+    BenchRow row{name, std::move(scene), value, value, unit};
+    row.target = target;
+    row.hasTarget = true;
+    return row;
+}
+
+void addRows(const std::string& scene, const Result<Flight>& flight, std::vector<BenchRow>& rows) {
+    if (!flight) {
+        rows.push_back(rowOf("stream", scene + ": " + flight.error().message(), kNone, "ms", 0.5));
+        return;
+    }
+    const std::string times =
+        fmt::format("{}, {} frames, {} parts; by the clock median {:.3f}, p99 {:.3f}, most {:.2f} ms", scene,
+                    flight->cpu.size(), flight->shown, quantile(flight->wall, 0.5) * 1e3,
+                    quantile(flight->wall, 0.99) * 1e3, quantile(flight->wall, 1.0) * 1e3);
+    BenchRow main = rowOf("stream/main", times, quantile(flight->cpu, 0.99) * 1e3, "ms", 0.5);
+    main.p95 = quantile(flight->cpu, 0.95) * 1e3;
+    rows.push_back(main);
+    rows.push_back(rowOf("stream/missing", scene, static_cast<double>(flight->missing), "frames", 2.0));
+    rows.push_back(rowOf("stream/memory", scene, flight->mostMiB, "MiB", 512.0));
+}
+
+} // namespace
+
+std::vector<BenchRow> benchStream(AllocationCounter) {
+    const TemporaryDirectory builtIn("stream-built-in"), generated("stream-generated");
+    std::vector<BenchRow> rows;
+    const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory,
+                             Result<void> written, gpu::Device& device) {
+#ifdef __GLIBC__
+        ::malloc_trim(0); // what was written is no part of a session
+#endif
+        Result<app::WorldSource> source = app::openWorldSource(directory.path().string());
+        if (!written || !source) {
+            addRows(scene, tl::unexpected(written ? source.error() : written.error()), rows);
+            return;
+        }
+        addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), device), rows);
+    };
+    gpu::NullDevice first, second;
+    measure("built-in world, null device", builtIn, demo::writeBuiltInWorld(builtIn.path()), first);
+    const Result<void> map =
+        demo::writeGeneratedWorld({demo::GeneratedKind::Map, kMapCells}, generated.path());
+    measure("whole map, null device", generated, map, second);
+    if (const std::optional<HeadlessDriver> driver = openDriver()) {
+        measure("whole map, " + driver->device->capabilities().renderer, generated, map, *driver->device);
+    }
+    return rows;
+}
+
+} // namespace limen::bench

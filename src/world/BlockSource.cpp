@@ -1,0 +1,71 @@
+#include "world/BlockSource.h"
+
+#include "world/BlockBuilder.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace limen::world {
+
+/// What one thread builds with.
+struct BlockSource::Worker {
+    Worker(const dat::Archive& archive, const dat::Region* region, double detail, LoadCache* cache)
+        : records(archive), models(records, detail, cache), merged(records, models, region, true),
+          apart(records, models, region, false) {}
+
+    std::optional<BlockContent> build(const BlockKey& key) {
+        BlockBuilder& builder = key.mergeZones ? merged : apart;
+        const dat::BlockCoord coord{key.x, key.y};
+        return key.tier == Tier::Near ? builder.build(coord) : builder.buildFar(coord);
+    }
+
+    Records records;
+    Models models;
+    BlockBuilder merged, apart;
+};
+
+BlockSource::BlockSource(const dat::Archive& archive, const dat::Region* region, double detail,
+                         const LoadHelp& help)
+    : archive_(archive), region_(region), help_(help) {
+    for (unsigned i = 0; i < std::max(help.threads, 1u); ++i)
+        workers_.push_back(std::make_unique<Worker>(archive_, region_, detail, help_.cache));
+}
+
+BlockSource::~BlockSource() = default;
+
+std::shared_ptr<const BlockContent> BlockSource::find(const BlockKey& key) const {
+    return help_.cache != nullptr ? help_.cache->blocks.find(key) : nullptr;
+}
+
+std::shared_ptr<const BlockContent> BlockSource::keep(const BlockKey& key, BlockContent&& block) const {
+    auto shared = std::make_shared<const BlockContent>(std::move(block));
+    return help_.cache != nullptr ? help_.cache->blocks.keep(key, shared, bytesOf(*shared)) : shared;
+}
+
+std::vector<std::shared_ptr<const BlockContent>> BlockSource::build(std::span<const BlockKey> keys) {
+    std::vector<std::shared_ptr<const BlockContent>> blocks(keys.size());
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        blocks[i] = find(keys[i]);
+        if (blocks[i] == nullptr)
+            missing.push_back(i);
+    }
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&](Worker& worker) {
+        for (std::size_t i = next++; i < missing.size(); i = next++) {
+            const BlockKey& key = keys[missing[i]];
+            if (std::optional<BlockContent> built = worker.build(key))
+                blocks[missing[i]] = keep(key, std::move(*built));
+        }
+    };
+    std::vector<std::thread> helpers;
+    for (std::size_t i = 1; i < std::min(workers_.size(), missing.size()); ++i)
+        helpers.emplace_back([&, i] { work(*workers_[i]); });
+    work(*workers_.front());
+    for (std::thread& helper : helpers)
+        helper.join();
+    return blocks;
+}
+
+} // namespace limen::world

@@ -1,0 +1,261 @@
+// A scene that comes in slices beside the one that is drawn: the same on the device as one that comes at once, with what both have
+// in common shared, and nothing of the old one released too early or never.
+#include "SceneBuilder.h"
+#include "gpu/CheckedDevice.h"
+#include "gpu/NullDevice.h"
+#include "gpu/Renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace limen::gpu::test {
+namespace {
+
+/// Writes down what textures and buffers are made of, and how much each step moves.
+class WritingDevice final : public ForwardingDevice {
+public:
+    using ForwardingDevice::ForwardingDevice;
+    using Level = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>; ///< texture, layer, level
+
+    [[nodiscard]] Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) override {
+        const Result<BufferHandle> buffer = device().reserveBuffer(label, bytes);
+        labels[*buffer] = label;
+        sizes[std::string(label)] = bytes;
+        arrays[std::string(label)].clear();
+        return buffer;
+    }
+    void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) override {
+        device().writeBuffer(buffer, offset, bytes);
+        std::vector<std::byte>& array = arrays[labels[buffer]];
+        EXPECT_EQ(array.size(), offset);
+        array.insert(array.end(), bytes.begin(), bytes.end());
+        moved += bytes.size();
+    }
+    [[nodiscard]] Result<TextureHandle> createTexture(std::string_view label,
+                                                      const TextureShape& shape) override {
+        ++textures;
+        return device().createTexture(label, shape);
+    }
+    void writeTexture(TextureHandle texture, const TextureRows& rows,
+                      std::span<const std::uint8_t> rgba) override {
+        device().writeTexture(texture, rows, rgba);
+        auto& level = levels[{static_cast<std::uint32_t>(texture), rows.layer, rows.level}];
+        EXPECT_EQ(level.size(), std::size_t{rows.first} * rows.width * 4);
+        level.insert(level.end(), rgba.begin(), rgba.end());
+        moved += rgba.size();
+    }
+    [[nodiscard]] Result<ProgramHandle> createProgram(const ProgramSource& source) override {
+        ++programs;
+        return device().createProgram(source);
+    }
+    /// Texels of all textures in the order they were made.
+    [[nodiscard]] std::vector<std::vector<std::uint8_t>> texels() const {
+        std::vector<std::vector<std::uint8_t>> all;
+        for (const auto& [place, level] : levels)
+            all.push_back(level);
+        return all;
+    }
+
+    std::map<BufferHandle, std::string> labels;
+    std::map<std::string, std::size_t> sizes;
+    std::map<std::string, std::vector<std::byte>> arrays;
+    std::map<Level, std::vector<std::uint8_t>> levels;
+    std::size_t moved = 0, textures = 0, programs = 0;
+};
+
+Capabilities capabilitiesOf(bool bindless) {
+    Capabilities capabilities = NullDevice::defaultCapabilities();
+    capabilities.bindless = bindless;
+    return capabilities;
+}
+
+/// Walls with pictures; those of one key are the same in every scene.
+class Scene {
+public:
+    Scene(std::initializer_list<std::uint64_t> keys, std::uint32_t walls) {
+        builder.root(0);
+        for (const std::uint64_t key : keys) {
+            const std::uint32_t side = key % 2 == 0 ? 32 : 16;
+            std::vector<std::uint8_t> texels(std::size_t{side} * side * 4);
+            for (std::size_t i = 0; i < texels.size(); ++i)
+                texels[i] = static_cast<std::uint8_t>(i * (key + 7));
+            const std::uint32_t texture = builder.addTexture(side, side, std::move(texels));
+            builder.upload.textures.back().contentKey = key;
+            material_ = builder.addMaterial({1, 1, 1, 1}, texture);
+        }
+        for (std::uint32_t i = 0; i < walls; ++i)
+            builder.addWall('A' + i, {-1, -1}, {1, 1}, 1.0f + static_cast<float>(i), {.material = material_});
+        builder.finish();
+    }
+    SceneBuilder builder;
+
+private:
+    std::uint32_t material_ = 0;
+};
+
+class StagedScenes : public ::testing::TestWithParam<bool> {
+protected:
+    void upload(const Scene& scene) { ASSERT_TRUE(renderer_.upload(scene.builder.upload)); }
+    void begin(const Scene& scene) {
+        Result<StagedScene> staged =
+            stageScene(scene.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
+        ASSERT_TRUE(staged);
+        ASSERT_TRUE(renderer_.begin(std::move(*staged)));
+    }
+    /// Yields how many slices it took.
+    int advanceToTheEnd(std::size_t bytes) {
+        for (int slices = 1; slices < 100'000; ++slices) {
+            const std::size_t before = device_.moved;
+            const Result<bool> advanced = renderer_.advance(bytes);
+            EXPECT_TRUE(advanced) << (advanced ? "" : advanced.error().message());
+            EXPECT_LE(device_.moved - before, bytes + kSlack);
+            if (!advanced || *advanced)
+                return slices;
+        }
+        ADD_FAILURE() << "it never ends";
+        return 0;
+    }
+    void draw(const Scene& scene) {
+        ASSERT_TRUE(renderer_.render(scene.builder.plan, target_));
+        for (const std::string& fault : checked_.faults())
+            ADD_FAILURE() << fault;
+    }
+
+    static constexpr std::size_t kSlack = 512; ///< a row of texels, and what fills up short arrays
+    NullDevice null_{capabilitiesOf(GetParam())};
+    CheckedDevice checked_{null_};
+    WritingDevice device_{checked_};
+    RenderTarget target_ = *RenderTarget::create(device_, 8, 8);
+    Renderer renderer_{device_};
+};
+
+TEST_P(StagedScenes, inSlicesTheSameIsThereAsAtOnce) {
+    const Scene scene({1, 2, 3, 4, 5}, 40);
+    NullDevice null(capabilitiesOf(GetParam()));
+    WritingDevice atOnce(null);
+    Renderer other(atOnce);
+    ASSERT_TRUE(other.upload(scene.builder.upload));
+    begin(scene);
+    EXPECT_GT(advanceToTheEnd(700), 20);
+    renderer_.swap();
+    EXPECT_EQ(device_.arrays, atOnce.arrays);
+    EXPECT_EQ(device_.texels(), atOnce.texels());
+    for (const auto& [label, bytes] : device_.arrays)
+        EXPECT_EQ(bytes.size(), device_.sizes[label]) << label;
+    draw(scene);
+}
+
+TEST_P(StagedScenes, theOldSceneIsDrawnUntilTheSwap) {
+    const Scene before({1, 2}, 3), after({3, 4}, 30);
+    upload(before);
+    begin(after);
+    for (int i = 0; i < 3; ++i) {
+        draw(before);
+        ASSERT_TRUE(renderer_.advance(300));
+    }
+    advanceToTheEnd(1 << 20);
+    draw(before);
+    renderer_.swap();
+    draw(after);
+}
+
+TEST_P(StagedScenes, whatBothHaveIsShared) {
+    const Scene before({1, 2, 3, 4}, 3), after({4, 3, 2, 1}, 5);
+    upload(before);
+    draw(before);
+    const std::size_t textures = device_.textures, programs = device_.programs;
+    device_.levels.clear();
+    begin(after);
+    advanceToTheEnd(1 << 20);
+    renderer_.swap();
+    draw(after);
+    EXPECT_EQ(device_.textures, textures) << "none is made anew";
+    EXPECT_TRUE(device_.levels.empty()) << "none is written";
+    EXPECT_EQ(device_.programs, programs);
+}
+
+TEST_P(StagedScenes, aSmallerSceneNeedsNoOtherPrograms) {
+    const Scene both({1, 2}, 3), one({1}, 3), again({2, 3, 1}, 3);
+    upload(both);
+    draw(both);
+    const std::size_t programs = device_.programs;
+    for (const Scene* next : {&one, &again, &both}) {
+        begin(*next);
+        advanceToTheEnd(1 << 20);
+        renderer_.swap();
+        draw(*next);
+        EXPECT_EQ(device_.programs, programs);
+    }
+}
+
+TEST_P(StagedScenes, whatIsDrawnNoMoreGoesWhenNoFrameReadsIt) {
+    const Scene before({1, 2, 3}, 3), after({3, 5, 8}, 3);
+    upload(after);
+    draw(after);
+    const DeviceObjects alone = null_.objects();
+    upload(before);
+    draw(before);
+    for (const Scene* next : {&after, &before, &after}) {
+        begin(*next);
+        advanceToTheEnd(500);
+        draw(next == &after ? before : after);
+        renderer_.swap();
+        const std::size_t live = null_.liveObjects();
+        for (std::size_t frame = 0; frame < kFramesInFlight; ++frame) {
+            ASSERT_TRUE(renderer_.advance(500));
+            EXPECT_EQ(null_.liveObjects(), live) << "frames under way read it";
+            draw(*next);
+        }
+        for (int i = 0; i < 40; ++i) {
+            ASSERT_TRUE(renderer_.advance(500));
+            draw(*next);
+        }
+    }
+    EXPECT_EQ(null_.objects().buffers, alone.buffers);
+    EXPECT_EQ(null_.objects().bufferBytes, alone.bufferBytes);
+    EXPECT_EQ(null_.objects().residentHandles, alone.residentHandles);
+    EXPECT_EQ(null_.objects().textures, alone.textures);
+}
+
+TEST_P(StagedScenes, oneThatIsNotWantedAnyMoreLeavesNothing) {
+    const Scene scene({1, 2}, 3), other({2, 4, 6, 8}, 30);
+    upload(scene);
+    draw(scene);
+    const DeviceObjects objects = null_.objects();
+    for (const std::size_t slices : {1, 4, 10}) {
+        begin(other);
+        for (std::size_t i = 0; i < slices; ++i)
+            ASSERT_TRUE(renderer_.advance(900));
+        renderer_.drop();
+        for (int i = 0; i < 40; ++i) {
+            ASSERT_TRUE(renderer_.advance(900));
+            draw(scene);
+        }
+        DeviceObjects now = null_.objects();
+        now.programs = objects.programs; // some are kept for the next that needs them
+        EXPECT_EQ(now, objects);
+    }
+}
+
+TEST_P(StagedScenes, oneStagedBesideAnotherSceneIsRefusedWhereThatIsMissed) {
+    const Scene first({2, 4}, 3), second({6, 8, 10}, 3), third({2, 4}, 5);
+    upload(first);
+    Result<StagedScene> staged =
+        stageScene(third.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
+    ASSERT_TRUE(staged);
+    upload(second);
+    draw(second);
+    ASSERT_TRUE(renderer_.begin(std::move(*staged)));
+    const Result<bool> advanced = renderer_.advance(1 << 20);
+    ASSERT_FALSE(advanced);
+    EXPECT_EQ(advanced.error().code, ErrorCode::BadArgument);
+    draw(second);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bindings, StagedScenes, ::testing::Bool(),
+                         [](const auto& about) { return about.param ? "bindless" : "pages"; });
+
+} // namespace
+} // namespace limen::gpu::test
