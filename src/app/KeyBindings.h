@@ -69,9 +69,10 @@ class KeyBindings {
 public:
     KeyBindings(); ///< as ActionFacts say
 
-    [[nodiscard]] std::span<const KeyCode> keysOf(Action action) const {
+    [[nodiscard]] std::span<const KeyCode> keysOf(Action action) const& {
         return keys_[static_cast<std::size_t>(action)];
     }
+    std::span<const KeyCode> keysOf(Action action) const&& = delete; ///< they would be gone
     /// One, or two of which one is for walking and the other for flying; none.
     [[nodiscard]] std::vector<Action> actionsOf(KeyCode key) const;
 

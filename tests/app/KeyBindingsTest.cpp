@@ -52,9 +52,10 @@ TEST(KeyBindings, everyActionHasANameOfItsOwnAndAKeyAtFirst) {
 }
 
 TEST(KeyBindings, atFirstNoKeyDoesTwoThingsAtATime) {
+    const KeyBindings bindings;
     for (const Action action : all()) {
-        for (const KeyCode bound : KeyBindings().keysOf(action)) {
-            const std::vector<Action> actions = KeyBindings().actionsOf(bound);
+        for (const KeyCode bound : bindings.keysOf(action)) {
+            const std::vector<Action> actions = bindings.actionsOf(bound);
             ASSERT_LE(actions.size(), 2u) << nameOf(bound);
             if (actions.size() == 2) {
                 EXPECT_NE(factsOf(actions[0]).when, factsOf(actions[1]).when) << nameOf(bound);
