@@ -94,18 +94,20 @@ class KeyedWalk(WindowTest):
         return off
 
     def open_door(self, view):
-        """If a shut door is in reach, opens it and waits until it stands open."""
+        """If a shut door is in reach, opens it and waits until it stands open; yields whether."""
         door = view.state["door"]
         if not door or door in view.state["open_doors"]:
-            return
+            return False
         self.hands.key("w", False)
         self.hands.tap("e")
         view.until(lambda s: door in s["open_doors"], f"{door} opens", 60)
         self.opened.append(door)
         for _ in range(25):  # it takes a second
             view.next()
+        return True
 
-    def go_to(self, view, point, last=False):
+    def go_to(self, view, point):
+        """Yields whether it got there: not if there was a door to open, whose leaf may have pushed one aside."""
         def distance():
             feet = view.state["body"]["feet"]
             return math.dist(feet[:2], point[:2])
@@ -115,16 +117,21 @@ class KeyedWalk(WindowTest):
             off = self.turn_towards(view, point)
             self.hands.key("w", abs(off) < 35.0)
             view.latest()
-            if waited > 10:
-                self.open_door(view)
+            if waited > 10 and self.open_door(view):
+                return False
             waited = 0 if distance() < best - 0.02 else waited + 1
             best = min(best, distance())
             self.assertLess(waited, self.PATIENCE, f"stuck before {point}: {view.state}")
         self.roots.add(view.state["root"])
+        return True
 
     def walk(self, view, points):
-        for point in points:
-            self.go_to(view, point)
+        at = 0
+        while at < len(points):
+            if self.go_to(view, points[at]):
+                at += 1
+            else:
+                at = max(at - 3, 0)  # comes again, around the leaf that stands open
         self.hands.key("w", False)
         view.latest()
 
