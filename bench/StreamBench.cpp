@@ -1,5 +1,6 @@
 #include "StreamBench.h"
 
+#include "ChildProcess.h"
 #include "HeadlessDriver.h"
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
@@ -15,9 +16,6 @@
 #include <limits>
 #include <thread>
 #include <unistd.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace limen::bench {
 
@@ -40,14 +38,12 @@ double residentMiB() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
 }
 
-/// Blocks that there are, and the way over them: from end to end of a small world, else some blocks from its last place that is in no
-/// dungeon towards the middle.
+/// Blocks that there are, and the way over them from end to end.
 struct Land {
     std::vector<dat::BlockCoord> blocks;
     Vec3 from{0.0}, to{0.0};
 
     explicit Land(const app::WorldSource& source) {
-        constexpr double kLongest = 12.0 * world::kBlockSize; // metres
         Aabb bounds;
         for (int x = 0; x < world::kMapSize; ++x) {
             for (int y = 0; y < world::kMapSize; ++y) {
@@ -61,18 +57,21 @@ struct Land {
         }
         from = bounds.min;
         to = bounds.max;
-        const std::vector<world::Place>& places = source.file.places;
-        const auto isInTown =
-            [&](const world::Place& place) { // and no cell of a dungeon, which may lie anywhere
-                const dat::BlockCoord block =
-                    place.cell == 0 ? world::blockAt(place.eye) : dat::blockOf(place.cell);
-                return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
-            };
-        const auto town = std::find_if(places.rbegin(), places.rend(), isInTown);
-        if (to.x - from.x > kLongest && town != places.rend()) {
+    }
+
+    /// Cuts the way down to some blocks from the last place that is in no dungeon towards the middle.
+    void keepPart(const std::vector<world::Place>& places) {
+        constexpr double kLength = 12.0 * world::kBlockSize;   // metres
+        const auto isOnLand = [&](const world::Place& place) { // a dungeon's cells may lie anywhere
+            const dat::BlockCoord block =
+                place.cell == 0 ? world::blockAt(place.eye) : dat::blockOf(place.cell);
+            return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
+        };
+        const auto town = std::find_if(places.rbegin(), places.rend(), isOnLand);
+        if (town != places.rend()) {
             const double inwards = town->eye.x < 0.5 * (from.x + to.x) ? 1.0 : -1.0;
             from = town->eye;
-            to = from + Vec3(inwards * kLongest, 0.1 * kLongest, 0.0);
+            to = from + Vec3(inwards * kLength, 0.1 * kLength, 0.0);
         }
     }
 };
@@ -99,8 +98,8 @@ bool isAllThere(const world::World& world, const Land& land, dat::BlockCoord eye
     });
 }
 
-Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, gpu::Device& device) {
-    const Land land(*source);
+Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, const Land& land,
+                   gpu::Device& device) {
     app::SessionOptions options;
     options.load.radius = kNear;
     options.load.farRadius = kFar;
@@ -170,25 +169,47 @@ void addRows(const std::string& scene, const Result<Flight>& flight, std::vector
 std::vector<BenchRow> benchStream(AllocationCounter) {
     const TemporaryDirectory builtIn("stream-built-in"), generated("stream-generated");
     std::vector<BenchRow> rows;
-    const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory,
-                             Result<void> written, gpu::Device& device) {
-#ifdef __GLIBC__
-        ::malloc_trim(0); // what was written is no part of a session
-#endif
+    const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory, bool whole,
+                             const Result<void>& written, gpu::Device& device) {
         Result<app::WorldSource> source = app::openWorldSource(directory.path().string());
         if (!written || !source) {
             addRows(scene, tl::unexpected(written ? source.error() : written.error()), rows);
             return;
         }
-        addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), device), rows);
+        Land land(*source);
+        if (!whole) {
+            land.keepPart(source->file.places);
+        }
+        addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
     };
-    gpu::NullDevice first, second;
-    measure("built-in world, null device", builtIn, demo::writeBuiltInWorld(builtIn.path()), first);
-    const Result<void> map =
-        demo::writeGeneratedWorld({demo::GeneratedKind::Map, kMapCells}, generated.path());
-    measure("whole map, null device", generated, map, second);
+    // The writers' memory is no part of a session's.
+    const Result<void> world = inChildProcess([&] { return demo::writeBuiltInWorld(builtIn.path()); });
+    const Result<void> map = inChildProcess([&] {
+        return demo::writeGeneratedWorld({demo::GeneratedKind::Map, kMapCells}, generated.path());
+    });
+    measure("built-in world, null device", builtIn, true, world, *std::make_unique<gpu::NullDevice>());
+    measure("whole map, null device", generated, false, map, *std::make_unique<gpu::NullDevice>());
     if (const std::optional<HeadlessDriver> driver = openDriver()) {
-        measure("whole map, " + driver->device->capabilities().renderer, generated, map, *driver->device);
+        measure("whole map, " + driver->device->capabilities().renderer, generated, false, map,
+                *driver->device);
+    }
+    return rows;
+}
+
+std::vector<BenchRow> benchStreamOver(const std::string& dat) {
+    std::vector<BenchRow> rows;
+    const auto measure = [&](const std::string& scene, gpu::Device& device) {
+        Result<app::WorldSource> source = app::openWorldSource(dat);
+        if (!source) {
+            addRows(scene, tl::unexpected(source.error()), rows);
+            return;
+        }
+        const Land land(*source);
+        addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
+    };
+    measure(dat + ", null device", *std::make_unique<gpu::NullDevice>());
+    if (const std::optional<HeadlessDriver> driver = openDriver()) {
+        measure(dat + ", " + driver->device->capabilities().renderer, *driver->device);
     }
     return rows;
 }

@@ -25,6 +25,7 @@ struct Bench {
     const char* name;
     const char* what;
     std::vector<bench::BenchRow> (*run)(bench::AllocationCounter);
+    std::vector<bench::BenchRow> (*runOver)(const std::string& dat) = nullptr; ///< null: only on its own data
 };
 
 constexpr std::array kBenches{
@@ -37,7 +38,7 @@ constexpr std::array kBenches{
     Bench{"soak", "memory and device objects over an hour of walking", &bench::benchSoak},
     Bench{"stream",
           "flying over landblocks that are streamed in: time of the drawing thread, what is missing, memory",
-          &bench::benchStream},
+          &bench::benchStream, &bench::benchStreamOver},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &bench::benchCalls},
     Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
           &bench::benchFlood},
@@ -45,13 +46,18 @@ constexpr std::array kBenches{
 
 struct BenchOptions {
     std::vector<std::string> names;
+    std::string dat; ///< empty: each benchmark's own
     bool json = false, list = false;
 };
 
-Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names) {
+Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, bool overDat) {
     std::vector<const Bench*> benches;
     for (const Bench& bench : kBenches) {
-        if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end())
+        const bool isNamed = std::find(names.begin(), names.end(), bench.name) != names.end();
+        if (isNamed && overDat && bench.runOver == nullptr)
+            return fail(ErrorCode::NotFound, "bench",
+                        fmt::format("'{}' runs on its own data alone", bench.name));
+        if (isNamed || (names.empty() && (!overDat || bench.runOver != nullptr)))
             benches.push_back(&bench);
     }
     for (const std::string& name : names) {
@@ -68,14 +74,15 @@ Result<Exit> runBench(const BenchOptions& options, const Console& console) {
             console.data(fmt::format("{:<8} {}\n", bench.name, bench.what));
         return Exit::Done;
     }
-    const Result<std::vector<const Bench*>> benches = chosen(options.names);
+    const Result<std::vector<const Bench*>> benches = chosen(options.names, !options.dat.empty());
     if (!benches)
         return tl::unexpected(benches.error());
     bool allMet = true;
     Progress progress(console, "bench", benches->size());
     for (std::size_t i = 0; i < benches->size(); ++i) {
         progress.step(i);
-        const std::vector<bench::BenchRow> rows = (*benches)[i]->run(&allocationCount);
+        const std::vector<bench::BenchRow> rows =
+            options.dat.empty() ? (*benches)[i]->run(&allocationCount) : (*benches)[i]->runOver(options.dat);
         allMet = allMet && std::all_of(rows.begin(), rows.end(), isMet);
         if (!options.json)
             console.data(benchTable(rows));
@@ -92,6 +99,8 @@ void addBenchVerb(CLI::App& program, const Console& console, Choice& choice) {
         program.add_subcommand("bench", "measures, and compares with targets (exit 1 if one is missed)");
     const auto options = std::make_shared<BenchOptions>();
     verb->add_option("NAME", options->names, "which benchmarks; all of them unless said")->type_name("");
+    verb->add_option("--dat", options->dat, "on this data instead of the benchmark's own (stream)")
+        ->type_name("DIR");
     verb->add_flag("--json", options->json, "one JSON object a row");
     verb->add_flag("--list", options->list, "names the benchmarks");
     verb->footer("ratio: how many times better than the best figure it is measured against.");

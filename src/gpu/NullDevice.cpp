@@ -43,14 +43,15 @@ Result<BufferHandle> NullDevice::createScratch(std::string_view, std::size_t byt
     ++objects_.buffers;
     objects_.bufferBytes += bytes;
     bufferSizes_.push_back(bytes);
-    buffers_.emplace_back(bytes);
+    buffers_.emplace_back().reserve(
+        bytes); // nobody writes it here: as with a driver, it takes up nothing before
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
 void NullDevice::destroyBuffer(BufferHandle buffer) {
     --objects_.buffers;
     objects_.bufferBytes -= bufferSizes_[static_cast<std::size_t>(buffer)];
-    buffers_[static_cast<std::size_t>(buffer)] = {};
+    std::vector<std::byte>().swap(buffers_[static_cast<std::size_t>(buffer)]); // `= {}` would keep its memory
 }
 
 Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {

@@ -208,5 +208,15 @@ TEST_F(NullDeviceTest, brokenScene_isRefusedAndTheOldOneStays) {
     draw(scene);
 }
 
+TEST(NullDevice, buffersThatAreGoneTakeUpNoMemory) {
+    NullDevice device;
+    const Result<BufferHandle> buffer = device.createBuffer("b", std::vector<std::byte>(1000));
+    ASSERT_TRUE(buffer);
+    EXPECT_EQ(device.buffer(*buffer).size(), 1000u);
+    device.destroyBuffer(*buffer);
+    EXPECT_EQ(device.buffer(*buffer).data(), nullptr);
+    EXPECT_EQ(device.objects().bufferBytes, 0u);
+}
+
 } // namespace
 } // namespace limen::gpu::test
