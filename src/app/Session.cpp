@@ -271,6 +271,7 @@ Result<void> Session::load(dat::BlockCoord centre) {
 Result<std::shared_ptr<LoadedWorld>> Session::read(const StreamTarget& target, unsigned threads) const {
     Result<std::unique_ptr<LoadedWorld>> loaded = LoadedWorld::load(
         source_->archive, target.centre, target.options, source_->file.moving, {cache_.get(), threads});
+    source_->archive.letPagesGo(); // what is needed again soon is in the cache
     if (!loaded)
         return tl::unexpected(loaded.error());
     return std::shared_ptr<LoadedWorld>(std::move(*loaded));

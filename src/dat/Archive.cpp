@@ -135,6 +135,13 @@ Result<RecordId> Archive::imageOf(const SurfaceTexture& texture) const {
         fmt::format("none of its {} images is in the portal file or in highres", texture.images.size()));
 }
 
+void Archive::letPagesGo() const {
+    for (const File* file : {&portal_, &cell_, highres(), local()}) {
+        if (file != nullptr)
+            file->letPagesGo();
+    }
+}
+
 #define LIMEN_DAT_RECORD(Record)                                                                             \
     template Result<Record> Archive::load<Record>(RecordId) const;                                           \
     template bool Archive::contains<Record>(RecordId) const;

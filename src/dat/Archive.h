@@ -33,6 +33,8 @@ public:
     /// The image to show for a SurfaceTexture: the first of its list, largest first, that portal or highres
     /// holds.
     [[nodiscard]] Result<RecordId> imageOf(const SurfaceTexture& texture) const;
+    /// File::letPagesGo of all of them.
+    void letPagesGo() const;
 
 private:
     Archive(std::filesystem::path directory, File portal, File cell)

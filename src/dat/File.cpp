@@ -81,6 +81,10 @@ const std::vector<std::string>& File::warnings() const {
     return impl_->warnings;
 }
 
+void File::letPagesGo() const {
+    impl_->mapping.letPagesGo();
+}
+
 Result<std::optional<Entry>> File::find(RecordId id) const {
     auto found = impl_->tree.find(id);
     if (!found)

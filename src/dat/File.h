@@ -60,6 +60,9 @@ public:
                                        std::vector<std::string>* warnings = nullptr) const;
     /// What was odd at opening but does not stop reading: a fileSize that differs from the real length.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
+    /// What was read of it counts as memory of this process no longer, though it is as valid as before; reading it again costs a little.
+    /// For whoever has read much and now will not for a while. Safe while other threads read.
+    void letPagesGo() const;
 
 private:
     struct Impl;

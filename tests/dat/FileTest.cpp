@@ -1,6 +1,8 @@
 #include "dat/File.h"
 #include "dat/Writer.h"
 
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 namespace limen::dat {
@@ -69,6 +71,45 @@ INSTANTIATE_TEST_SUITE_P(BothBlockSizes, ContainerRoundTrip,
                                          Shape{1024, 20000}, Shape{256, 1}, Shape{256, 60}, Shape{256, 61},
                                          Shape{256, 500}, Shape{256, 4000}, Shape{256, 20000}, Shape{64, 200},
                                          Shape{65536, 100}));
+
+/// Bytes of files that count as this process's memory.
+std::size_t mappedBytes() {
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    std::size_t kilobytes = 0;
+    while (status >> word && word != "RssFile:") {
+    }
+    status >> kilobytes;
+    return kilobytes << 10;
+}
+
+TEST(DatFile, pagesThatItLetsGoCountNoLongerAndAreReadAgain) {
+    constexpr RecordId kRecords = 4000;
+    constexpr std::size_t kSize = 1000, kMost = std::size_t{1} << 20;
+    Writer writer(FileTraits::portal());
+    for (RecordId i = 0; i < kRecords; ++i)
+        writer.add(0x01000000u + i, patternOf(i, kSize));
+    const std::string path = testing::TempDir() + "lets-go.dat";
+    ASSERT_TRUE(writer.write(path));
+    const std::size_t before = mappedBytes();
+    const Result<File> file = File::open(path);
+    ASSERT_TRUE(file) << file.error().message();
+    Bytes scratch;
+    const auto areRead = [&] {
+        for (RecordId i = 0; i < kRecords; ++i) {
+            const auto payload = file->read(0x01000000u + i, scratch);
+            if (!payload || !std::equal(payload->begin(), payload->end(), patternOf(i, kSize).begin()))
+                return false;
+        }
+        return true;
+    };
+    EXPECT_TRUE(areRead());
+    EXPECT_GT(mappedBytes(), before + 3 * kMost);
+    file->letPagesGo();
+    EXPECT_LT(mappedBytes(), before + kMost);
+    EXPECT_TRUE(areRead());
+    std::filesystem::remove(path);
+}
 
 } // namespace
 } // namespace limen::dat

@@ -74,6 +74,11 @@ Mapping::~Mapping() {
     release();
 }
 
+void Mapping::letPagesGo() const {
+    if (data_ != nullptr && owned_.empty() && size_ != 0)
+        ::madvise(const_cast<std::byte*>(data_), size_, MADV_DONTNEED); // a hint: that it fails changes nothing
+}
+
 void Mapping::release() {
     if (data_ != nullptr && owned_.empty() && size_ != 0)
         ::munmap(const_cast<std::byte*>(data_), size_);

@@ -20,6 +20,10 @@ public:
 
     [[nodiscard]] ByteView bytes() const { return {data_, size_}; }
 
+    /// Has no page of the file count as this process's memory until it is read again; the system keeps them as long as it has room. Others
+    /// may read meanwhile.
+    void letPagesGo() const;
+
 private:
     Mapping() = default;
     void release();
