@@ -8,6 +8,8 @@
 
 namespace limen::world {
 
+constexpr std::size_t kMostEnvironments = 64; // decoded from one block to the next: some 10 MiB
+
 /// What one thread builds with.
 struct BlockSource::Worker {
     Worker(const dat::Archive& archive, const dat::Region* region, double detail, LoadCache* cache)
@@ -17,6 +19,7 @@ struct BlockSource::Worker {
     std::optional<BlockContent> build(const BlockKey& key) {
         BlockBuilder& builder = key.mergeZones ? merged : apart;
         const dat::BlockCoord coord{key.x, key.y};
+        records.forgetEnvironments(kMostEnvironments);
         return key.tier == Tier::Near ? builder.build(coord) : builder.buildFar(coord);
     }
 

@@ -21,7 +21,8 @@ struct Found {
 };
 
 /// Records of the portal file, decoded once each. A record that is missing or damaged is null, and said whenever it is asked for; the
-/// findings have each thing once. Pointers stay valid as long as the object. One per thread.
+/// findings have each thing once. Pointers stay valid as long as the object, unless
+/// it is told to forget. One per thread.
 class Records {
 public:
     explicit Records(const dat::Archive& archive) : archive_(&archive) {}
@@ -50,6 +51,12 @@ public:
     }
     [[nodiscard]] const dat::PhysicsScriptTable* physicsScriptTable(dat::RecordId id) {
         return get(id, physicsScriptTables_);
+    }
+
+    /// Environments are large, and blocks far apart share few: with more than `most` decoded all of them go, and pointers to them.
+    void forgetEnvironments(std::size_t most) {
+        if (environments_.size() > most)
+            environments_.clear();
     }
 
     [[nodiscard]] const dat::Archive& archive() const { return *archive_; }
