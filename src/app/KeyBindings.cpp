@@ -247,4 +247,15 @@ std::vector<HelpLine> helpLines(const KeyBindings& bindings) {
     return lines;
 }
 
+std::string greeting(const KeyBindings& bindings) {
+    const auto first = [&](Action action) {
+        const auto keys = bindings.keysOf(action);
+        return keys.empty() ? std::string_view("no key") : nameOf(keys.front());
+    };
+    return fmt::format(
+        "{} {} {} {}   walk      drag the mouse   look around      {}   open a door      {}   all keys",
+        first(Action::Forward), first(Action::Left), first(Action::Back), first(Action::Right),
+        first(Action::Use), first(Action::Help));
+}
+
 } // namespace limen::app

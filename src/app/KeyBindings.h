@@ -115,5 +115,7 @@ struct HelpLine {
     std::optional<Action> action; ///< none: of several actions
 };
 [[nodiscard]] std::vector<HelpLine> helpLines(const KeyBindings& bindings);
+/// In one line what somebody has to know who has just opened the window.
+[[nodiscard]] std::string greeting(const KeyBindings& bindings);
 
 } // namespace limen::app

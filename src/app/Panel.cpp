@@ -536,6 +536,8 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     drawDoor(facts);
     if (!facts.notice.empty())
         drawBanner("Notice", std::string(facts.notice), 0.04f, 0.0f);
+    if (facts.greets && !switches.help)
+        drawBanner("Greeting", greeting(facts.bindings), 0.9f, 1.0f);
     if (switches.help)
         drawHelp(facts, choice);
     ImGui::Render();

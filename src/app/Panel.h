@@ -63,6 +63,7 @@ struct PanelFacts {
     const KeyBindings& bindings;
     const std::optional<Rebinding>& rebinding; ///< what the next key will do
     std::string_view notice;                   ///< empty: there is nothing to say
+    bool greets = false;                       ///< the greeting is shown
 };
 
 /// What was chosen in the panel: as it was, where nothing was.

@@ -27,7 +27,7 @@ struct Opening {
     Standpoint stand;
 };
 
-/// As the options say; without a position at the world's first place.
+/// As the options say; without a position where the world begins (firstPlace).
 Result<Opening> openingOf(const ViewOptions& options, const world::WorldFile& file) {
     ViewArguments arguments = options.view;
     const bool nowhere = arguments.eye.empty() && arguments.at.empty();

@@ -38,6 +38,7 @@ Viewer::Viewer(Window& window, gpu::GlDevice& device, Session& session, FrameEye
     : window_(window), device_(device), session_(session), panel_(window), stream_(session),
       play_(session, std::move(start), &stream_), bindings_(std::move(keys.bindings)),
       keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
+    start_ = eye().camera.eye;
     lastSeconds_ = window_.seconds();
     device_.restoreState(); // the panel has set up its own things
 }
@@ -75,6 +76,12 @@ Result<void> Viewer::frame(double fixedSeconds) {
                      : std::string();
     overlay();
     return {};
+}
+
+bool Viewer::isAtStart() {
+    constexpr double kUnderWay = 1.5; // metres; who has got so far knows how
+    hasLeft_ = hasLeft_ || glm::length(eye().camera.eye - start_) > kUnderWay;
+    return !hasLeft_;
 }
 
 void Viewer::rest() {
@@ -308,7 +315,8 @@ void Viewer::overlay() {
                            .ids = ids,
                            .bindings = bindings_,
                            .rebinding = rebinding_,
-                           .notice = said};
+                           .notice = said,
+                           .greets = isAtStart()};
     const PanelChoice choice = panel_.draw(facts, switches_);
     device_.restoreState();
     take(choice);

@@ -100,6 +100,9 @@ private:
     /// The picked object comes and goes in yellow. Not the landscape: one object is a block of it, and half the window.
     [[nodiscard]] std::optional<frame::Highlight> selectionPulse() const;
 
+    /// Nobody has moved from where the window opened.
+    bool isAtStart();
+
     /// What was chosen in the panel is done in the next frame.
     void take(const PanelChoice& choice);
 
@@ -122,6 +125,8 @@ private:
         double until = 0.0; ///< as Window::seconds
     };
     Notice notice_;
+    Vec3 start_{0.0}; ///< where the eye was at first
+    bool hasLeft_ = false;
     OverlaySwitches switches_;
     std::optional<Picked> picked_;
     ViewCheck viewCheck_;

@@ -93,6 +93,10 @@ Standpoint standpointAt(const world::Place& place) {
 }
 
 const world::Place* firstPlace(const world::WorldFile& file) {
+    const auto start = std::find_if(file.places.begin(), file.places.end(),
+                                    [&](const world::Place& place) { return place.name == file.start; });
+    if (start != file.places.end() && !file.start.empty())
+        return &*start;
     if (!file.tour.empty())
         return &file.tour.front();
     return file.places.empty() ? nullptr : &file.places.front();

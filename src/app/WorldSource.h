@@ -36,7 +36,7 @@ struct Standpoint {
 /// message).
 [[nodiscard]] Result<Standpoint> standpointOf(const ViewRequest& view, const world::WorldFile& file);
 
-/// The place a world is first seen from: the first of its tour, the first of its places, else nothing.
+/// The place a world is first seen from: the one it names as its start, the first of its tour, the first of its places, else nothing.
 [[nodiscard]] const world::Place* firstPlace(const world::WorldFile& file);
 
 /// The standpoint of a named place.

@@ -108,6 +108,7 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& d
             json["places"][name] = toJson(eye);
         }
     }
+    json["start"] = "cottage.cellar";
     json["tour"] = buildTour(map, dungeons);
     json["doors"] = map.doors;
     json["routes"] = map.routes;

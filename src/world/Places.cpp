@@ -2,6 +2,7 @@
 
 #include "world/JsonFields.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace limen::world {
@@ -40,6 +41,11 @@ bool readPlace(const Json& object, Place& out) {
            readField(object, "pitch", out.pitch) && readId(object, "cell", out.cell);
 }
 
+bool isPlace(const WorldFile& world, const std::string& name) {
+    return std::any_of(world.places.begin(), world.places.end(),
+                       [&](const Place& place) { return place.name == name; });
+}
+
 } // namespace
 
 Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
@@ -71,6 +77,8 @@ Result<WorldFile> parseWorldFile(const std::string& text, const std::string& fil
             world.places.push_back(std::move(place));
         }
     }
+    if (!readField(json, "start", world.start) || (!world.start.empty() && !isPlace(world, world.start)))
+        return fail(ErrorCode::Malformed, file, "\"start\" must be the name of one of its places");
     if (const auto tour = json.find("tour"); tour != json.end()) {
         if (!tour->is_array())
             return fail(ErrorCode::Malformed, file, "\"tour\" must be an array of way points");

@@ -25,6 +25,7 @@ inline constexpr const char* kWorldFileName = "world.json";
 /// What `world.json` beside the dats says; everything is optional.
 struct WorldFile {
     std::vector<Place> places;
+    std::string start;       ///< the one of `places` to begin at; empty: none is named
     std::vector<Place> tour; ///< way points, walked in straight lines
     MovingEntries moving;
 };

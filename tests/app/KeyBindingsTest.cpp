@@ -66,6 +66,16 @@ TEST(KeyBindings, atFirstNoKeyDoesTwoThingsAtATime) {
     }
 }
 
+TEST(KeyBindings, greetingNamesTheKeysAsTheyAre) {
+    KeyBindings bindings;
+    EXPECT_NE(greeting(bindings).find("W A S D   walk"), std::string::npos);
+    EXPECT_NE(greeting(bindings).find("F1   all keys"), std::string::npos);
+    bindings.bind(Action::Forward, key("Z"), false);
+    bindings.set(Action::Use, {});
+    EXPECT_NE(greeting(bindings).find("Z A S D   walk"), std::string::npos);
+    EXPECT_NE(greeting(bindings).find("no key   open a door"), std::string::npos);
+}
+
 TEST(KeyBindings, aFileChangesTheKeysOfTheActionsThatItNames) {
     const Result<KeyBindings> parsed = parseKeyBindings(
         R"({"forward": ["Z", "up", "z"], "left": "Q", "sink": "LeftControl", "rain": []})", "f");

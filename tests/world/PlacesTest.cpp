@@ -14,6 +14,17 @@ Result<WorldFile> load(const std::string& text) {
     return loadWorldFile(directory.path());
 }
 
+TEST(ParseWorldFile, startIsOneOfItsPlaces) {
+    const std::string places = R"("places": {"here": {"eye": [1, 2, 3]}, "there": {"eye": [4, 5, 6]}})";
+    EXPECT_EQ(parseWorldFile("{" + places + "}", "f")->start, "");
+    EXPECT_EQ(parseWorldFile("{" + places + R"(, "start": "there"})", "f")->start, "there");
+    for (const char* wrong : {R"("nowhere")", "7", "null"}) {
+        const auto parsed = parseWorldFile("{" + places + ", \"start\": " + wrong + "}", "f");
+        ASSERT_FALSE(parsed) << wrong;
+        EXPECT_NE(parsed.error().message().find("start"), std::string::npos);
+    }
+}
+
 TEST(LoadWorldFile, readsPlacesAndTour) {
     const auto file = load(R"({
         "places": {"hill": {"eye": [1.5, 2, -3], "yaw": 90, "pitch": -5.5},
