@@ -134,7 +134,11 @@ public:
         const Vec3 before = middle + towards * share;
         world::SpaceIndex space = sweep(world_, standing_.space, start, middle);
         space = sweep(world_, space, middle, before);
-        return isMember(index, space) || isBehindAnOpeningAt(index, space, solids_.origin + at);
+        if (isMember(index, space) || isBehindAnOpeningAt(index, space, solids_.origin + at))
+            return true;
+        const world::SpaceIndex there =
+            sweep(world_, space, before, solids_.origin + at); // less than kBefore behind an opening
+        return there != space && isMember(index, there);
     }
 
     [[nodiscard]] const world::Solid& solidAt(int index) const {

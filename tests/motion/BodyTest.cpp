@@ -95,6 +95,21 @@ TEST(Body, isStoppedByTheWallAroundTheSmallerOfTwoOpeningsThatAreNotAlike) {
     EXPECT_EQ(walker.body.standing.space, walker.space(east));
 }
 
+TEST(Body, isStoppedByAWallHalfAMillimetreBehindAnOpening) {
+    TestWorld source;
+    test::Walls niche = test::boxWalls({14, 10, 2}, {15, 14, 5});
+    // Not quite parallel, or the opening would be cut out of it too.
+    niche.push_back({{{14.0004, 10, 2}, {14.0004, 10, 5}, {14.0012, 14, 5}, {14.0012, 14, 2}}});
+    const auto room = source.addBox({10, 10, 2}, {14, 14, 5}), beyond = source.addCell(niche);
+    source.link(room, test::rectangle({14, 10, 2}, {14, 14, 5}), beyond);
+    Walker walker(source);
+    for (const double y : {10.5, 12.0}) {
+        walker.put({12, y, 2.01}, walker.space(room));
+        walker.go(kEast, 2.0);
+        EXPECT_NEAR(walker.feet().x, 14.0 - 0.3, kNear) << y;
+    }
+}
+
 TEST(Body, isStoppedByShutDoors) {
     Hut hut;
     world::MovingEntries moving;
