@@ -143,6 +143,7 @@ Window::Window(GLFWwindow* window) : window_(window) {
     glfwGetCursorPos(window_, &mouseX_, &mouseY_);
     cursorX_ = mouseX_;
     cursorY_ = mouseY_;
+    takeSizes();
 }
 
 Window::~Window() {
@@ -186,6 +187,7 @@ void Window::poll(const Taken& taken, const KeyBindings& bindings) {
     wheel_ = 0.0;
     mouseIsTaken_ = taken.mouse;
     glfwPollEvents();
+    takeSizes();
     held_ = {};
     held_.wheel = taken.mouse ? 0.0 : wheel_;
     pollKeys(taken.keys, bindings);
@@ -279,7 +281,8 @@ void Window::rest() {
     glfwWaitEventsTimeout(kLongest);
 }
 
-WindowSizes Window::sizes() const {
+/// A display that goes away answers anything: then they stay as they were.
+void Window::takeSizes() {
     WindowSizes sizes;
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
@@ -289,7 +292,8 @@ WindowSizes Window::sizes() const {
     float scaleX = 1.0f, scaleY = 1.0f;
     glfwGetWindowContentScale(window_, &scaleX, &scaleY);
     sizes.contentScale = scaleX;
-    return sizes;
+    if (!isLost_)
+        sizes_ = sizes;
 }
 
 double Window::seconds() const {

@@ -45,9 +45,9 @@ public:
     [[nodiscard]] bool isShown() const;
     /// Waits until something happens to the window, a fraction of a second at most.
     void rest();
-    [[nodiscard]] WindowSizes sizes() const;
+    [[nodiscard]] const WindowSizes& sizes() const { return sizes_; } ///< at the last poll
     /// Size in pixels; 1x1 at least (a window made small as an icon has none).
-    [[nodiscard]] PixelSize size() const { return sizes().pixels; }
+    [[nodiscard]] PixelSize size() const { return sizes_.pixels; }
     [[nodiscard]] double seconds() const; ///< since the library started
     /// Reads what was drawn into the window, before `show`.
     [[nodiscard]] Picture read() const;
@@ -68,7 +68,9 @@ private:
     void pollKeys(bool keysAreTaken, const KeyBindings& bindings);
     void pollGamepad();
     void pollMouse(bool mouseIsTaken);
+    void takeSizes();
     GLFWwindow* window_;
+    WindowSizes sizes_;
     std::vector<KeyCode> pending_, keys_;
     std::vector<Action> pressed_;
     HeldInput held_;
