@@ -30,6 +30,7 @@ Places villagePlaces(const VillageMap& map) {
         {"cottage.rear", atHome({0.9, 5.35, 1.7}, {-0.35, 9.7, 1.3}, CottageCell::Rear)},
         {"cottage.stairs", atHome({-1.25, 8.1, -0.47}, {0.1, 0.3, 1.65}, CottageCell::Stairwell)},
         {"cottage.cellar", atHome({0.1, 8.95, -0.9}, {3.4, 4.4, -1.75}, CottageCell::Cellar)},
+        {"cottage.shelf", atHome({4.0, 5.4, -0.9}, {-0.05, 8.34, -1.34}, CottageCell::Cellar)},
         {"neighbour.front", groundEye(278.0, 288.5, next({0.0, 0.0, 2.0}))},
         {"neighbour.room", eyeTowards(next({-0.9, 3.9, 1.7}), next({1.3, 0.3, 1.45}),
                                       map.neighbourCells.at(static_cast<std::size_t>(NeighbourCell::Room)))}};
@@ -108,7 +109,7 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& d
             json["places"][name] = toJson(eye);
         }
     }
-    json["start"] = "cottage.cellar";
+    json["start"] = "cottage.shelf"; // the way out is in sight
     json["tour"] = buildTour(map, dungeons);
     json["doors"] = map.doors;
     json["routes"] = map.routes;
