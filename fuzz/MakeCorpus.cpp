@@ -9,7 +9,7 @@
 #include <fstream>
 
 // Writes the seeds of the fuzzers that need some: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records and
-// DIRECTORY/text.
+// DIRECTORY/text, and DIRECTORY/kinds/NAME of the records of one kind each.
 namespace {
 
 using namespace limen::dat;
@@ -90,7 +90,11 @@ int main(int argc, char** argv) {
     fs::create_directories(texts, error);
     bool good = saveTexts(texts) && saveFiles(container);
     RecordTypes::forEach([&]<class Record>(std::type_identity<Record>) {
-        good = saveRecords<Record>(records, static_cast<std::uint8_t>(kKindOf<Record>)) && good;
+        constexpr RecordKind kKind = kKindOf<Record>;
+        const fs::path alone = fs::path(argv[1]) / "kinds" / nameOf(kKind);
+        fs::create_directories(alone, error);
+        for (const fs::path& directory : {records, alone})
+            good = saveRecords<Record>(directory, static_cast<std::uint8_t>(kKind)) && good;
     });
     if (!good)
         std::fprintf(stderr, "fuzz_make_corpus: cannot write to %s\n", argv[1]);

@@ -3,10 +3,14 @@
 #include "dat/Describe.h"
 #include "dat/RecordTypes.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <optional>
 
 // Any bytes as a record: the first byte picks the type, the rest is the payload. What decodes must encode to
 // the same bytes and can be described.
+// LIMEN_FUZZ_RECORD: a name of RecordKind; all bytes are of that type then, whatever the first says.
 namespace {
 
 using namespace limen::dat;
@@ -29,12 +33,26 @@ void check(ByteView payload) {
         FUZZ_CHECK(!describe(*record).empty());
 }
 
+/// The kind that the environment asks for; none: the first byte picks.
+std::optional<RecordKind> askedKind() {
+    const char* name = std::getenv("LIMEN_FUZZ_RECORD");
+    if (name == nullptr)
+        return std::nullopt;
+    for (std::size_t kind = 0; kind < RecordTypes::kSize; ++kind) {
+        if (std::strcmp(name, nameOf(static_cast<RecordKind>(kind))) == 0)
+            return static_cast<RecordKind>(kind);
+    }
+    std::fprintf(stderr, "LIMEN_FUZZ_RECORD=%s: there is no such kind of record\n", name);
+    std::exit(2);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0)
         return 0;
-    const auto kind = static_cast<RecordKind>(data[0] % RecordTypes::kSize);
+    static const std::optional<RecordKind> asked = askedKind();
+    const RecordKind kind = asked.value_or(static_cast<RecordKind>(data[0] % RecordTypes::kSize));
     visitKind(kind, [&]<class Record>(std::type_identity<Record>) {
         check<Record>({reinterpret_cast<const std::byte*>(data) + 1, size - 1});
     });
