@@ -1,5 +1,6 @@
 #include "app/CheckDrawer.h"
 #include "app/CheckPicture.h"
+#include "app/DayGroup.h"
 #include "app/FrameSource.h"
 #include "app/OutputFile.h"
 #include "app/Verbs.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct CheckOptions {
     SessionOptions session;
-    std::string kinds, size, block, directory, resume, walk, doors = "rest", weather = "clear";
+    std::string kinds, size, block, directory, resume, walk, doors = "rest", day, weather = "clear";
     std::size_t views = 1000;
     std::uint64_t seed = 1;
     bool apart = false, json = false;
@@ -114,6 +115,11 @@ Result<check::RunRequest> requestOf(const CheckOptions& options,
     if (!weather)
         return tl::unexpected(weather.error());
     request.rain = *weather == Weather::Rain;
+    const Result<dat::Region> region = source->archive.load<dat::Region>(dat::kRegionId);
+    const Result<std::uint32_t> day = dayGroupOf(region ? region->sky : dat::SkyDesc(), options.day);
+    if (!day)
+        return tl::unexpected(day.error());
+    request.dayGroup = *day;
     request.threads = std::max(1u, std::thread::hardware_concurrency());
     if (!options.size.empty()) {
         const Result<PixelSize> size = parseSize("--size", options.size);
@@ -149,11 +155,11 @@ std::string worldOptions(const CheckOptions& options, const WorldSource& source)
 
 /// Everything that decides which views are checked and how.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
-    return fmt::format(
-        "views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' weather '{}' world '{}' samples {}{}",
-        options.views, options.kinds, options.seed, options.size, options.block, options.doors,
-        options.weather, world, options.session.samples,
-        options.walk.empty() ? "" : " walk '" + options.walk + "'");
+    return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' day '{}' weather '{}' "
+                       "world '{}' samples {}{}",
+                       options.views, options.kinds, options.seed, options.size, options.block, options.doors,
+                       options.day, options.weather, world, options.session.samples,
+                       options.walk.empty() ? "" : " walk '" + options.walk + "'");
 }
 
 Result<check::Progress> progressOf(const CheckOptions& options, const std::string& run) {
@@ -262,12 +268,14 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--doors", options->doors,
                      "how far all doors stand open: rest, closed, half, open or 0..1 (rest)")
         ->type_name("STATE");
+    verb->add_option("--day", options->day, "the kind of day, of those that the data has (0)")
+        ->type_name("NUMBER|NAME");
     verb->add_option("--weather", options->weather, "clear or rain (clear)")->type_name("WEATHER");
     CLI::Option* walk =
         verb->add_option("--walk", options->walk,
                          "every frame of a walk that limen view --record has written, instead")
             ->type_name("FILE");
-    for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--weather"})
+    for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather"})
         walk->excludes(other);
     verb->add_flag("--apart", options->apart, "every cell its own zone, as --zones cells");
     verb->add_option("-o,--output", options->directory,

@@ -20,6 +20,7 @@ std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& vi
     for (const double value : {eye.camera.heading.yaw, eye.camera.heading.pitch, eye.time, eye.seconds})
         hash.add(value);
     hash.add(eye.root);
+    hash.add(eye.dayGroup);
     hash.add(eye.weather);
     for (const visibility::Visit& visit : visible.visits) {
         for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})

@@ -143,6 +143,7 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
                 {"player", vector(eye.player)},
                 {"body", bodyJson(world, eye.body)},
                 {"time", number(eye.time)},
+                {"day", eye.dayGroup},
                 {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
                 {"seconds", number(eye.seconds)},
                 {"doors", eye.doors ? number(*eye.doors) : Json()},

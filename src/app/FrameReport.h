@@ -44,6 +44,7 @@ struct FrameEye {
     Vec3 player{0.0};
     std::optional<motion::PlayerBody> body; ///< what the player walks in; then `player` is not asked
     double time = 0.5;
+    std::uint32_t dayGroup = 0; ///< of the Region's kinds of days
     Weather weather = Weather::Clear;
     double seconds = 0.0;         ///< since the world began: where villagers, sprites and clouds are
     std::optional<double> doors;  ///< how far all doors stand open, 0..1; none: each as eachDoor says

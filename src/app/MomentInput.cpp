@@ -24,7 +24,10 @@ motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) 
     input.up = view.up;
     input.forward = view.forward;
     input.player = eye.body;
-    input.rain = eye.weather == Weather::Rain && playerSpace(world, eye) == world::kOutside;
+    const bool isOutside = playerSpace(world, eye) == world::kOutside;
+    input.rain = isOutside && eye.weather == Weather::Rain;
+    if (isOutside && !world.sky.weather.empty())
+        input.weather = world::SkyHour{eye.dayGroup, eye.time};
     return input;
 }
 

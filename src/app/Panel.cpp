@@ -1,5 +1,6 @@
 #include "app/Panel.h"
 
+#include "app/DayGroup.h"
 #include "app/RegionOverlay.h"
 #include "app/VisitTree.h"
 
@@ -230,12 +231,27 @@ void drawQuality(PanelChoice& choice) {
     ImGui::EndCombo();
 }
 
-void drawControls(PanelChoice& choice) {
+void drawDay(const dat::SkyDesc& sky, PanelChoice& choice) {
+    if (sky.dayGroups.size() < 2 || choice.dayGroup >= sky.dayGroups.size())
+        return;
+    if (!ImGui::BeginCombo("day", dayGroupLabel(sky, choice.dayGroup).c_str()))
+        return;
+    for (std::uint32_t group = 0; group < sky.dayGroups.size(); ++group) {
+        ImGui::PushID(static_cast<int>(group));
+        if (ImGui::Selectable(dayGroupLabel(sky, group).c_str(), choice.dayGroup == group))
+            choice.dayGroup = group;
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
     if (!ImGui::CollapsingHeader("World", ImGuiTreeNodeFlags_DefaultOpen))
         return;
     float hours = static_cast<float>(choice.time * 24.0);
     if (ImGui::SliderFloat("time", &hours, 0.0f, 24.0f, "%.1f h"))
         choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
+    drawDay(sky, choice);
     bool rain = choice.weather == Weather::Rain;
     if (ImGui::Checkbox("rain", &rain))
         choice.weather = rain ? Weather::Rain : Weather::Clear;
@@ -414,7 +430,7 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
         fmt::format("Limen ({} for help)###panel", keysText(facts.bindings, Action::Help));
     ImGui::Begin(title.c_str(), nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    drawControls(choice);
+    drawControls(facts.world.sky.desc, choice);
     drawFigures(facts);
     drawVerdict(facts.verdict);
     drawPicked(facts.picked);
@@ -528,6 +544,7 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
         drawPyramids(*facts.frozen, facts.eye);
     PanelChoice choice;
     choice.time = facts.eye.time;
+    choice.dayGroup = facts.eye.dayGroup;
     choice.weather = facts.eye.weather;
     choice.doors = facts.eye.doors;
     choice.quality = facts.quality;

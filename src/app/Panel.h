@@ -70,6 +70,7 @@ struct PanelFacts {
 struct PanelChoice {
     int place = -1; ///< that was clicked; -1: none
     double time = 0.5;
+    std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
     std::optional<double> doors;        ///< as in FrameEye
     std::optional<Rebinding> rebinding; ///< the next key is to be that

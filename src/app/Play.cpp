@@ -47,6 +47,11 @@ void Play::act(const PlayAct& act) {
     case PlayAct::Kind::Weather:
         eye_.weather = eye_.weather == Weather::Rain ? Weather::Clear : Weather::Rain;
         return;
+    case PlayAct::Kind::Day:
+        if (act.value >= 0.0 &&
+            act.value < static_cast<double>(session_.loaded().world.sky.desc.dayGroups.size()))
+            eye_.dayGroup = static_cast<std::uint32_t>(act.value);
+        return;
     case PlayAct::Kind::Place:
         goTo(static_cast<std::size_t>(std::max(act.value, 0.0)));
         return;
@@ -112,6 +117,7 @@ void Play::goTo(std::size_t place) {
         return;
     eye->camera.fovDegrees = eye_.camera.fovDegrees;
     eye->time = eye_.time;
+    eye->dayGroup = eye_.dayGroup;
     eye->weather = eye_.weather;
     eye->seconds = eye_.seconds;
     eye->doors = eye_.doors;

@@ -19,9 +19,10 @@ struct PlayAct {
         Time,     ///< of day becomes `value`
         AllDoors, ///< stand open as far as `value`; less than 0: each as it was left
         Distance, ///< of the eye from the body's head: `value`, metres
-        Quality   ///< of kQualities: `value` is its number
+        Quality,  ///< of kQualities: `value` is its number
+        Day       ///< of the Region's day groups: `value` is its number
     };
-    static constexpr std::size_t kKinds = 10;
+    static constexpr std::size_t kKinds = 11;
     Kind kind = Kind::Walk;
     double value = 0.0;
     friend bool operator==(const PlayAct&, const PlayAct&) = default;

@@ -1,5 +1,6 @@
 #include "app/Session.h"
 
+#include "app/DayGroup.h"
 #include "core/Assert.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
@@ -67,6 +68,7 @@ frame::FrameView frameView(const FrameEye& eye, const DrawOptions& options) {
     view.view = viewOf(eye.camera, eye.size, eye.root);
     view.width = eye.size.width;
     view.height = eye.size.height;
+    view.dayGroup = eye.dayGroup;
     view.timeOfDay = eye.time;
     view.seconds = eye.seconds;
     view.weather = eye.weather;
@@ -218,6 +220,10 @@ Result<std::vector<double>> eachDoor(const world::World& world, const world::Wor
 Result<void> applyMoment(const LoadedWorld& loaded, const world::WorldFile& file, const ViewRequest& view,
                          FrameEye& eye) {
     eye.time = view.time;
+    Result<std::uint32_t> day = dayGroupOf(loaded.world.sky.desc, view.day);
+    if (!day)
+        return tl::unexpected(day.error());
+    eye.dayGroup = *day;
     eye.weather = view.weather;
     eye.seconds = view.seconds;
     eye.doors = view.doors;

@@ -82,7 +82,7 @@ public:
 /// not there; no ground where the eye is to stand on it.
 [[nodiscard]] Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size);
 
-/// Gives an eye what a view says of time, weather, doors and the player's body. Errors: a door that the world file does not name;
+/// Gives an eye what a view says of time, weather, doors and the player's body. Errors: a door that the world file does not name; a kind of day or
 /// a cell that is not there.
 [[nodiscard]] Result<void> applyMoment(const LoadedWorld& loaded, const world::WorldFile& file,
                                        const ViewRequest& view, FrameEye& eye);

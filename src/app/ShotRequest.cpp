@@ -84,6 +84,8 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     add("--root", a.root, "auto|outside|0xCELL", "the space the eye is in (auto)");
     add("--player", a.player, "X,Y,Z", "where the player stands (at the eye)");
     add("--time", a.time, "0..1", "time of day, 0 and 1 midnight (0.5)");
+    add("--day", a.day, "NUMBER|NAME",
+        "the kind of day, of those that the data has: its sky and weather (0)");
     add("--weather", a.weather, "clear|rain", "the weather (clear)");
     add("--seconds", a.seconds, "S", "seconds since the world began: where villagers and smoke are (0)");
     add("--doors", a.doors, "rest|closed|half|open|0..1", "how far all doors stand open (each as it rests)");
@@ -180,6 +182,7 @@ Result<ViewRequest> checkView(const ViewArguments& a) {
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.time, "--time", between(0.0, 1.0), view.time); !r)
         return tl::unexpected(r.error());
+    view.day = a.day;
     if (Result<void> r = take(a.weather, "--weather", parseWeather, view.weather); !r)
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.seconds); !r)

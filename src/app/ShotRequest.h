@@ -19,7 +19,7 @@ namespace limen::app {
 /// The options that say what one frame looks at, as typed; empty: not given. The same set serves the command
 /// line of `shot`, each line of its views file and each line of a tour's path file.
 struct ViewArguments {
-    std::string eye, at, yaw, pitch, fov, size, root, player, time, weather, seconds, doors;
+    std::string eye, at, yaw, pitch, fov, size, root, player, time, day, weather, seconds, doors;
     std::string body, bodyYaw, bodyRoot, bodyOpacity, bodySpeed, bodyMetres;
     std::vector<std::string> eachDoor;
 };
@@ -49,6 +49,7 @@ struct ViewRequest {
     std::optional<RootChoice> root; ///< only if it was given
     std::optional<Vec3> player;
     double time = 0.5; ///< fraction of the day
+    std::string day;   ///< a day group, as world::dayGroupNamed reads it; empty: the first
     Weather weather = Weather::Clear;
     double seconds = 0.0;        ///< since the world began
     std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as eachDoor says

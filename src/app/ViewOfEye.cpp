@@ -36,6 +36,7 @@ FrameEye eyeOf(const check::View& view, const world::World& world, world::SpaceI
     eye.seconds = view.seconds;
     eye.doors = view.doors;
     eye.eachDoor = eachDoor(view.eachDoor, world);
+    eye.dayGroup = view.dayGroup;
     eye.weather = view.rain ? Weather::Rain : Weather::Clear;
     return eye;
 }
@@ -62,6 +63,7 @@ check::View viewOf(const FrameEye& eye, const world::World& world) {
         if (eye.eachDoor[i] != world.doors[i].open)
             view.eachDoor.push_back({world.doors[i].name, eye.eachDoor[i]});
     }
+    view.dayGroup = eye.dayGroup;
     view.rain = eye.weather == Weather::Rain;
     return view;
 }

@@ -27,8 +27,8 @@ std::string pictureOptions(const SessionOptions& options) {
 bool isSameView(const FrameEye& a, const FrameEye& b) {
     return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
            a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
-           a.size.height == b.size.height && a.time == b.time && a.weather == b.weather &&
-           a.doors == b.doors && a.eachDoor == b.eachDoor && a.body == b.body;
+           a.size.height == b.size.height && a.time == b.time && a.dayGroup == b.dayGroup &&
+           a.weather == b.weather && a.doors == b.doors && a.eachDoor == b.eachDoor && a.body == b.body;
 }
 
 } // namespace
@@ -271,6 +271,8 @@ std::optional<frame::Highlight> Viewer::selectionPulse() const {
 void Viewer::take(const PanelChoice& choice) {
     if (choice.time != eye().time)
         act({PlayAct::Kind::Time, choice.time});
+    if (choice.dayGroup != eye().dayGroup)
+        act({PlayAct::Kind::Day, static_cast<double>(choice.dayGroup)});
     if (choice.weather != eye().weather)
         act({PlayAct::Kind::Weather});
     if (choice.doors != eye().doors)

@@ -42,6 +42,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
         {"root", spaceName(session.loaded().world, eye.root)},
         {"seconds", eye.seconds},
         {"time", eye.time},
+        {"day", eye.dayGroup},
         {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
         {"doors", eye.doors ? nlohmann::ordered_json(*eye.doors) : nlohmann::ordered_json(nullptr)},
         {"open_doors", viewer.openDoors()},

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes: some days of walking
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
-    "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality"};
+    "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality", "day"};
 
 /// The numbers and flags of an input by their names, for writing and reading alike; what is 0 or false is left out.
 template <class Input, class Number, class Flag>

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 Json viewJson(const View& view) {
     return {{"kind", nameOf(view.kind)}, {"eye", {view.eye.x, view.eye.y, view.eye.z}},
@@ -19,7 +19,7 @@ Json viewJson(const View& view) {
             {"fov", view.fov},           {"size", {view.width, view.height}},
             {"root", view.root},         {"about", view.about},
             {"seconds", view.seconds},   {"doors", view.doors ? Json(*view.doors) : Json(nullptr)},
-            {"rain", view.rain}};
+            {"day", view.dayGroup},      {"rain", view.rain}};
 }
 
 View viewOf(const Json& json) {
@@ -37,6 +37,7 @@ View viewOf(const Json& json) {
     view.seconds = json.at("seconds").get<double>();
     if (const Json& doors = json.at("doors"); !doors.is_null())
         view.doors = doors.get<double>();
+    view.dayGroup = json.at("day").get<std::uint32_t>();
     view.rain = json.at("rain").get<bool>();
     return view;
 }

@@ -161,6 +161,7 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
         Dice dice(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
         views[i].seconds = std::floor(dice.between(0.0, request.longest) * 100.0) / 100.0;
         views[i].doors = request.doors;
+        views[i].dayGroup = request.dayGroup;
         views[i].rain = request.rain;
     }
     views.insert(views.end(), task.given.begin(), task.given.end());

@@ -18,6 +18,7 @@ struct RunRequest {
     std::uint32_t sweepWidth = 160, sweepHeight = 90; ///< pixels
     std::span<const world::Place> tour;
     std::optional<double> doors; ///< how far all doors stand open; none: each as it rests
+    std::uint32_t dayGroup = 0;
     bool rain = false;
     double longest = 600.0; ///< views are taken at times from 0 to this, seconds
     unsigned threads = 2;   ///< that trace

@@ -45,6 +45,7 @@ struct View {
         double open = 0.0;
     };
     std::vector<DoorState> eachDoor; ///< those that do not rest; where `doors` says nothing
+    std::uint32_t dayGroup = 0;      ///< of the Region's
     bool rain = false;
     std::optional<Vec3> player; ///< where the player is, global; none: at the eye
     /// The player's body, if it has one.

@@ -293,6 +293,23 @@ dat::AnimationHook particleHook(dat::RecordId emitter, int part, const Vec3& at,
     return hook;
 }
 
+dat::RecordId addSnowScript(ModelSink& sink) {
+    constexpr double kAbove = 6.0, kAround = 10.0; // metres
+    constexpr double kFastest = 1.0 / 60.0;        // seconds from flake to flake: no emitter has more
+    std::vector<dat::ScriptedHook> hooks;
+    for (const double size : {0.035, 0.05, 0.07}) {
+        dat::ParticleEmitter e =
+            emitterOf(addSprite(sink, Material::Snowflake, size), ParticleType::Swarm, kFastest, 420, 7.0);
+        e.offset = vectorOf({0, 0, 1}, 0.0, kAround);
+        e.a = vectorOf({0.3, 0.12, -1.3}, 0.75, 1.15);
+        e.b = vectorOf({1.4, 1.1, 0.6}, 0.7, 1.3);
+        e.c = vectorOf({0.22, 0.22, 0.05}, 0.5, 1.0);
+        e.translucency = fadeOf(0.0, 0.2);
+        hooks.push_back({0.0, particleHook(sink.addEmitter(e), -1, {0, 0, kAbove})});
+    }
+    return sink.addScript(std::move(hooks));
+}
+
 Effects addEffects(ModelSink& sink) {
     const Sprites sprites = addSprites(sink);
     Effects effects;

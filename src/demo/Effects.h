@@ -17,6 +17,9 @@ struct Effects {
 };
 [[nodiscard]] Effects addEffects(ModelSink& sink);
 
+/// PhysicsScript: snow around where it is played.
+[[nodiscard]] dat::RecordId addSnowScript(ModelSink& sink);
+
 /// A hook that starts an emitter at a place of a part, for an AnimationFrame or a script. `part` -1: of the whole object.
 [[nodiscard]] dat::AnimationHook particleHook(dat::RecordId emitter, int part, const Vec3& at,
                                               std::uint32_t name = 0);

@@ -50,6 +50,8 @@ Recipe folkRecipe(Material material) {
     switch (material) {
     case Material::Glass:
         return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
+    case Material::Snowflake: // bright from all sides
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.3f, 0.8f, 0.0f, 0};
     case Material::Smoke:
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Fire:
@@ -94,6 +96,7 @@ Recipe natureRecipe(Material material) {
     case Material::SkyNight:
         return glow(PixelFormat::R8G8B8, 0);
     case Material::SkyDay:
+    case Material::SkySnow:
         return glow(PixelFormat::R8G8B8, S::kTranslucent);
     case Material::SkyDusk:
         return glow(PixelFormat::A8R8G8B8, S::kAlpha);
@@ -173,6 +176,8 @@ Canvas paintSprite(Material material) {
         return paintFire();
     case Material::Firefly:
         return paintFirefly();
+    case Material::Snowflake:
+        return paintSnowflake();
     case Material::Swirl:
         return paintSwirl();
     default:
@@ -204,6 +209,8 @@ Canvas paintNature(Material material) {
         return paintDaySky();
     case Material::SkyDusk:
         return paintDuskSky();
+    case Material::SkySnow:
+        return paintSnowSky();
     case Material::Sun:
         return paintSun();
     case Material::Moon:

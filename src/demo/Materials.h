@@ -44,12 +44,14 @@ enum class Material : std::uint8_t {
     Sun,
     Moon,
     Clouds,
-    Glass,   ///< translucent: leaded panes
-    Smoke,   ///< sprite, translucent
-    Fire,    ///< sprite, glows, additive
-    Firefly, ///< sprite, glows, additive
-    Swirl,   ///< sprite, glows, additive
-    Skin,    ///< solid colours from here on
+    Glass,     ///< translucent: leaded panes
+    Smoke,     ///< sprite, translucent
+    Fire,      ///< sprite, glows, additive
+    Firefly,   ///< sprite, glows, additive
+    Swirl,     ///< sprite, glows, additive
+    Snowflake, ///< sprite, translucent
+    SkySnow,   ///< a sky that is one cloud
+    Skin,      ///< solid colours from here on
     Hair,
     BlueCloth,
     GreenCloth,

@@ -46,6 +46,7 @@ struct BoardStyle {
 [[nodiscard]] Canvas paintSmoke();
 [[nodiscard]] Canvas paintFire();
 [[nodiscard]] Canvas paintFirefly();
+[[nodiscard]] Canvas paintSnowflake();
 [[nodiscard]] Canvas paintSwirl();
 
 /// Grass from thousands of strokes over mottled earth. `bare` 0..1 is the share of earth that shows.
@@ -68,6 +69,7 @@ enum class BlendShape : std::uint8_t { Corner, Side, RoadCorner, RoadSide, RoadD
 /// Sky pictures: u around the horizon, v from the zenith (0) over the horizon (kHorizonV) to below it (1).
 inline constexpr double kHorizonV = 0.8;
 [[nodiscard]] Canvas paintDaySky();
+[[nodiscard]] Canvas paintSnowSky(); ///< one cloud
 [[nodiscard]] Canvas paintNightSky();
 [[nodiscard]] Canvas paintDuskSky(); ///< alpha: strongest at the horizon
 [[nodiscard]] Canvas paintSun();     ///< alpha is the glow

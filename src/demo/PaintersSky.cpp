@@ -62,6 +62,16 @@ Canvas paintDuskSky() {
     });
 }
 
+Canvas paintSnowSky() {
+    return Canvas::paint(256, 256, [](double u, double v) {
+        const double t = descent(v);
+        Vec3f colour =
+            mixColour(Vec3f(0.56f, 0.59f, 0.63f), Vec3f(0.76f, 0.78f, 0.80f), smoothStep(0.1, 1.0, t));
+        const double bulges = fbm(u, v, 6, 3, 5, 2061) * (1.0 - smoothStep(0.55, 0.95, t));
+        return Vec4f(colour * static_cast<float>(1.0 + 0.16 * bulges), 1.0f);
+    });
+}
+
 Canvas paintSun() {
     return Canvas::paint(128, 128, [](double u, double v) {
         const double r = std::hypot(u - 0.5, v - 0.5) * 2.0;

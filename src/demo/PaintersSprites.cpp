@@ -67,6 +67,13 @@ Canvas paintFirefly() {
     });
 }
 
+Canvas paintSnowflake() {
+    return Canvas::paint(32, 32, [](double u, double v) {
+        const double d = disc(u, v);
+        return withAlpha(Vec3f(0.97f, 0.98f, 1.0f), smoothStep(0.0, 0.55, d));
+    });
+}
+
 Canvas paintSwirl() {
     return Canvas::paint(kSize, kSize, [](double u, double v) {
         const double d = disc(u, v);

@@ -9,7 +9,7 @@ namespace limen::demo {
 /// and the Scene records it names.
 void addRegion(ModelSink& sink, const Plants& plants);
 
-/// The sky: domes, sun, moon and clouds as GfxObjs, and one day group with keyframes through the day.
+/// The sky: domes, sun, moon and clouds as GfxObjs, and two day groups, fair and snowy, with keyframes through the day.
 [[nodiscard]] dat::SkyDesc buildSky(ModelSink& sink);
 
 } // namespace limen::demo

@@ -1,3 +1,4 @@
+#include "demo/Effects.h"
 #include "demo/Painters.h"
 #include "demo/RegionBuilder.h"
 
@@ -163,34 +164,63 @@ dat::SkyTimeOfDay keyframe(const Moment& m, dat::RecordId lowSun) {
     return key;
 }
 
+/// A sky that is one cloud, and snow that falls from it.
+dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId snow) {
+    constexpr double kSun = 0.35, kAmbient = 1.15; // of a fair day's
+    constexpr std::uint32_t kLight = 0xFFE4E8F0, kMist = 0xFFC2C7CC, kDark = 0xFF14161A;
+    dat::DayGroup group;
+    group.chance = 0.2f;
+    group.name = "Snow";
+    group.objects.push_back(skyObject(night, 0.0, 0.0, 0.0, 0.0, 0));
+    group.objects.push_back(skyObject(cloud, 0.0, 0.0, 0.0, 0.0, 0));
+    group.objects.push_back(skyObject(0, 0.0, 0.0, 0.0, 0.0, 8));
+    group.objects.back().script = snow;
+    for (const Moment& fair : kMoments) {
+        dat::SkyTimeOfDay key = keyframe(fair, 0);
+        key.dirBright *= static_cast<float>(kSun);
+        key.ambBright *= static_cast<float>(kAmbient);
+        key.dirColour.argb = kLight;
+        key.fogColour.argb = fair.day > 0.5 ? kMist : kDark;
+        key.minFog = 20.0f;
+        key.maxFog = 420.0f;
+        std::erase_if(key.replaces, [](const dat::SkyObjectReplace& r) {
+            return r.objectIndex != static_cast<std::uint32_t>(SkyPiece::Day);
+        });
+        group.times.push_back(std::move(key));
+    }
+    return group;
+}
+
 } // namespace
 
 dat::SkyDesc buildSky(ModelSink& sink) {
-    dat::DayGroup group;
-    group.chance = 1.0f;
-    group.name = "Fair";
     const auto mesh = [&sink](const MeshBuilder& m) { return sink.addMesh(m, false); };
-    group.objects.push_back(skyObject(mesh(dome(Material::SkyNight)), 0.0, 0.0, 0.0, 0.0, 0));
-    group.objects.push_back(skyObject(mesh(dome(Material::SkyDay)), 0.0, 0.0, 0.0, 0.0, 0));
-    group.objects.push_back(skyObject(mesh(dome(Material::SkyDusk)), 0.0, 0.0, 0.0, 0.0, 0));
+    const dat::RecordId night = mesh(dome(Material::SkyNight));
+    dat::DayGroup fair;
+    fair.chance = 0.8f;
+    fair.name = "Fair";
+    fair.objects.push_back(skyObject(night, 0.0, 0.0, 0.0, 0.0, 0));
+    fair.objects.push_back(skyObject(mesh(dome(Material::SkyDay)), 0.0, 0.0, 0.0, 0.0, 0));
+    fair.objects.push_back(skyObject(mesh(dome(Material::SkyDusk)), 0.0, 0.0, 0.0, 0.0, 0));
     const double early = 0.03;
     const double slack = 360.0 * early;
-    group.objects.push_back(skyObject(mesh(disc(Material::Sun, 110.0, kSunTilt)), kSunrise - early,
-                                      kSunset + early, -slack, 180.0 + slack, 0));
-    group.objects.push_back(skyObject(mesh(disc(Material::Moon, 26.0, 0.5 * kSunTilt)), kSunset - early,
-                                      kSunrise + early, -slack, 180.0 + slack, 0));
+    fair.objects.push_back(skyObject(mesh(disc(Material::Sun, 110.0, kSunTilt)), kSunrise - early,
+                                     kSunset + early, -slack, 180.0 + slack, 0));
+    fair.objects.push_back(skyObject(mesh(disc(Material::Moon, 26.0, 0.5 * kSunTilt)), kSunset - early,
+                                     kSunrise + early, -slack, 180.0 + slack, 0));
     dat::SkyObject clouds = skyObject(mesh(cloudBowl()), 0.0, 0.0, 0.0, 0.0, 2);
     clouds.texVelocityX = 0.0015f;
     clouds.texVelocityY = 0.0006f;
-    group.objects.push_back(clouds);
+    fair.objects.push_back(clouds);
     const dat::RecordId lowSun = mesh(disc(Material::Sun, 150.0, kSunTilt));
     for (const Moment& moment : kMoments) {
-        group.times.push_back(keyframe(moment, lowSun));
+        fair.times.push_back(keyframe(moment, lowSun));
     }
     dat::SkyDesc sky;
     sky.tickSize = 5.0;
     sky.lightTickSize = 1.0;
-    sky.dayGroups.push_back(std::move(group));
+    sky.dayGroups.push_back(std::move(fair));
+    sky.dayGroups.push_back(snowyDays(night, mesh(dome(Material::SkySnow)), addSnowScript(sink)));
     return sky;
 }
 

@@ -17,12 +17,6 @@ double compass(const Vec3& direction) {
     return std::atan2(direction.x, direction.y) * 180.0 / std::numbers::pi;
 }
 
-// Rain: columns of drops on a grid that is fixed in the world, so that the eye moves through standing rain.
-constexpr double kRainGrid = 1.5, kRainRadius = 10.5; // metres
-constexpr double kRainBelow = 4.0, kRainPeriod = 6.0, kRainSpeed = 9.0;
-constexpr int kRainPerColumn = 2; // periods above each other
-constexpr Vec2 kRainSize{0.012, 0.5};
-
 } // namespace
 
 Moments::Moments(const world::World& world) : world_(world), membership_(world) {}
@@ -64,6 +58,8 @@ void Moments::at(const MomentInput& input, world::Moment& out) {
         addParticles(input, source, out);
     if (input.rain && world_.rainDrop != kNone)
         addRain(input, out);
+    if (input.weather)
+        addWeather(input, out);
     listBySpace(out);
 }
 
@@ -250,39 +246,6 @@ void Moments::addSprites(const MomentInput& input, const world::Emitter& emitter
             membership_.reach(sweep(world_, space, pose.origin, at), out.instances.back().bounds, out.closed,
                               reached_);
         giveMembers(out.instances.size() - 1, out);
-    }
-}
-
-void Moments::addRain(const MomentInput& input, world::Moment& out) {
-    // Weather belongs to the outside alone, however near to a door a drop falls.
-    MomentInput facing = input;
-    facing.up = Vec3(0.0, 0.0, 1.0);
-    const auto reach = static_cast<int>(kRainRadius / kRainGrid);
-    const auto middleX = static_cast<std::int64_t>(std::floor(input.eye.x / kRainGrid));
-    const auto middleY = static_cast<std::int64_t>(std::floor(input.eye.y / kRainGrid));
-    for (int i = -reach; i <= reach; ++i) {
-        for (int j = -reach; j <= reach; ++j) {
-            const std::int64_t column = (middleX + i) * 0x10000 + middleY + j;
-            for (int k = 0; k < kRainPerColumn && sprites_ < world::kMostSprites; ++k) {
-                const auto seed = static_cast<std::uint64_t>(k);
-                const double x = static_cast<double>(middleX + i) + hashedUnit(seed, column, 0);
-                const double y = static_cast<double>(middleY + j) + hashedUnit(seed, column, 1);
-                const double low = input.eye.z - kRainBelow + k * kRainPeriod;
-                const double fall =
-                    hashedUnit(seed, column, 2) * kRainPeriod - kRainSpeed * input.seconds - low;
-                const Vec3 at(x * kRainGrid, y * kRainGrid,
-                              low + fall - std::floor(fall / kRainPeriod) * kRainPeriod);
-                const Vec3 towards = at - input.eye;
-                const double flat = std::hypot(towards.x, towards.y);
-                if (flat < 1e-3)
-                    continue;
-                facing.forward = Vec3(towards.x / flat, towards.y / flat, 0.0);
-                facing.right = Vec3(facing.forward.y, -facing.forward.x, 0.0);
-                addSprite(facing, world_.rainDrop, at, kRainSize, 1.0, out);
-                reached_.assign(1, world::kOutside);
-                giveMembers(out.instances.size() - 1, out);
-            }
-        }
     }
 }
 

@@ -28,10 +28,12 @@ struct MomentInput {
     double seconds = 0.0; ///< since the world began; routes and sprites follow it
     /// How far the doors are open, 0..1, by World::doors; doors beyond its end stand as they rest.
     std::span<const double> doors;
-    std::optional<double> allDoors;   ///< for all of them alike; before `doors`
-    bool rain = false;                ///< it rains and the player is outside (docs/ray-rule.md)
+    std::optional<double> allDoors; ///< for all of them alike; before `doors`
+    bool rain = false;              ///< it rains and the player is outside (docs/ray-rule.md)
+    std::optional<world::SkyHour>
+        weather;                      ///< the Region's weather falls as at that hour: the player is outside
     std::optional<PlayerBody> player; ///< none: nobody is there
-    Vec3 eye{0.0};                    ///< global; rain falls around it
+    Vec3 eye{0.0};                    ///< global; weather falls around it
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< what sprites face
 };
 
@@ -85,6 +87,10 @@ private:
     void addIdle(double seconds, world::Moment& out);
     void addParticles(const MomentInput& input, const world::ParticleSource& source, world::Moment& out);
     void addRain(const MomentInput& input, world::Moment& out);
+    void addWeather(const MomentInput& input, world::Moment& out);
+    /// `side`: of the square around `middle` that it is born over, metres; 0: it goes with the eye, which is there.
+    void addFalling(const MomentInput& input, const world::SkyWeather& weather, const Vec3& middle,
+                    double side, std::uint64_t seed, world::Moment& out);
     /// `point`: what its parts are at; {}: as they rest.
     void addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
                  world::SpaceIndex placedIn, world::Moment& out);

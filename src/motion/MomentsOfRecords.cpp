@@ -113,27 +113,15 @@ void Moments::addParticles(const MomentInput& input, const world::ParticleSource
 void Moments::addStarted(const MomentInput& input, const world::ParticleSource& source, std::int64_t start,
                          const Carrier& now, world::Moment& out) {
     const world::ParticleStyle& style = world_.particleStyles[source.style];
-    const double began = source.start + static_cast<double>(start) * source.period;
-    if (input.seconds - began >= source.gone)
-        return;
     const bool isCarried = source.villager != kNone || source.idle != kNone;
     const std::uint32_t block = blockFor(now.origin);
-    const std::uint32_t polygons = world_.meshes[world_.movingParts[style.part].mesh].polygonCount;
-    const Births births(style, source);
-    const Births::Range living = births.livingAt(input.seconds - began);
-    for (std::int64_t n = living.first; n <= living.last; ++n) {
-        const double born = began + births.of(n);
-        const ParticleKey key = keyOf(source, start, n);
-        const double age = std::max(input.seconds - born, 0.0), life = lifeOf(style, key);
-        if (sprites_ + polygons > world::kMostSprites)
-            return;
-        if (age >= life)
-            continue;
-        const Carrier then = isCarried ? carrierOf(source, born) : now;
-        const ParticleState state = particleAt(style, key, age, life, then.orientation, source.offset);
-        if (state.opacity > 0.0 && glm::length(state.offset) < kFarthest)
-            addParticle(input, source, style.isParentLocal ? now : then, state, block, out);
-    }
+    eachLiving(style, source, start, input.seconds,
+               [&](const ParticleKey& key, double born, double age, double life) {
+                   const Carrier then = isCarried ? carrierOf(source, born) : now;
+                   const ParticleState state =
+                       particleAt(style, key, age, life, then.orientation, source.offset);
+                   addParticle(input, source, style.isParentLocal ? now : then, state, block, out);
+               });
 }
 
 void Moments::addParticle(const MomentInput& input, const world::ParticleSource& source, const Carrier& from,
@@ -142,6 +130,9 @@ void Moments::addParticle(const MomentInput& input, const world::ParticleSource&
     const Vec3 at = from.origin + state.offset;
     world::Instance particle = world_.movingParts[style.part];
     const world::Mesh& mesh = world_.meshes[particle.mesh];
+    const bool isAnywhere = state.opacity > 0.0 && glm::length(state.offset) < kFarthest;
+    if (!isAnywhere || sprites_ + mesh.polygonCount > world::kMostSprites)
+        return;
     const Mat3 linear =
         (style.facesEye ? Mat3(input.right, input.forward, input.up) : glm::mat3_cast(state.orientation)) *
         state.scale;

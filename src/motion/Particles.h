@@ -3,6 +3,7 @@
 #include "geometry/Vec.h"
 #include "world/Particles.h"
 
+#include <algorithm>
 #include <cstdint>
 
 // Particles of the records' emitters (world/Particles.h) as closed functions of time: each has a number, and all about it follows from
@@ -52,6 +53,25 @@ struct ParticleKey {
 
 /// How long a particle lives, seconds.
 [[nodiscard]] double lifeOf(const world::ParticleStyle& style, const ParticleKey& key);
+
+/// Calls visit(key, born, age, life) for each particle of one start of a source that lives then; `born` and `seconds`: since the world
+/// began.
+template <class Visit>
+void eachLiving(const world::ParticleStyle& style, const world::ParticleSource& source, std::int64_t start,
+                double seconds, Visit&& visit) {
+    const double began = source.start + static_cast<double>(start) * source.period;
+    if (seconds - began >= source.gone)
+        return;
+    const Births births(style, source);
+    const Births::Range living = births.livingAt(seconds - began);
+    for (std::int64_t n = living.first; n <= living.last; ++n) {
+        const double born = began + births.of(n);
+        const ParticleKey key = keyOf(source, start, n);
+        const double age = std::max(seconds - born, 0.0), life = lifeOf(style, key);
+        if (age < life)
+            visit(key, born, age, life);
+    }
+}
 
 /// A particle at one age.
 struct ParticleState {

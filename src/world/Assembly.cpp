@@ -200,6 +200,7 @@ void Assembly::numberPolygons() {
 World Assembly::finish(const MovingEntries& moving) {
     gatherOutdoorPortals();
     addMoving(moving);
+    addWeather();
     findMembers();
     findAloneness();
     listInstances();

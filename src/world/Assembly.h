@@ -51,7 +51,11 @@ private:
     [[nodiscard]] bool addIdle(const PlacedModel& object);
     void addSources(const PlacedModel& object, std::uint32_t idle);
     void addSources(std::uint32_t villager, dat::RecordId model, const PlayEntry& play);
-    void addSource(const EmitterStart& start, const dat::Setup& setup, ParticleSource source);
+    /// `source` with what its start and its style tell; nothing if it can show no particle.
+    std::optional<ParticleSource> sourceOf(const EmitterStart& start, const dat::Setup& setup,
+                                           ParticleSource source);
+    void addWeather();
+    void addWeather(std::uint32_t dayGroup, std::uint32_t number, const dat::SkyObject& object);
     [[nodiscard]] std::vector<EmitterStart> startsOf(const dat::Setup& setup,
                                                      std::span<const std::uint32_t> cycles);
     [[nodiscard]] std::uint32_t particleStyle(dat::RecordId emitter);

@@ -32,6 +32,21 @@ double sizeOf(const World& world, const Mesh& mesh) {
     return size;
 }
 
+/// How far births lie aside along each axis: across the direction of `offset`, or in a ball if that has none.
+Vec3 spreadOf(const VectorRange& offset) {
+    const double most = std::max(std::abs(offset.least), std::abs(offset.most));
+    const double length = glm::length(offset.vector);
+    const Vec3 along = length > 0.0 ? offset.vector / length : Vec3(0.0);
+    return most * glm::sqrt(glm::max(Vec3(1.0) - along * along, Vec3(0.0)));
+}
+
+/// particleReach on the level alone.
+double levelReach(ParticleStyle style, const Vec3& offset) {
+    for (VectorRange* range : {&style.a, &style.b, &style.c})
+        range->vector.z = 0.0;
+    return particleReach(style, {offset.x, offset.y, 0.0});
+}
+
 } // namespace
 
 bool Assembly::addIdle(const PlacedModel& object) {
@@ -99,7 +114,8 @@ void Assembly::addSources(const PlacedModel& object, std::uint32_t idle) {
             source.at = {object.orientation * rest.orientation,
                          origin + object.orientation * rest.origin * object.scale};
         }
-        addSource(start, *setup, source);
+        if (const auto made = sourceOf(start, *setup, source))
+            world_.particleSources.push_back(*made);
     }
 }
 
@@ -123,14 +139,16 @@ void Assembly::addSources(std::uint32_t villager, dat::RecordId model, const Pla
         source.seed = seedOf(movingObject(MovingThing::Villager, villager), number++);
         const Pose rest = start.part < setup->parts.size() ? restOf(*setup, start.part) : Pose();
         source.at = {rest.orientation, rest.origin};
-        addSource(start, *setup, source);
+        if (const auto made = sourceOf(start, *setup, source))
+            world_.particleSources.push_back(*made);
     }
 }
 
-void Assembly::addSource(const EmitterStart& start, const dat::Setup& setup, ParticleSource source) {
+std::optional<ParticleSource> Assembly::sourceOf(const EmitterStart& start, const dat::Setup& setup,
+                                                 ParticleSource source) {
     source.style = particleStyle(start.emitter);
     if (source.style == kNone)
-        return;
+        return std::nullopt;
     const ParticleStyle& style = world_.particleStyles[source.style];
     const bool isCarried = source.villager != kNone || source.idle != kNone;
     source.part = isCarried && start.part < setup.parts.size() ? start.part : kNone;
@@ -152,7 +170,41 @@ void Assembly::addSource(const EmitterStart& start, const dat::Setup& setup, Par
     source.isEverBurning = style.isEndless() && source.stop == kNeverEnds && source.gone == kNeverEnds &&
                            !source.replacesItself && source.interval < kNeverEnds;
     source.reach = particleReach(style, start.offset);
-    world_.particleSources.push_back(source);
+    return source;
+}
+
+void Assembly::addWeather() {
+    if (region_ == nullptr || (region_->partsMask & dat::Region::kSky) == 0)
+        return;
+    for (std::uint32_t group = 0; group < region_->sky.dayGroups.size(); ++group) {
+        const std::vector<dat::SkyObject>& objects = region_->sky.dayGroups[group].objects;
+        for (std::uint32_t i = 0; i < objects.size(); ++i)
+            addWeather(group, i, objects[i]);
+    }
+}
+
+/// What its script starts at the eye; an object without one that is a Setup may have one of its own. formats/sky_weather.md.
+void Assembly::addWeather(std::uint32_t dayGroup, std::uint32_t number, const dat::SkyObject& object) {
+    const dat::Setup bare;
+    const dat::Setup* model = object.object >> 24 == 0x02 ? records_.setup(object.object) : nullptr;
+    const dat::Setup& setup = model != nullptr ? *model : bare;
+    const std::vector<EmitterStart> starts =
+        object.script != 0 ? starts_.ofScript(object.script, setup) : starts_.ofDefaultScript(setup);
+    std::size_t count = 0;
+    for (const EmitterStart& start : starts) {
+        ParticleSource source;
+        source.seed = seedOf(std::uint64_t{dayGroup} << 32 | number, count++);
+        source.isAlone = true;
+        std::optional<ParticleSource> made = sourceOf(start, setup, source);
+        if (!made)
+            continue;
+        ParticleStyle style = world_.particleStyles[made->style];
+        const Vec3 spread = spreadOf(style.offset);
+        style.offset = {};
+        made->style = static_cast<std::uint32_t>(world_.particleStyles.size());
+        world_.particleStyles.push_back(style);
+        world_.sky.weather.push_back({dayGroup, object, *made, spread, levelReach(style, made->offset)});
+    }
 }
 
 std::uint32_t Assembly::particleStyle(dat::RecordId emitter) {

@@ -1,6 +1,7 @@
 #include "world/Sky.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace limen::world {
 namespace {
@@ -74,13 +75,6 @@ float asFraction(double value) {
     return static_cast<float>(std::clamp(value > 1.0 ? value / 100.0 : value, 0.0, 1.0));
 }
 
-bool isVisible(const dat::SkyObject& object, double t) {
-    const double begin = object.beginTime, end = object.endTime;
-    if (begin == end)
-        return true;
-    return begin < end ? begin <= t && t <= end : t >= begin || t <= end;
-}
-
 /// Degrees along the object's arc.
 double arcAngle(const dat::SkyObject& object, double t) {
     const double begin = object.beginTime, end = object.endTime;
@@ -130,6 +124,32 @@ SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time) {
     return state;
 }
 
+bool isShown(const dat::SkyObject& object, double time) {
+    const double t = fractionOf(time);
+    const double begin = object.beginTime, end = object.endTime;
+    if (begin == end)
+        return true;
+    return begin < end ? begin <= t && t <= end : t >= begin || t <= end;
+}
+
+std::optional<std::uint32_t> dayGroupNamed(const dat::SkyDesc& sky, std::string_view text) {
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size())
+        return number < std::max<std::size_t>(sky.dayGroups.size(), 1) ? std::make_optional(number)
+                                                                       : std::nullopt;
+    const auto isSame = [](char a, char b) {
+        const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+        return lower(a) == lower(b);
+    };
+    for (std::uint32_t group = 0; group < sky.dayGroups.size(); ++group) {
+        const std::string& name = sky.dayGroups[group].name;
+        if (std::equal(name.begin(), name.end(), text.begin(), text.end(), isSame))
+            return group;
+    }
+    return std::nullopt;
+}
+
 void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds,
                    std::vector<SkyPlacement>& out) {
     out.clear();
@@ -140,7 +160,7 @@ void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double s
     const Between at = keyframesAt(*group, t);
     for (std::uint32_t i = 0; i < sky.parts.size(); ++i) {
         const SkyPart& part = sky.parts[i];
-        if (part.dayGroup != dayGroup || !isVisible(part.object, t))
+        if (part.dayGroup != dayGroup || !isShown(part.object, t))
             continue;
         const dat::SkyObjectReplace* from = replaceOf(at.from, part.objectIndex);
         if (part.replacement != (from != nullptr ? from->gfxObj : 0))

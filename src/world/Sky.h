@@ -2,8 +2,11 @@
 
 #include "dat/records/Landscape.h"
 #include "geometry/Vec.h"
+#include "world/Particles.h"
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace limen::world {
@@ -18,11 +21,29 @@ struct SkyPart {
     std::uint32_t replacement = 0;
 };
 
+/// Particles that an object of the sky lets fall around the eye while it is shown (SkyObject::script).
+struct SkyWeather {
+    std::uint32_t dayGroup = 0;
+    dat::SkyObject object;
+    /// Carried by nothing, and alone outside. Its style has no `offset`: births are spread by `spread` instead.
+    ParticleSource source;
+    Vec3 spread{0.0}; ///< how far births lie from the eye along each axis at most, metres
+    double drift =
+        0.0; ///< how far particles then go on the level at most, metres, with all that is drawn of them
+};
+
+/// A time of day in one of the Region's day groups.
+struct SkyHour {
+    std::uint32_t dayGroup = 0;
+    double time = 0.5; ///< fraction of the day
+};
+
 /// The sky as the Region describes it; no day groups when it has none.
 struct Sky {
     dat::SkyDesc desc;
     dat::GameTime time;
     std::vector<SkyPart> parts;
+    std::vector<SkyWeather> weather;
 };
 
 /// Light and fog at one time of day, interpolated between keyframes (formats/sky_weather.md).
@@ -45,6 +66,13 @@ struct SkyPlacement {
 
 /// The light at `time` (fraction of the day, 0..1) in day group `dayGroup` (clamped). Defaults without a sky.
 [[nodiscard]] SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time);
+
+/// Whether an object shows at a time of day, fraction.
+[[nodiscard]] bool isShown(const dat::SkyObject& object, double time);
+
+/// The day group that a text names: its number, from 0, or its name, whatever the case of its letters. Without day groups 0 names what
+/// is there. Nothing: it names none.
+[[nodiscard]] std::optional<std::uint32_t> dayGroupNamed(const dat::SkyDesc& sky, std::string_view text);
 
 /// The sky objects visible then, in drawing order. `out` is overwritten and keeps its capacity.
 void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds,

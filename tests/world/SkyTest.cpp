@@ -185,5 +185,20 @@ TEST(Sky, loadsItsMeshesFromTheRegion) {
     EXPECT_GT(skyAt(world.sky, 0, 0.5).sunDirection.z, 0.5f);
 }
 
+TEST(DayGroupNamed, readsNumbersAndNames) {
+    dat::SkyDesc sky;
+    EXPECT_EQ(dayGroupNamed(sky, "0"), 0u) << "without any";
+    EXPECT_EQ(dayGroupNamed(sky, "1"), std::nullopt);
+    for (const char* name : {"Sunny", "Rainy", "Rainy", ""}) {
+        sky.dayGroups.emplace_back();
+        sky.dayGroups.back().name = name;
+    }
+    EXPECT_EQ(dayGroupNamed(sky, "3"), 3u);
+    EXPECT_EQ(dayGroupNamed(sky, "sunny"), 0u);
+    EXPECT_EQ(dayGroupNamed(sky, "RAINY"), 1u) << "the first";
+    for (const char* wrong : {"4", "-1", "1x", "rain", "99999999999"})
+        EXPECT_EQ(dayGroupNamed(sky, wrong), std::nullopt) << wrong;
+}
+
 } // namespace
 } // namespace limen::world

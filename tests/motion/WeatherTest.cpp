@@ -1,0 +1,142 @@
+#include "motion/Moments.h"
+
+#include "support/Effects.h"
+#include "world/Loader.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+// What the Region's day groups let fall around the eye.
+namespace limen::motion {
+namespace {
+
+using test::EffectsHut;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+using world::kOutside;
+
+constexpr double kRadius = 10.0;
+
+/// A hut under a sky with two day groups; in the second an object lets sparks hang in the air, up to a radius from the eye.
+struct Sky {
+    EffectsHut effects;
+    dat::SkyObject object;
+
+    explicit Sky(double radius = kRadius) {
+        dat::ParticleEmitter record = EffectsHut::emitter(effects.spark);
+        record.birthrate = 0.02;
+        record.maxParticles = 300;
+        record.lifespan = 6.0;
+        record.offset = {{0.0f, 0.0f, 1.0f}, 0.0f, static_cast<float>(radius)};
+        object.script = effects.addScript(
+            {{0.0, EffectsHut::create(effects.add(record), EffectsHut::kWhole, {0, 0, 2})}});
+    }
+    world::World load() {
+        dat::DayGroup weather;
+        weather.objects = {object};
+        effects.hut.source.region().sky.dayGroups = {{}, weather};
+        world::World world = effects.hut.load();
+        EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+        return world;
+    }
+};
+
+struct Falling {
+    explicit Falling(Sky sky)
+        : record(sky.effects.spark), world(sky.load()), home(sky.effects.hut.at(Vec3(0.0))) {}
+
+    /// Where its particles are around an eye, block-local.
+    std::vector<Vec3> around(const Vec3& eye, std::optional<world::SkyHour> hour = world::SkyHour{1, 0.5}) {
+        MomentInput input;
+        input.seconds = 100.0;
+        input.eye = home + eye;
+        input.weather = hour;
+        moments.at(input, moment);
+        std::vector<Vec3> places;
+        for (const world::Instance& i : moment.instances) {
+            if (i.record != record)
+                continue;
+            places.push_back(world.blocks[i.block].origin() + Vec3(i.origin) - home);
+            EXPECT_THAT(std::vector(moment.members.begin() + i.firstMember,
+                                    moment.members.begin() + i.firstMember + i.memberCount),
+                        ElementsAre(kOutside));
+        }
+        return places;
+    }
+
+    std::uint32_t record;
+    world::World world;
+    Vec3 home;
+    Moments moments{world};
+    world::Moment moment;
+};
+
+double level(const Vec3& way) {
+    return glm::length(Vec2(way));
+}
+
+TEST(Weather, asMuchLiesAroundTheEyeAsItsEmitterHas) {
+    Falling falling{Sky()};
+    for (const Vec3& eye : {Vec3(60, 60, 4), Vec3(93, 47, 4), Vec3(20.5, 110.25, 4)}) {
+        const std::vector<Vec3> places = falling.around(eye);
+        EXPECT_NEAR(static_cast<double>(places.size()), 300.0, 75.0); // chance
+        std::size_t near = 0;
+        for (const Vec3& place : places) {
+            EXPECT_LE(level(place - eye), kRadius + 1e-3);
+            EXPECT_NEAR(place.z, eye.z + 2.0, 1e-3);
+            near += level(place - eye) < kRadius * std::sqrt(0.5) ? 1 : 0;
+        }
+        EXPECT_NEAR(static_cast<double>(near) / static_cast<double>(places.size()), 0.5, 0.12)
+            << "evenly spread";
+    }
+}
+
+TEST(Weather, staysWhereItIsWhenTheEyeMoves) {
+    Falling falling{Sky()};
+    const Vec3 eye(60, 60, 4), then(64, 57, 4);
+    const std::vector<Vec3> before = falling.around(eye), after = falling.around(then);
+    std::size_t both = 0;
+    for (const Vec3& place : before) {
+        if (level(place - then) > kRadius - 1e-3)
+            continue;
+        ++both;
+        EXPECT_TRUE(std::any_of(after.begin(), after.end(),
+                                [&](const Vec3& other) { return glm::length(other - place) < 1e-3; }))
+            << place.x << ", " << place.y;
+    }
+    EXPECT_GT(both, 100u);
+}
+
+TEST(Weather, bornCloseTogetherItGoesWithTheEye) {
+    Falling falling{Sky(0.5)};
+    const Vec3 eye(60, 60, 4), then(64.5, 57, 6);
+    const std::vector<Vec3> before = falling.around(eye), after = falling.around(then);
+    ASSERT_THAT(before, SizeIs(300));
+    ASSERT_THAT(after, SizeIs(300));
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_LT(glm::length(after[i] - then - (before[i] - eye)), 1e-3);
+}
+
+TEST(Weather, fallsOnDaysAndAtHoursThatHaveIt) {
+    Sky sky;
+    sky.object.beginTime = 0.8f;
+    sky.object.endTime = 0.2f;
+    Falling falling{std::move(sky)};
+    const Vec3 eye(60, 60, 4);
+    EXPECT_FALSE(falling.around(eye, world::SkyHour{1, 0.9}).empty());
+    EXPECT_THAT(falling.around(eye, world::SkyHour{1, 0.5}), IsEmpty());
+    EXPECT_THAT(falling.around(eye, world::SkyHour{0, 0.9}), IsEmpty());
+    EXPECT_THAT(falling.around(eye, std::nullopt), IsEmpty()) << "the player is inside";
+}
+
+TEST(Weather, aSetupInTheSkyPlaysItsOwnScriptWhereTheObjectNamesNone) {
+    Sky sky;
+    sky.object.object = sky.effects.addScripted(sky.object.script);
+    sky.object.script = 0;
+    Falling falling{std::move(sky)};
+    EXPECT_FALSE(falling.around({60, 60, 4}).empty());
+}
+
+} // namespace
+} // namespace limen::motion
