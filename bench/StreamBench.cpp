@@ -5,6 +5,7 @@
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
 
+#include "app/OneArena.h"
 #include "app/SessionStream.h"
 #include "demo/Demo.h"
 #include "demo/Generated.h"
@@ -38,25 +39,29 @@ double residentMiB() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
 }
 
-/// Blocks that there are, and the way over them from end to end.
+/// Blocks with landscape, and the way over them from the most south-western to the most north-eastern.
 struct Land {
     std::vector<dat::BlockCoord> blocks;
     Vec3 from{0.0}, to{0.0};
 
     explicit Land(const app::WorldSource& source) {
-        Aabb bounds;
         for (int x = 0; x < world::kMapSize; ++x) {
             for (int y = 0; y < world::kMapSize; ++y) {
                 const dat::BlockCoord block{x, y};
                 if (source.archive.contains<dat::LandBlock>(dat::landBlockId(block)) &&
                     !world::isDungeon(source.archive, block)) {
                     blocks.push_back(block);
-                    bounds.include(Vec3(x + 0.5, y + 0.45, 0.0) * world::kBlockSize);
                 }
             }
         }
-        from = bounds.min;
-        to = bounds.max;
+        const auto isBefore = [](dat::BlockCoord a, dat::BlockCoord b) { return a.x + a.y < b.x + b.y; };
+        const auto placeIn = [](dat::BlockCoord block) {
+            return Vec3(block.x + 0.5, block.y + 0.45, 0.0) * world::kBlockSize;
+        };
+        if (!blocks.empty()) {
+            from = placeIn(*std::min_element(blocks.begin(), blocks.end(), isBefore));
+            to = placeIn(*std::max_element(blocks.begin(), blocks.end(), isBefore));
+        }
     }
 
     /// Cuts the way down to some blocks from the last place that is in no dungeon towards the middle.
@@ -167,6 +172,7 @@ void addRows(const std::string& scene, const Result<Flight>& flight, std::vector
 } // namespace
 
 std::vector<BenchRow> benchStream(AllocationCounter) {
+    app::shareOneArena(); // as in the viewer
     const TemporaryDirectory builtIn("stream-built-in"), generated("stream-generated");
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory, bool whole,
@@ -197,6 +203,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
 }
 
 std::vector<BenchRow> benchStreamOver(const std::string& dat) {
+    app::shareOneArena();
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, gpu::Device& device) {
         Result<app::WorldSource> source = app::openWorldSource(dat);

@@ -28,7 +28,7 @@ struct BlockKey {
 class LoadCache {
 public:
     /// `mostBytes`: that it keeps, about; what was needed longest ago goes first.
-    explicit LoadCache(std::size_t mostBytes = std::size_t{192} << 20)
+    explicit LoadCache(std::size_t mostBytes = std::size_t{112} << 20)
         : blocks(mostBytes / 2), models(mostBytes / 16), parts(mostBytes / 4), pictures(mostBytes / 4) {}
 
     KeptByUse<BlockKey, BlockContent> blocks;
