@@ -85,10 +85,11 @@ TEST(FrameReport, reproductionNamesTheRoot) {
     eye.player = {1, 2, 3};
     eye.seconds = 2.5;
     eye.doors = 0.5;
+    eye.dayGroup = 3;
     eye.weather = Weather::Rain;
     eye.time = 0.25;
     EXPECT_TRUE(reproduction(smallWorld(), eye, "")
-                    .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --weather=rain --player=1,2,3"));
+                    .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --day=3 --weather=rain --player=1,2,3"));
 }
 
 TEST(RegionOverlay, outlinesEveryVisitInItsColour) {

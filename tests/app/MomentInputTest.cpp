@@ -33,6 +33,22 @@ TEST(MomentInput, case18_itRainsExactlyWhileThePlayerIsOutside) {
     }
 }
 
+TEST(MomentInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOutside) {
+    HutWorld f;
+    EXPECT_FALSE(momentInput(f.world, f.eye(f.outside, f.outside)).weather) << "there is none";
+    f.world.sky.weather.resize(1);
+    for (const Vec3& at : {f.inside, f.outside}) {
+        FrameEye eye = f.eye(at, f.outside, Weather::Clear);
+        eye.dayGroup = 2;
+        eye.time = 0.25;
+        const auto hour = momentInput(f.world, eye).weather;
+        ASSERT_TRUE(hour);
+        EXPECT_EQ(hour->dayGroup, 2u);
+        EXPECT_EQ(hour->time, 0.25);
+        EXPECT_FALSE(momentInput(f.world, f.eye(at, f.inside)).weather);
+    }
+}
+
 TEST(MomentInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
     const HutWorld f;
     FrameEye eye = f.eye(f.inside, f.inside);

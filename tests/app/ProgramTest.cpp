@@ -286,6 +286,13 @@ TEST(Program, namesThePlacesItKnowsWhenOneIsUnknown) {
     expectRefusal(runner, {"shot", "--at", "castle.attic"}, "hill");
 }
 
+TEST(Program, namesTheKindsOfDayItKnowsWhenOneIsUnknown) {
+    const ProgramRunner runner;
+    expectRefusal(runner, {"shot", "--at", "hill", "--day", "dreary"}, "Fair, Snow");
+    expectRefusal(runner, {"shot", "--at", "hill", "--day", "2"}, "Fair, Snow");
+    expectRefusal(runner, {"check", "--views", "1", "--day", "dreary"}, "Fair, Snow");
+}
+
 TEST(Program, sayThereIsNoDisplayForTheWindow) {
     const ProgramRunner runner;
     expectRefusal(runner, {"view"}, "display");

@@ -24,6 +24,7 @@ FrameEye someEye() {
     eye.player = {4, 5, 6};
     eye.time = 0.25;
     eye.seconds = 7.5;
+    eye.dayGroup = 2;
     eye.weather = Weather::Rain;
     eye.eachDoor = {0.0, 0.5, 0.75};
     return eye;
@@ -39,6 +40,7 @@ void expectSame(const FrameEye& a, const FrameEye& b) {
     EXPECT_EQ(a.body, b.body);
     EXPECT_EQ(a.time, b.time);
     EXPECT_EQ(a.seconds, b.seconds);
+    EXPECT_EQ(a.dayGroup, b.dayGroup);
     EXPECT_EQ(a.weather, b.weather);
     EXPECT_EQ(a.doors, b.doors);
 }
@@ -68,7 +70,7 @@ TEST(ViewOfEye, shotOptionsSayAllOfIt) {
     EXPECT_EQ(
         check::shotOptions(viewOf(eye, worldWithDoors())),
         "--eye=1,2,3 --yaw=30 --pitch=-5 --fov=75 --size=640x360 --root=0xA9B40105 --time=0.25 --seconds=7.5 "
-        "--door='c=0.75' --weather=rain --body=7,8,9 --body-yaw=180 --body-root=0xA9B40105 "
+        "--door='c=0.75' --day=2 --weather=rain --body=7,8,9 --body-yaw=180 --body-root=0xA9B40105 "
         "--body-opacity=0.5 --body-speed=2.2 --body-metres=17.5");
 }
 

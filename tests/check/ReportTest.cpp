@@ -114,6 +114,7 @@ TEST(Resume, aStateComesBackAsItWas) {
     View& worst = progress.totals.worst.front().view; // everything that its command names
     worst.seconds = 12.5;
     worst.doors = 0.25;
+    worst.dayGroup = 2;
     worst.rain = true;
     const auto back = parseProgress(progressJson(progress));
     ASSERT_TRUE(back) << back.error().message();
