@@ -43,6 +43,7 @@ struct FrameEye {
     bool rootAmbiguous = false; ///< several cells claim the eye
     Vec3 player{0.0};
     std::optional<motion::PlayerBody> body; ///< what the player walks in; then `player` is not asked
+    bool isHeld = false;                    ///< something keeps it nearer behind the body than it would be
     double time = 0.5;
     std::uint32_t dayGroup = 0; ///< of the Region's kinds of days
     Weather weather = Weather::Clear;

@@ -38,6 +38,7 @@ constexpr std::array<ActionFacts, kActions> kFacts{{
     {"probe", When::Always, "tell what changes on standard output", {"F6", ""}},
     {"freeze", When::Always, "keep the visits of this view, to look at them from elsewhere", {"F7", ""}},
     {"portals", When::Always, "portals, and why rays pass them or not", {"F8", ""}},
+    {"depth", When::Always, "distances as greys", {"F9", ""}},
     {"full_screen", When::Always, "full screen", {"F11", ""}},
     {"screenshot", When::Always, "keep the picture as a file", {"F12", ""}},
     {"leave", When::Always, "leave", {"Escape", ""}},

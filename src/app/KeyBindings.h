@@ -36,6 +36,7 @@ enum class Action : std::uint8_t {
     Probe,
     Freeze,
     Portals,
+    Depth,
     FullScreen,
     Screenshot,
     Leave,

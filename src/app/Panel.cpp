@@ -406,6 +406,18 @@ void drawVerdict(const ViewVerdict* verdict) {
     }
 }
 
+/// What was found wrong with the data.
+void drawFindings(std::span<const world::Finding> findings) {
+    constexpr std::size_t kMost = 20;
+    const std::string title = fmt::format("Warnings ({})###warnings", findings.size());
+    if (findings.empty() || !ImGui::CollapsingHeader(title.c_str()))
+        return;
+    for (const world::Finding& finding : findings.first(std::min(findings.size(), kMost)))
+        line(fmt::format("{} {}", hexId(finding.record), finding.what));
+    if (findings.size() > kMost)
+        line(fmt::format("and {} more", findings.size() - kMost));
+}
+
 int drawPlaces(std::span<const world::Place> places) {
     int clicked = -1;
     if (!places.empty() && ImGui::CollapsingHeader("Places")) {
@@ -437,6 +449,7 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
     drawVisits(facts);
     drawPortalList(facts);
     drawResidency(facts.residency);
+    drawFindings(facts.world.findings);
     choice.place = drawPlaces(facts.places);
     if (ImGui::CollapsingHeader("Driver")) {
         line(facts.figures.driver);
@@ -537,6 +550,8 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
         drawOver(facts.verdict->picture, 190); // what is right stays to be seen, darkly
     else if (switches.ids && !facts.ids.empty())
         drawOver(pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
+    else if (switches.depth && !facts.distances.empty())
+        drawOver(pictureOfDistances(facts.eye.size.width, facts.eye.size.height, facts.distances), 255);
     if (switches.regions)
         drawRegionOutlines(facts.visible);
     drawPortals(facts);

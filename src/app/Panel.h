@@ -19,7 +19,7 @@ namespace limen::app {
 
 /// What the overlay stage shows, switched by keys.
 struct OverlaySwitches {
-    bool help = false, ids = false, regions = false, portals = false, panel = true;
+    bool help = false, ids = false, depth = false, regions = false, portals = false, panel = true;
 };
 
 /// Milliseconds, over the last five seconds.
@@ -60,6 +60,7 @@ struct PanelFacts {
     std::optional<std::size_t> quality; ///< of kQualities
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image, only when it is to be shown
+    std::span<const float> distances;   ///< likewise: RenderTarget::readDistances
     const KeyBindings& bindings;
     const std::optional<Rebinding>& rebinding; ///< what the next key will do
     std::string_view notice;                   ///< empty: there is nothing to say

@@ -69,6 +69,8 @@ void Probe::take(const ProbeFacts& facts, Decisions& out) {
     for (const frame::Stage& stage : facts.plan.stages)
         out.stages.push_back(stage.batchCount);
     out.root = facts.eye.root;
+    out.body = facts.eye.body ? facts.eye.body->space : world::kNone;
+    out.isHeld = facts.eye.isHeld;
     out.visitsCut = facts.visible.counts.visitsCut;
 }
 
@@ -76,6 +78,9 @@ Probe::Names Probe::name(const ProbeFacts& facts) {
     Names names;
     names.root = spaceName(facts.world, facts.eye.root);
     names.stages = stagesOf(facts.plan);
+    if (facts.eye.body)
+        names.camera = fmt::format("{} to {}{}", spaceName(facts.world, facts.eye.body->space), names.root,
+                                   facts.eye.isHeld ? ", held" : "");
     if (!facts.world.blocks.empty())
         names.centre = fmt::format("{} blocks from {} to {}", facts.world.blocks.size(),
                                    hexId(dat::landBlockId(facts.world.blocks.front().coord)),
@@ -118,6 +123,11 @@ std::string Probe::see(const ProbeFacts& facts) {
                       {"was", isFirst_ ? Json() : Json(told_.root)},
                       {"from", isFirst_ ? Json() : position(from)},
                       {"to", position(lastEye_)}});
+    if (names.camera != told_.camera)
+        tell("camera",
+             {{"body", facts.eye.body ? Json(spaceName(facts.world, facts.eye.body->space)) : Json()},
+              {"eye", names.root},
+              {"held", facts.eye.isHeld}});
     if (differs(&Names::visits))
         tell("visits", {{"came", difference(names.visits, told_.visits)},
                         {"went", difference(told_.visits, names.visits)}});

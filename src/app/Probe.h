@@ -18,7 +18,7 @@ struct ProbeFacts {
     std::uint32_t glCalls = 0;
 };
 
-/// Tells what changed from one frame to the next in what was decided: root, visits, cells seen, whether outside is, stages, what is
+/// Tells what changed from one frame to the next in what was decided: root, the camera's way from the body, visits, cells seen, whether outside is, stages, what is
 /// loaded, budgets. A frame like the one before costs a comparison and no memory.
 class Probe {
 public:
@@ -33,12 +33,14 @@ private:
         std::vector<std::uint32_t> seen;   ///< spaces
         std::vector<std::uint32_t> stages; ///< of each batch: stage and program
         world::SpaceIndex root = world::kOutside;
+        world::SpaceIndex body = world::kNone;
+        bool isHeld = false;
         std::uint32_t visitsCut = 0;
         friend bool operator==(const Decisions&, const Decisions&) = default;
     };
     /// The same by names that hold when another part of the world is loaded.
     struct Names {
-        std::string root, stages, centre;
+        std::string root, stages, centre, camera;
         std::vector<std::string> visits, cells; ///< sorted
         std::uint32_t visitsCut = 0;
     };

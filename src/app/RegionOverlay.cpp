@@ -59,4 +59,20 @@ Picture pictureOfIds(std::uint32_t width, std::uint32_t height, std::span<const 
     return picture;
 }
 
+Picture pictureOfDistances(std::uint32_t width, std::uint32_t height, std::span<const float> distances) {
+    constexpr float kNearest = 0.1f, kDecades = 5.0f;
+    Picture picture(width, height);
+    for (std::size_t i = 0; i < distances.size() && i < picture.rgb.size() / 3; ++i) {
+        Rgb colour{170, 210, 255};
+        if (std::isfinite(distances[i])) {
+            const float decades = std::log10(std::max(distances[i], kNearest) / kNearest);
+            const auto grey =
+                static_cast<std::uint8_t>(std::lround(255.0f * std::max(1.0f - decades / kDecades, 0.0f)));
+            colour = {grey, grey, grey};
+        }
+        picture.set(static_cast<std::int64_t>(i % width), static_cast<std::int64_t>(i / width), colour);
+    }
+    return picture;
+}
+
 } // namespace limen::app

@@ -22,4 +22,9 @@ void drawOutlines(Picture& picture, std::span<const std::vector<Vec2>> outlines)
 [[nodiscard]] Picture pictureOfIds(std::uint32_t width, std::uint32_t height,
                                    std::span<const std::uint32_t> ids);
 
+/// Distances from the eye, metres, as greys: white at 10 cm, a fifth darker for each factor of ten, black from 10 km on; where there is
+/// none (infinity) light blue.
+[[nodiscard]] Picture pictureOfDistances(std::uint32_t width, std::uint32_t height,
+                                         std::span<const float> distances);
+
 } // namespace limen::app

@@ -66,7 +66,7 @@ Result<void> Viewer::frame(double fixedSeconds) {
     if (verdict_ && !isSameView(eye(), checkedFrom_))
         verdict_.reset();
     const std::optional<frame::Highlight> pulse = selectionPulse();
-    DrawOptions options{.ids = switches_.ids};
+    DrawOptions options{.ids = switches_.ids || switches_.depth};
     if (pulse)
         options.highlights = std::span(&*pulse, 1);
     if (Result<void> drawn = session_.draw(eye(), options); !drawn)
@@ -120,6 +120,9 @@ void Viewer::press(Action action) {
         return;
     case Action::Ids:
         switches_.ids = !switches_.ids;
+        return;
+    case Action::Depth:
+        switches_.depth = !switches_.depth;
         return;
     case Action::Regions:
         switches_.regions = !switches_.regions;
@@ -290,6 +293,8 @@ void Viewer::take(const PanelChoice& choice) {
 void Viewer::overlay() {
     const std::vector<std::uint32_t> ids =
         switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
+    const std::vector<float> distances =
+        switches_.depth ? session_.target().readDistances(session_.plan().constants) : std::vector<float>{};
     device_.presentToWindow(session_.target().handle(), eye().size.width, eye().size.height);
     const FrameFigures figures = session_.figures();
     if (frames_++ > 0) // the first is no frame: it began when the window opened
@@ -315,6 +320,7 @@ void Viewer::overlay() {
                            .quality = session_.options().quality,
                            .places = session_.source().file.places,
                            .ids = ids,
+                           .distances = distances,
                            .bindings = bindings_,
                            .rebinding = rebinding_,
                            .notice = said,

@@ -50,6 +50,7 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
         {"overlays",
          {{"help", viewer.switches().help},
           {"ids", viewer.switches().ids},
+          {"depth", viewer.switches().depth},
           {"regions", viewer.switches().regions},
           {"portals", viewer.switches().portals},
           {"panel", viewer.switches().panel}}},

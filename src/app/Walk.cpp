@@ -9,7 +9,8 @@
 namespace limen::app {
 namespace {
 
-constexpr int kRadius = 1; // landblocks around the body's whose solids are known
+constexpr int kRadius = 1;     // landblocks around the body's whose solids are known
+constexpr double kHeld = 0.01; // metres that an eye which nothing holds may be short of where it belongs
 
 /// A body fades when the eye comes near its head, and is gone before the eye is in it.
 double opacityAt(double metres) {
@@ -49,6 +50,7 @@ Result<void> Walk::begin(const Session& session, const FrameEye& eye) {
 void Walk::end(FrameEye& eye) {
     drop();
     eye.body.reset();
+    eye.isHeld = false;
 }
 
 void Walk::drop() {
@@ -184,6 +186,7 @@ void Walk::carryEye(const Session& session, double seconds, FrameEye& eye) {
     eye.camera.eye = at.position;
     eye.root = at.space;
     eye.rootAmbiguous = false;
+    eye.isHeld = isChased_ && chase_.arm < chaseShape_.distance - kHeld;
     eye.player = shape_.capsule.middle(body_.standing.feet);
     eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity, speed_, metres_};
 }

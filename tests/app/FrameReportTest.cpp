@@ -3,7 +3,7 @@
 #include "app/SmallWorld.h"
 
 #include <cmath>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -88,8 +88,22 @@ TEST(FrameReport, reproductionNamesTheRoot) {
     eye.dayGroup = 3;
     eye.weather = Weather::Rain;
     eye.time = 0.25;
-    EXPECT_TRUE(reproduction(smallWorld(), eye, "")
-                    .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --day=3 --weather=rain --player=1,2,3"));
+    EXPECT_TRUE(
+        reproduction(smallWorld(), eye, "")
+            .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --day=3 --weather=rain --player=1,2,3"));
+}
+
+TEST(RegionOverlay, distancesAreDarkerTheFartherTheyAre) {
+    const float none = std::numeric_limits<float>::infinity();
+    const std::vector<float> distances{0.05f, 0.1f, 1.0f, 10.0f, 1e4f, 1e6f, none};
+    const Picture picture = pictureOfDistances(7, 1, distances);
+    std::vector<int> greys;
+    for (std::size_t i = 0; i < 6; ++i) {
+        greys.push_back(picture.rgb[3 * i]);
+        EXPECT_EQ(picture.rgb[3 * i], picture.rgb[3 * i + 2]);
+    }
+    EXPECT_THAT(greys, testing::ElementsAre(255, 255, 204, 153, 0, 0));
+    EXPECT_NE(picture.rgb[18], picture.rgb[20]) << "no distance";
 }
 
 TEST(RegionOverlay, outlinesEveryVisitInItsColour) {

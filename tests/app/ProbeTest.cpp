@@ -153,5 +153,24 @@ TEST(Probe, aBudgetThatIsReachedIsTold) {
     EXPECT_EQ(f.see().at("budget")["visits_cut"], 0);
 }
 
+TEST(Probe, theCamerasWayFromTheBodyIsToldWhenItChanges) {
+    Probed f;
+    f.eye.body = motion::PlayerBody{{1, 2, 1}, 0.0, 1};
+    EXPECT_EQ(f.see()["camera"]["held"], false);
+    EXPECT_THAT(Probed::namesOf(f.see()), IsEmpty());
+    f.eye.isHeld = true;
+    const auto held = f.see();
+    EXPECT_THAT(Probed::namesOf(held), ElementsAre("camera"));
+    EXPECT_EQ(held.at("camera")["held"], true);
+    f.eye.body->space = world::kOutside; // the eye stays behind
+    auto behind = f.see();
+    EXPECT_THAT(Probed::namesOf(behind), ElementsAre("camera"));
+    EXPECT_EQ(behind["camera"]["body"], "outside");
+    EXPECT_EQ(behind["camera"]["eye"], "0xA9B40105");
+    f.eye.body.reset();
+    f.eye.isHeld = false;
+    EXPECT_TRUE(f.see()["camera"]["body"].is_null());
+}
+
 } // namespace
 } // namespace limen::app

@@ -333,12 +333,12 @@ class ViewWindow(WindowTest):
     @patiently
     def test_function_keys_switch_the_overlays(self):
         def press():
-            for key in ("F1", "F2", "F3", "F8", "F4"):
+            for key in ("F1", "F2", "F9", "F3", "F8", "F4"):
                 self.xdotool("key", key)
                 self.wait(0.4)
 
         overlays = self.drive(press)["overlays"]
-        self.assertEqual(overlays, {"help": True, "ids": True, "regions": True, "portals": True, "panel": False})
+        self.assertEqual(overlays, {"help": True, "ids": True, "depth": True, "regions": True, "portals": True, "panel": False})
 
     @patiently
     def test_o_opens_the_doors_r_makes_rain_and_t_makes_it_later(self):
