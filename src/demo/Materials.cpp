@@ -51,7 +51,7 @@ Recipe folkRecipe(Material material) {
     case Material::Glass:
         return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Snowflake: // bright from all sides
-        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.62f, 0.8f, 0.0f, 0};
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 0.8f, 0.0f, 0};
     case Material::Smoke:
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Fire:
