@@ -61,18 +61,18 @@ TEST(Effects, areAllPlayed) {
     EXPECT_EQ(loaded().idleObjects.size(), 2u) << "the whirligig and the vane";
     motion::Moments moments(loaded());
     world::Moment moment;
-    std::set<std::uint32_t> records; // of what is seen at some moment
+    std::set<std::uint64_t> objects; // that are seen at some moment
     for (double seconds = 10.0; seconds < 24.0; seconds += 0.21) {
         motion::MomentInput input;
         input.seconds = seconds;
+        input.weather = world::SkyHour{1, 0.5}; // snow
         moments.at(input, moment);
         for (const world::Instance& instance : moment.instances)
-            records.insert(static_cast<std::uint32_t>(instance.object & 0xFFFFFFFFu) |
-                           (instance.object >> 56 == 0xF5 ? 0x80000000u : 0u));
+            objects.insert(instance.object);
     }
-    for (std::uint32_t style = 0; style < loaded().particleStyles.size(); ++style)
-        EXPECT_TRUE(records.contains(0x80000000u | style))
-            << std::hex << "particles of " << loaded().particleStyles[style].record;
+    for (const world::ParticleStyle& style : loaded().particleStyles)
+        EXPECT_TRUE(objects.contains(loaded().movingParts[style.part].object))
+            << std::hex << "particles of " << style.record;
 }
 
 } // namespace
