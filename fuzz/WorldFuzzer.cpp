@@ -157,6 +157,8 @@ void check(const dat::Archive& archive, const test::MovingHut& hut) {
     input.seconds = 12.5;
     input.eye = hut.at({12, 12, 3.5});
     input.rain = true;
+    if (!world->sky.weather.empty())
+        input.weather = world::SkyHour{world->sky.weather.front().dayGroup, 0.5};
     moments.at(input, moment);
     frame::Planner planner(*world);
     static_cast<void>(frame::buildScene(*world, planner.pieces()));

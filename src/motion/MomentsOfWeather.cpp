@@ -21,6 +21,8 @@ constexpr Vec2 kRainSize{0.012, 0.5};
 // square, and births are spread evenly over it, so that the eye moves through what falls. As many lie around it as one emitter has.
 constexpr double kLeastSpread = 1.0; ///< metres; what is born closer together goes with the eye
 
+constexpr double kMostSquares = 2.0; ///< what drifts farther than so many comes from nowhere
+
 /// What chance decides beyond what motion/Particles.cpp lets it.
 enum Use : std::uint32_t { kAcross = 100, kAlong, kAbove };
 
@@ -81,7 +83,7 @@ void Moments::addWeather(const MomentInput& input, world::Moment& out) {
         }
         const double side =
             radius * std::sqrt(std::numbers::pi); // a square as large as the circle around the eye
-        const double around = radius + weather.drift;
+        const double around = std::min(radius + weather.drift, kMostSquares * side);
         const auto squareOf = [&](double metres) {
             return static_cast<std::int64_t>(std::floor(metres / side));
         };

@@ -118,6 +118,20 @@ TEST(Weather, bornCloseTogetherItGoesWithTheEye) {
         EXPECT_LT(glm::length(after[i] - then - (before[i] - eye)), 1e-3);
 }
 
+TEST(Weather, ofNoSensibleSizeItIsNotLookedForForEver) {
+    for (const double radius : {1.5, 1e30}) {
+        Sky sky(radius);
+        dat::ParticleEmitter storm = EffectsHut::emitter(sky.effects.spark);
+        storm.birthrate = 0.3; // none is born just now
+        storm.particleType = dat::ParticleType::GlobalVelocity;
+        storm.offset = {{0.0f, 0.0f, 1.0f}, 0.0f, static_cast<float>(radius)};
+        storm.a = {{1e30f, 0.0f, 0.0f}, 1.0f, 1.0f};
+        sky.object.script = sky.effects.addScript({{0.0, EffectsHut::create(sky.effects.add(storm))}});
+        Falling falling{std::move(sky)};
+        EXPECT_THAT(falling.around({60, 60, 4}), IsEmpty());
+    }
+}
+
 TEST(Weather, fallsOnDaysAndAtHoursThatHaveIt) {
     Sky sky;
     sky.object.beginTime = 0.8f;
