@@ -122,7 +122,7 @@ TEST(Weather, ofNoSensibleSizeItIsNotLookedForForEver) {
     for (const double radius : {1.5, 1e30}) {
         Sky sky(radius);
         dat::ParticleEmitter storm = EffectsHut::emitter(sky.effects.spark);
-        storm.birthrate = 0.3; // none is born just now
+        storm.lifespan = 2.3; // none is born just now
         storm.particleType = dat::ParticleType::GlobalVelocity;
         storm.offset = {{0.0f, 0.0f, 1.0f}, 0.0f, static_cast<float>(radius)};
         storm.a = {{1e30f, 0.0f, 0.0f}, 1.0f, 1.0f};
