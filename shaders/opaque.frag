@@ -1,4 +1,5 @@
 // Opaque surfaces. Out: colour; the polygon's id. FLAT: the colour is the id's.
+#define SOLID
 #include "surface.glsl"
 #include "idcolour.glsl"
 

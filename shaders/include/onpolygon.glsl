@@ -25,6 +25,8 @@ const float kInward = 1.0e-4;
 const float kInwardRadians = 5.56e-7;
 // Share of its depth by which what is seen flat may be off, from which on it is taken for as far as it may be: see behindRounding.
 const float kFlat = 2.0e-4;
+// Share of its depth by which it still is before where the ray leaves it: some ten roundings of that.
+const float kBeforeEnd = 2.0e-6;
 const float kBehindAll = uintBitsToFloat((127u - kFringeExponent) << 23); // 2^-kFringeExponent
 // Share of its products by which a corner's share may round: six roundings.
 const float kShareRounding = 3.6e-7;
@@ -35,15 +37,15 @@ vec3 cornerOnScreen(uint i) {
 #include "ray.glsl"
 #include "outline.glsl"
 
-// The depths between which the ray with this direction (depth 1) passes within kBesideRay of the polygon; empty (x > y) if
+// The depths between which the ray with this direction (depth 1) passes within so many pixels of the polygon; empty (x > y) if
 // it does not. In the polygon's plane the ray is a line; each outline edge that comes within a band around it bounds the
 // stretch. It is seldom asked for: of no edge, then, and drivers that run every branch for all fragments have a single turn of
 // the loop to do.
-vec2 stretchOver(bool isAsked, vec3 normal, vec3 direction) {
+vec2 stretchOver(bool isAsked, float pixels, vec3 normal, vec3 direction) {
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
     vec3 across = normalize(cross(normal, direction));
-    float beside = kBesideRay * frame.pixel;
+    float beside = pixels * frame.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
     vec3 from = vCorners[2];
     vec3 to = vCorners[0];
@@ -135,7 +137,7 @@ Step stepInwards(Shares shares) {
 float depthOnPlane(vec3 direction, float facing) {
     float onPlane = -vFacet.w / facing;
     bool grazes = !(facing > kGrazing * length(direction));
-    vec2 stretch = stretchOver(grazes, vFacet.xyz, direction);
+    vec2 stretch = stretchOver(grazes, kBesideRay, vFacet.xyz, direction);
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
@@ -210,7 +212,8 @@ float beforePlane(uint kind, vec3 direction) {
 // Of a plane seen flat enough floats do not tell the depth: of a leaf half a kilometre away seen at an angle of 0.0005, not to a
 // metre, where it is a ten-thousandth of a pixel wide. Then it is put as far as it may be. What is behind it by less and shows
 // instead is what pixels around it show; what it would hide by being put too near is not. Yields how much farther; that is
-// a millionth of its distance, square to it. Not so for shells: right behind a cell's wall may be another cell of its zone, that no
+// a millionth of its distance, square to it. But no farther than the ray passes over it: where it ends a wall may begin that no ray
+// meets, between two planks for one (of what is SOLID: leaves have no inside). Not so for shells: right behind a cell's wall may be another cell of its zone, that no
 // ray reaches through it.
 float behindRounding(uint kind, vec3 direction, float depth) {
 #ifdef TRANSLUCENT // writes no depth: it hides nothing
@@ -218,7 +221,12 @@ float behindRounding(uint kind, vec3 direction, float depth) {
 #endif
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * 1.0e-1);
     float share = (kPlaneRounding + inwardRadians()) / facing;
-    return kind == kKindShell ? 0.0 : depth * max(share - kFlat, 0.0);
+    float farther = kind == kKindShell ? 0.0 : depth * max(share - kFlat, 0.0);
+#ifdef SOLID
+    vec2 stretch = stretchOver(farther > 0.0, 0.0, vFacet.xyz, direction);
+    farther = stretch.x <= stretch.y ? min(farther, max(stretch.y * (1.0 - kBeforeEnd) - depth, 0.0)) : farther;
+#endif
+    return farther;
 }
 
 // Eye-relative. Sets the fragment's depth. False: the ray through the pixel does not meet the triangle's front.

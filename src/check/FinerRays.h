@@ -16,6 +16,8 @@ inline constexpr double kFinest = 1.0 / 2048.0;
 inline constexpr int kFinestReach = 16;
 /// Halvings of kFinest until two rays are 1e-13 of a pixel apart, which doubles hardly tell.
 inline constexpr int kHalvings = 32;
+/// Rays between two of the finest grid at most: enough for thirty lines that part surfaces.
+inline constexpr int kMostBetween = 1024;
 
 /// True if any of (2·reach + 1)² rays, `step` apart around the centre of a pixel, passes the test.
 template <class Trace, class Test>
@@ -50,7 +52,7 @@ public:
         return std::any_of(answers_.begin(), answers_.end(), test);
     }
 
-    /// True if a ray on a line that parts two surfaces passes the test.
+    /// True if a ray on a line that parts two surfaces passes the test, between any two neighbours of the grid.
     template <class Trace, class Test>
     [[nodiscard]] bool anyOnBoundaries(Trace trace, Test test) const {
         for (int j = 0; j < kSide; ++j) {
@@ -73,22 +75,27 @@ private:
         return answers_[static_cast<std::size_t>(p.y * kSide + p.x)];
     }
 
-    /// True if a ray between these two passes the test: one at the line on which they part. A strip between two surfaces may
-    /// be narrower than any grid.
+    /// True if a ray between these two passes the test: one at a line on which two surfaces part. Strips between surfaces may be
+    /// narrower than any grid, and several of them may lie side by side, as the tops of planks that are seen from their own height.
     template <class Trace, class Test>
     [[nodiscard]] bool anyBetween(glm::ivec2 first, glm::ivec2 second, Trace trace, Test test) const {
-        if (isSameAnswer(at(first), at(second)))
-            return false;
-        glm::dvec2 a = placeOf(first.x, first.y), b = placeOf(second.x, second.y);
-        for (int i = 0; i < kHalvings; ++i) {
-            const glm::dvec2 middle = (a + b) * 0.5;
-            const reference::Answer there = trace(middle.x, middle.y);
-            if (test(there))
-                return true;
-            (isSameAnswer(there, at(first)) ? a : b) = middle;
-        }
-        return false;
+        int rays = kMostBetween;
+        const auto search = [&](const auto& self, const End& a, const End& b, int halvings) -> bool {
+            if (halvings == 0 || rays == 0 || isSameAnswer(a.answer, b.answer))
+                return false;
+            --rays;
+            const glm::dvec2 place = (a.place + b.place) * 0.5;
+            const End middle{place, trace(place.x, place.y)};
+            return test(middle.answer) || self(self, a, middle, halvings - 1) ||
+                   self(self, middle, b, halvings - 1);
+        };
+        return search(search, {placeOf(first.x, first.y), at(first)},
+                      {placeOf(second.x, second.y), at(second)}, kHalvings);
     }
+    struct End {
+        glm::dvec2 place{0.0};
+        reference::Answer answer;
+    };
 
     int x_, y_;
     std::vector<reference::Answer> answers_;

@@ -236,6 +236,7 @@ struct OnceWrong {
     dat::RecordId cell; // 0: outside
     double seconds;
     std::uint32_t width = 160, height = 90;
+    double fov = 75.0;
 };
 const OnceWrong kOnceWrong[] = {
     {"hidden landings of the tower, along edges over one another",
@@ -291,6 +292,15 @@ const OnceWrong kOnceWrong[] = {
      -26.511374549708997,
      0xA9B50104,
      574.81},
+    {"the tops of a door's planks, seen from their own height: one was put behind the side of the next",
+     {32535.509243479726, 34668.79584760852, 32.397399054858624},
+     237.046875,
+     -0.19374999999999967,
+     0xA9B40100,
+     12.96000000000001,
+     320,
+     180,
+     60.0},
 };
 
 TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {
@@ -299,7 +309,7 @@ TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {
         PictureWorld pictures(directory(), world::blockAt(view.eye), {GetParam(), 2, places().moving, {}});
         pictures.width = view.width;
         pictures.height = view.height;
-        pictures.fov = 75.0;
+        pictures.fov = view.fov;
         motion::MomentInput moment;
         moment.seconds = view.seconds;
         moment.eye = view.eye;
