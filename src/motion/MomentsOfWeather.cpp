@@ -103,10 +103,8 @@ void Moments::addWeather(const MomentInput& input, world::Moment& out) {
 void Moments::addFalling(const MomentInput& input, const world::SkyWeather& weather, const Vec3& middle,
                          double side, std::uint64_t seed, world::Moment& out) {
     const world::ParticleStyle& style = world_.particleStyles[weather.source.style];
-    world::ParticleSource source = weather.source;
+    world::ParticleSource source = timed(weather.source).value_or(weather.source);
     source.seed = seed;
-    if (source.replacesItself)
-        source.gone = std::min(source.gone, source.period);
     const Vec3 half = side > 0.0 ? Vec3(0.5 * side, 0.5 * side, weather.spread.z) : weather.spread;
     const double radius = side > 0.0 ? std::max(weather.spread.x, weather.spread.y) : world::kNeverEnds;
     const Carrier from{middle, Quat(1.0, 0.0, 0.0, 0.0), world::kOutside};
