@@ -40,7 +40,6 @@ public:
         world_.spaces[world::kOutside].instanceCount = static_cast<std::uint32_t>(world_.instances.size());
         world_.spaceInstances.resize(world_.instances.size());
         std::iota(world_.spaceInstances.begin(), world_.spaceInstances.end(), 0u);
-        finishMoment();
         field_.eye = middle() + Vec3(0.0, 0.0, kEyeHeight);
         field_.moveTo(0);
     }
@@ -160,15 +159,6 @@ private:
         }
     }
 
-    void finishMoment() {
-        const auto count = static_cast<std::uint32_t>(field_.moment.instances.size());
-        if (count > 0) {
-            field_.moment.firstInSpace = {0, count};
-            field_.moment.spaceInstances.resize(count);
-            std::iota(field_.moment.spaceInstances.begin(), field_.moment.spaceInstances.end(), 0u);
-        }
-    }
-
     const FieldSpec& spec_;
     ObjectField& field_;
     world::World& world_;
@@ -189,6 +179,7 @@ void ObjectField::moveTo(std::uint32_t frame) {
         instance.origin = Vec3f(at);
         instance.bounds.centre = world.blocks[instance.block].origin() + at + bounds.centre;
     }
+    world::listBySpace(world.spaces.size(), moment);
 }
 
 ObjectField makeField(const FieldSpec& spec) {

@@ -156,7 +156,7 @@ void main() {
     uint ends = groups.z == kCullFirst ? frame.firstHideable : frame.slotCount;
     // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
     uint slot = min(begins + group, ends - 1u);
-    DrawSlot place = slotAt(slot);
+    RunPlace place = placeOf(slot);
     DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
     bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
     bool keepsAll = (piece.triangles & kKeepsAll) != 0u;

@@ -130,12 +130,16 @@ LIMEN_STRUCT(FrameConstants) {
     uint firstMover LIMEN_ZERO; // Instance: what moves,
     uint firstMoverMember LIMEN_ZERO; // Member, likewise
     uint firstMoverPiece LIMEN_ZERO;  // DrawPiece, of what moves and of the sky,
-    uint firstSlot LIMEN_ZERO;        // DrawSlot, two a texel
+    uint firstSlotGroup LIMEN_ZERO;   // SlotGroup,
+    uint firstRun LIMEN_ZERO;         // DrawRun
     uint slotCount LIMEN_ZERO;        // likewise filled in by gpu
     uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
     uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
     uint replacementCount LIMEN_ZERO;
     uint firstHideable LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
+    uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
+    uint reserved2 LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {
@@ -253,14 +257,28 @@ LIMEN_CONST kCullBehind = 3u; // the other slots
 LIMEN_CONST kTileSize = 8u;   // pixels a side
 LIMEN_CONST kMostTiles = 64u; // that a triangle is looked up in
 
-// What is drawn takes the ownership test (gate.glsl): of DrawSlot.piece, and of what draw commands say as their instance.
+// What is drawn takes the ownership test (gate.glsl): of DrawRun.piece, and of what draw commands say as their instance.
 LIMEN_CONST kGated = 0x80000000u;
 
 // A frame's draw commands lie in slots, those of a run of pieces one behind the other. Both are what to add, and so the same for the
 // whole run.
-struct DrawSlot {
+struct RunPlace {
     uint piece LIMEN_ZERO; // to the slot's number, modulo 2^31: the piece's; and kGated
     uint kept LIMEN_ZERO;  // to the piece's indicesBefore, modulo 2^32: where those of its indices go that are kept
+};
+LIMEN_STRUCT(DrawRun) {
+    RunPlace place LIMEN_ZERO;
+    uint firstSlot LIMEN_ZERO;
+    uint reserved LIMEN_ZERO;
+};
+
+// Which runs so many slots are of, from one that is a multiple of it: the run of a slot is looked up in few steps, mostly none, and
+// what a frame writes grows with its runs and not with what is drawn.
+LIMEN_CONST kSlotsPerGroup = 16u;
+LIMEN_STRUCT(SlotGroup) {
+    RunPlace place LIMEN_ZERO; // of the first
+    uint firstRun LIMEN_ZERO;
+    uint lastRun LIMEN_ZERO;
 };
 
 // Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.

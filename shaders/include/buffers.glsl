@@ -73,9 +73,23 @@ Instance instanceAt(uint index) {
 }
 
 #ifdef COMPUTE_STAGE
-DrawSlot slotAt(uint index) {
-    uvec4 pair = ringTexel(frame.firstSlot + index / 2u);
-    return index % 2u == 1u ? DrawSlot(pair.z, pair.w) : DrawSlot(pair.x, pair.y);
+// Of the run that a slot is of.
+RunPlace placeOf(uint slot) {
+    uvec4 group = ringTexel(frame.firstSlotGroup + slot / kSlotsPerGroup);
+    RunPlace place = RunPlace(group.x, group.y);
+    uint low = group.z;
+    uint high = group.w;
+    while (low < high) { // `place` is that of `low`
+        uint middle = (low + high + 1u) / 2u;
+        uvec4 run = ringTexel(frame.firstRun + middle);
+        if (run.z <= slot) {
+            low = middle;
+            place = RunPlace(run.x, run.y);
+        } else {
+            high = middle - 1u;
+        }
+    }
+    return place;
 }
 
 // The number of the record that an instance is drawn by in this frame.

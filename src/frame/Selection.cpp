@@ -1,5 +1,7 @@
 #include "frame/Selection.h"
 
+#include "core/Fetch.h"
+
 #include <algorithm>
 
 namespace limen::frame {
@@ -126,6 +128,13 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
         if (cluster.childCount == 0) {
             selectLeaf(cluster, endActive);
         }
+        // What the parts are made of comes from memory while the parts are asked.
+        for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
+            const Cluster& part = clusters_.clusters[cluster.firstChild + i];
+            for (std::uint32_t j = 0; j < part.childCount; ++j) {
+                fetch(clusters_.clusters[part.firstChild + j]);
+            }
+        }
         for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
             descend(clusters_.clusters[cluster.firstChild + i], endActive);
         }
@@ -187,20 +196,19 @@ void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
         selectMoversOf(ask, moment);
         return;
     }
-    for (const world::InstanceIndex moving : moment.instancesIn(ask.space)) {
-        const world::Instance& instance = moment.instances[moving];
-        if (instance.memberCount > 1) {
-            meet(ask, instance.bounds, moverMarks_[moving], moving, moversMet_);
+    for (const world::ListedInstance& moving : moment.instancesIn(ask.space)) {
+        if (moving.isListedAgain) {
+            meet(ask, moving.bounds, moverMarks_[moving.instance], moving.instance, moversMet_);
         } else if (ask.first) {
             ++counts_.met;
-            const SeenBall ball = ballOf(instance.bounds);
+            const SeenBall ball = ballOf(moving.bounds);
             Containment best = askInstance(ask, ball);
             for (std::uint32_t i = ask.next; i != world::kNone && best != Containment::Inside;
                  i = asks_[i].next) {
                 best = std::max(best, askInstance(asks_[i], ball));
             }
             if (best != Containment::Outside) {
-                drawMover(moving, best == Containment::Inside);
+                drawMover(moving.instance, best == Containment::Inside);
             }
         }
     }
@@ -209,19 +217,18 @@ void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
 // With a single visit a space is asked about once. Half of many that move are seen, and nobody can foretell which: what is found is
 // written either way, and counts or does not.
 void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
-    const std::span<const world::InstanceIndex> members = moment.instancesIn(ask.space);
+    const std::span<const world::ListedInstance> members = moment.instancesIn(ask.space);
     std::size_t end = movers_.size();
     movers_.resize(end + members.size());
-    for (const world::InstanceIndex moving : members) {
-        const world::Instance& instance = moment.instances[moving];
-        if (instance.memberCount > 1) {
-            meet(ask, instance.bounds, moverMarks_[moving], moving, moversMet_);
+    for (const world::ListedInstance& moving : members) {
+        if (moving.isListedAgain) {
+            meet(ask, moving.bounds, moverMarks_[moving.instance], moving.instance, moversMet_);
             continue;
         }
-        const SeenBall ball = ballOf(instance.bounds);
+        const SeenBall ball = ballOf(moving.bounds);
         bool isSeen = cones_.touches(ask.visit, ball);
         isSeen &= !ask.narrow || visibility::Viewcones::touches(ask.rect, ball);
-        movers_[end] = {moving, false};
+        movers_[end] = {moving.instance, false};
         end += isSeen ? 1 : 0;
         ++counts_.met;
         ++counts_.boundsTested;

@@ -9,6 +9,8 @@
 namespace limen::gpu {
 namespace {
 
+namespace layout = frame::gpu;
+
 constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices a frame
 // All frames under way share one storage range, and 128 MiB is the longest that every driver reads and writes
 // (the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL 4.5).
@@ -31,6 +33,18 @@ std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
         sum += plan.runs[i].indexCount;
     }
     return sum;
+}
+
+/// Of a run's slots. Only writes: the memory may be slow to read.
+void addToGroups(const layout::RunPlace& place, std::uint32_t run, std::uint32_t firstSlot,
+                 std::uint32_t count, std::span<layout::SlotGroup> groups) {
+    std::uint32_t group = firstSlot / layout::kSlotsPerGroup;
+    if (firstSlot % layout::kSlotsPerGroup != 0) {
+        groups[group++].lastRun = run;
+    }
+    for (; group * layout::kSlotsPerGroup < firstSlot + count; ++group) {
+        groups[group] = {place, run, run};
+    }
 }
 
 } // namespace
@@ -89,34 +103,36 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
 
 void DrawCulling::bind(StorageBindings& storage) const {
     // Where all triangles are kept nobody writes them, and where none is hidden no tiles; all frames make the same calls.
-    const StorageRange& nothing = storage[frame::gpu::kBindIndices];
-    storage[frame::gpu::kBindKeptIndices] =
+    const StorageRange& nothing = storage[layout::kBindIndices];
+    storage[layout::kBindKeptIndices] =
         keepsTriangles_ ? nothing : StorageRange{kept_.get(), 0, capacity_ * kFramesInFlight * kIndexSize};
-    storage[frame::gpu::kBindTiles] = leavesOutHidden_ ? tiles_.range() : nothing;
+    storage[layout::kBindTiles] = leavesOutHidden_ ? tiles_.range() : nothing;
 }
 
-void DrawCulling::writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
-                             std::span<frame::gpu::DrawSlot> slots) const {
+void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& options,
+                            std::span<layout::SlotGroup> groups, std::span<layout::DrawRun> runs) const {
     auto kept = static_cast<std::uint32_t>(place_ * capacity_);
-    std::uint32_t slot = 0;
+    std::uint32_t slot = 0, number = 0;
     for (const frame::Batch& batch : plan.batches) {
         for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
             const frame::PieceRun& run = plan.runs[i];
-            LIMEN_ASSERT(run.pieceCount <= slots.size() - slot, "a batch counts the pieces of its runs");
-            const std::uint32_t toPiece = (run.firstPiece - slot) & ~frame::gpu::kGated;
-            const frame::gpu::DrawSlot filled{toPiece | (run.gated ? frame::gpu::kGated : 0),
-                                              kept - run.indicesBefore};
-            std::fill_n(slots.begin() + slot, run.pieceCount, filled);
+            const std::uint32_t toPiece = (run.firstPiece - slot) & ~layout::kGated;
+            const layout::RunPlace place{toPiece | (run.gated ? layout::kGated : 0),
+                                         kept - run.indicesBefore};
+            runs[number] = {place, slot, 0};
+            addToGroups(place, number, slot, run.pieceCount, groups);
             slot += run.pieceCount;
             kept += run.indexCount;
+            ++number;
         }
     }
+    LIMEN_ASSERT(slot == slotCount_, "batches count the pieces of their runs");
 }
 
-void DrawCulling::describe(frame::gpu::FrameConstants& constants) const {
+void DrawCulling::describe(layout::FrameConstants& constants) const {
     constants.slotCount = slotCount_;
     constants.firstHideable = firstHideable_;
-    constants.flags |= keepsTriangles_ ? frame::gpu::kFrameKeepsTriangles : 0;
+    constants.flags |= keepsTriangles_ ? layout::kFrameKeepsTriangles : 0;
 }
 
 void DrawCulling::run(std::uint32_t purpose, std::uint32_t groups) {
@@ -127,14 +143,14 @@ void DrawCulling::run(std::uint32_t purpose, std::uint32_t groups) {
 }
 
 void DrawCulling::runFirst() {
-    run(frame::gpu::kCullFirst, firstHideable_);
+    run(layout::kCullFirst, firstHideable_);
 }
 
 void DrawCulling::runBehind() {
     LIMEN_ASSERT(leavesOutHidden_, "all slots were run first");
-    constexpr std::uint32_t kThreads = frame::gpu::kCullThreads;
-    run(frame::gpu::kCullTiles, (tiles_.count() + kThreads - 1) / kThreads);
-    run(frame::gpu::kCullBehind, slotCount_ - firstHideable_);
+    constexpr std::uint32_t kThreads = layout::kCullThreads;
+    run(layout::kCullTiles, (tiles_.count() + kThreads - 1) / kThreads);
+    run(layout::kCullBehind, slotCount_ - firstHideable_);
 }
 
 } // namespace limen::gpu

@@ -31,9 +31,9 @@ public:
     }
     /// How many draw commands that makes: each has a slot.
     [[nodiscard]] std::uint32_t slotCount() const { return slotCount_; }
-    /// Fills in all slots, straight into the frame's memory. Plan and options are those of `prepare`.
-    void writeSlots(const frame::FramePlan& plan, const RenderOptions& options,
-                    std::span<frame::gpu::DrawSlot> slots) const;
+    /// Tells which pieces all slots are of, straight into the frame's memory. Plan and options are those of `prepare`.
+    void writeRuns(const frame::FramePlan& plan, const RenderOptions& options,
+                   std::span<frame::gpu::SlotGroup> groups, std::span<frame::gpu::DrawRun> runs) const;
     /// The slot of a batch's first draw command; those of the others follow.
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
     /// Whether the draws read the static indices; else they read those that are kept, and no others.
@@ -46,7 +46,7 @@ public:
     void bind(StorageBindings& storage) const;
     /// Tells the shader what is to be done.
     void describe(frame::gpu::FrameConstants& constants) const;
-    /// Within a frame whose slots, pieces, commands and indices are bound: writes the commands and indices that are drawn,
+    /// Within a frame whose runs, pieces, commands and indices are bound: writes the commands and indices that are drawn,
     /// of the batches that wait for nothing.
     void runFirst();
     /// Of the others, if leavesOutHidden(), when those before are drawn.

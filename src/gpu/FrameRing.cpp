@@ -40,7 +40,8 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
         return of(plan_.replacements);
     case kPieces:
         return of(plan_.pieces);
-    case kSlots:
+    case kSlotGroups:
+    case kRuns:
     case kCommands:
     case kArrays:
         break;
@@ -50,8 +51,10 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
 
 std::size_t FrameRing::sizeOf(Array array) const {
     switch (array) {
-    case kSlots:
-        return slots_ * sizeof(layout::DrawSlot);
+    case kSlotGroups:
+        return (slots_ + layout::kSlotsPerGroup - 1) / layout::kSlotsPerGroup * sizeof(layout::SlotGroup);
+    case kRuns:
+        return plan_.runs.size() * sizeof(layout::DrawRun);
     case kCommands:
         return slots_ * sizeof(layout::DrawCommand);
     default:
@@ -59,8 +62,17 @@ std::size_t FrameRing::sizeOf(Array array) const {
     }
 }
 
-std::span<layout::DrawSlot> FrameRing::slots(std::span<std::byte> memory) const {
-    return {reinterpret_cast<layout::DrawSlot*>(memory.data() + places_[kSlots].offset), slots_};
+template <class T>
+std::span<T> FrameRing::in(std::span<std::byte> memory, Array array) const {
+    return {reinterpret_cast<T*>(memory.data() + places_[array].offset), sizeOf(array) / sizeof(T)};
+}
+
+std::span<layout::SlotGroup> FrameRing::slotGroups(std::span<std::byte> memory) const {
+    return in<layout::SlotGroup>(memory, kSlotGroups);
+}
+
+std::span<layout::DrawRun> FrameRing::runs(std::span<std::byte> memory) const {
+    return in<layout::DrawRun>(memory, kRuns);
 }
 
 std::uint32_t FrameRing::texel(Array array) const {
@@ -74,7 +86,8 @@ void FrameRing::locate(layout::FrameConstants& constants) const {
     constants.firstMoverMember = texel(kMoverMembers);
     constants.firstReplacement = texel(kReplacements);
     constants.firstMoverPiece = texel(kPieces);
-    constants.firstSlot = texel(kSlots);
+    constants.firstSlotGroup = texel(kSlotGroups);
+    constants.firstRun = texel(kRuns);
 }
 
 void FrameRing::bind(StorageBindings& storage) const {

@@ -15,22 +15,23 @@ inline constexpr std::size_t kSmallestRange = 256;
 /// Of buffers that are read as textures.
 inline constexpr std::size_t kBytesPerTexel = 16;
 
-/// Where one frame's arrays lie in the ring memory: the plan's, and the slots and room of its draw commands.
+/// Where one frame's arrays lie in the ring memory: the plan's, and the runs and room of its draw commands.
 class FrameRing {
 public:
-    /// `slots`: one for each draw command. `alignment`: Capabilities::storageAlignment. The plan must outlive it.
+    /// `slots`: one for each draw command. Has room for all of the plan's runs. `alignment`: Capabilities::storageAlignment. The plan must outlive it.
     FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment);
 
     [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
     [[nodiscard]] std::size_t commands() const { return places_[kCommands].offset; }
 
-    [[nodiscard]] std::span<frame::gpu::DrawSlot> slots(std::span<std::byte> memory) const;
+    [[nodiscard]] std::span<frame::gpu::SlotGroup> slotGroups(std::span<std::byte> memory) const;
+    [[nodiscard]] std::span<frame::gpu::DrawRun> runs(std::span<std::byte> memory) const;
 
     /// Tells the shaders where the arrays are that they read as texels.
     void locate(frame::gpu::FrameConstants& constants) const;
     /// Binds the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays but slots and draw commands.
+    /// Writes all arrays but runs, their groups and draw commands.
     void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
 
 private:
@@ -46,14 +47,17 @@ private:
         kMoverMembers,
         kReplacements,
         kPieces,
-        kSlots,    // written by whoever has them,
-        kCommands, // and on the device
+        kSlotGroups, // written by whoever has them,
+        kRuns,       // likewise,
+        kCommands,   // and on the device
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array,
                                                    const frame::gpu::FrameConstants& constants) const;
     [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
+    template <class T>
+    [[nodiscard]] std::span<T> in(std::span<std::byte> memory, Array array) const;
 
     const frame::FramePlan& plan_;
     std::size_t slots_;

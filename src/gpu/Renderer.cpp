@@ -309,7 +309,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     culling.describe(constants);
     constants.flags |= splitsSurfaces(options) ? layout::kFrameSplits : 0;
     ring.write(constants, memory);
-    culling.writeSlots(plan, options, ring.slots(memory));
+    culling.writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
     bindAll(ring, culling);
     clearTarget(plan, options);
     culling.runFirst();

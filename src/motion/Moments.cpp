@@ -60,7 +60,7 @@ void Moments::at(const MomentInput& input, world::Moment& out) {
         addRain(input, out);
     if (input.weather)
         addWeather(input, out);
-    listBySpace(out);
+    world::listBySpace(world_.spaces.size(), out);
 }
 
 void Moments::shut(const MomentInput& input, world::Moment& out) {
@@ -246,30 +246,6 @@ void Moments::addSprites(const MomentInput& input, const world::Emitter& emitter
             membership_.reach(sweep(world_, space, pose.origin, at), out.instances.back().bounds, out.closed,
                               reached_);
         giveMembers(out.instances.size() - 1, out);
-    }
-}
-
-void Moments::listBySpace(world::Moment& out) {
-    out.firstInSpace.assign(out.instances.empty() ? 0 : world_.spaces.size() + 1, 0);
-    out.spaceInstances.resize(out.instances.empty() ? 0 : out.spaceInstances.size());
-    if (out.instances.empty())
-        return;
-    const auto membersOf = [&](const world::Instance& instance) {
-        return std::span(out.members).subspan(instance.firstMember, instance.memberCount);
-    };
-    std::uint32_t total = 0;
-    for (const world::Instance& instance : out.instances) {
-        for (const world::SpaceIndex space : membersOf(instance))
-            ++out.firstInSpace[space + 1];
-        total += instance.memberCount;
-    }
-    for (std::size_t s = 1; s < out.firstInSpace.size(); ++s)
-        out.firstInSpace[s] += out.firstInSpace[s - 1];
-    counts_.assign(out.firstInSpace.begin(), out.firstInSpace.end());
-    out.spaceInstances.resize(total);
-    for (world::InstanceIndex i = 0; i < out.instances.size(); ++i) {
-        for (const world::SpaceIndex space : membersOf(out.instances[i]))
-            out.spaceInstances[counts_[space]++] = i;
     }
 }
 

@@ -97,14 +97,12 @@ private:
     void addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size, double opacity,
                    world::Moment& out);
     void giveMembers(std::size_t firstInstance, world::Moment& out) const;
-    void listBySpace(world::Moment& out);
     [[nodiscard]] double openness(const MomentInput& input, std::size_t door) const;
     [[nodiscard]] std::uint32_t blockFor(const Vec3& position) const;
 
     const world::World& world_;
     world::Membership membership_;
     std::vector<world::SpaceIndex> reached_;
-    std::vector<std::uint32_t> counts_;
     std::uint32_t sprites_ = 0;
 };
 

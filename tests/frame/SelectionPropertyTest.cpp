@@ -18,7 +18,6 @@ using demo::GeneratedKind;
 /// Things that move: copies of what stands still, elsewhere, each a member of one to three spaces that follow one another.
 world::Moment movedCopies(const world::World& world, std::uint32_t count, std::mt19937& random) {
     world::Moment moment;
-    std::vector<std::vector<world::InstanceIndex>> lists(world.spaces.size());
     std::uniform_real_distribution<double> offset(-3.0, 3.0);
     for (std::uint32_t i = 0; i < count; ++i) {
         world::Instance instance = world.instances[random() % world.instances.size()];
@@ -29,16 +28,11 @@ world::Moment movedCopies(const world::World& world, std::uint32_t count, std::m
         auto space = static_cast<world::SpaceIndex>(random() % world.spaces.size());
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
             moment.members.push_back(space);
-            lists[space].push_back(i);
             space = static_cast<world::SpaceIndex>((space + 1) % world.spaces.size());
         }
         moment.instances.push_back(instance);
     }
-    for (const auto& list : lists) {
-        moment.firstInSpace.push_back(static_cast<std::uint32_t>(moment.spaceInstances.size()));
-        moment.spaceInstances.insert(moment.spaceInstances.end(), list.begin(), list.end());
-    }
-    moment.firstInSpace.push_back(static_cast<std::uint32_t>(moment.spaceInstances.size()));
+    world::listBySpace(world.spaces.size(), moment);
     return moment;
 }
 

@@ -17,9 +17,12 @@ using Kind = NullDevice::Command::Kind;
 class NullDeviceTest : public ::testing::Test {
 protected:
     void draw(SceneBuilder& scene, bool allBatches = false) {
-        ASSERT_TRUE(renderer_.upload(scene.upload));
+        drawPlan(scene.upload, scene.finish(allBatches));
+    }
+    void drawPlan(const frame::SceneUpload& upload, const frame::FramePlan& plan) {
+        ASSERT_TRUE(renderer_.upload(upload));
         Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
-        ASSERT_TRUE(renderer_.render(scene.finish(allBatches), *target));
+        ASSERT_TRUE(renderer_.render(plan, *target));
     }
     // Commands of one kind, their first argument.
     std::vector<std::size_t> of(Kind kind) const {
@@ -37,6 +40,15 @@ protected:
         std::array<T, Count> values;
         std::memcpy(static_cast<void*>(values.data()),
                     device_.ring().subspan(device_.storage()[binding].offset).data(), sizeof(values));
+        return values;
+    }
+
+    // An array in the ring, from where shaders read it as texels.
+    template <class T>
+    std::vector<T> texels(std::uint32_t firstTexel, std::size_t count) const {
+        std::vector<T> values(count);
+        std::memcpy(static_cast<void*>(values.data()),
+                    device_.ring().subspan(std::size_t{16} * firstTexel).data(), count * sizeof(T));
         return values;
     }
 
@@ -89,6 +101,21 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
     }
 }
 
+// What cull.comp finds of a slot: binary search among the runs of its group.
+layout::RunPlace placeOf(std::uint32_t slot, std::span<const layout::SlotGroup> groups,
+                         std::span<const layout::DrawRun> runs) {
+    const layout::SlotGroup& group = groups[slot / layout::kSlotsPerGroup];
+    layout::RunPlace place = group.place;
+    std::uint32_t low = group.firstRun, high = group.lastRun;
+    while (low < high) {
+        const std::uint32_t middle = (low + high + 1) / 2;
+        const bool isBehind = runs[middle].firstSlot <= slot;
+        (isBehind ? low : high) = isBehind ? middle : middle - 1;
+        place = isBehind ? runs[middle].place : place;
+    }
+    return place;
+}
+
 // One slot for every draw command, each with its piece and room for all its indices behind the one before.
 TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
     SceneBuilder scene;
@@ -101,21 +128,56 @@ TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
     const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
     EXPECT_EQ(constants.slotCount, 4u);
     EXPECT_EQ(constants.flags & layout::kFrameKeepsTriangles, 0u);
-    std::array<layout::DrawSlot, 4> slots;
-    std::memcpy(slots.data(), device_.ring().subspan(std::size_t{16} * constants.firstSlot).data(),
-                sizeof slots);
+    const auto groups = texels<layout::SlotGroup>(constants.firstSlotGroup, 1);
+    const auto runs = texels<layout::DrawRun>(constants.firstRun, scene.plan.runs.size());
     const std::array<std::uint32_t, 4> pieces{0, 1, 4, 2}; // as batches follow; the sky's is the plan's first
-    std::uint32_t next = slots[0].kept;
+    std::uint32_t next = placeOf(0, groups, runs).kept;
     for (std::uint32_t slot = 0; slot < 4; ++slot) {
-        const std::uint32_t piece = (slot + slots[slot].piece) & ~layout::kGated;
+        const layout::RunPlace place = placeOf(slot, groups, runs);
+        const std::uint32_t piece = (slot + place.piece) & ~layout::kGated;
         EXPECT_EQ(piece, pieces[slot]);
-        EXPECT_EQ(slots[slot].kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
+        EXPECT_EQ(place.kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
         next += 6;
     }
     const std::size_t commands = device_.storage()[layout::kBindCommands].offset;
     EXPECT_EQ(of(Kind::DrawIndirect),
               (std::vector<std::size_t>{commands, commands + 2 * 20, commands + 3 * 20}))
         << "a batch's commands lie in its slots";
+}
+
+// Runs of one piece and of many, that begin, end and lie within groups, and cover several.
+TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
+    constexpr std::uint32_t kWalls = 100;
+    SceneBuilder scene;
+    scene.root(0);
+    std::vector<std::uint32_t> order; // of pieces: what does not follow the one before begins a run
+    for (std::uint32_t i = 0; i < kWalls; ++i) {
+        scene.addWall('A', {-1, -1}, {1, 1}, 1);
+    }
+    scene.finish();
+    frame::FramePlan& plan = scene.plan;
+    frame::Batch& batch = plan.batches[plan.stages[1].firstBatch];
+    ASSERT_EQ(batch.draws, kWalls);
+    plan.runs.clear();
+    for (const std::uint32_t end : {1u, 2u, 3u, 16u, 31u, 32u, 33u, 80u, 81u, 82u, 100u}) {
+        const auto first = static_cast<std::uint32_t>(order.size());
+        const std::uint32_t piece = kWalls - end; // from the last backwards
+        plan.runs.push_back({piece, end - first, 6 * piece, 6 * (end - first), first % 2 == 1});
+        for (std::uint32_t i = 0; i < end - first; ++i) {
+            order.push_back((piece + i) | (first % 2 == 1 ? layout::kGated : 0));
+        }
+    }
+    batch.first = 0;
+    batch.count = static_cast<std::uint32_t>(plan.runs.size());
+    drawPlan(scene.upload, plan);
+    const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
+    const auto groups = texels<layout::SlotGroup>(constants.firstSlotGroup, 7);
+    const auto runs = texels<layout::DrawRun>(constants.firstRun, plan.runs.size());
+    for (std::uint32_t slot = 0; slot < kWalls; ++slot) {
+        const layout::RunPlace place = placeOf(slot, groups, runs);
+        EXPECT_EQ(((slot + place.piece) & ~layout::kGated) | (place.piece & layout::kGated), order[slot])
+            << slot;
+    }
 }
 
 TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {

@@ -57,14 +57,11 @@ world::Moment without(const Omissions& omissions, const world::World& world, con
     if (omissions.fillings) {
         less.closed.clear();
         less.fillings.clear();
+        for (world::Instance& instance : less.instances) { // which are then in no space
+            instance.memberCount = instance.kind == world::Kind::Filling ? 0 : instance.memberCount;
+        }
     }
-    const auto isListed = [&](world::InstanceIndex i) {
-        return !omissions.fillings || less.instances[i].kind != world::Kind::Filling;
-    };
-    if (omissions.membership || omissions.fillings) {
-        less.firstInSpace =
-            listBySpace(world.spaces.size(), less.instances, less.members, isListed, less.spaceInstances);
-    }
+    world::listBySpace(world.spaces.size(), less);
     return less;
 }
 

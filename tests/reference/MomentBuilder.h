@@ -40,18 +40,7 @@ public:
         }
     }
     [[nodiscard]] world::Moment build() {
-        moment_.spaceInstances.clear();
-        moment_.firstInSpace.assign(1, 0);
-        for (world::SpaceIndex s = 0; s < world_.spaces.size(); ++s) {
-            for (world::InstanceIndex i = 0; i < moment_.instances.size(); ++i) {
-                const world::Instance& in = moment_.instances[i];
-                for (std::uint32_t m = in.firstMember; m < in.firstMember + in.memberCount; ++m) {
-                    if (moment_.members[m] == s)
-                        moment_.spaceInstances.push_back(i);
-                }
-            }
-            moment_.firstInSpace.push_back(static_cast<std::uint32_t>(moment_.spaceInstances.size()));
-        }
+        world::listBySpace(world_.spaces.size(), moment_);
         return moment_;
     }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+namespace limen {
+
+/// Begins to load an object that lies anywhere in memory, so that what is done until it is read need not be waited for. Changes
+/// nothing but time.
+template <class T>
+void fetch(const T& object) {
+    constexpr std::size_t kLine = 64; // bytes, of a cache
+    const auto* const bytes = reinterpret_cast<const std::byte*>(&object);
+    for (std::size_t at = 0; at < sizeof(T); at += kLine) {
+        __builtin_prefetch(bytes + at);
+    }
+    __builtin_prefetch(bytes + sizeof(T) - 1);
+}
+
+} // namespace limen

@@ -1,0 +1,30 @@
+#include "world/Moment.h"
+
+namespace limen::world {
+
+void listBySpace(std::size_t spaceCount, Moment& moment) {
+    std::vector<std::uint32_t>& ends = moment.firstInSpace;
+    ends.assign(moment.instances.empty() ? 0 : spaceCount + 1, 0);
+    const auto membersOf = [&](const Instance& instance) {
+        return std::span(moment.members).subspan(instance.firstMember, instance.memberCount);
+    };
+    for (const Instance& instance : moment.instances) {
+        for (const SpaceIndex space : membersOf(instance))
+            ++ends[space + 1];
+    }
+    // From here on behind each space its run's end so far, which is the next one's begin when all are listed.
+    std::uint32_t total = 0;
+    for (std::size_t space = 1; space < ends.size(); ++space) {
+        const std::uint32_t count = ends[space];
+        ends[space] = total;
+        total += count;
+    }
+    moment.listed.resize(total);
+    for (InstanceIndex i = 0; i < moment.instances.size(); ++i) {
+        const Instance& instance = moment.instances[i];
+        for (const SpaceIndex space : membersOf(instance))
+            moment.listed[ends[space + 1]++] = {instance.bounds, i, instance.memberCount > 1};
+    }
+}
+
+} // namespace limen::world
