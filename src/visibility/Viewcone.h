@@ -54,6 +54,9 @@ public:
     /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
     /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
     [[nodiscard]] Containment classify(std::uint32_t visit, const SeenBall& ball) const {
+        if (cones_.size() == 1) { // the root's: everything is beyond where the eye is, and nothing is drawn later
+            return classifyOnScreen(cones_.front(), ball);
+        }
         const Containment alone = classifyAlone(cones_[visit], ball);
         return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
     }

@@ -21,7 +21,7 @@ gpu::LayerSum sumOf(const std::vector<std::uint32_t>& ids) {
 }
 
 struct Tally {
-    std::size_t pixels = 0, withLayers = 0, wrong = 0;
+    std::size_t pixels = 0, withLayers = 0, wrong = 0, byZone = 0;
     std::string first;
 };
 
@@ -43,10 +43,15 @@ void tally(PictureWorld& pictures, const Picture& picture, Tally& tally) {
                 right = meets(x + i % 3 - 1.0, y + i / 3 - 1.0) == drawn;
             }
             const check::Verdict verdict = judged.verdicts[y * picture.frame.width + x];
-            right = right || verdict == check::Verdict::Sliver || verdict == check::Verdict::Unjudged;
+            // Within one zone a sprite that pokes through a wall may be met beyond it (ray-rule.md); the naive tracer knows no zones.
+            tally.byZone += !right && verdict == check::Verdict::ByZone ? 1 : 0;
+            right = right || verdict == check::Verdict::Sliver || verdict == check::Verdict::Unjudged ||
+                    verdict == check::Verdict::ByZone;
             if (!right && tally.wrong++ == 0) {
                 tally.first = "pixel " + std::to_string(x) + ", " + std::to_string(y) + ": drawn " +
-                              std::to_string(drawn.count) + ", traced " + std::to_string(meets(x, y).count);
+                              std::to_string(drawn.count) + ", traced " + std::to_string(meets(x, y).count) +
+                              ", judged " +
+                              std::string(check::kVerdictNames[static_cast<std::size_t>(verdict)]);
             }
         }
     }
@@ -88,6 +93,7 @@ TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
         }
     }
     EXPECT_GT(sum.withLayers, sum.pixels / 50) << "layers are to be seen";
+    EXPECT_LE(sum.byZone, GetParam() ? sum.pixels / 1000 : 0u) << "only within one zone, and rarely";
     RecordProperty("pixelsWithLayers", static_cast<int>(sum.withLayers));
 }
 
