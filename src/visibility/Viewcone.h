@@ -69,9 +69,9 @@ public:
         }
         return reaches;
     }
-    /// Requires `ball` eye-relative.
+    /// Of a ball, eye-relative.
     [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
-        const double distance = mostLengthOf(ball.centre) + ball.radius;
+        const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
         const double slack = kSlack + kSlackShare * distance;
         return {ball.centre, ball.radius, slack, slack + 2.0 * pixel_ * distance};
     }
@@ -93,13 +93,6 @@ private:
     /// beyond it.
     static constexpr double kSlackShare = 2e-6;
     static constexpr double kSlack = 0.004;
-    /// A vector's length or somewhat more, at most a quarter: with M the largest of its coordinates' amounts and a, b the others,
-    /// (M + a/2 + b/2)^2 >= M^2 + M(a + b) >= M^2 + a^2 + b^2. What is asked waits for it, and would longer for a root.
-    [[nodiscard]] static double mostLengthOf(const Vec3& v) {
-        const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
-        const double xy = x > y ? x : y, most = xy > z ? xy : z;
-        return 0.5 * (x + y + z + most);
-    }
     struct Cone {
         Plane entry;
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;
