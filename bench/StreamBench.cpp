@@ -5,7 +5,7 @@
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
 
-#include "app/OneArena.h"
+#include "app/HeapTuning.h"
 #include "app/SessionStream.h"
 #include "demo/Demo.h"
 #include "demo/Generated.h"
@@ -183,7 +183,7 @@ void addRows(const std::string& scene, const Result<Flight>& flight, std::vector
 } // namespace
 
 std::vector<BenchRow> benchStream(AllocationCounter) {
-    app::shareOneArena(); // as in the viewer
+    app::tuneHeap(); // as in the viewer
     const TemporaryDirectory builtIn("stream-built-in"), generated("stream-generated");
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory, bool whole,
@@ -214,7 +214,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
 }
 
 std::vector<BenchRow> benchStreamOver(const std::string& dat) {
-    app::shareOneArena();
+    app::tuneHeap();
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, gpu::Device& device) {
         Result<app::WorldSource> source = app::openWorldSource(dat);

@@ -1,5 +1,5 @@
 #include "app/DecisionHash.h"
-#include "app/OneArena.h"
+#include "app/HeapTuning.h"
 #include "app/OutputFile.h"
 #include "app/ShotRequest.h"
 #include "app/Verbs.h"
@@ -138,7 +138,7 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
 }
 
 Result<Exit> runView(const ViewOptions& options, const Console& console) {
-    shareOneArena();
+    tuneHeap();
     Result<Script> script = scriptOf(options);
     if (!script)
         return tl::unexpected(script.error());

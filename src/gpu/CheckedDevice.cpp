@@ -108,6 +108,22 @@ void CheckedDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::sp
     ForwardingDevice::writeBuffer(buffer, offset, bytes);
 }
 
+void CheckedDevice::refillBuffer(std::string_view label, BufferHandle buffer) {
+    expectBetweenFrames("a buffer is filled again");
+    expectBuffer(buffer, "is filled again");
+    if (const auto found = buffers_.find(buffer); found != buffers_.end() && found->second) {
+        const auto isRead = [&](const std::vector<Bytes>& frame) {
+            return std::find(frame.begin(), frame.end(), found->second) != frame.end();
+        };
+        if (std::any_of(underWay_.begin(), underWay_.end(), isRead)) {
+            fault(fmt::format("buffer {} is filled again while a frame that reads it is under way",
+                              static_cast<std::uint32_t>(buffer)));
+        }
+        found->second = std::make_shared<const std::vector<std::byte>>(found->second->size());
+    }
+    ForwardingDevice::refillBuffer(label, buffer);
+}
+
 Result<BufferHandle> CheckedDevice::createScratch(std::string_view label, std::size_t bytes) {
     expectBetweenFrames("a buffer is made");
     Result<BufferHandle> buffer = ForwardingDevice::createScratch(label, bytes);

@@ -27,6 +27,7 @@ public:
                                                     std::span<const std::byte> bytes) override;
     [[nodiscard]] Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) override;
     void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) override;
+    void refillBuffer(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;

@@ -24,6 +24,9 @@ enum class TextureHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 enum class ProgramHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 enum class TargetHandle : std::uint32_t { Invalid = 0xFFFFFFFFu };
 
+/// Of buffers that are read as textures.
+inline constexpr std::size_t kBytesPerTexel = 16;
+
 /// The images of a render target: RGBA8, R32UI, D32F (reversed: 0 is infinitely far), R32UI, and where it has them
 /// RG32F.
 enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership, Layers };
@@ -124,6 +127,8 @@ public:
     /// A buffer of `bytes` that is filled by writeBuffer, from its beginning to its end, before anything reads it.
     [[nodiscard]] virtual Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) = 0;
     virtual void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) = 0;
+    /// Forgets what a reserved buffer holds: it is filled again. Requires that no frame under way reads it, and that nothing is its texels.
+    virtual void refillBuffer(std::string_view label, BufferHandle buffer) = 0;
     /// Memory that only the GPU writes and reads.
     [[nodiscard]] virtual Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) = 0;
     virtual void destroyBuffer(BufferHandle buffer) = 0;

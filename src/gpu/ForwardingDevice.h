@@ -21,6 +21,9 @@ public:
     void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) override {
         device_.writeBuffer(buffer, offset, bytes);
     }
+    void refillBuffer(std::string_view label, BufferHandle buffer) override {
+        device_.refillBuffer(label, buffer);
+    }
     [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override {
         return device_.createScratch(label, bytes);
     }

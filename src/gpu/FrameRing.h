@@ -12,9 +12,6 @@ using StorageBindings = std::array<StorageRange, frame::gpu::kStorageBindings>;
 
 /// What an empty array is bound as, bytes: a range may not be empty.
 inline constexpr std::size_t kSmallestRange = 256;
-/// Of buffers that are read as textures.
-inline constexpr std::size_t kBytesPerTexel = 16;
-
 /// Where one frame's arrays lie in the ring memory: the plan's, and the runs and room of its draw commands.
 class FrameRing {
 public:

@@ -25,6 +25,7 @@ public:
                                                     std::span<const std::byte> bytes) override;
     [[nodiscard]] Result<BufferHandle> reserveBuffer(std::string_view label, std::size_t bytes) override;
     void writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) override;
+    void refillBuffer(std::string_view label, BufferHandle buffer) override;
     [[nodiscard]] Result<BufferHandle> createScratch(std::string_view label, std::size_t bytes) override;
     void destroyBuffer(BufferHandle buffer) override;
     [[nodiscard]] Result<TextureHandle> createTexels(std::string_view label, BufferHandle buffer) override;
@@ -73,8 +74,6 @@ public:
     void presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height);
 
 private:
-    static constexpr std::size_t kBytesPerTexel = 16; // of buffers that are read as textures
-
     struct Target {
         std::uint32_t width = 0, height = 0;
         Texture colour, id, depth, ownership, layers; // what is drawn into

@@ -110,6 +110,10 @@ void GlDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<co
                          bytes.data());
 }
 
+void GlDevice::refillBuffer(std::string_view label, BufferHandle buffer) {
+    buffers_[static_cast<std::size_t>(buffer)].relabel(label);
+}
+
 Result<BufferHandle> GlDevice::createScratch(std::string_view label, std::size_t bytes) {
     return Buffer::createScratch(label, bytes).map([&](Buffer buffer) {
         return static_cast<BufferHandle>(placeNamed(buffers_, std::move(buffer)));

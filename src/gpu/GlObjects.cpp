@@ -118,6 +118,10 @@ Result<Buffer> Buffer::createScratch(std::string_view name, std::size_t size) {
     return createEmpty(name, size, 0);
 }
 
+void Buffer::relabel(std::string_view name) const {
+    label(GL_BUFFER, id(), name);
+}
+
 Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
     GLuint id = 0;
     glCreateBuffers(1, &id);

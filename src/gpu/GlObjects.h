@@ -68,6 +68,7 @@ public:
     /// `size` bytes, mapped for writing until destroyed, coherent. Errors: Driver, if it cannot be mapped.
     [[nodiscard]] static Result<Buffer> createMapped(std::string_view label, std::size_t size);
 
+    void relabel(std::string_view label) const;
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<std::byte> mapped() const { return mapped_; }
 

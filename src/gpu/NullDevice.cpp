@@ -39,6 +39,10 @@ void NullDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
+void NullDevice::refillBuffer(std::string_view, BufferHandle buffer) {
+    buffers_[static_cast<std::size_t>(buffer)].clear(); // and keeps its memory
+}
+
 Result<BufferHandle> NullDevice::createScratch(std::string_view, std::size_t bytes) {
     ++objects_.buffers;
     objects_.bufferBytes += bytes;

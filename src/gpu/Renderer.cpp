@@ -87,7 +87,8 @@ std::vector<std::string> definesOf(const RendererOptions& options) {
 
 } // namespace
 
-Renderer::Renderer(Device& device, RendererOptions options) : device_(&device), options_(options) {}
+Renderer::Renderer(Device& device, RendererOptions options)
+    : device_(&device), options_(options), spare_(std::make_unique<SpareBuffers>(device)) {}
 
 Renderer::~Renderer() = default;
 
@@ -112,11 +113,13 @@ Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
         const Result<bool> advanced = advance(std::numeric_limits<std::size_t>::max());
         if (!advanced) {
             retired_.clear(); // what did not come goes at once
+            spare_->clear();
             return tl::unexpected(advanced.error());
         }
         isThere = *advanced;
     }
     scene_ = std::move(coming_);
+    spare_->endScene();
     return {};
 }
 
@@ -152,7 +155,8 @@ Result<void> Renderer::begin(StagedScene staged) {
     }
     culling_->tryAgain();
     std::shared_ptr<Programs> programs = programsFor(staged.bindings);
-    coming_ = std::make_unique<ResidentScene>(*device_, std::move(staged), std::move(programs), scene_.get());
+    coming_ = std::make_unique<ResidentScene>(*device_, std::move(staged), std::move(programs), scene_.get(),
+                                              *spare_);
     return {};
 }
 
@@ -174,6 +178,7 @@ void Renderer::swap() {
         retired_.push_back({std::move(scene_), frames_});
     }
     scene_ = std::move(coming_);
+    spare_->endScene();
 }
 
 void Renderer::drop() {
@@ -184,6 +189,9 @@ void Renderer::drop() {
 }
 
 void Renderer::releaseSome() {
+    if (spare_->releaseSome()) {
+        return;
+    }
     if (retired_.empty() ||
         (retired_.front().frame != 0 && frames_ - retired_.front().frame < kFramesInFlight)) {
         return;

@@ -16,6 +16,7 @@ namespace limen::gpu {
 class DrawCulling;
 class FrameRing;
 class ResidentScene;
+class SpareBuffers;
 
 /// Draws frame plans on a device: one GL draw call per batch, whatever it holds. The device must outlive it.
 class Renderer {
@@ -80,6 +81,7 @@ private:
     RendererOptions options_;
     std::vector<std::shared_ptr<Programs>> programs_; ///< of the last scenes, the last used first
     std::unique_ptr<DrawCulling> culling_;            ///< with the first scene
+    std::unique_ptr<SpareBuffers> spare_;             ///< goes after the scenes
     std::unique_ptr<ResidentScene> scene_, coming_;
     std::vector<Retired> retired_; ///< the oldest first
     std::uint64_t frames_ = 0;     ///< drawn so far

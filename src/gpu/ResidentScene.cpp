@@ -16,8 +16,8 @@ std::span<const std::byte> bytesOf(const std::vector<T>& array) {
 } // namespace
 
 ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr<Programs> programs,
-                             const ResidentScene* before)
-    : device_(device),
+                             const ResidentScene* before, SpareBuffers& spare)
+    : device_(device), spare_(spare),
       textures_(device, std::move(staged.textures), before != nullptr ? &before->textures_ : nullptr),
       programs_(std::move(programs)), scene_(std::move(staged.arrays)),
       pieces_(static_cast<std::uint32_t>(scene_->pieces.size())) {}
@@ -26,8 +26,8 @@ ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_) {
         device_.destroyTexture(texels);
     }
-    for (BufferHandle buffer : owned_) {
-        device_.destroyBuffer(buffer);
+    for (const SizedBuffer& buffer : owned_) { // frames under way may read them yet
+        device_.destroyBuffer(buffer.handle);
     }
 }
 
@@ -39,11 +39,11 @@ bool ResidentScene::releaseSome() {
         device_.destroyTexture(texels);
     }
     texels_.clear();
-    if (!owned_.empty()) {
-        device_.destroyBuffer(owned_.back());
-        owned_.pop_back();
+    for (const SizedBuffer& buffer : owned_) {
+        spare_.giveBack(buffer);
     }
-    return !owned_.empty();
+    owned_.clear();
+    return false;
 }
 
 void ResidentScene::listArrays() {
@@ -90,12 +90,12 @@ Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
         return false;
     }
     if (array.buffer == BufferHandle::Invalid) {
-        const Result<BufferHandle> reserved = device_.reserveBuffer(array.label, size);
-        if (!reserved) {
-            return tl::unexpected(reserved.error());
+        const Result<SizedBuffer> taken = spare_.take(array.label, size);
+        if (!taken) {
+            return tl::unexpected(taken.error());
         }
-        array.buffer = *reserved;
-        owned_.push_back(array.buffer);
+        array.buffer = taken->handle;
+        owned_.push_back(*taken);
     }
     const std::size_t count = std::min(bytes, array.bytes.size() - array.written);
     if (count > 0) {

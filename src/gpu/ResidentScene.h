@@ -3,20 +3,21 @@
 #include "gpu/FrameRing.h"
 #include "gpu/Programs.h"
 #include "gpu/SceneStaging.h"
+#include "gpu/SpareBuffers.h"
 #include "gpu/TextureStore.h"
 
 #include <memory>
 
 namespace limen::gpu {
 
-/// What stands still, on the device, with the programs that draw it. Gives everything back when it goes; the device must
-/// outlive it.
+/// What stands still, on the device, with the programs that draw it. Gives everything back when it goes; the device and what is spare
+/// must outlive it.
 class ResidentScene {
 public:
     /// One to be filled by `advance`. `programs`: for the staged bindings; others may share them. `before`: null, or the scene that it
-    /// was staged beside.
+    /// was staged beside. `spare`: where its buffers are taken from.
     ResidentScene(Device& device, StagedScene staged, std::shared_ptr<Programs> programs,
-                  const ResidentScene* before);
+                  const ResidentScene* before, SpareBuffers& spare);
     ResidentScene(const ResidentScene&) = delete;
     ResidentScene& operator=(const ResidentScene&) = delete;
     ~ResidentScene();
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] Result<bool> advance(std::size_t& bytes);
     /// No frame reads the scene any more, those under way included.
     void markUnused() { textures_.markUnused(); }
-    /// Gives a little of it back, after markUnused. False when nothing is left.
+    /// Gives a little of it back, after markUnused; its buffers to what is spare. False when nothing is left.
     bool releaseSome();
 
     [[nodiscard]] const std::shared_ptr<Programs>& sharePrograms() const { return programs_; }
@@ -57,12 +58,13 @@ private:
     [[nodiscard]] Result<void> finish(const Array& array);
 
     Device& device_;
+    SpareBuffers& spare_;
     TextureStore textures_;
     std::shared_ptr<Programs> programs_;
     std::shared_ptr<const frame::SceneUpload> scene_; ///< until it is uploaded
     std::vector<Array> arrays_;
     std::size_t done_ = 0; ///< of these
-    std::vector<BufferHandle> owned_;
+    std::vector<SizedBuffer> owned_;
     std::vector<TextureHandle> texels_; ///< buffers read as textures, in the order of their units
     std::vector<TextureHandle> bound_;  ///< these, and the textures' pages
     StorageBindings storage_{};

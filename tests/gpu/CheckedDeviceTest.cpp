@@ -138,6 +138,21 @@ TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
     EXPECT_EQ(early.device.faults().size(), 1u) << "the oldest may still be under way";
 }
 
+TEST(CheckedDevice, aBufferIsNotFilledAgainWhileAFrameReadsIt) {
+    Watched watched;
+    watched.frame();
+    watched.device.refillBuffer("references", watched.references);
+    EXPECT_NE(watched.fault().find("is filled again while a frame"), std::string::npos);
+}
+
+TEST(CheckedDevice, aBufferMayBeFilledAgainWhenItsFramesAreDone) {
+    Watched watched;
+    watched.frame();
+    watched.device.finishFrames();
+    watched.device.refillBuffer("references", watched.references);
+    EXPECT_TRUE(watched.device.faults().empty());
+}
+
 TEST(CheckedDevice, releaseComesBeforeDestruction) {
     Watched w;
     w.device.destroyTexture(w.texture);

@@ -1,4 +1,4 @@
-#include "app/OneArena.h"
+#include "app/HeapTuning.h"
 
 #include <cstdlib> // defines __GLIBC__, where it is that library
 #ifdef __GLIBC__
@@ -7,9 +7,11 @@
 
 namespace limen::app {
 
-void shareOneArena() {
+void tuneHeap() {
 #ifdef __GLIBC__
+    constexpr int kLarge = 1 << 20; // bytes
     (void)mallopt(M_ARENA_MAX, 1);
+    (void)mallopt(M_MMAP_THRESHOLD, kLarge);
 #endif
 }
 
