@@ -44,16 +44,27 @@ Result<void> resize(const std::string& text, WalkRecord& walk) {
 
 } // namespace
 
-bool RecordedResidency::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
+bool RecordedResidency::loadNext() {
     const std::optional<StreamTarget> next = std::exchange(next_, std::nullopt);
     if (!next)
         return false;
-    const dat::RecordId cell = root == world::kOutside ? 0 : session_.loaded().world.spaces[root].cellId;
     session_.loadBy(sameZones(next->options, session_));
-    if (!session_.load(next->centre))
+    return session_.load(next->centre).has_value();
+}
+
+bool RecordedResidency::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
+    const dat::RecordId cell = root == world::kOutside ? 0 : session_.loaded().world.spaces[root].cellId;
+    if (!loadNext())
         return false;
     root = rootIn(session_.loaded(), cell, eye);
     return true;
+}
+
+Passage RecordedResidency::open(dat::BlockCoord centre) {
+    static_cast<void>(loadNext());
+    if (session_.loaded().target.centre == centre)
+        return Passage::Open;
+    return isRefused_ ? Passage::Refused : Passage::Coming;
 }
 
 Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(Session& session, WalkRecord record) {
@@ -86,7 +97,7 @@ void ReplayedFrames::compareLast() {
 Result<const FrameEye*> ReplayedFrames::next() {
     compareLast();
     const RecordedFrame& frame = record_.frames[next_++];
-    residency_.show(frame.shown);
+    residency_.goOn(frame);
     if (Result<void> stepped = play_.step(frame.input); !stepped)
         return tl::unexpected(stepped.error());
     return &play_.eye();

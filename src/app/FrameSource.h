@@ -23,13 +23,20 @@ public:
 class RecordedResidency final : public Residency {
 public:
     explicit RecordedResidency(Session& session) : session_(session) {}
-    /// What is shown from the next frame on.
-    void show(const std::optional<StreamTarget>& next) { next_ = next; }
+    /// What becomes of the next frame.
+    void goOn(const RecordedFrame& frame) {
+        next_ = frame.shown;
+        isRefused_ = frame.isRefused;
+    }
     bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
+    [[nodiscard]] Passage open(dat::BlockCoord centre) override;
 
 private:
+    bool loadNext();
+
     Session& session_;
     std::optional<StreamTarget> next_;
+    bool isRefused_ = false;
 };
 
 /// A walk, played again in the session's world. One that was streamed is loaded as it was then, whatever the session's options.

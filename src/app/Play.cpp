@@ -3,8 +3,22 @@
 #include "app/FlyCamera.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace limen::app {
+namespace {
+
+/// Whether a place lies so far within what is shown that one may stand there while the rest of its surroundings comes.
+bool isWithin(const LoadedWorld& shown, const Standpoint& stand) {
+    const int away =
+        std::max(std::abs(stand.centre.x - shown.centre.x), std::abs(stand.centre.y - shown.centre.y));
+    const world::Block* block = world::findBlock(shown.world, stand.centre);
+    return block != nullptr && !block->isFar && away <= shown.target.options.radius / 2 &&
+           (stand.root.kind != RootChoice::Kind::Cell ||
+            world::findCell(shown.world, stand.root.cell) != world::kNone);
+}
+
+} // namespace
 
 Play::Play(Session& session, FrameEye start, Residency* residency)
     : session_(session), residency_(residency != nullptr ? *residency : session), eye_(std::move(start)),
@@ -107,12 +121,29 @@ void Play::useDoor() {
 
 void Play::goTo(std::size_t place) {
     const std::vector<world::Place>& places = session_.source().file.places;
-    if (place >= places.size())
-        return;
-    const Standpoint stand = standpointAt(places[place]);
-    if (!session_.load(stand.centre))
-        return; // its part of the world cannot be loaded: stay
+    if (place < places.size())
+        going_ = {standpointAt(places[place]), places[place].name};
+}
+
+/// Until it is there the eye goes on where it is.
+Result<void> Play::goOn() {
+    const Passage passage =
+        isWithin(session_.loaded(), going_->stand) ? Passage::Open : residency_.open(going_->stand.centre);
+    if (passage == Passage::Refused)
+        going_.reset();
+    if (passage != Passage::Open)
+        return {};
+    standAt(std::exchange(going_, std::nullopt)->stand);
+    return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{};
+}
+
+void Play::standAt(Standpoint stand) {
     Result<FrameEye> eye = placeEye(session_.loaded(), stand, eye_.size);
+    if (!eye) { // it has no ground, or its cell is damaged; what was shown before has gone
+        stand.onGround = false;
+        stand.root = {};
+        eye = placeEye(session_.loaded(), stand, eye_.size);
+    }
     if (!eye)
         return;
     eye->camera.fovDegrees = eye_.camera.fovDegrees;
@@ -149,6 +180,8 @@ Result<void> Play::moveEye(const PlayInput& input) {
         eye_.player = eye_.camera.eye;
         eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, input.seconds);
     }
+    if (going_)
+        return goOn();
     if (!residency_.follow(eye_.camera.eye, eye_.root, walk_.isOn() ? &walk_ : nullptr))
         return {};
     tracker_.place(eye_.root);

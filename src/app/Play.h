@@ -23,17 +23,25 @@ public:
     [[nodiscard]] const Walk& walk() const { return walk_; }
     /// The door that Act::Use would move, by its index.
     [[nodiscard]] std::optional<std::size_t> doorInReach() const { return door_; }
+    /// The place that it is on its way to; empty: none.
+    [[nodiscard]] std::string_view goingTo() const { return going_ ? std::string_view(going_->name) : ""; }
     [[nodiscard]] bool opens(std::size_t door) const {
         return doors_.opens(session_.loaded().world.doors[door]);
     }
 
 private:
+    struct Destination {
+        Standpoint stand;
+        std::string name;
+    };
     void act(const PlayAct& act);
     void beginToWalk();
     void swingDoors();
     void standDoors(double open);
     void useDoor();
     void goTo(std::size_t place);
+    [[nodiscard]] Result<void> goOn();
+    void standAt(Standpoint stand);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);
     void moveDoors(double seconds);
     void swingAllTo(double open);
@@ -47,6 +55,7 @@ private:
     motion::DoorUse doors_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     std::optional<std::size_t> door_;
+    std::optional<Destination> going_; ///< once it is shown
 };
 
 } // namespace limen::app

@@ -166,6 +166,14 @@ Result<std::unique_ptr<LoadedWorld>> LoadedWorld::load(const dat::Archive& archi
         std::move(*world), std::move(*graph), StreamTarget{centre, options})));
 }
 
+dat::BlockCoord blockAround(const dat::Archive& archive, const LoadedWorld& before, dat::RecordId cell,
+                            const Vec3& eye) {
+    if (cell != 0)
+        return dat::blockOf(cell);
+    const dat::BlockCoord below = world::blockAt(eye);
+    return below == before.centre || !world::isDungeon(archive, below) ? below : before.centre;
+}
+
 world::SpaceIndex rootIn(const LoadedWorld& loaded, dat::RecordId cell, const Vec3& eye) {
     const world::SpaceIndex root = cell == 0 ? world::kOutside : world::findCell(loaded.world, cell);
     return root != world::kNone
@@ -296,17 +304,19 @@ std::shared_ptr<LoadedWorld> Session::take(std::shared_ptr<LoadedWorld> world) {
 }
 
 bool Session::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
-    const world::World& before = loaded_->world;
-    const dat::BlockCoord here =
-        root == world::kOutside ? world::blockAt(eye) : dat::blockOf(before.spaces[root].cellId);
+    const dat::RecordId cell = root == world::kOutside ? 0 : loaded_->world.spaces[root].cellId;
+    const dat::BlockCoord here = blockAround(source_->archive, *loaded_, cell, eye);
     const int distance = std::max(std::abs(here.x - loaded_->centre.x), std::abs(here.y - loaded_->centre.y));
     if (distance <= leashOf(options_.load.radius) && loaded_->target.options == options_.load)
         return false;
-    const dat::RecordId cell = root == world::kOutside ? 0 : before.spaces[root].cellId;
     if (!load(here))
         return false;
     root = rootIn(*loaded_, cell, eye);
     return true;
+}
+
+Passage Session::open(dat::BlockCoord centre) {
+    return load(centre) ? Passage::Open : Passage::Refused;
 }
 
 Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions& options) {

@@ -75,6 +75,11 @@ public:
     motion::Moments moments;
 };
 
+/// The block that an eye in the cell `cell` (0: outside) is to have around it. Over a dungeon's block, which has no landscape, it is the
+/// one that was: the land is seen from there, and the dungeon is not.
+[[nodiscard]] dat::BlockCoord blockAround(const dat::Archive& archive, const LoadedWorld& before,
+                                          dat::RecordId cell, const Vec3& eye);
+
 /// The space, in a part of the world that is shown now, that an eye is in which was in the cell `cell` (0: outside) before.
 [[nodiscard]] world::SpaceIndex rootIn(const LoadedWorld& loaded, dat::RecordId cell, const Vec3& eye);
 
@@ -125,6 +130,8 @@ public:
     /// Loads the blocks around a moving eye when it comes near the edge of what is loaded; `root` is
     /// translated. True if something was loaded. Where nothing can be loaded the old world stays.
     bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
+    /// Loads it at once.
+    [[nodiscard]] Passage open(dat::BlockCoord centre) override;
     /// Floods, plans and draws one frame. Requires a loaded world.
     [[nodiscard]] Result<void> draw(const FrameEye& eye, const DrawOptions& options);
     /// What a pixel (from the upper left corner) shows. Draws a frame of ids for it: draw the one to show again. Requires a

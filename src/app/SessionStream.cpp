@@ -21,15 +21,32 @@ SessionStream::SessionStream(Session& session) : session_(session) {}
 bool SessionStream::follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) {
     const LoadedWorld& before = session_.loaded();
     const dat::RecordId cell = root == world::kOutside ? 0 : before.world.spaces[root].cellId;
-    const StreamEye place{eye, cell == 0 ? world::blockAt(eye) : dat::blockOf(cell)};
+    const StreamEye place{eye, blockAround(session_.source().archive, before, cell, eye)};
     walk_ = walk;
-    justShown_.reset();
-    const StreamTarget shown = before.target; // it may go meanwhile
-    if (!streamer_.step(shown, place, session_.options().load))
+    if (!step(place))
         return false;
-    justShown_ = session_.loaded().target;
     root = rootIn(session_.loaded(), cell, eye);
     return true;
+}
+
+bool SessionStream::step(const StreamEye& eye) {
+    justShown_.reset();
+    hasRefused_ = false;
+    const StreamTarget shown = session_.loaded().target; // it may go meanwhile
+    if (!streamer_.step(shown, eye, session_.options().load))
+        return false;
+    justShown_ = session_.loaded().target;
+    return true;
+}
+
+Passage SessionStream::open(dat::BlockCoord centre) {
+    walk_ = nullptr; // the body stays where it is
+    const Vec3 middle = Vec3(centre.x + 0.5, centre.y + 0.5, 0.0) * world::kBlockSize;
+    static_cast<void>(step({middle, centre, true}));
+    if (session_.loaded().target.centre == centre)
+        return Passage::Open;
+    hasRefused_ = streamer_.hasFailed({centre, session_.options().load});
+    return hasRefused_ ? Passage::Refused : Passage::Coming;
 }
 
 Result<SessionStream::Part> SessionStream::read(const Session& session, const StreamTarget& target,

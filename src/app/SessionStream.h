@@ -17,8 +17,11 @@ public:
     explicit SessionStream(Session& session);
 
     bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
+    [[nodiscard]] Passage open(dat::BlockCoord centre) override;
     /// What was shown anew in the last frame.
     [[nodiscard]] const std::optional<StreamTarget>& shown() const { return justShown_; }
+    /// Whether the last frame's open was refused.
+    [[nodiscard]] bool hasRefused() const { return hasRefused_; }
     [[nodiscard]] const Streamer& streamer() const { return streamer_; }
     /// As Streamer::takeFault.
     [[nodiscard]] std::string takeFault() { return streamer_.takeFault(); }
@@ -34,6 +37,9 @@ private:
                                            const gpu::RendererOptions& options,
                                            const gpu::SceneState& before);
 
+    /// True if another part is shown from now on.
+    bool step(const StreamEye& eye);
+
     void beginToRead(const StreamTarget& target) override;
     [[nodiscard]] std::optional<Result<void>> pollRead() override;
     [[nodiscard]] Result<void> beginToUpload() override;
@@ -48,6 +54,7 @@ private:
     bool isUploading_ = false;
     Walk* walk_ = nullptr; ///< during follow
     std::optional<StreamTarget> justShown_;
+    bool hasRefused_ = false;
     Background background_; ///< last: what it does refers to the others
 };
 

@@ -26,6 +26,8 @@ bool Streamer::isWanted(const StreamTarget& shown, const StreamEye& eye,
                         const world::LoadOptions& wanted) const {
     if (!(coming_.options == wanted))
         return false;
+    if (eye.isAway)
+        return coming_.centre == eye.block;
     if (isAtHome(coming_, eye))
         return true;
     const int away = blocksBetween(coming_.centre, eye.block);

@@ -21,6 +21,7 @@ struct StreamTarget {
 struct StreamEye {
     Vec3 position{0.0};    ///< global
     dat::BlockCoord block; ///< of its space: in a dungeon its position says nothing
+    bool isAway = false;   ///< it waits to go there, and what is near that will not do
 };
 
 /// What a streamer has done for it, a little each frame. Nothing of it waits.
@@ -58,6 +59,8 @@ public:
     [[nodiscard]] Phase phase() const { return phase_; }
     /// What is read or uploaded. Only then.
     [[nodiscard]] const StreamTarget& coming() const { return coming_; }
+    /// Whether it was what could not be loaded last.
+    [[nodiscard]] bool hasFailed(const StreamTarget& target) const { return failed_ == target; }
     /// What could not be loaded, since this was asked last; each place once. Empty: nothing.
     [[nodiscard]] std::string takeFault();
 

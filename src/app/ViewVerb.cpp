@@ -111,7 +111,7 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         if (!options.record.empty())
             record +=
                 frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.moment()),
-                           viewer.stream().shown()});
+                           viewer.stream().shown(), viewer.stream().hasRefused()});
         if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
             console.note("limen: what is near cannot be loaded: " + fault);
         if (!viewer.probed().empty())

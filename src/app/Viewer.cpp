@@ -51,6 +51,8 @@ Result<void> Viewer::frame(double fixedSeconds) {
     takeKeys();
     if (Result<void> moved = play_.step(takeInput(fixedSeconds > 0.0 ? fixedSeconds : frameSeconds_)); !moved)
         return moved;
+    if (stream_.hasRefused())
+        notice("that place cannot be loaded");
     if (const std::optional<PixelPlace> clicked = window_.clicked()) {
         if (Result<void> picked = pick(*clicked); !picked)
             return picked;
@@ -92,6 +94,12 @@ void Viewer::rest() {
 std::string Viewer::doorInReach() const {
     const std::optional<std::size_t> door = play_.doorInReach();
     return door ? session_.loaded().world.doors[*door].name : std::string();
+}
+
+std::string Viewer::noticeText() const {
+    if (lastSeconds_ < notice_.until)
+        return notice_.text;
+    return play_.goingTo().empty() ? std::string() : fmt::format("going to {} ...", play_.goingTo());
 }
 
 std::vector<std::string> Viewer::openDoors() const {

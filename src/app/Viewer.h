@@ -50,9 +50,7 @@ public:
     /// The name of the door that a key would open or shut; empty: none.
     [[nodiscard]] std::string doorInReach() const;
     /// What is said over the picture just now.
-    [[nodiscard]] std::string noticeText() const {
-        return lastSeconds_ < notice_.until ? notice_.text : std::string();
-    }
+    [[nodiscard]] std::string noticeText() const;
     [[nodiscard]] const std::optional<Rebinding>& rebinding() const { return rebinding_; }
     [[nodiscard]] const KeyBindings& bindings() const { return bindings_; }
     [[nodiscard]] std::span<const PortalSight> portals() const { return portals_; }

@@ -124,6 +124,10 @@ bool readFrame(const Json& json, RecordedFrame& frame) {
                });
     });
     take("decided", [&](const Json& v) { return readHash(v, frame.decided); });
+    take("refused", [&](const Json& v) {
+        frame.isRefused = v.is_boolean() && v.get<bool>();
+        return v.is_boolean();
+    });
     take("shown", [&](const Json& v) { return readShown(v, frame.shown.emplace()); });
     return good && frame.input.seconds >= 0.0;
 }
@@ -167,6 +171,8 @@ std::string frameLine(const RecordedFrame& frame) {
         json["shown"] = {{"x", frame.shown->centre.x}, {"y", frame.shown->centre.y}};
         json["shown"].update(loadJson(frame.shown->options));
     }
+    if (frame.isRefused)
+        json["refused"] = true;
     json["decided"] = fmt::format("{:016x}", frame.decided);
     return json.dump() + "\n";
 }

@@ -17,7 +17,8 @@ struct RecordedFrame {
     PlayInput input;
     std::uint64_t decided = 0; ///< decisionHash of the frame it led to
     std::optional<StreamTarget>
-        shown; ///< what was streamed and is shown from this frame on; zones are not told
+        shown;              ///< what was streamed and is shown from this frame on; zones are not told
+    bool isRefused = false; ///< the place that was to be gone to could not be loaded
 };
 
 struct WalkRecord {

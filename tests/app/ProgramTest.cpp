@@ -75,6 +75,21 @@ void putRoundTrip(const ProgramRunner& runner) {
                                     "--eye=32532.1,34664,31.9\n--at cottage.front\n");
 }
 
+TEST(Program, overADungeonsBlockTheLandStays) {
+    const ProgramRunner runner;
+    putText(runner.work() / "path", "--at cottage.front\n--eye=283.5,3166,50\n"); // over dungeon.sealed
+    const ProgramRun run = runner.run({"probe", "--path", "path", "--frames", "5", "--size", "64x36"});
+    ASSERT_EQ(run.exit, 0) << run.err;
+    std::istringstream lines(run.out);
+    std::vector<std::string> loaded;
+    for (std::string line; std::getline(lines, line);) {
+        const auto event = nlohmann::json::parse(line);
+        if (event["event"] == "loaded")
+            loaded.push_back(event["blocks"]);
+    }
+    EXPECT_THAT(loaded, testing::ElementsAre("25 blocks from 0xA7B2FFFF to 0xABB6FFFF"));
+}
+
 /// The rooms that eyes are in along a walk, as probe tells it.
 std::vector<std::string> rootsAlong(const ProgramRunner& runner, const std::string& walk) {
     const ProgramRun run = runner.run({"probe", "--walk", walk});

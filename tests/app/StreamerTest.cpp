@@ -157,6 +157,31 @@ TEST(Streamer, aJumpBeyondAllThatIsLoadedIsFollowed) {
     EXPECT_EQ(s.tasks.dropped, 1u);
 }
 
+TEST(Streamer, whoWaitsToGoFarAwayIsNotServedHalfTheWay) {
+    Streamed s;
+    s.tasks.framesToRead = 5;
+    s.step(eyeFromHome(220, 96)); // the next block is on its way
+    StreamEye there = eyeFromHome(96 + 3 * world::kBlockSize, 96);
+    there.isAway = true;
+    s.tasks.eachRead = 2;
+    ASSERT_GT(s.framesUntilShown(there), 0);
+    EXPECT_EQ(s.shown.centre, there.block);
+    ASSERT_EQ(s.tasks.shown.size(), 1u);
+    EXPECT_EQ(s.tasks.dropped, 1u);
+}
+
+TEST(Streamer, itIsToldWhetherAPlaceHasFailed) {
+    Streamed s;
+    s.tasks.fails = true;
+    StreamEye there = eyeFromHome(96 + 3 * world::kBlockSize, 96);
+    there.isAway = true;
+    EXPECT_FALSE(s.streamer.hasFailed({there.block, kLoad}));
+    for (int i = 0; i < 5; ++i)
+        EXPECT_FALSE(s.step(there));
+    EXPECT_TRUE(s.streamer.hasFailed({there.block, kLoad}));
+    EXPECT_FALSE(s.streamer.hasFailed({kHome, kLoad}));
+}
+
 // Else who is faster than what comes would never see anything but the place he came from.
 TEST(Streamer, showsWhatIsNearerThanWhatIsShownThoughTheEyeHasGoneOn) {
     Streamed s;

@@ -233,6 +233,30 @@ class ViewWindow(WindowTest):
         self.assertIsNone(self.drive(lambda: (check(), self.hold("w", 0.5)), *view)["checked"])
 
     @patiently
+    def test_places_far_away_are_gone_to_while_the_world_is_drawn_and_come_out_the_same_again(self):
+        # Block by block, so that the next one is far away.
+        def go():
+            self.xdotool("key", "1")  # the cave
+            self.wait(3)
+            self.xdotool("key", "3")  # the cottage
+            self.wait(3)
+
+        last = self.drive(go, "--at", "cottage.front", "--radius", "0", "--far", "0", "--record", "jumps")
+        with open(os.path.join(self.work.name, "jumps")) as file:
+            lines = [json.loads(line) for line in file]
+        asked = [i for i, line in enumerate(lines) if any(act[0] == "place" for act in line.get("acts", []))]
+        shown = [i for i, line in enumerate(lines) if "shown" in line]
+        self.assertEqual(len(asked), 2)
+        self.assertEqual(len(shown), 2)
+        self.assertGreater(shown[0], asked[0], "frames go on meanwhile")
+        self.assertEqual((lines[shown[0]]["shown"]["x"], lines[shown[0]]["shown"]["y"]), (170, 181))
+        self.assertEqual((lines[shown[1]]["shown"]["x"], lines[shown[1]]["shown"]["y"]), (169, 180))
+        self.assertEqual(last["root"], "outside")
+        again = subprocess.run([PROGRAM, "probe", "--walk", "jumps"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("otherwise", again.stderr)
+
+    @patiently
     def test_f6_tells_what_changes_until_it_is_pressed_again(self):
         def probe():
             self.xdotool("key", "F6")

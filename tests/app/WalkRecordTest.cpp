@@ -36,6 +36,7 @@ TEST(WalkRecord, isReadAsItWasWritten) {
 TEST(WalkRecord, tellsWhatWasStreamedAndWhenItWasShown) {
     RecordedFrame frame = someFrame();
     frame.shown = StreamTarget{{0xA9, 0xB4}, {.radius = 4, .detail = 0.75, .farRadius = 12}};
+    frame.isRefused = true;
     world::LoadOptions nearest{.radius = 2};
     nearest.detail = std::numeric_limits<double>::infinity();
     const Result<WalkRecord> walk =
@@ -44,7 +45,9 @@ TEST(WalkRecord, tellsWhatWasStreamedAndWhenItWasShown) {
     EXPECT_EQ(walk->streamed, nearest);
     EXPECT_EQ(walk->frames[0].shown, frame.shown);
     EXPECT_EQ(walk->frames[0].input, frame.input);
+    EXPECT_TRUE(walk->frames[0].isRefused);
     EXPECT_FALSE(walk->frames[1].shown);
+    EXPECT_FALSE(walk->frames[1].isRefused);
     EXPECT_FALSE(parseWalk(beginningLine("") + frameLine(frame), "w")->streamed);
 }
 
@@ -82,6 +85,7 @@ TEST(WalkRecord, refusesWhatIsNoWalkAndSaysWhere) {
                             R"({"acts":[[0,0]]})",
                             R"({"decided":"xyz"})",
                             R"({"decided":5})",
+                            R"({"refused":1})",
                             R"({"shown":{}})",
                             R"({"shown":{"x":1,"y":300,"radius":4,"far":0}})",
                             R"({"shown":{"x":1,"y":2,"radius":-4,"far":0}})",
