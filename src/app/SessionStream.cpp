@@ -16,7 +16,9 @@ unsigned threadsToReadOn() {
 
 } // namespace
 
-SessionStream::SessionStream(Session& session) : session_(session) {}
+SessionStream::SessionStream(Session& session) : session_(session) {
+    static_cast<void>(session_.renderer().makeRoom()); // without it the first part only costs frames more
+}
 
 bool SessionStream::follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) {
     const LoadedWorld& before = session_.loaded();

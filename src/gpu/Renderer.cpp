@@ -130,6 +130,15 @@ SceneState Renderer::state() const {
     return {scene_->textures().contents(), scene_->programs().bindings()};
 }
 
+Result<void> Renderer::makeRoom() {
+    for (const SizedBuffer& buffer : scene_ != nullptr ? scene_->buffers() : std::span<const SizedBuffer>()) {
+        if (Result<void> added = spare_->addTwin(buffer); !added) {
+            return added;
+        }
+    }
+    return {};
+}
+
 std::shared_ptr<Programs> Renderer::programsFor(const SceneBindings& bindings) {
     constexpr std::size_t kMost = 3;
     auto found = std::find_if(programs_.begin(), programs_.end(),

@@ -32,6 +32,9 @@ public:
 
     // The same in slices, over several frames: the next scene comes beside the one that is drawn.
 
+    /// Has memory found for a scene as large as the one that is drawn, so that the first that comes in slices costs frames no more than
+    /// those after it. Errors: the device's; it comes all the same.
+    Result<void> makeRoom();
     /// What stageScene takes, beside the device's capabilities.
     [[nodiscard]] SceneState state() const;
     [[nodiscard]] const RendererOptions& options() const { return options_; }

@@ -30,6 +30,8 @@ public:
     /// Gives a little of it back, after markUnused; its buffers to what is spare. False when nothing is left.
     bool releaseSome();
 
+    /// Its buffers.
+    [[nodiscard]] std::span<const SizedBuffer> buffers() const { return owned_; }
     [[nodiscard]] const std::shared_ptr<Programs>& sharePrograms() const { return programs_; }
     [[nodiscard]] Programs& programs() { return *programs_; }
     [[nodiscard]] const TextureStore& textures() const { return textures_; }

@@ -1,6 +1,7 @@
 #include "gpu/SpareBuffers.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace limen::gpu {
@@ -41,6 +42,19 @@ Result<SizedBuffer> SpareBuffers::take(std::string_view label, std::size_t bytes
         reserved = device_.reserveBuffer(label, size);
     }
     return reserved.map([&](BufferHandle handle) { return SizedBuffer{handle, size}; });
+}
+
+Result<void> SpareBuffers::addTwin(const SizedBuffer& of) {
+    static constexpr std::array<std::byte, 1 << 16> kNothing{};
+    const Result<BufferHandle> twin = device_.reserveBuffer("spare", of.bytes);
+    if (!twin) {
+        return tl::unexpected(twin.error());
+    }
+    for (std::size_t at = 0; at < of.bytes; at += kNothing.size()) {
+        device_.writeBuffer(*twin, at, std::span(kNothing).first(std::min(kNothing.size(), of.bytes - at)));
+    }
+    giveBack({*twin, of.bytes});
+    return {};
 }
 
 bool SpareBuffers::releaseSome() {

@@ -25,6 +25,8 @@ public:
     /// One for at least `bytes`, to be filled from its beginning on; the caller's from then on. It may be longer, at most twice. Errors:
     /// the device's, if it has no memory even without what is spare.
     [[nodiscard]] Result<SizedBuffer> take(std::string_view label, std::size_t bytes);
+    /// Makes one as long as another, and writes all of it: its memory is found now. Errors: the device's.
+    [[nodiscard]] Result<void> addTwin(const SizedBuffer& of);
     /// Requires that no frame reads it any more, those under way included.
     void giveBack(const SizedBuffer& buffer) { spare_.push_back(buffer); }
     /// A scene has all that it needs: what is spare now is of no use.

@@ -90,6 +90,16 @@ TEST_F(SpareBuffersTest, whatIsSpareGoesWhenTheDeviceHasNoMemory) {
     EXPECT_EQ(made(), 1u);
 }
 
+TEST_F(SpareBuffersTest, aTwinIsTakenAsItsOriginalWouldBe) {
+    const SizedBuffer original = take(300'000);
+    ASSERT_TRUE(spare_.addTwin(original));
+    EXPECT_EQ(made(), 2u);
+    EXPECT_EQ(take(300'000).bytes, original.bytes);
+    EXPECT_EQ(made(), 2u);
+    device_.madeBeforeFailure = 0;
+    EXPECT_FALSE(spare_.addTwin(original));
+}
+
 TEST_F(SpareBuffersTest, withoutMemoryTheErrorIsTheDevices) {
     device_.madeBeforeFailure = 0;
     const Result<SizedBuffer> taken = spare_.take("an array", 10);

@@ -279,6 +279,19 @@ TEST_P(StagedScenes, oneAfterTheOtherNeedsNoMoreBuffers) {
     EXPECT_EQ(device_.arrays, atOnce.arrays) << "and they hold the same";
 }
 
+TEST_P(StagedScenes, withRoomMadeTheNextNeedsNoMoreBuffers) {
+    const Scene first({1, 2}, 30), second({1, 2}, 33);
+    upload(first);
+    draw(first);
+    ASSERT_TRUE(renderer_.makeRoom());
+    const std::size_t reserved = device_.reserved;
+    begin(second);
+    advanceToTheEnd(5000);
+    renderer_.swap();
+    draw(second);
+    EXPECT_EQ(device_.reserved, reserved);
+}
+
 TEST_P(StagedScenes, whatNoSceneTakesAnyMoreGoes) {
     const Scene large({1, 2}, 40'000), small({1, 2}, 2);
     upload(large);
