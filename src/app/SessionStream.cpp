@@ -34,6 +34,7 @@ bool SessionStream::follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk)
 bool SessionStream::step(const StreamEye& eye) {
     justShown_.reset();
     hasRefused_ = false;
+    bytesPerFrame_ = eye.isAway ? kBytesWhileWaiting : kBytesPerFrame;
     const StreamTarget shown = session_.loaded().target; // it may go meanwhile
     if (!streamer_.step(shown, eye, session_.options().load))
         return false;
@@ -89,7 +90,7 @@ Result<void> SessionStream::beginToUpload() {
 }
 
 Result<bool> SessionStream::advance() {
-    const Result<bool> isThere = session_.renderer().advance(kBytesPerFrame);
+    const Result<bool> isThere = session_.renderer().advance(bytesPerFrame_);
     if (!isThere || !*isThere || !isUploading_)
         return isThere;
     return walk_ == nullptr || walk_->prepare(session_, coming_.loaded);

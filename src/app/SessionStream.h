@@ -12,6 +12,8 @@ public:
     /// Bytes that a frame uploads; of array and texel memory. A fixed share, not a time, so that what a frame does follows from what was
     /// read alone.
     static constexpr std::size_t kBytesPerFrame = std::size_t{256} << 10;
+    /// While an eye waits to go elsewhere: nobody is there for whom frames are to be even, and somebody waits.
+    static constexpr std::size_t kBytesWhileWaiting = std::size_t{4} << 20;
 
     /// The session must outlive it, and has loaded a part of the world.
     explicit SessionStream(Session& session);
@@ -55,6 +57,7 @@ private:
     Walk* walk_ = nullptr; ///< during follow
     std::optional<StreamTarget> justShown_;
     bool hasRefused_ = false;
+    std::size_t bytesPerFrame_ = kBytesPerFrame;
     Background background_; ///< last: what it does refers to the others
 };
 

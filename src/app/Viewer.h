@@ -47,6 +47,8 @@ public:
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
     [[nodiscard]] const Walk& walk() const { return play_.walk(); }
+    /// As Play::goingTo.
+    [[nodiscard]] std::string_view goingTo() const { return play_.goingTo(); }
     /// The name of the door that a key would open or shut; empty: none.
     [[nodiscard]] std::string doorInReach() const;
     /// What is said over the picture just now.

@@ -65,6 +65,8 @@ std::string stateJson(const Session& session, const Viewer& viewer, std::size_t 
         {"checked", verdictJson(viewer.verdict())},
         {"size", {eye.size.width, eye.size.height}},
         {"distance", viewer.walk().distance()},
+        {"loaded", {session.loaded().centre.x, session.loaded().centre.y}},
+        {"going_to", viewer.goingTo()},
         {"door", viewer.doorInReach()},
         {"notice", viewer.noticeText()},
         {"rebinding", viewer.rebinding() ? nlohmann::ordered_json(factsOf(viewer.rebinding()->action).name)
