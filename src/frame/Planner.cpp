@@ -4,7 +4,6 @@
 #include "core/Fetch.h"
 #include "frame/Ownership.h"
 #include "frame/PackInstance.h"
-#include "frame/PlanBatches.h"
 
 #include <algorithm>
 
@@ -145,7 +144,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
 }
 
 void Planner::packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
-    for (std::vector<MoverRange>& ranges : moverRanges_) {
+    for (std::vector<OwnRange>& ranges : moverRanges_) {
         ranges.clear();
     }
     const auto standing = static_cast<std::uint32_t>(world_.instances.size());
@@ -154,8 +153,11 @@ void Planner::packMovers(const FrameView& frame, const world::Moment& moment, Fr
     plan.constants.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
     const std::span<const SelectedMover> movers = selection_.movers();
     for (std::size_t i = 0; i < movers.size(); ++i) {
-        if (i + kFetchedAhead < movers.size()) {
-            fetch(moment.instances[movers[i + kFetchedAhead].index]);
+        if (i + 2 * kFetchedAhead < movers.size()) {
+            fetch(moment.instances[movers[i + 2 * kFetchedAhead].index]);
+        }
+        if (i + kFetchedAhead < movers.size()) { // which is there by now
+            fetch(world_.meshes[moment.instances[movers[i + kFetchedAhead].index].mesh]);
         }
         const SelectedMover& mover = movers[i];
         const world::Instance& instance = moment.instances[mover.index];
@@ -179,10 +181,20 @@ void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) const {
     for (const SelectedRange& range : selection_.ranges()) {
         addRun(gatedIf(range.gated, pieces_.run(range.first, range.end, drawn)), plan);
     }
-    for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(drawn)]) {
-        addRun(gatedIf(range.gated, addOwnPieces(range.range, range.instance, plan)), plan);
-    }
+    addMovers(drawn, plan);
     countTriangles(plan);
+}
+
+void Planner::addMovers(DrawClass drawn, FramePlan& plan) const {
+    const std::span<const OwnRange> all = moverRanges_[static_cast<std::size_t>(drawn)];
+    for (std::size_t at = 0; at < all.size();) {
+        std::size_t end = at + 1;
+        while (end < all.size() && all[end].gated == all[at].gated) {
+            ++end;
+        }
+        addRun(gatedIf(all[at].gated, addOwnPieces(all.subspan(at, end - at), plan)), plan);
+        at = end;
+    }
 }
 
 void Planner::planSolid(bool several, FramePlan& plan) const {
@@ -220,7 +232,8 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         out.uvOffsetY = p.uvOffset.y;
         plan.skyInstances.push_back(out);
         for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges) {
-            addRun(addOwnPieces(range, instance, plan), plan);
+            const OwnRange own{range, instance, false};
+            addRun(addOwnPieces(std::span(&own, 1), plan), plan);
         }
     }
     for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i) {
@@ -248,10 +261,10 @@ void Planner::planLate(const Vec3& eye, bool several, const world::Moment& momen
         gatherLate(eye, range);
     }
     const std::span<const SelectedMover> movers = selection_.movers();
-    for (const MoverRange& range : moverRanges_[static_cast<std::size_t>(DrawClass::Blended)]) {
+    for (const OwnRange& range : moverRanges_[static_cast<std::size_t>(DrawClass::Blended)]) {
         const SelectedMover& mover = movers[range.instance - plan.constants.staticInstances];
         late_.push_back({nearestOf(moment.instances[mover.index].bounds, eye), range.instance,
-                         addOwnPieces(range.range, range.instance, plan)});
+                         addOwnPieces(std::span(&range, 1), plan)});
     }
     std::sort(late_.begin(), late_.end(), [](const Late& a, const Late& b) {
         return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;

@@ -3,6 +3,7 @@
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
 #include "frame/Highlights.h"
+#include "frame/PlanBatches.h"
 #include "frame/ResidentPieces.h"
 #include "frame/Selection.h"
 #include "visibility/VisibleSet.h"
@@ -32,12 +33,6 @@ public:
     [[nodiscard]] const ResidentPieces& pieces() const { return pieces_; }
 
 private:
-    /// A mover's range of its mesh.
-    struct MoverRange {
-        world::Mesh::Range range;
-        std::uint32_t instance = 0; ///< numbered on from the scene's
-        bool gated = false;
-    };
     /// The blended pieces of one instance.
     struct Late {
         double distance = 0.0; ///< from the eye to the nearest point of its bounds, metres
@@ -50,6 +45,7 @@ private:
     void packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
     void planSolid(bool several, FramePlan& plan) const;
     void addSolid(DrawClass drawn, bool several, FramePlan& plan) const;
+    void addMovers(DrawClass drawn, FramePlan& plan) const;
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan);
     void gatherLate(const Vec3& eye, const SelectedRange& range);
@@ -60,7 +56,7 @@ private:
     const Highlights highlights_;
     Selection selection_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
-    std::array<std::vector<MoverRange>, kDrawClasses> moverRanges_; ///< of the frame
+    std::array<std::vector<OwnRange>, kDrawClasses> moverRanges_; ///< of the frame
     std::vector<Late> late_;
     std::vector<world::SkyPlacement> sky_;
 };
