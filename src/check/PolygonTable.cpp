@@ -84,8 +84,8 @@ void PolygonTable::trianglesAround(world::SpaceIndex index, const Vec3& point, d
     const world::Space& space = world_.spaces[index];
     for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i)
         addTrianglesAround(world_.instances[world_.spaceInstances[i]], point, reach, out);
-    for (const world::ListedInstance& in : moment_.instancesIn(index))
-        addTrianglesAround(moment_.instances[in.instance], point, reach, out);
+    for (const world::InstanceIndex i : moment_.instancesIn(index))
+        addTrianglesAround(moment_.instances[i], point, reach, out);
 }
 
 void PolygonTable::polygonsAlong(const Vec3& eye, const Vec3& direction,

@@ -157,22 +157,29 @@ void Planner::packMovers(const FrameView& frame, const world::Moment& moment, Fr
             fetch(moment.instances[movers[i + 2 * kFetchedAhead].index]);
         }
         if (i + kFetchedAhead < movers.size()) { // which is there by now
-            fetch(world_.meshes[moment.instances[movers[i + kFetchedAhead].index].mesh]);
+            fetch(world_.meshes[moment.instances[movers[i + kFetchedAhead].index].mesh].ranges);
         }
         const SelectedMover& mover = movers[i];
         const world::Instance& instance = moment.instances[mover.index];
-        const std::uint32_t number = standing + static_cast<std::uint32_t>(plan.movers.size());
+        const std::uint32_t number = standing + static_cast<std::uint32_t>(i);
         const world::Mesh& mesh = world_.meshes[instance.mesh];
-        for (std::size_t c = 0; c < kDrawClasses; ++c) {
-            const world::Mesh::Range range = rangeOf(mesh, instance.kind, static_cast<DrawClass>(c));
+        const auto draw = [&](DrawClass drawn, const world::Mesh::Range& range) {
             if (range.indexCount > 0) {
-                moverRanges_[c].push_back({range, number, mover.gated});
+                moverRanges_[static_cast<std::size_t>(drawn)].push_back({range, number, mover.gated});
             }
+        };
+        const DrawClass solid = solidClassOf(instance.kind);
+        draw(solid, mesh.ranges[0]);
+        if (solid != DrawClass::Terrain) {
+            draw(DrawClass::CutOut, cutOutsOf(mesh));
         }
-        gpu::Instance packed = packInstance(world_, instance, moment.members, plan.moverMembers);
+        draw(DrawClass::Blended, mesh.ranges[2]);
+        gpu::Instance& packed = plan.movers.emplace_back();
+        packInto(packed, world_, instance, moment.members, plan.moverMembers);
         packed.firstMember += staticMembers_;
-        packed.highlight = colourOf(frame.highlights, instance.object);
-        plan.movers.push_back(packed);
+        if (!frame.highlights.empty()) {
+            packed.highlight = colourOf(frame.highlights, instance.object);
+        }
     }
 }
 

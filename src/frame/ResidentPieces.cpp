@@ -4,16 +4,6 @@
 
 namespace limen::frame {
 
-void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,
-               std::vector<gpu::DrawPiece>& pieces) {
-    constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerPiece;
-    for (std::uint32_t done = 0; done < range.indexCount; done += kMost) {
-        const std::uint32_t count = std::min(range.indexCount - done, kMost);
-        pieces.push_back({range.firstIndex + done, count / 3, instance, indices});
-        indices += count;
-    }
-}
-
 ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) {
     ResidentPieces out;
     out.starts.resize(clusters.order.size() + 1);

@@ -18,22 +18,25 @@ enum class DrawClass : std::uint8_t {
 };
 inline constexpr std::size_t kDrawClasses = 5;
 
-/// The part of a mesh that a class draws of an instance; empty if there is none. Surfaces that are split are of two: as cut-outs
-/// they show where they are nearly opaque, blended where they are not.
-[[nodiscard]] inline world::Mesh::Range rangeOf(const world::Mesh& mesh, world::Kind kind, DrawClass drawn) {
-    const bool isTerrain = kind == world::Kind::Terrain;
+/// What draws the opaque part of an instance's mesh.
+[[nodiscard]] constexpr DrawClass solidClassOf(world::Kind kind) {
     const bool isBuilt = kind == world::Kind::Shell || kind == world::Kind::Exterior;
+    return kind == world::Kind::Terrain ? DrawClass::Terrain
+                                        : (isBuilt ? DrawClass::Wall : DrawClass::Opaque);
+}
+/// Surfaces that are split are of two classes: as cut-outs they show where they are nearly opaque, blended where they are not.
+[[nodiscard]] inline world::Mesh::Range cutOutsOf(const world::Mesh& mesh) {
+    return {mesh.ranges[1].firstIndex, mesh.ranges[1].indexCount + mesh.splitIndexCount};
+}
+/// The part of a mesh that a class draws of an instance; empty if there is none.
+[[nodiscard]] inline world::Mesh::Range rangeOf(const world::Mesh& mesh, world::Kind kind, DrawClass drawn) {
     switch (drawn) {
     case DrawClass::Wall:
-        return isBuilt ? mesh.ranges[0] : world::Mesh::Range();
     case DrawClass::Opaque:
-        return isTerrain || isBuilt ? world::Mesh::Range() : mesh.ranges[0];
-    case DrawClass::CutOut:
-        return isTerrain ? world::Mesh::Range()
-                         : world::Mesh::Range{mesh.ranges[1].firstIndex,
-                                              mesh.ranges[1].indexCount + mesh.splitIndexCount};
     case DrawClass::Terrain:
-        return isTerrain ? mesh.ranges[0] : world::Mesh::Range();
+        return drawn == solidClassOf(kind) ? mesh.ranges[0] : world::Mesh::Range();
+    case DrawClass::CutOut:
+        return kind == world::Kind::Terrain ? world::Mesh::Range() : cutOutsOf(mesh);
     case DrawClass::Blended:
         return mesh.ranges[2];
     }
@@ -44,8 +47,15 @@ static_assert(static_cast<int>(world::SurfaceClass::Opaque) == 0 &&
               static_cast<int>(world::SurfaceClass::Blended) == 2);
 
 /// Cuts a range of a mesh into pieces of at most gpu::kTrianglesPerPiece triangles. `indices`: of all pieces before.
-void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,
-               std::vector<gpu::DrawPiece>& pieces);
+inline void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,
+                      std::vector<gpu::DrawPiece>& pieces) {
+    constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerPiece;
+    for (std::uint32_t done = 0; done < range.indexCount; done += kMost) {
+        const std::uint32_t count = std::min(range.indexCount - done, kMost);
+        pieces.push_back({range.firstIndex + done, count / 3, instance, indices});
+        indices += count;
+    }
+}
 
 /// The pieces of all that stands still, by class, and in a class in the order of the clusters: what is near each other is one run of
 /// each class.

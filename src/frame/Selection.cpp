@@ -11,6 +11,9 @@ namespace {
 using visibility::Containment;
 using visibility::SeenBall;
 
+constexpr std::uint32_t kAtOnce = visibility::BallBlock::kCount;
+static_assert(kAtOnce <= world::ListedInstances::kSpare, "every block of what is listed can be read");
+
 bool isInOneZone(const world::World& world, const world::Instance& instance,
                  std::span<const world::SpaceIndex> members) {
     const auto own = members.subspan(instance.firstMember, instance.memberCount);
@@ -39,7 +42,8 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     ++frameNumber_;
     counts_ = {};
     ranges_.clear();
-    movers_.clear();
+    moverCount_ = 0;
+    movers_.resize(std::max(movers_.size(), moment.instances.size() + 1));
     sharedMet_.clear();
     moversMet_.clear();
     eye_ = frame.view.eye;
@@ -196,54 +200,67 @@ void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
         selectMoversOf(ask, moment);
         return;
     }
-    for (const world::ListedInstance& moving : moment.instancesIn(ask.space)) {
-        if (moving.isListedAgain) {
-            meet(ask, moving.bounds, moverMarks_[moving.instance], moving.instance, moversMet_);
+    const world::ListedInstances& listed = moment.listed;
+    const auto [first, end] = moment.listedIn(ask.space);
+    for (std::uint32_t at = first; at < end; ++at) {
+        if (listed.isListedAgain[at] != 0) {
+            meetListed(ask, listed, at);
         } else if (ask.first) {
             ++counts_.met;
-            const SeenBall ball = ballOf(moving.bounds);
+            const SeenBall ball = ballOf(listed.boundsOf(at));
             Containment best = askInstance(ask, ball);
             for (std::uint32_t i = ask.next; i != world::kNone && best != Containment::Inside;
                  i = asks_[i].next) {
                 best = std::max(best, askInstance(asks_[i], ball));
             }
             if (best != Containment::Outside) {
-                drawMover(moving.instance, best == Containment::Inside);
+                drawMover(listed.instance[at], best == Containment::Inside);
             }
         }
     }
 }
 
-// With a single visit a space is asked about once. Half of many that move are seen, and nobody can foretell which: what is found is
-// written either way, and counts or does not.
+// With a single visit a space is asked about once. What is found is written either way, and counts or does not: nobody can foretell.
 void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
-    const std::span<const world::ListedInstance> members = moment.instancesIn(ask.space);
-    std::size_t end = movers_.size();
-    movers_.resize(end + members.size());
-    for (const world::ListedInstance& moving : members) {
-        if (moving.isListedAgain) {
-            meet(ask, moving.bounds, moverMarks_[moving.instance], moving.instance, moversMet_);
-            continue;
+    const world::ListedInstances& listed = moment.listed;
+    const auto [first, end] = moment.listedIn(ask.space);
+    std::size_t found = moverCount_;
+    std::uint32_t alone = end - first;
+    for (std::uint32_t at = first; at < end; at += kAtOnce) {
+        visibility::Viewcones::Within within =
+            cones_.within({&listed.x[at], &listed.y[at], &listed.z[at], &listed.radius[at]}, eye_,
+                          ask.narrow ? &ask.rect : nullptr);
+        const std::uint32_t count = std::min(end - at, kAtOnce);
+        for (std::uint32_t i = 0; i < count && listed.anyListedAgain; ++i) {
+            if (listed.isListedAgain[at + i] != 0) {
+                meetListed(ask, listed, at + i);
+                within[i] = -1.0f;
+                --alone;
+            }
         }
-        const SeenBall ball = ballOf(moving.bounds);
-        bool isSeen = cones_.touches(ask.visit, ball);
-        isSeen &= !ask.narrow || visibility::Viewcones::touches(ask.rect, ball);
-        movers_[end] = {moving.instance, false};
-        end += isSeen ? 1 : 0;
-        ++counts_.met;
-        ++counts_.boundsTested;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            movers_[found] = {listed.instance[at + i], false};
+            found += static_cast<std::size_t>(within[i] >= 0.0f);
+        }
     }
-    const auto seen = static_cast<std::uint32_t>(end - (movers_.size() - members.size()));
-    counts_.drawn += seen;
-    counts_.ungated += seen;
-    movers_.resize(end);
+    const auto drawn = static_cast<std::uint32_t>(found - moverCount_);
+    moverCount_ = found;
+    counts_.met += alone;
+    counts_.boundsTested += alone;
+    counts_.drawn += drawn;
+    counts_.ungated += drawn;
+}
+
+void Selection::meetListed(const Ask& ask, const world::ListedInstances& listed, std::uint32_t at) {
+    const std::uint32_t number = listed.instance[at];
+    meet(ask, listed.boundsOf(at), moverMarks_[number], number, moversMet_);
 }
 
 void Selection::drawMover(std::uint32_t index, bool inside) {
     const bool gated = several_ && !inside;
     ++counts_.drawn;
     counts_.ungated += gated ? 0 : 1;
-    movers_.push_back({index, gated});
+    movers_[moverCount_++] = {index, gated};
 }
 
 void Selection::finishListed(const world::Moment& moment) {
@@ -263,8 +280,9 @@ void Selection::finishListed(const world::Moment& moment) {
         }
     }
     const auto before = [](const SelectedMover& a, const SelectedMover& b) { return a.index < b.index; };
-    if (!std::is_sorted(movers_.begin(), movers_.end(), before)) {
-        std::sort(movers_.begin(), movers_.end(), before);
+    const auto drawn = std::span(movers_).first(moverCount_);
+    if (!std::is_sorted(drawn.begin(), drawn.end(), before)) {
+        std::sort(drawn.begin(), drawn.end(), before);
     }
 }
 

@@ -34,7 +34,9 @@ public:
     void select(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set);
 
     [[nodiscard]] std::span<const SelectedRange> ranges() const { return ranges_; } ///< in order, apart
-    [[nodiscard]] std::span<const SelectedMover> movers() const { return movers_; } ///< in order
+    [[nodiscard]] std::span<const SelectedMover> movers() const {
+        return std::span(movers_).first(moverCount_);
+    } ///< in order
 
     /// Of the members of spaces that are seen, each once.
     struct Counts {
@@ -79,6 +81,7 @@ private:
     void selectMoversOf(const Ask& ask, const world::Moment& moment);
     void meet(const Ask& ask, const Sphere& bounds, Mark& mark, std::uint32_t number,
               std::vector<std::uint32_t>& met);
+    void meetListed(const Ask& ask, const world::ListedInstances& listed, std::uint32_t at);
     void finishListed(const world::Moment& moment);
     void draw(std::uint32_t first, std::uint32_t end, bool inside);
     void drawMover(std::uint32_t index, bool inside);
@@ -101,7 +104,8 @@ private:
     std::vector<Mark> sharedMarks_, moverMarks_;
     std::vector<std::uint32_t> sharedMet_, moversMet_;
     std::vector<SelectedRange> ranges_;
-    std::vector<SelectedMover> movers_;
+    std::vector<SelectedMover> movers_; ///< the first moverCount_: it stays as long as it has to be
+    std::size_t moverCount_ = 0;
     Counts counts_;
 };
 

@@ -79,8 +79,8 @@ void SceneData::takeMoment(const world::Moment& moment) {
     movingByZone.clear();
     if (!moment.firstInSpace.empty()) {
         for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s) {
-            for (const world::ListedInstance& in : moment.instancesIn(s))
-                addBySpace(moving, moment.instances[in.instance], in.instance, s, movingBySpace);
+            for (const world::InstanceIndex i : moment.instancesIn(s))
+                addBySpace(moving, moment.instances[i], i, s, movingBySpace);
         }
     }
     for (world::InstanceIndex i = 0; i < moment.instances.size(); ++i)

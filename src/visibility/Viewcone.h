@@ -19,6 +19,15 @@ struct SeenBall {
     double reach = 0.0; ///< metres, at planes through the eye: two pixels more
 };
 
+/// Where so many balls begin in arrays of them, global (world::ListedInstances).
+struct BallBlock {
+    static constexpr std::size_t kCount = 16;
+    const double* x = nullptr;
+    const double* y = nullptr;
+    const double* z = nullptr;
+    const double* radius = nullptr;
+};
+
 /// Four planes through the eye: unit normals, positive inside. Side by side, for they are all asked at once.
 class FourEdges {
 public:
@@ -33,6 +42,8 @@ public:
         const double ab = a < b ? a : b, cd = c < d ? c : d; // values, not references: no branches
         return ab < cd ? ab : cd;
     }
+
+    [[nodiscard]] Vec3 edge(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
 
 private:
     [[nodiscard]] double side(std::size_t i, const Vec3& point) const {
@@ -54,21 +65,18 @@ public:
     /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
     /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
     [[nodiscard]] Containment classify(std::uint32_t visit, const SeenBall& ball) const {
-        if (cones_.size() == 1) { // the root's: everything is beyond where the eye is, and nothing is drawn later
+        if (cones_.size() ==
+            1) { // the root's: everything is beyond where the eye is, and nothing is drawn later
             return classifyOnScreen(cones_.front(), ball);
         }
         const Containment alone = classifyAlone(cones_[visit], ball);
         return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
     }
-    /// Whether it is not outside. Without branches: for many balls, of which nobody can foretell how they lie.
-    [[nodiscard]] bool touches(std::uint32_t visit, const SeenBall& ball) const {
-        const Cone& cone = cones_[visit];
-        bool reaches = cone.entry.signedDistance(ball.centre) >= -ball.radius - ball.slack;
-        for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
-            reaches &= touches(edges_[e], ball);
-        }
-        return reaches;
-    }
+    /// By ball of a block: not below 0 if it is not outside.
+    using Within = std::array<float, BallBlock::kCount>;
+    /// How they lie to the root's region, and to a rectangle if there is one: just what `classify` tells of each. For many balls, of
+    /// which nobody can foretell how they lie: they are asked side by side, in floats, where these can tell.
+    [[nodiscard]] Within within(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
     /// Of a ball, eye-relative.
     [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
         const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
@@ -79,9 +87,6 @@ public:
     /// A rectangle (a SeenSpace's) of the screen.
     [[nodiscard]] FourEdges edgesOf(const Rect& rect) const;
     /// How the ball lies to it. Outside: nothing of the ball shows within the rectangle.
-    [[nodiscard]] static bool touches(const FourEdges& rect, const SeenBall& ball) {
-        return rect.least(ball.centre) >= -(ball.radius + ball.reach);
-    }
     [[nodiscard]] static Containment classify(const FourEdges& rect, const SeenBall& ball) {
         const double far = ball.radius + ball.reach, least = rect.least(ball.centre);
         return least < -far ? Containment::Outside : least > far ? Containment::Inside : Containment::Partial;
@@ -117,6 +122,7 @@ private:
         return onScreen == Containment::Inside && beyond <= ball.radius + ball.slack ? Containment::Partial
                                                                                      : onScreen;
     }
+    [[nodiscard]] Within withinOneByOne(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
     /// Of a ball that lies within a visit: whether a part of it may show in another's pixels.
     [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenBall& ball) const;
     [[nodiscard]] bool descends(std::uint32_t visit, std::uint32_t ancestor) const;

@@ -2,6 +2,14 @@
 
 namespace limen::world {
 
+void ListedInstances::resize(std::size_t count) {
+    instance.resize(count);
+    isListedAgain.resize(count);
+    anyListedAgain = false;
+    for (std::vector<double>* const values : {&x, &y, &z, &radius})
+        values->resize(count + kSpare);
+}
+
 void listBySpace(std::size_t spaceCount, Moment& moment) {
     std::vector<std::uint32_t>& ends = moment.firstInSpace;
     ends.assign(moment.instances.empty() ? 0 : spaceCount + 1, 0);
@@ -21,9 +29,8 @@ void listBySpace(std::size_t spaceCount, Moment& moment) {
     }
     moment.listed.resize(total);
     for (InstanceIndex i = 0; i < moment.instances.size(); ++i) {
-        const Instance& instance = moment.instances[i];
-        for (const SpaceIndex space : membersOf(instance))
-            moment.listed[ends[space + 1]++] = {instance.bounds, i, instance.memberCount > 1};
+        for (const SpaceIndex space : membersOf(moment.instances[i]))
+            moment.listed.set(ends[space + 1]++, moment.instances[i], i);
     }
 }
 

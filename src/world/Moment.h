@@ -8,12 +8,30 @@
 
 namespace limen::world {
 
-/// A moving instance as a space lists it. What is asked of all of them in every frame lies close together.
-struct ListedInstance {
-    Sphere bounds;              ///< its own, global
-    InstanceIndex instance = 0; ///< of Moment::instances (not numbered on)
-    bool isListedAgain = false; ///< it is a member of other spaces, too
-    friend bool operator==(const ListedInstance&, const ListedInstance&) = default;
+/// Moving instances as their spaces list them, an array for each thing that is asked of all of them in every frame: what is asked of
+/// many is asked of several at once.
+struct ListedInstances {
+    /// More balls than are listed, so that a block of so many can be read from any of them on.
+    static constexpr std::size_t kSpare = 16;
+    std::vector<InstanceIndex> instance;     ///< of Moment::instances (not numbered on)
+    std::vector<std::uint8_t> isListedAgain; ///< 1 if it is a member of other spaces, too
+    bool anyListedAgain = false;
+    std::vector<double> x, y, z, radius; ///< its bounds, global; and kSpare more
+
+    void resize(std::size_t count);
+    void set(std::size_t position, const Instance& in, InstanceIndex number) {
+        instance[position] = number;
+        isListedAgain[position] = in.memberCount > 1 ? 1 : 0;
+        anyListedAgain |= in.memberCount > 1;
+        x[position] = in.bounds.centre.x;
+        y[position] = in.bounds.centre.y;
+        z[position] = in.bounds.centre.z;
+        radius[position] = in.bounds.radius;
+    }
+    [[nodiscard]] Sphere boundsOf(std::size_t position) const {
+        return {{x[position], y[position], z[position]}, radius[position]};
+    }
+    friend bool operator==(const ListedInstances&, const ListedInstances&) = default;
 };
 
 /// What of a world changes from moment to moment: where moving things stand, to which spaces they belong, which
@@ -27,18 +45,23 @@ struct Moment {
     std::vector<Instance> instances; ///< firstMember: into `members` below; idBase as in the world: stable
     std::vector<SpaceIndex> members; ///< by instance a run, placedIn first
     std::vector<std::uint32_t> firstInSpace; ///< by space, and one more: runs of `listed`; empty: none
-    std::vector<ListedInstance> listed;      ///< by space; made by listBySpace
+    ListedInstances listed;                  ///< by space; made by listBySpace
     /// By portal, both of a pair alike; empty: all open. Shut portals let neither rays nor membership through.
     std::vector<std::uint8_t> closed;
     /// By portal: index into `instances` of the surface that fills the shut opening, kNone where it is open.
     std::vector<InstanceIndex> fillings;
 
+    /// The run of `listed` that a space has.
+    struct Run {
+        std::uint32_t first = 0, end = 0;
+    };
+    [[nodiscard]] Run listedIn(SpaceIndex space) const {
+        return firstInSpace.empty() ? Run() : Run{firstInSpace[space], firstInSpace[space + 1]};
+    }
     /// The moving instances that are members of a space.
-    [[nodiscard]] std::span<const ListedInstance> instancesIn(SpaceIndex space) const {
-        if (firstInSpace.empty())
-            return {};
-        return std::span<const ListedInstance>(listed).subspan(firstInSpace[space],
-                                                               firstInSpace[space + 1] - firstInSpace[space]);
+    [[nodiscard]] std::span<const InstanceIndex> instancesIn(SpaceIndex space) const {
+        const Run run = listedIn(space);
+        return std::span(listed.instance).subspan(run.first, run.end - run.first);
     }
     [[nodiscard]] bool isClosed(PortalIndex portal) const { return !closed.empty() && closed[portal] != 0; }
 };

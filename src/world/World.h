@@ -155,17 +155,18 @@ struct Instance {
     std::uint32_t block = kNone; ///< the block its frame is local to
     glm::mat3 linear{1.0f};      ///< block-local from model: rotation and scale
     Vec3f origin{0.0f};          ///< block-local
-    Sphere bounds;               ///< global
-    SpaceIndex placedIn = kNone;
     std::uint32_t firstMember = 0,
                   memberCount = 0; ///< World::members: the spaces it belongs to, placedIn first
-    std::uint64_t object = 0;      ///< identity: parts of one object share it; unique across landblocks
-    dat::RecordId record = 0;      ///< GfxObj, EnvCell (shell) or LandBlock (terrain) id
     std::uint32_t firstMaterial =
         0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
     std::uint32_t idBase = 0; ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
     float opacity = 1.0f;     ///< times its blended surfaces' own
     Reach reach;              ///< from where it is drawn: one level of detail of several
+    // What follows is not packed for the device in every frame.
+    std::uint64_t object = 0; ///< identity: parts of one object share it; unique across landblocks
+    Sphere bounds;            ///< global
+    SpaceIndex placedIn = kNone;
+    dat::RecordId record = 0; ///< GfxObj, EnvCell (shell) or LandBlock (terrain) id
     friend bool operator==(const Instance&, const Instance&) = default;
 };
 

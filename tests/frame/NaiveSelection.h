@@ -33,9 +33,8 @@ inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world, c
         for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
             meet(seen, world.instances[world.spaceInstances[i]], world.spaceInstances[i]);
         }
-        for (const world::ListedInstance& in : moment.instancesIn(seen.space)) {
-            meet(seen, moment.instances[in.instance],
-                 static_cast<std::uint32_t>(world.instances.size()) + in.instance);
+        for (const world::InstanceIndex i : moment.instancesIn(seen.space)) {
+            meet(seen, moment.instances[i], static_cast<std::uint32_t>(world.instances.size()) + i);
         }
     }
     std::map<std::uint32_t, bool> drawn;

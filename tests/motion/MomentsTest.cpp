@@ -144,11 +144,21 @@ TEST(Moments, everyInstanceIsListedInAllItsSpacesAndNowhereElse) {
         EXPECT_EQ(members.front(), f.moment.instances[i].placedIn);
         for (SpaceIndex s = 0; s < f.world.spaces.size(); ++s) {
             const auto list = f.moment.instancesIn(s);
-            const world::ListedInstance expected{f.moment.instances[i].bounds, i, members.size() > 1};
-            EXPECT_EQ(std::count(list.begin(), list.end(), expected),
-                      std::count(members.begin(), members.end(), s));
+            EXPECT_EQ(std::count(list.begin(), list.end(), i), std::count(members.begin(), members.end(), s));
         }
     }
+}
+
+TEST(Moments, whatIsListedIsListedWithItsBoundsAndWhetherOtherSpacesListIt) {
+    Fixture f;
+    f.at(6.0, 0.5, true);
+    const world::ListedInstances& listed = f.moment.listed;
+    for (std::size_t i = 0; i < listed.instance.size(); ++i) {
+        const world::Instance& instance = f.moment.instances[listed.instance[i]];
+        EXPECT_EQ(listed.boundsOf(i), instance.bounds);
+        EXPECT_EQ(listed.isListedAgain[i] != 0, instance.memberCount > 1);
+    }
+    EXPECT_EQ(listed.radius.size(), listed.instance.size() + world::ListedInstances::kSpare);
 }
 
 TEST(Moments, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {
@@ -156,7 +166,7 @@ TEST(Moments, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {
     const auto spritesIn = [&](SpaceIndex space) {
         const auto list = f.moment.instancesIn(space);
         return std::count_if(list.begin(), list.end(),
-                             [&](const auto& in) { return f.moment.instances[in.instance].record == 0; });
+                             [&](auto i) { return f.moment.instances[i].record == 0; });
     };
     f.at(5.7, 1.0); // the lantern is in the doorway
     EXPECT_GT(spritesIn(f.front), 0);

@@ -41,8 +41,8 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
     std::vector<world::InstanceIndex> members(world_.spaceInstances.begin() + space.firstInstance,
                                               world_.spaceInstances.begin() + space.firstInstance +
                                                   space.instanceCount);
-    for (const world::ListedInstance& moving : moment_.instancesIn(index)) {
-        members.push_back(static_cast<world::InstanceIndex>(world_.instances.size()) + moving.instance);
+    for (const world::InstanceIndex moving : moment_.instancesIn(index)) {
+        members.push_back(static_cast<world::InstanceIndex>(world_.instances.size()) + moving);
     }
     for (const world::InstanceIndex instance : members) {
         const Vec3& centre = bodies_[instance].bounds.centre;
