@@ -29,7 +29,8 @@ bool isWholeScreen(const visibility::Rect& rect) {
 } // namespace
 
 Selection::Selection(const world::World& world, const Clusters& clusters)
-    : world_(world), clusters_(clusters), askedFrame_(world.spaces.size()), lastAsk_(world.spaces.size()) {
+    : world_(world), clusters_(clusters), levels_(clusters), askedFrame_(world.spaces.size()),
+      lastAsk_(world.spaces.size()) {
     for (std::size_t i = clusters.firstShared; i < clusters.order.size(); ++i) {
         sharedInOneZone_.push_back(isInOneZone(world, world.instances[clusters.order[i]], world.members) ? 1
                                                                                                          : 0);
@@ -58,18 +59,29 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     gatherAsks(set);
     for (const Asked& asked : asked_) {
         if (const std::uint32_t root = clusters_.roots[asked.space]; root != world::kNone) {
-            active_.clear();
-            for (std::uint32_t ask = asked.firstAsk; ask != world::kNone; ask = asks_[ask].next) {
-                active_.push_back(ask);
-            }
-            counts_.met += clusters_.clusters[root].end - clusters_.clusters[root].first;
-            descend(clusters_.clusters[root], 0);
+            selectStanding(asked, root);
         }
     }
     for (const Ask& ask : asks_) {
         selectListed(ask, moment);
     }
     finishListed(moment);
+}
+
+void Selection::selectStanding(const Asked& asked, std::uint32_t root) {
+    counts_.met += clusters_.clusters[root].end - clusters_.clusters[root].first;
+    if (!several_ && !asks_[asked.firstAsk].narrow) {
+        for (const PositionRange& range : levels_.select(asked.space, cones_, eye_, forward_, nearPlane_)) {
+            draw(range.first, range.end, true);
+        }
+        counts_.boundsTested += levels_.boundsTested();
+        return;
+    }
+    active_.clear();
+    for (std::uint32_t ask = asked.firstAsk; ask != world::kNone; ask = asks_[ask].next) {
+        active_.push_back(ask);
+    }
+    descend(clusters_.clusters[root], 0);
 }
 
 void Selection::gatherAsks(const visibility::VisibleSet& set) {
@@ -147,14 +159,6 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
 }
 
 void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
-    // Where only the picture's edges cut it, what lies beyond shows nothing, and to ask costs more than to draw. But for what reaches
-    // behind the eye: of that triangles are kept and drawn around the whole window.
-    const Vec3 offset = leaf.bounds.centre - eye_;
-    const bool isAhead = glm::dot(offset, forward_) > leaf.bounds.radius + nearPlane_;
-    if (!several_ && isAhead && !asks_[active_[firstActive]].narrow) {
-        draw(leaf.first, leaf.end, false);
-        return;
-    }
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
         const SeenBall ball = ballOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;

@@ -2,6 +2,7 @@
 
 #include "frame/Clusters.h"
 #include "frame/FrameView.h"
+#include "frame/LevelSelection.h"
 #include "visibility/Viewcone.h"
 #include "visibility/VisibleSet.h"
 #include "world/Moment.h"
@@ -66,6 +67,7 @@ private:
         Containment seen = Containment::Outside;
     };
 
+    void selectStanding(const Asked& asked, std::uint32_t root);
     void gatherAsks(const visibility::VisibleSet& set);
     [[nodiscard]] visibility::SeenBall ballOf(const Sphere& global) const {
         return cones_.ballOf({global.centre - eye_, global.radius});
@@ -89,6 +91,7 @@ private:
     const world::World& world_;
     const Clusters& clusters_;
     std::vector<std::uint8_t> sharedInOneZone_; ///< by position from Clusters::firstShared on
+    LevelSelection levels_;
     visibility::Viewcones cones_;
     Vec3 eye_{0.0}, forward_{0.0};
     double nearPlane_ = 0.0;

@@ -77,6 +77,9 @@ public:
     /// How they lie to the root's region, and to a rectangle if there is one: just what `classify` tells of each. For many balls, of
     /// which nobody can foretell how they lie: they are asked side by side, in floats, where these can tell.
     [[nodiscard]] Within within(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
+    /// The same of the first few of a block, and whether they lie inside.
+    static constexpr std::size_t kFew = 4;
+    [[nodiscard]] std::array<Containment, kFew> classifyFew(const BallBlock& balls, const Vec3& eye) const;
     /// Of a ball, eye-relative.
     [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
         const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
@@ -122,6 +125,8 @@ private:
         return onScreen == Containment::Inside && beyond <= ball.radius + ball.slack ? Containment::Partial
                                                                                      : onScreen;
     }
+    [[nodiscard]] std::array<Containment, kFew> classifyOneByOne(const BallBlock& balls,
+                                                                 const Vec3& eye) const;
     [[nodiscard]] Within withinOneByOne(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
     /// Of a ball that lies within a visit: whether a part of it may show in another's pixels.
     [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenBall& ball) const;

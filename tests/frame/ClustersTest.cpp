@@ -1,3 +1,5 @@
+#include "BallsInTwoSpaces.h"
+
 #include "frame/Clusters.h"
 
 #include <gtest/gtest.h>
@@ -10,43 +12,6 @@ namespace {
 
 using frame::Cluster;
 using frame::Clusters;
-
-/// Two spaces with balls of all sizes; every ninth is in both, every eleventh in none.
-world::World ballsInTwoSpaces(std::uint32_t count, std::uint32_t seed) {
-    world::World world;
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    std::array<std::vector<world::InstanceIndex>, 2> lists;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        world::Instance instance;
-        instance.bounds = {Vec3(unit(random), unit(random), 0.1 * unit(random)) * 400.0,
-                           std::exp(8.0 * unit(random) - 3.0)};
-        if (i % 5 == 0)
-            instance.bounds.centre = {7.0, 7.0, 7.0}; // many in one place
-        instance.firstMember = static_cast<std::uint32_t>(world.members.size());
-        const auto join = [&](std::uint32_t space) {
-            world.members.push_back(space);
-            lists[space].push_back(i);
-            ++instance.memberCount;
-        };
-        if (i % 9 == 0) {
-            join(1);
-            join(0);
-        } else if (i % 11 != 0) {
-            join(i % 2);
-        }
-        world.instances.push_back(instance);
-    }
-    for (const auto& list : lists) {
-        world::Space space;
-        space.firstInstance = static_cast<std::uint32_t>(world.spaceInstances.size());
-        space.instanceCount = static_cast<std::uint32_t>(list.size());
-        space.zone = static_cast<std::uint32_t>(world.spaces.size());
-        world.spaces.push_back(space);
-        world.spaceInstances.insert(world.spaceInstances.end(), list.begin(), list.end());
-    }
-    return world;
-}
 
 TEST(Clusters, listEachInstanceOfASpaceOnceAndInItsPlace) {
     for (const std::uint32_t count : {0u, 1u, 16u, 17u, 40u, 3000u}) {
