@@ -19,9 +19,10 @@ struct SeenBall {
     double reach = 0.0; ///< metres, at planes through the eye: two pixels more
 };
 
-/// Where so many balls begin in arrays of them, global (world::ListedInstances).
+/// Balls side by side, global: where they begin in arrays (world::ListedInstances) that have at least as many from there on as are asked
+/// about.
 struct BallBlock {
-    static constexpr std::size_t kCount = 16;
+    static constexpr std::size_t kCount = 16; ///< at most
     const double* x = nullptr;
     const double* y = nullptr;
     const double* z = nullptr;
@@ -65,19 +66,19 @@ public:
     /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
     /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
     [[nodiscard]] Containment classify(std::uint32_t visit, const SeenBall& ball) const {
-        if (cones_.size() ==
-            1) { // the root's: everything is beyond where the eye is, and nothing is drawn later
+        // The root's alone: everything is beyond where the eye is, and nothing is drawn later.
+        if (cones_.size() == 1) {
             return classifyOnScreen(cones_.front(), ball);
         }
         const Containment alone = classifyAlone(cones_[visit], ball);
         return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
     }
-    /// By ball of a block: not below 0 if it is not outside.
+    /// By ball of a whole block: not below 0 if it is not outside.
     using Within = std::array<float, BallBlock::kCount>;
     /// How they lie to the root's region, and to a rectangle if there is one: just what `classify` tells of each. For many balls, of
-    /// which nobody can foretell how they lie: they are asked side by side, in floats, where these can tell.
+    /// which nobody can foretell how they lie: they are asked side by side, in floats, where these can tell. Requires a single visit.
     [[nodiscard]] Within within(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
-    /// The same of the first few of a block, and whether they lie inside.
+    /// The same of so many of a block, and whether they lie inside.
     static constexpr std::size_t kFew = 4;
     [[nodiscard]] std::array<Containment, kFew> classifyFew(const BallBlock& balls, const Vec3& eye) const;
     /// Of a ball, eye-relative.
