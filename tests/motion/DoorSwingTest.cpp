@@ -15,7 +15,7 @@ using test::Hut;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNorth = 0.0, kEast = 90.0, kSouth = 180.0, kWest = 270.0;
+constexpr double kNorth = 0.0, kEast = 90.0, kSouth = 180.0;
 constexpr double kNear = 0.02, kRadius = 0.3, kHalfLeaf = 0.03;
 constexpr double kFrame = 1.0 / 30.0;
 
