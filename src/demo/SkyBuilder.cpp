@@ -220,7 +220,10 @@ dat::SkyDesc buildSky(ModelSink& sink) {
     sky.tickSize = 5.0;
     sky.lightTickSize = 1.0;
     sky.dayGroups.push_back(std::move(fair));
-    sky.dayGroups.push_back(snowyDays(night, mesh(dome(Material::SkySnow)), addSnowScript(sink)));
+    // One after the other: what is made as an argument is numbered in an order that each compiler chooses for itself.
+    const dat::RecordId snow = addSnowScript(sink);
+    const dat::RecordId cloud = mesh(dome(Material::SkySnow));
+    sky.dayGroups.push_back(snowyDays(night, cloud, snow));
     return sky;
 }
 

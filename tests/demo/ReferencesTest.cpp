@@ -35,6 +35,13 @@ protected:
     std::set<std::uint32_t> surfaces, models;
 };
 
+// Two compilers made two worlds: of what was made in one call's arguments, either came first.
+TEST_F(References, ofTheSnowyDayAreNumberedInOneOrder) {
+    const dat::DayGroup& snowy = world().regions.front().sky.dayGroups.at(1);
+    const dat::ParticleEmitter& flakes = world().particleEmitters.front();
+    EXPECT_LT(flakes.gfxObj, snowy.objects.at(1).object) << "what falls is made before the cloud";
+}
+
 TEST_F(References, ofTexturesResolve) {
     const auto textures = idsOf(world().surfaceTextures);
     const auto images = idsOf(world().renderSurfaces);
