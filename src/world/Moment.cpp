@@ -6,8 +6,10 @@ void ListedInstances::resize(std::size_t count) {
     instance.resize(count);
     isListedAgain.resize(count);
     anyListedAgain = false;
-    for (std::vector<double>* const values : {&x, &y, &z, &radius})
+    for (std::vector<double>* const values : {&x, &y, &z, &radius}) {
+        values->resize(count); // what is left over from more is not a moment's
         values->resize(count + kSpare);
+    }
 }
 
 void listBySpace(std::size_t spaceCount, Moment& moment) {

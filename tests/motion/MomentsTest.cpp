@@ -196,6 +196,15 @@ TEST(Moments, rainBelongsToTheOutsideAloneAndFallsAroundTheEye) {
     EXPECT_NE(before, after);
 }
 
+TEST(Moments, areListedTheSameWhateverWasListedBefore) {
+    Fixture f;
+    f.at(6.3, 0.5);
+    const world::ListedInstances first = f.moment.listed;
+    f.at(6.3, 0.5, true); // many more
+    f.at(6.3, 0.5);
+    EXPECT_EQ(first, f.moment.listed);
+}
+
 TEST(Moments, areAPureFunctionOfTheirInput) {
     Fixture f;
     f.at(6.3, 0.5, true);
