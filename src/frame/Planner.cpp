@@ -163,17 +163,11 @@ void Planner::packMovers(const FrameView& frame, const world::Moment& moment, Fr
         const world::Instance& instance = moment.instances[mover.index];
         const std::uint32_t number = standing + static_cast<std::uint32_t>(i);
         const world::Mesh& mesh = world_.meshes[instance.mesh];
-        const auto draw = [&](DrawClass drawn, const world::Mesh::Range& range) {
+        eachRangeOf(mesh, instance.kind, [&](DrawClass drawn, const world::Mesh::Range& range) {
             if (range.indexCount > 0) {
                 moverRanges_[static_cast<std::size_t>(drawn)].push_back({range, number, mover.gated});
             }
-        };
-        const DrawClass solid = solidClassOf(instance.kind);
-        draw(solid, mesh.ranges[0]);
-        if (solid != DrawClass::Terrain) {
-            draw(DrawClass::CutOut, cutOutsOf(mesh));
-        }
-        draw(DrawClass::Blended, mesh.ranges[2]);
+        });
         gpu::Instance& packed = plan.movers.emplace_back();
         packInto(packed, world_, instance, moment.members, plan.moverMembers);
         packed.firstMember += staticMembers_;

@@ -1,7 +1,5 @@
 #include "frame/ResidentPieces.h"
 
-#include <algorithm>
-
 namespace limen::frame {
 
 ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) {
@@ -16,8 +14,12 @@ ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) 
         for (std::size_t i = 0; i < clusters.order.size(); ++i) {
             const world::Instance& instance = world.instances[clusters.order[i]];
             mark(i);
-            addPieces(rangeOf(world.meshes[instance.mesh], instance.kind, static_cast<DrawClass>(c)),
-                      clusters.order[i], indices, out.pieces);
+            eachRangeOf(world.meshes[instance.mesh], instance.kind,
+                        [&](DrawClass drawn, const world::Mesh::Range& range) {
+                            if (static_cast<std::size_t>(drawn) == c) {
+                                addPieces(range, clusters.order[i], indices, out.pieces);
+                            }
+                        });
         }
         mark(clusters.order.size());
     }

@@ -4,6 +4,7 @@
 #include "frame/FramePlan.h"
 #include "frame/GpuLayout.h"
 
+#include <algorithm>
 #include <array>
 
 namespace limen::frame {
@@ -24,23 +25,16 @@ inline constexpr std::size_t kDrawClasses = 5;
     return kind == world::Kind::Terrain ? DrawClass::Terrain
                                         : (isBuilt ? DrawClass::Wall : DrawClass::Opaque);
 }
-/// Surfaces that are split are of two classes: as cut-outs they show where they are nearly opaque, blended where they are not.
-[[nodiscard]] inline world::Mesh::Range cutOutsOf(const world::Mesh& mesh) {
-    return {mesh.ranges[1].firstIndex, mesh.ranges[1].indexCount + mesh.splitIndexCount};
-}
-/// The part of a mesh that a class draws of an instance; empty if there is none.
-[[nodiscard]] inline world::Mesh::Range rangeOf(const world::Mesh& mesh, world::Kind kind, DrawClass drawn) {
-    switch (drawn) {
-    case DrawClass::Wall:
-    case DrawClass::Opaque:
-    case DrawClass::Terrain:
-        return drawn == solidClassOf(kind) ? mesh.ranges[0] : world::Mesh::Range();
-    case DrawClass::CutOut:
-        return kind == world::Kind::Terrain ? world::Mesh::Range() : cutOutsOf(mesh);
-    case DrawClass::Blended:
-        return mesh.ranges[2];
+/// Calls `draw(class, range)` for each class that may draw a part of an instance's mesh; parts may be empty. Surfaces that are split are
+/// of two classes: as cut-outs they show where they are nearly opaque, blended where they are not.
+template <class Draw>
+void eachRangeOf(const world::Mesh& mesh, world::Kind kind, const Draw& draw) {
+    draw(solidClassOf(kind), mesh.ranges[0]);
+    if (kind != world::Kind::Terrain) {
+        draw(DrawClass::CutOut,
+             world::Mesh::Range{mesh.ranges[1].firstIndex, mesh.ranges[1].indexCount + mesh.splitIndexCount});
     }
-    return {};
+    draw(DrawClass::Blended, mesh.ranges[2]);
 }
 static_assert(static_cast<int>(world::SurfaceClass::Opaque) == 0 &&
               static_cast<int>(world::SurfaceClass::CutOut) == 1 &&
