@@ -114,15 +114,15 @@ uint squareOf(int steps) {
 
 // Whether the eye is where the instance is drawn from; world/Reach.cpp finds the same in the same whole numbers.
 bool isInReach(Instance instance) {
-    if (instance.reach == 0u) {
+    if (instance.reach == kFromAnywhere) {
         return true;
     }
-    vec3 origin = vec3(instance.row0.w, instance.row1.w, instance.row2.w);
+    vec3 origin = originOf(instance);
     vec3 local = clamp(floor(origin * float(kReachSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
     ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kReachSteps)) - ivec3(frame.eyeSteps.xyz);
     uint away = squareOf(offset.x) + squareOf(offset.y) + squareOf(offset.z);
     uint beyond = instance.reach & 0xFFFFu;
-    uint upTo = kEndlessReach - (instance.reach >> 16);
+    uint upTo = instance.reach >> 16;
     return (beyond == 0u || away > beyond * beyond) && away <= upTo * upTo;
 }
 

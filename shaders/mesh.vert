@@ -29,7 +29,8 @@ layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenF
 #endif
 
 vec3 turned(vec3 normal, Instance instance) {
-    return vec3(dot(instance.row0.xyz, normal), dot(instance.row1.xyz, normal), dot(instance.row2.xyz, normal));
+    mat3 rows = rowsOf(instance);
+    return vec3(dot(rows[0], normal), dot(rows[1], normal), dot(rows[2], normal));
 }
 
 #ifdef EXACT

@@ -161,9 +161,7 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
         const world::Instance& instance = moment.instances[index];
         if (sides.sees(instance.bounds)) {
-            layout::Instance packed = frame::packInstance(world_, instance, moment.members, zones_);
-            packed.firstMember += scene_->staticMembers();
-            copy(packed);
+            copy(frame::packInstance(world_, instance, moment.members, {zones_, scene_->staticMembers()}));
         }
     }
     return static_cast<std::uint32_t>(static_cast<std::size_t>(to - begin) / sizeof(layout::Instance));

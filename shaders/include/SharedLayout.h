@@ -151,21 +151,22 @@ LIMEN_STRUCT(Visit) {
 };
 
 LIMEN_STRUCT(Instance) {
-    vec4 row0 LIMEN_ZERO; // block-local from model, rows; w: origin
-    vec4 row1 LIMEN_ZERO;
-    vec4 row2 LIMEN_ZERO;
+    vec4 pose0 LIMEN_ZERO; // block-local from model, 12 floats: the columns of the matrix that turns and scales, and the origin
+    vec4 pose1 LIMEN_ZERO;
+    vec4 pose2 LIMEN_ZERO;
     uint block LIMEN_ZERO;
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
     uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
-    uint reach LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than kEndlessReach
-                           // less the high half; 0: from anywhere
+    uint reach LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than the high half
+                           // says; kFromAnywhere
     uint highlight LIMEN_ZERO;     // RGBA8, alpha = strength; 0 none
     float opacity LIMEN_ZERO;      // times its blended surfaces' own
 };
 
 LIMEN_CONST kEndlessReach = 0xFFFFu;
+LIMEN_CONST kFromAnywhere = 0xFFFF0000u;
 LIMEN_CONST kMostMembers = 0xFFFFu;
 
 // A zone an instance belongs to, and the light it has there.

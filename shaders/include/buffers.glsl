@@ -55,8 +55,18 @@ uint kindOf(Instance instance) {
     return instance.membersAndKind >> 16;
 }
 
-Instance instanceOf(uvec4 row0, uvec4 row1, uvec4 row2, uvec4 first, uvec4 second) {
-    return Instance(uintBitsToFloat(row0), uintBitsToFloat(row1), uintBitsToFloat(row2), first.x, first.y, first.z, first.w,
+// Rows of the matrix that turns and scales.
+mat3 rowsOf(Instance instance) {
+    return mat3(instance.pose0.x, instance.pose0.w, instance.pose1.z, instance.pose0.y, instance.pose1.x, instance.pose1.w,
+                instance.pose0.z, instance.pose1.y, instance.pose2.x);
+}
+
+vec3 originOf(Instance instance) {
+    return instance.pose2.yzw;
+}
+
+Instance instanceOf(uvec4 pose0, uvec4 pose1, uvec4 pose2, uvec4 first, uvec4 second) {
+    return Instance(uintBitsToFloat(pose0), uintBitsToFloat(pose1), uintBitsToFloat(pose2), first.x, first.y, first.z, first.w,
                     second.x, second.y, second.z, uintBitsToFloat(second.w));
 }
 

@@ -27,7 +27,7 @@ std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& vi
             hash.add(value);
     }
     for (const world::Instance& instance : moment.instances) {
-        for (const std::uint32_t value : {instance.mesh, instance.block, instance.memberCount})
+        for (const std::uint32_t value : {instance.mesh, instance.block, std::uint32_t{instance.memberCount}})
             hash.add(value);
         hash.addWords(std::as_bytes(std::span(&instance.linear, 1)));
         hash.addWords(std::as_bytes(std::span(&instance.origin, 1)));

@@ -9,7 +9,10 @@ void FramePlan::clear() {
     ownershipVertices.clear();
     clipSets.clear();
     skyInstances.clear();
+    moving = {};
     movers.clear();
+    moverChanges.clear();
+    records.clear();
     moverMembers.clear();
     replacements.clear();
     pieces.clear();

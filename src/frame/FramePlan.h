@@ -3,6 +3,8 @@
 #include "frame/GpuLayout.h"
 
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <vector>
 
 // What a frame draws, as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null
@@ -44,6 +46,30 @@ struct Batch {
     std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
+/// Things that move, as somebody else has them (world::Moment): each begins as the gpu::Instance of what is a member of the one space that
+/// it is placed in, but for the highlight. A view and not a copy, for they lie here and there in memory, and to fetch them once is most of
+/// what a frame costs in which all move. They must stay as they are until the plan has been drawn.
+struct RecordArray {
+    const std::byte* first = nullptr;
+    std::size_t stride = 0; ///< bytes from one to the next
+    [[nodiscard]] const std::byte* at(std::uint32_t i) const { return first + i * stride; }
+    void copyTo(gpu::Instance& out, std::uint32_t i) const {
+        std::memcpy(static_cast<void*>(&out), at(i), sizeof out);
+        out.highlight = 0;
+    }
+};
+
+/// What a mover has that its record does not say.
+struct MoverChange {
+    std::uint32_t mover = 0; ///< index into FramePlan::movers
+    std::uint32_t firstMember = 0, membersAndKind = 0, highlight = 0;
+    void applyTo(gpu::Instance& record) const {
+        record.firstMember = firstMember;
+        record.membersAndKind = membersAndKind;
+        record.highlight = highlight;
+    }
+};
+
 struct Stage {
     StageKind kind = StageKind::Solid;
     std::uint32_t firstBatch = 0, batchCount = 0;
@@ -68,10 +94,12 @@ struct FramePlan {
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::SkyInstance> skyInstances;
-    std::vector<gpu::Instance>
-        movers; ///< those drawn, and other records of the frame's own; numbered on from the scene's instances
+    RecordArray moving;                     ///< what `movers` are of
+    std::vector<std::uint32_t> movers;      ///< those drawn; numbered on from the scene's instances
+    std::vector<MoverChange> moverChanges;  ///< of few of them, in order
+    std::vector<gpu::Instance> records; ///< others of the frame's own; numbered on from the movers
     std::vector<gpu::Member> moverMembers;      ///< numbered on from the scene's members
-    std::vector<gpu::Replacement> replacements; ///< of the scene's instances by some of `movers`
+    std::vector<gpu::Replacement> replacements; ///< of the scene's instances by some of `records`
     std::vector<gpu::DrawPiece> pieces; ///< of movers and of the sky; numbered on from the scene's pieces
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;

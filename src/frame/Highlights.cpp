@@ -40,12 +40,13 @@ void Highlights::replaceObject(std::uint64_t object, std::uint32_t colour, Frame
                          [&](world::InstanceIndex i, std::uint64_t wanted) { return objectOf(i) < wanted; });
     for (; next != byObject_.end() && objectOf(*next) == object; ++next) {
         gpu::Instance record =
-            packInstance(world_, world_.instances[*next], world_.members, plan.moverMembers);
-        record.firstMember += plan.constants.staticMembers;
+            packInstance(world_, world_.instances[*next], world_.members,
+                         {plan.moverMembers, plan.constants.staticMembers});
         record.highlight = colour;
         plan.replacements.push_back(
-            {*next, plan.constants.staticInstances + static_cast<std::uint32_t>(plan.movers.size())});
-        plan.movers.push_back(record);
+            {*next, plan.constants.staticInstances +
+                        static_cast<std::uint32_t>(plan.movers.size() + plan.records.size())});
+        plan.records.push_back(record);
     }
 }
 

@@ -53,8 +53,7 @@ PieceRun gatedIf(bool gated, PieceRun run) {
     return run;
 }
 
-/// Movers on their way to the cache while one is packed: with a hundred thousand a frame was planned and submitted in 2.5 ms
-/// instead of 3.8.
+/// Meshes on their way to the cache while a mover is planned.
 constexpr std::size_t kFetchedAhead = 8;
 
 /// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
@@ -64,12 +63,12 @@ constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
 Planner::Planner(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), pieces_(buildPieces(world, clusters_)),
-      highlights_(world), selection_(world, clusters_) {
-    std::vector<gpu::Member> zones;
+      highlights_(world), selection_(world, clusters_), moverPieces_(world) {
+    std::vector<gpu::Member> members = membersOfSpaces(world);
     for (const world::Instance& in : world.instances) {
-        zones.clear();
-        staticMembers_ += gpu::memberCountOf(packInstance(world, in, world.members, zones));
+        (void)packInstance(world, in, world.members, {members, 0});
     }
+    staticMembers_ = static_cast<std::uint32_t>(members.size());
 }
 
 void Planner::plan(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set,
@@ -144,61 +143,49 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
 }
 
 void Planner::packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
-    for (std::vector<OwnRange>& ranges : moverRanges_) {
-        ranges.clear();
-    }
+    moverPieces_.begin(plan);
     const auto standing = static_cast<std::uint32_t>(world_.instances.size());
     plan.constants.staticInstances = standing;
     plan.constants.staticMembers = staticMembers_;
     plan.constants.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
+    plan.moving = recordsOf(moment.instances);
+    const world::ListedInstances& listed = moment.listed;
     const std::span<const SelectedMover> movers = selection_.movers();
+    plan.movers.resize(movers.size());
     for (std::size_t i = 0; i < movers.size(); ++i) {
-        if (i + 2 * kFetchedAhead < movers.size()) {
-            fetch(moment.instances[movers[i + 2 * kFetchedAhead].index]);
+        if (i + kFetchedAhead < movers.size()) {
+            moverPieces_.fetchFor(listed.mesh[movers[i + kFetchedAhead] & ~gpu::kGated]);
         }
-        if (i + kFetchedAhead < movers.size()) { // which is there by now
-            fetch(world_.meshes[moment.instances[movers[i + kFetchedAhead].index].mesh].ranges);
-        }
-        const SelectedMover& mover = movers[i];
-        const world::Instance& instance = moment.instances[mover.index];
-        const std::uint32_t number = standing + static_cast<std::uint32_t>(i);
-        const world::Mesh& mesh = world_.meshes[instance.mesh];
-        eachRangeOf(mesh, instance.kind, [&](DrawClass drawn, const world::Mesh::Range& range) {
-            if (range.indexCount > 0) {
-                moverRanges_[static_cast<std::size_t>(drawn)].push_back({range, number, mover.gated});
-            }
-        });
-        gpu::Instance& packed = plan.movers.emplace_back();
-        packInto(packed, world_, instance, moment.members, plan.moverMembers);
-        packed.firstMember += staticMembers_;
-        if (!frame.highlights.empty()) {
-            packed.highlight = colourOf(frame.highlights, instance.object);
+        const std::uint32_t at = movers[i] & ~gpu::kGated;
+        moverPieces_.add(listed.mesh[at], standing + static_cast<std::uint32_t>(i),
+                         (movers[i] & gpu::kGated) != 0);
+        plan.movers[i] = listed.instance[at];
+        if (listed.isListedAgain[at] != 0 || !frame.highlights.empty()) {
+            changeMover(frame, moment, static_cast<std::uint32_t>(i), plan);
         }
     }
 }
 
-void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) const {
+void Planner::changeMover(const FrameView& frame, const world::Moment& moment, std::uint32_t mover,
+                          FramePlan& plan) const {
+    const world::Instance& instance = moment.instances[plan.movers[mover]];
+    const MemberRun run =
+        packMembers(world_, std::span(moment.members).subspan(instance.firstMember, instance.memberCount),
+                    {plan.moverMembers, staticMembers_});
+    plan.moverChanges.push_back({mover, run.first, membersAndKind(run.count, instance.kind),
+                                 colourOf(frame.highlights, instance.object)});
+}
+
+void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
     beginBatch(programOf(drawn), several, plan);
     for (const SelectedRange& range : selection_.ranges()) {
         addRun(gatedIf(range.gated, pieces_.run(range.first, range.end, drawn)), plan);
     }
-    addMovers(drawn, plan);
+    moverPieces_.moveRuns(drawn, plan);
     countTriangles(plan);
 }
 
-void Planner::addMovers(DrawClass drawn, FramePlan& plan) const {
-    const std::span<const OwnRange> all = moverRanges_[static_cast<std::size_t>(drawn)];
-    for (std::size_t at = 0; at < all.size();) {
-        std::size_t end = at + 1;
-        while (end < all.size() && all[end].gated == all[at].gated) {
-            ++end;
-        }
-        addRun(gatedIf(all[at].gated, addOwnPieces(all.subspan(at, end - at), plan)), plan);
-        at = end;
-    }
-}
-
-void Planner::planSolid(bool several, FramePlan& plan) const {
+void Planner::planSolid(bool several, FramePlan& plan) {
     // What runs are made from lies here and there, and to wait for one after the other took a tenth of planning.
     for (const SelectedRange& range : selection_.ranges()) {
         fetch(pieces_.starts[range.first]);
@@ -242,14 +229,15 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
     }
 }
 
-void Planner::gatherLate(const Vec3& eye, const SelectedRange& range) {
-    const PieceRun all = pieces_.run(range.first, range.end, DrawClass::Blended);
-    for (std::uint32_t i = all.firstPiece; i < all.firstPiece + all.pieceCount; ++i) {
-        const gpu::DrawPiece& piece = pieces_.pieces[i];
+template <class BoundsOf>
+void Planner::gatherLate(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
+                         const BoundsOf& boundsOf) {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+        const gpu::DrawPiece& piece = pieces[i];
         if (late_.empty() || late_.back().instance != piece.instance) {
-            late_.push_back({nearestOf(world_.instances[piece.instance].bounds, eye),
+            late_.push_back({nearestOf(boundsOf(piece.instance), eye),
                              piece.instance,
-                             {i, 0, piece.indicesBefore, 0, false}});
+                             {first + i, 0, piece.indicesBefore, 0, false}});
         }
         ++late_.back().run.pieceCount;
         late_.back().run.indexCount += 3 * piece.triangles;
@@ -259,14 +247,15 @@ void Planner::gatherLate(const Vec3& eye, const SelectedRange& range) {
 void Planner::planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan) {
     late_.clear();
     for (const SelectedRange& range : selection_.ranges()) {
-        gatherLate(eye, range);
+        const PieceRun all = pieces_.run(range.first, range.end, DrawClass::Blended);
+        gatherLate(eye, std::span(pieces_.pieces).subspan(all.firstPiece, all.pieceCount), all.firstPiece,
+                   [&](std::uint32_t instance) { return world_.instances[instance].bounds; });
     }
-    const std::span<const SelectedMover> movers = selection_.movers();
-    for (const OwnRange& range : moverRanges_[static_cast<std::size_t>(DrawClass::Blended)]) {
-        const SelectedMover& mover = movers[range.instance - plan.constants.staticInstances];
-        late_.push_back({nearestOf(moment.instances[mover.index].bounds, eye), range.instance,
-                         addOwnPieces(std::span(&range, 1), plan)});
-    }
+    const auto firstMoving = plan.constants.staticPieces + static_cast<std::uint32_t>(plan.pieces.size());
+    gatherLate(eye, moverPieces_.movePieces(DrawClass::Blended, plan), firstMoving,
+               [&](std::uint32_t instance) {
+                   return moment.instances[plan.movers[instance - plan.constants.staticInstances]].bounds;
+               });
     std::sort(late_.begin(), late_.end(), [](const Late& a, const Late& b) {
         return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
     });

@@ -3,6 +3,7 @@
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
 #include "frame/Highlights.h"
+#include "frame/MoverPieces.h"
 #include "frame/PlanBatches.h"
 #include "frame/ResidentPieces.h"
 #include "frame/Selection.h"
@@ -43,12 +44,17 @@ private:
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
     void packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
-    void planSolid(bool several, FramePlan& plan) const;
-    void addSolid(DrawClass drawn, bool several, FramePlan& plan) const;
-    void addMovers(DrawClass drawn, FramePlan& plan) const;
+    /// For what its record does not say.
+    void changeMover(const FrameView& frame, const world::Moment& moment, std::uint32_t mover,
+                     FramePlan& plan) const;
+    void planSolid(bool several, FramePlan& plan);
+    void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan);
-    void gatherLate(const Vec3& eye, const SelectedRange& range);
+    /// From pieces of one class, each instance's together. `first`: number of the first; `boundsOf(instance)`: its ball.
+    template <class BoundsOf>
+    void gatherLate(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
+                    const BoundsOf& boundsOf);
 
     const world::World& world_;
     const Clusters clusters_;
@@ -56,7 +62,7 @@ private:
     const Highlights highlights_;
     Selection selection_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
-    std::array<std::vector<OwnRange>, kDrawClasses> moverRanges_; ///< of the frame
+    MoverPieces moverPieces_;         ///< of the frame
     std::vector<Late> late_;
     std::vector<world::SkyPlacement> sky_;
 };

@@ -125,8 +125,9 @@ SceneUpload buildScene(const world::World& world, const ResidentPieces& pieces) 
                                   v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour, v.rest});
     }
     scene.indices = indicesOfArena(world);
+    scene.members = membersOfSpaces(world);
     for (const world::Instance& in : world.instances) {
-        scene.instances.push_back(packInstance(world, in, world.members, scene.members));
+        scene.instances.push_back(packInstance(world, in, world.members, {scene.members, 0}));
     }
     scene.pieces = pieces.pieces;
     addMaterials(world, scene);

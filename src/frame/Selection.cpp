@@ -9,10 +9,12 @@ namespace limen::frame {
 namespace {
 
 using visibility::Containment;
+using visibility::FourEdges;
 using visibility::SeenBall;
 
 constexpr std::uint32_t kAtOnce = visibility::BallBlock::kCount;
 static_assert(kAtOnce <= world::ListedInstances::kSpare, "every block of what is listed can be read");
+static_assert(world::ListedInstances::kMostOffset <= visibility::BallBlock::kMostOffset);
 
 bool isInOneZone(const world::World& world, const world::Instance& instance,
                  std::span<const world::SpaceIndex> members) {
@@ -44,7 +46,7 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     counts_ = {};
     ranges_.clear();
     moverCount_ = 0;
-    movers_.resize(std::max(movers_.size(), moment.instances.size() + 1));
+    movers_.resize(std::max(movers_.size(), moment.instances.size() + kAtOnce));
     sharedMet_.clear();
     moversMet_.clear();
     eye_ = frame.view.eye;
@@ -182,89 +184,92 @@ void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside) {
     }
 }
 
-void Selection::meet(const Ask& ask, const Sphere& bounds, Mark& mark, std::uint32_t number,
-                     std::vector<std::uint32_t>& met) {
-    const bool again = mark.frame == frameNumber_;
-    if (!again) {
+bool Selection::meet(const Ask& ask, const Sphere& bounds, Mark& mark) {
+    const bool isFirst = mark.frame != frameNumber_;
+    if (isFirst) {
         mark = {frameNumber_, Containment::Outside};
-        met.push_back(number);
     }
-    if (mark.seen == Containment::Inside || (again && !everyAsk_)) {
-        return;
+    if (mark.seen != Containment::Inside && (isFirst || everyAsk_)) {
+        mark.seen = std::max(mark.seen, askInstance(ask, ballOf(bounds)));
     }
-    mark.seen = std::max(mark.seen, askInstance(ask, ballOf(bounds)));
+    return isFirst;
 }
 
 void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
     for (const std::uint32_t position : clusters_.sharedIn(ask.space)) {
         const std::uint32_t number = position - clusters_.firstShared;
-        meet(ask, clusters_.bounds[position], sharedMarks_[number], number, sharedMet_);
+        if (meet(ask, clusters_.bounds[position], sharedMarks_[number])) {
+            sharedMet_.push_back(number);
+        }
     }
     if (!several_) {
         selectMoversOf(ask, moment);
         return;
     }
+    const world::Moment::Run run = moment.listedIn(ask.space);
+    selectOneByOne(ask, moment, run.first, run.end);
+}
+
+void Selection::selectOneByOne(const Ask& ask, const world::Moment& moment, std::uint32_t first,
+                               std::uint32_t end) {
     const world::ListedInstances& listed = moment.listed;
-    const auto [first, end] = moment.listedIn(ask.space);
     for (std::uint32_t at = first; at < end; ++at) {
         if (listed.isListedAgain[at] != 0) {
-            meetListed(ask, listed, at);
+            meetListed(ask, moment, at);
         } else if (ask.first) {
             ++counts_.met;
-            const SeenBall ball = ballOf(listed.boundsOf(at));
+            const SeenBall ball = ballOf(moment.instances[listed.instance[at]].bounds);
             Containment best = askInstance(ask, ball);
             for (std::uint32_t i = ask.next; i != world::kNone && best != Containment::Inside;
                  i = asks_[i].next) {
                 best = std::max(best, askInstance(asks_[i], ball));
             }
             if (best != Containment::Outside) {
-                drawMover(listed.instance[at], best == Containment::Inside);
+                drawMover(at, best == Containment::Inside);
             }
         }
     }
 }
 
-// With a single visit a space is asked about once. What is found is written either way, and counts or does not: nobody can foretell.
+// With a single visit a space is asked about once.
 void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
     const world::ListedInstances& listed = moment.listed;
     const auto [first, end] = moment.listedIn(ask.space);
-    std::size_t found = moverCount_;
-    std::uint32_t alone = end - first;
+    const Vec3 eye = eye_ - listed.origin;
+    const bool areFar = listed.areFar || glm::length(eye) > visibility::BallBlock::kMostOffset;
     for (std::uint32_t at = first; at < end; at += kAtOnce) {
-        visibility::Viewcones::Within within =
-            cones_.within({&listed.x[at], &listed.y[at], &listed.z[at], &listed.radius[at]}, eye_,
-                          ask.narrow ? &ask.rect : nullptr);
-        const std::uint32_t count = std::min(end - at, kAtOnce);
-        for (std::uint32_t i = 0; i < count && listed.anyListedAgain; ++i) {
-            if (listed.isListedAgain[at + i] != 0) {
-                meetListed(ask, listed, at + i);
-                within[i] = -1.0f;
-                --alone;
-            }
-        }
-        for (std::uint32_t i = 0; i < count; ++i) {
-            movers_[found] = {listed.instance[at + i], false};
-            found += static_cast<std::size_t>(within[i] >= 0.0f);
+        const std::uint32_t next = std::min(at + kAtOnce, end);
+        const bool areAlone =
+            !listed.anyListedAgain || std::none_of(listed.isListedAgain.begin() + at, listed.isListedAgain.begin() + next,
+                                                   [](std::uint8_t again) { return again != 0; });
+        const std::uint32_t found =
+            areFar || !areAlone
+                ? visibility::Viewcones::kCannotTell
+                : cones_.listWithin({&listed.x[at], &listed.y[at], &listed.z[at], &listed.radius[at]}, eye,
+                                    ask.narrow ? &ask.rect : nullptr, at, next - at, &movers_[moverCount_]);
+        if (found == visibility::Viewcones::kCannotTell) {
+            selectOneByOne(ask, moment, at, next);
+        } else {
+            moverCount_ += found;
+            counts_.met += next - at;
+            counts_.boundsTested += next - at;
+            counts_.drawn += found;
+            counts_.ungated += found;
         }
     }
-    const auto drawn = static_cast<std::uint32_t>(found - moverCount_);
-    moverCount_ = found;
-    counts_.met += alone;
-    counts_.boundsTested += alone;
-    counts_.drawn += drawn;
-    counts_.ungated += drawn;
+}
+void Selection::meetListed(const Ask& ask, const world::Moment& moment, std::uint32_t at) {
+    const world::InstanceIndex number = moment.listed.instance[at];
+    if (meet(ask, moment.instances[number].bounds, moverMarks_[number])) {
+        moversMet_.push_back(at);
+    }
 }
 
-void Selection::meetListed(const Ask& ask, const world::ListedInstances& listed, std::uint32_t at) {
-    const std::uint32_t number = listed.instance[at];
-    meet(ask, listed.boundsOf(at), moverMarks_[number], number, moversMet_);
-}
-
-void Selection::drawMover(std::uint32_t index, bool inside) {
+void Selection::drawMover(std::uint32_t at, bool inside) {
     const bool gated = several_ && !inside;
     ++counts_.drawn;
     counts_.ungated += gated ? 0 : 1;
-    movers_[moverCount_++] = {index, gated};
+    movers_[moverCount_++] = at | (gated ? gpu::kGated : 0);
 }
 
 void Selection::finishListed(const world::Moment& moment) {
@@ -277,15 +282,20 @@ void Selection::finishListed(const world::Moment& moment) {
             draw(position, position + 1, seen == Containment::Inside && sharedInOneZone_[number] != 0);
         }
     }
-    for (const std::uint32_t number : moversMet_) {
+    const std::vector<world::InstanceIndex>& instance = moment.listed.instance;
+    for (const std::uint32_t at : moversMet_) {
+        const world::InstanceIndex number = instance[at];
         if (const Containment seen = moverMarks_[number].seen; seen != Containment::Outside) {
-            drawMover(number, seen == Containment::Inside &&
-                                  isInOneZone(world_, moment.instances[number], moment.members));
+            drawMover(at, seen == Containment::Inside &&
+                              isInOneZone(world_, moment.instances[number], moment.members));
         }
     }
-    const auto before = [](const SelectedMover& a, const SelectedMover& b) { return a.index < b.index; };
+    const auto before = [&instance](SelectedMover a, SelectedMover b) {
+        return instance[a & ~gpu::kGated] < instance[b & ~gpu::kGated];
+    };
     const auto drawn = std::span(movers_).first(moverCount_);
-    if (!std::is_sorted(drawn.begin(), drawn.end(), before)) {
+    const bool areOfOneRun = asks_.size() == 1 && moversMet_.empty();
+    if (!areOfOneRun && !std::is_sorted(drawn.begin(), drawn.end(), before)) {
         std::sort(drawn.begin(), drawn.end(), before);
     }
 }

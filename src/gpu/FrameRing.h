@@ -40,7 +40,7 @@ private:
         kOwnership,
         kClipSets,
         kSky,
-        kMovers,
+        kMovers, // and records
         kMoverMembers,
         kReplacements,
         kPieces,
@@ -53,6 +53,9 @@ private:
                                                    const frame::gpu::FrameConstants& constants) const;
     [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
+    void writeMovers(std::span<frame::gpu::Instance> out) const;
+    template <class Copy>
+    void copyMovers(std::span<frame::gpu::Instance> out, const Copy& copy) const;
     template <class T>
     [[nodiscard]] std::span<T> in(std::span<std::byte> memory, Array array) const;
 

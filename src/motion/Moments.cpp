@@ -81,8 +81,7 @@ void Moments::giveMembers(std::size_t firstInstance, world::Moment& out) const {
     out.members.insert(out.members.end(), reached_.begin(), reached_.end());
     for (std::size_t i = firstInstance; i < out.instances.size(); ++i) {
         out.instances[i].placedIn = reached_.front();
-        out.instances[i].firstMember = first;
-        out.instances[i].memberCount = static_cast<std::uint32_t>(reached_.size());
+        out.instances[i].setMembers(first, reached_.size());
     }
 }
 

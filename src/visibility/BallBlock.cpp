@@ -1,9 +1,16 @@
 #include "visibility/Viewcone.h"
 
+#include <bit>
 #include <limits>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 
-// Loops of a fixed length over plain arrays: compilers make four of each at once. Arrays are of their own wherever something is
-// written, so that compilers need not ask whether it lies in the same place as what is read, and not initialised where each is about to be.
+// Loops of a fixed length over plain arrays: compilers make vectors of them, as wide as the function that they are put into is told
+// that it may have. Arrays are of their own wherever something is written, so that compilers need not ask whether it lies in the same
+// place as what is read, and not initialised where each is about to be.
+#define LIMEN_ALWAYS_INLINE [[gnu::always_inline]] inline
+
 namespace limen::visibility {
 
 namespace {
@@ -11,17 +18,18 @@ namespace {
 template <std::size_t Count>
 using Values = std::array<float, Count>;
 
-/// Four planes, in floats.
-struct Edges {
-    std::array<float, 4> x{}, y{}, z{};
-    explicit Edges(const FourEdges& edges) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Vec3f edge(edges.edge(i));
-            x[i] = edge.x;
-            y[i] = edge.y;
-            z[i] = edge.z;
-        }
-    }
+/// What balls are asked.
+struct Question {
+    float slack, slackShare, pixels; ///< as SeenBall's slack and reach are made
+    const FourEdges* edges;          ///< of the root's region
+    std::uint32_t edgesCount;
+    const FourEdges* rect; ///< null: none
+};
+
+/// Where those that are found are listed.
+struct Listing {
+    std::uint32_t first, count; ///< of the block
+    std::uint32_t* out;
 };
 
 /// Of SeenBall; `far` is the radius and the reach.
@@ -30,28 +38,28 @@ struct Balls {
     Values<Count> x, y, z, slack, far;
 };
 
-template <std::size_t Count>
-Balls<Count> ballsOf(const BallBlock& block, const Vec3& eye, float slack, float slackShare, float pixels) {
-    Balls<Count> balls;
+/// `Block`: FewBalls or BallBlock. `eye`: from where the balls are told from.
+template <class Block, class Coordinate, std::size_t Count>
+LIMEN_ALWAYS_INLINE void readBalls(const Question& asked, const Block& block,
+                                   const std::array<Coordinate, 3>& eye, Balls<Count>& balls) {
     for (std::size_t i = 0; i < Count; ++i) {
-        balls.x[i] = static_cast<float>(block.x[i] - eye.x);
-        balls.y[i] = static_cast<float>(block.y[i] - eye.y);
-        balls.z[i] = static_cast<float>(block.z[i] - eye.z);
+        balls.x[i] = static_cast<float>(block.x[i] - eye[0]);
+        balls.y[i] = static_cast<float>(block.y[i] - eye[1]);
+        balls.z[i] = static_cast<float>(block.z[i] - eye[2]);
         balls.far[i] = static_cast<float>(block.radius[i]);
     }
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
         const float distance = std::sqrt(x * x + y * y + z * z) + balls.far[i];
-        balls.slack[i] = slack + slackShare * distance;
-        balls.far[i] += balls.slack[i] + pixels * distance;
+        balls.slack[i] = asked.slack + asked.slackShare * distance;
+        balls.far[i] += balls.slack[i] + asked.pixels * distance;
     }
-    return balls;
 }
 
-/// From each centre to the plane that it lies farthest outside of, or least far inside.
+/// From each centre to the plane that it lies farthest outside of, or least far inside: what is less than it was.
 template <std::size_t Count>
-Values<Count> leastOf(const Edges& edges, const Balls<Count>& balls) {
-    Values<Count> least;
+LIMEN_ALWAYS_INLINE void lessen(Values<Count>& least, const FourEdges::Floats& edges,
+                                const Balls<Count>& balls) {
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
         const float a = edges.x[0] * x + edges.y[0] * y + edges.z[0] * z;
@@ -59,83 +67,185 @@ Values<Count> leastOf(const Edges& edges, const Balls<Count>& balls) {
         const float c = edges.x[2] * x + edges.y[2] * y + edges.z[2] * z;
         const float d = edges.x[3] * x + edges.y[3] * y + edges.z[3] * z;
         const float ab = a < b ? a : b, cd = c < d ? c : d; // values, not references: no branches
-        least[i] = ab < cd ? ab : cd;
-    }
-    return least;
-}
-
-template <std::size_t Count>
-void lessen(Values<Count>& least, const Values<Count>& other) {
-    for (std::size_t i = 0; i < Count; ++i) {
-        least[i] = other[i] < least[i] ? other[i] : least[i];
+        const float all = ab < cd ? ab : cd;
+        least[i] = all < least[i] ? all : least[i];
     }
 }
 
 template <std::size_t Count>
-Values<Count> sumOf(const Values<Count>& a, const Values<Count>& b) {
-    Values<Count> sum;
+LIMEN_ALWAYS_INLINE void leastOf(const Question& asked, const Balls<Count>& balls, Values<Count>& least) {
     for (std::size_t i = 0; i < Count; ++i) {
-        sum[i] = a[i] + b[i];
+        least[i] = std::numeric_limits<float>::infinity();
     }
-    return sum;
+    for (std::uint32_t e = 0; e < asked.edgesCount; ++e) {
+        lessen(least, asked.edges[e].floats(), balls);
+    }
+    if (asked.rect != nullptr) {
+        lessen(least, asked.rect->floats(), balls);
+    }
 }
 
 /// Of a number that comes of a ball some fourteen roundings, each of 2^-24 of what is no more than its distance and reach, make less
-/// than half of its slack. What is that near to 0 floats cannot tell from it.
+/// than half of its slack. What a BallBlock rounds before makes 0.2 mm along each axis for the ball and as much for the eye: no more than 0.7 mm,
+/// of the other half, 2 mm and more. What is nearer to 0 than its slack floats cannot tell from it.
 template <std::size_t Count>
-bool isAnyDoubtful(const Values<Count>& values, const Values<Count>& slack) {
+LIMEN_ALWAYS_INLINE int countDoubtful(const Values<Count>& values, const Values<Count>& slack) {
     int doubtful = 0;
     for (std::size_t i = 0; i < Count; ++i) {
         doubtful += std::abs(values[i]) < slack[i] ? 1 : 0;
     }
-    return doubtful > 0;
+    return doubtful;
 }
+
+/// A bit for each ball of a block.
+using Bits = std::uint32_t;
+
+/// How a block's balls lie: a ball is within unless that is below 0, and floats cannot tell if it is no farther from 0 than the slack.
+struct Sides {
+    Values<BallBlock::kCount> within, away, slack;
+};
+
+LIMEN_ALWAYS_INLINE void tellSides(const Question& asked, const BallBlock& block,
+                                   const std::array<float, 3>& eye, Sides& sides) {
+    constexpr std::size_t kCount = BallBlock::kCount;
+    Balls<kCount> balls;
+    Values<kCount> least;
+    readBalls(asked, block, eye, balls);
+    leastOf(asked, balls, least);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        const float within = least[i] + balls.far[i];
+        sides.within[i] = within;
+        sides.away[i] = std::abs(within);
+        sides.slack[i] = balls.slack[i];
+    }
+}
+
+Bits bitsOfThoseListed(const Listing& listing) {
+    return ~Bits{0} >> (32 - listing.count);
+}
+
+std::uint32_t listByAny(const Question& asked, const BallBlock& block, const std::array<float, 3>& eye,
+                        const Listing& listing) {
+    Sides sides;
+    tellSides(asked, block, eye, sides);
+    int doubtful = 0;
+    for (std::size_t i = 0; i < BallBlock::kCount; ++i) {
+        doubtful += sides.away[i] < sides.slack[i] ? 1 : 0;
+    }
+    if (doubtful > 0) {
+        return Viewcones::kCannotTell;
+    }
+    // What is found is written either way, and counts or does not: nobody can foretell.
+    std::uint32_t found = 0;
+    for (std::uint32_t i = 0; i < listing.count; ++i) {
+        listing.out[found] = listing.first + i;
+        found += static_cast<std::uint32_t>(sides.within[i] >= 0.0f);
+    }
+    return found;
+}
+
+#ifdef __x86_64__
+[[gnu::target("avx2,popcnt")]] std::uint32_t listByAvx2(const Question& asked, const BallBlock& block,
+                                                        const std::array<float, 3>& eye,
+                                                        const Listing& listing) {
+    Sides sides;
+    tellSides(asked, block, eye, sides);
+    Bits doubtful = 0, outside = 0;
+    for (int i = 0; i < 16; i += 8) {
+        const __m256 within = _mm256_loadu_ps(sides.within.data() + i);
+        const __m256 isDoubtful = _mm256_cmp_ps(_mm256_loadu_ps(sides.away.data() + i),
+                                                _mm256_loadu_ps(sides.slack.data() + i), _CMP_LT_OQ);
+        doubtful |= static_cast<Bits>(_mm256_movemask_ps(isDoubtful)) << i;
+        outside |= static_cast<Bits>(_mm256_movemask_ps(within)) << i; // the signs: none of these is nearly 0
+    }
+    const Bits listed = bitsOfThoseListed(listing);
+    if ((doubtful & listed) != 0) {
+        return Viewcones::kCannotTell;
+    }
+    const Bits inside = ~outside & listed;
+    std::uint32_t* out = listing.out;
+    for (std::uint32_t i = 0; i < BallBlock::kCount; ++i) {
+        *out = listing.first + i;
+        out += inside >> i & 1;
+    }
+    return static_cast<std::uint32_t>(std::popcount(inside));
+}
+
+[[gnu::target("avx512f,avx512vl,avx512dq,popcnt")]] std::uint32_t
+listByAvx512(const Question& asked, const BallBlock& block, const std::array<float, 3>& eye,
+             const Listing& listing) {
+    Sides sides;
+    tellSides(asked, block, eye, sides);
+    const auto listed = static_cast<__mmask16>(bitsOfThoseListed(listing));
+    const __m512 within = _mm512_loadu_ps(sides.within.data());
+    if (_mm512_mask_cmp_ps_mask(listed, _mm512_loadu_ps(sides.away.data()),
+                                _mm512_loadu_ps(sides.slack.data()), _CMP_LT_OQ) != 0) {
+        return Viewcones::kCannotTell;
+    }
+    const __mmask16 inside = _mm512_mask_cmp_ps_mask(listed, within, _mm512_setzero_ps(), _CMP_GE_OQ);
+    const __m512i numbers =
+        _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(listing.first)),
+                         _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+    _mm512_storeu_si512(listing.out, _mm512_maskz_compress_epi32(inside, numbers));
+    return static_cast<std::uint32_t>(std::popcount(static_cast<Bits>(inside)));
+}
+#endif
 
 } // namespace
 
-Viewcones::Within Viewcones::within(const BallBlock& block, const Vec3& eye, const FourEdges* rect) const {
-    constexpr std::size_t kCount = BallBlock::kCount;
-    const auto balls = ballsOf<kCount>(block, eye, static_cast<float>(kSlack),
-                                       static_cast<float>(kSlackShare), static_cast<float>(2.0 * pixel_));
-    Values<kCount> least;
-    least.fill(std::numeric_limits<float>::infinity());
-    for (std::uint32_t e = 0; e < cones_.front().edgesCount; ++e) {
-        lessen(least, leastOf(Edges(edges_[e]), balls));
+Vectors widestVectors() {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512dq")) {
+        return Vectors::Avx512;
     }
-    if (rect != nullptr) {
-        lessen(least, leastOf(Edges(*rect), balls));
+    if (__builtin_cpu_supports("avx2")) {
+        return Vectors::Avx2;
     }
-    const Values<kCount> within = sumOf(least, balls.far);
-    return isAnyDoubtful(within, balls.slack) ? withinOneByOne(block, eye, rect) : within;
+#endif
+    return Vectors::Any;
 }
 
-Viewcones::Within Viewcones::withinOneByOne(const BallBlock& block, const Vec3& eye,
-                                            const FourEdges* rect) const {
-    Within within;
-    for (std::size_t i = 0; i < BallBlock::kCount; ++i) {
-        const SeenBall ball = ballOf({Vec3(block.x[i], block.y[i], block.z[i]) - eye, block.radius[i]});
-        const bool isSeen = classifyOnScreen(cones_.front(), ball) != Containment::Outside &&
-                            (rect == nullptr || classify(*rect, ball) != Containment::Outside);
-        within[i] = isSeen ? 1.0f : -1.0f;
+std::uint32_t Viewcones::listWithin(const BallBlock& block, const Vec3& eye, const FourEdges* rect,
+                                    std::uint32_t first, std::uint32_t count, std::uint32_t* out) const {
+    const Question asked{static_cast<float>(kSlack),
+                         static_cast<float>(kSlackShare),
+                         static_cast<float>(2.0 * pixel_),
+                         edges_.data() + cones_.front().firstEdges,
+                         cones_.front().edgesCount,
+                         rect};
+    const std::array<float, 3> from{static_cast<float>(eye.x), static_cast<float>(eye.y),
+                                    static_cast<float>(eye.z)};
+    const Listing listing{first, count, out};
+    switch (vectors_) {
+#ifdef __x86_64__
+    case Vectors::Avx512:
+        return listByAvx512(asked, block, from, listing);
+    case Vectors::Avx2:
+        return listByAvx2(asked, block, from, listing);
+#endif
+    default:
+        return listByAny(asked, block, from, listing);
     }
-    return within;
 }
 
-std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const BallBlock& block,
+std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewBalls& block,
                                                                 const Vec3& eye) const {
-    const auto balls = ballsOf<kFew>(block, eye, static_cast<float>(kSlack), static_cast<float>(kSlackShare),
-                                     static_cast<float>(2.0 * pixel_));
-    Values<kFew> least;
-    least.fill(std::numeric_limits<float>::infinity());
-    for (std::uint32_t e = 0; e < cones_.front().edgesCount; ++e) {
-        lessen(least, leastOf(Edges(edges_[e]), balls));
-    }
-    Values<kFew> beyond;
+    const Question asked{static_cast<float>(kSlack),
+                         static_cast<float>(kSlackShare),
+                         static_cast<float>(2.0 * pixel_),
+                         edges_.data() + cones_.front().firstEdges,
+                         cones_.front().edgesCount,
+                         nullptr};
+    Balls<kFew> balls;
+    Values<kFew> least, within, beyond;
+    readBalls(asked, block, std::array{eye.x, eye.y, eye.z}, balls);
+    leastOf(asked, balls, least);
     for (std::size_t i = 0; i < kFew; ++i) {
+        within[i] = least[i] + balls.far[i];
         beyond[i] = least[i] - balls.far[i];
     }
-    const Values<kFew> within = sumOf(least, balls.far);
-    if (isAnyDoubtful(within, balls.slack) || isAnyDoubtful(beyond, balls.slack)) {
+    if (countDoubtful(within, balls.slack) + countDoubtful(beyond, balls.slack) > 0) {
         return classifyOneByOne(block, eye);
     }
     std::array<Containment, kFew> found;
@@ -145,7 +255,7 @@ std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const BallBlock&
     return found;
 }
 
-std::array<Containment, Viewcones::kFew> Viewcones::classifyOneByOne(const BallBlock& block,
+std::array<Containment, Viewcones::kFew> Viewcones::classifyOneByOne(const FewBalls& block,
                                                                      const Vec3& eye) const {
     std::array<Containment, kFew> found;
     for (std::size_t i = 0; i < kFew; ++i) {

@@ -19,23 +19,41 @@ struct SeenBall {
     double reach = 0.0; ///< metres, at planes through the eye: two pixels more
 };
 
-/// Balls side by side, global: where they begin in arrays (world::ListedInstances) that have at least as many from there on as are asked
-/// about.
-struct BallBlock {
-    static constexpr std::size_t kCount = 16; ///< at most
+/// So many balls side by side, global: where they begin in arrays.
+struct FewBalls {
+    static constexpr std::size_t kCount = 4;
     const double* x = nullptr;
     const double* y = nullptr;
     const double* z = nullptr;
     const double* radius = nullptr;
 };
 
+/// More, in floats, each no farther along any axis than kMostOffset from a place that they are told from (world::ListedInstances): to the
+/// nearest float, so that centres are off by 0.2 mm at most along each axis.
+struct BallBlock {
+    static constexpr std::size_t kCount = 16;
+    static constexpr double kMostOffset = 4096.0; ///< metres; of radii, too
+    const float* x = nullptr;
+    const float* y = nullptr;
+    const float* z = nullptr;
+    const float* radius = nullptr;
+};
+
 /// Four planes through the eye: unit normals, positive inside. Side by side, for they are all asked at once.
 class FourEdges {
 public:
+    /// The same in floats.
+    struct Floats {
+        std::array<float, 4> x{}, y{}, z{};
+    };
     void set(std::size_t i, const Vec3& inwards) {
         x_[i] = inwards.x;
         y_[i] = inwards.y;
         z_[i] = inwards.z;
+        const Vec3f nearest(inwards);
+        floats_.x[i] = nearest.x;
+        floats_.y[i] = nearest.y;
+        floats_.z[i] = nearest.z;
     }
     /// From a point to the plane that it lies farthest outside of, or least far inside.
     [[nodiscard]] double least(const Vec3& point) const {
@@ -45,18 +63,31 @@ public:
     }
 
     [[nodiscard]] Vec3 edge(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
+    [[nodiscard]] const Floats& floats() const { return floats_; }
 
 private:
     [[nodiscard]] double side(std::size_t i, const Vec3& point) const {
         return x_[i] * point.x + y_[i] * point.y + z_[i] * point.z;
     }
     std::array<double, 4> x_{}, y_{}, z_{};
+    Floats floats_;
 };
+
+/// What balls are asked about side by side are for (BallBlock.cpp): each is the same code, told that processors have it.
+enum class Vectors : std::uint8_t {
+    Any,   ///< what every processor has
+    Avx2,  ///< eight floats
+    Avx512 ///< sixteen
+};
+/// The widest that this processor has.
+[[nodiscard]] Vectors widestVectors();
 
 /// The visits of one flood as planes, for asking what of a ball can be seen in them. Reuse it: steady frames
 /// allocate nothing.
 class Viewcones {
 public:
+    /// `vectors`: no wider than the processor has; the answers are the same.
+    explicit Viewcones(Vectors vectors = widestVectors()) : vectors_(vectors) {}
     /// `pixel` is the angle of one pixel in radians: balls are counted as touching a region when they come
     /// that near.
     void prepare(const View& view, const VisibleSet& set, double pixel);
@@ -73,14 +104,16 @@ public:
         const Containment alone = classifyAlone(cones_[visit], ball);
         return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
     }
-    /// By ball of a whole block: not below 0 if it is not outside.
-    using Within = std::array<float, BallBlock::kCount>;
-    /// How they lie to the root's region, and to a rectangle if there is one: just what `classify` tells of each. For many balls, of
-    /// which nobody can foretell how they lie: they are asked side by side, in floats, where these can tell. Requires a single visit.
-    [[nodiscard]] Within within(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
-    /// The same of so many of a block, and whether they lie inside.
-    static constexpr std::size_t kFew = 4;
-    [[nodiscard]] std::array<Containment, kFew> classifyFew(const BallBlock& balls, const Vec3& eye) const;
+    /// Which of a block's balls do not lie outside of the root's region, nor of a rectangle if there is one: just what `classify` tells of each.
+    /// For many balls, of which nobody can foretell how they lie: they are asked side by side, in floats. Writes `first + i` for each of
+    /// them, in order; `out` has room for a whole block. Yields how many they are, or kCannotTell where floats cannot. `count`: of balls,
+    /// though as many as a block has are read. `eye`: from where the balls are told from. Requires a single visit.
+    static constexpr std::uint32_t kCannotTell = 0xFFFFFFFFu;
+    [[nodiscard]] std::uint32_t listWithin(const BallBlock& balls, const Vec3& eye, const FourEdges* rect,
+                                           std::uint32_t first, std::uint32_t count, std::uint32_t* out) const;
+    /// Of so many, and whether they lie inside. Requires a single visit.
+    static constexpr std::size_t kFew = FewBalls::kCount;
+    [[nodiscard]] std::array<Containment, kFew> classifyFew(const FewBalls& balls, const Vec3& eye) const;
     /// Of a ball, eye-relative.
     [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
         const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
@@ -126,9 +159,8 @@ private:
         return onScreen == Containment::Inside && beyond <= ball.radius + ball.slack ? Containment::Partial
                                                                                      : onScreen;
     }
-    [[nodiscard]] std::array<Containment, kFew> classifyOneByOne(const BallBlock& balls,
+    [[nodiscard]] std::array<Containment, kFew> classifyOneByOne(const FewBalls& balls,
                                                                  const Vec3& eye) const;
-    [[nodiscard]] Within withinOneByOne(const BallBlock& balls, const Vec3& eye, const FourEdges* rect) const;
     /// Of a ball that lies within a visit: whether a part of it may show in another's pixels.
     [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenBall& ball) const;
     [[nodiscard]] bool descends(std::uint32_t visit, std::uint32_t ancestor) const;
@@ -136,6 +168,7 @@ private:
     std::vector<FourEdges> edges_; ///< of regions; what is left of the last four repeats the last edge
     View view_;
     double pixel_ = 0.0;
+    Vectors vectors_;
 };
 
 } // namespace limen::visibility

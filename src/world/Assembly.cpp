@@ -154,8 +154,7 @@ void Assembly::findMembers() {
         const auto first = static_cast<std::uint32_t>(world_.members.size());
         world_.members.insert(world_.members.end(), reached.begin(), reached.end());
         for (InstanceIndex i = group.first; i < group.first + group.count; ++i) {
-            world_.instances[i].firstMember = first;
-            world_.instances[i].memberCount = static_cast<std::uint32_t>(reached.size());
+            world_.instances[i].setMembers(first, reached.size());
         }
     }
 }

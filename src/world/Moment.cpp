@@ -2,11 +2,14 @@
 
 namespace limen::world {
 
-void ListedInstances::resize(std::size_t count) {
+void ListedInstances::resize(std::size_t count, const Vec3& around) {
+    origin = glm::floor(around); // so that what is subtracted from it loses little
+    areFar = false;
     instance.resize(count);
     isListedAgain.resize(count);
+    mesh.resize(count);
     anyListedAgain = false;
-    for (std::vector<double>* const values : {&x, &y, &z, &radius}) {
+    for (std::vector<float>* const values : {&x, &y, &z, &radius}) {
         values->resize(count); // what is left over from more is not a moment's
         values->resize(count + kSpare);
     }
@@ -29,7 +32,7 @@ void listBySpace(std::size_t spaceCount, Moment& moment) {
         ends[space] = total;
         total += count;
     }
-    moment.listed.resize(total);
+    moment.listed.resize(total, moment.instances.empty() ? Vec3(0.0) : moment.instances.front().bounds.centre);
     for (InstanceIndex i = 0; i < moment.instances.size(); ++i) {
         for (const SpaceIndex space : membersOf(moment.instances[i]))
             moment.listed.set(ends[space + 1]++, moment.instances[i], i);

@@ -2,6 +2,7 @@
 
 #include "world/World.h"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,23 +14,32 @@ namespace limen::world {
 struct ListedInstances {
     /// More balls than are listed, so that a block of so many can be read from any of them on.
     static constexpr std::size_t kSpare = 16;
+    /// Metres, along each axis, that balls may lie from `origin`.
+    static constexpr double kMostOffset = 4096.0;
     std::vector<InstanceIndex> instance;     ///< of Moment::instances (not numbered on)
     std::vector<std::uint8_t> isListedAgain; ///< 1 if it is a member of other spaces, too
+    std::vector<std::uint32_t> mesh;         ///< its own
     bool anyListedAgain = false;
-    std::vector<double> x, y, z, radius; ///< its bounds, global; and kSpare more
+    Vec3 origin{0.0};                       ///< global, near them
+    std::vector<float> x, y, z, radius;     ///< its bounds, from there; and kSpare more
+    bool areFar = false; ///< some lie farther than kMostOffset: what these say of where balls are is of no use
 
-    void resize(std::size_t count);
+    /// `around`: where most are, global.
+    void resize(std::size_t count, const Vec3& around);
     void set(std::size_t position, const Instance& in, InstanceIndex number) {
         instance[position] = number;
         isListedAgain[position] = in.memberCount > 1 ? 1 : 0;
+        mesh[position] = in.mesh;
         anyListedAgain |= in.memberCount > 1;
-        x[position] = in.bounds.centre.x;
-        y[position] = in.bounds.centre.y;
-        z[position] = in.bounds.centre.z;
-        radius[position] = in.bounds.radius;
-    }
-    [[nodiscard]] Sphere boundsOf(std::size_t position) const {
-        return {{x[position], y[position], z[position]}, radius[position]};
+        const Vec3 offset = in.bounds.centre - origin;
+        x[position] = static_cast<float>(offset.x);
+        y[position] = static_cast<float>(offset.y);
+        z[position] = static_cast<float>(offset.z);
+        radius[position] = static_cast<float>(in.bounds.radius);
+        // Neither is true of what is not a number.
+        const bool isNear = std::abs(offset.x) <= kMostOffset && std::abs(offset.y) <= kMostOffset &&
+                            std::abs(offset.z) <= kMostOffset && in.bounds.radius <= kMostOffset;
+        areFar |= !isNear;
     }
     friend bool operator==(const ListedInstances&, const ListedInstances&) = default;
 };

@@ -44,9 +44,9 @@ TEST_F(SceneBuilderTest, placesVerticesAsTheWorldDoes) {
         const world::Instance& in = world.instances[i];
         const Vec3f p(1.0f, 2.0f, 3.0f);
         const Vec3f expected = in.linear * p + in.origin;
-        const Vec3f placed(glm::dot(packed.row0, glm::vec4(p, 1.0f)),
-                           glm::dot(packed.row1, glm::vec4(p, 1.0f)),
-                           glm::dot(packed.row2, glm::vec4(p, 1.0f)));
+        const auto &a = packed.pose0, &b = packed.pose1, &c = packed.pose2;
+        const Vec3f placed = Vec3f(a.x, a.y, a.z) * p.x + Vec3f(a.w, b.x, b.y) * p.y +
+                             Vec3f(b.z, b.w, c.x) * p.z + Vec3f(c.y, c.z, c.w);
         EXPECT_LT(glm::length(placed - expected), 1e-4f);
     }
 }

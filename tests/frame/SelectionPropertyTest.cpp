@@ -22,9 +22,8 @@ world::Moment movedCopies(const world::World& world, std::uint32_t count, std::m
     for (std::uint32_t i = 0; i < count; ++i) {
         world::Instance instance = world.instances[random() % world.instances.size()];
         instance.bounds.centre += Vec3(offset(random), offset(random), offset(random));
-        instance.firstMember = static_cast<std::uint32_t>(moment.members.size());
-        instance.memberCount =
-            static_cast<std::uint32_t>(std::min<std::size_t>(1 + random() % 3, world.spaces.size()));
+        instance.setMembers(static_cast<std::uint32_t>(moment.members.size()),
+                            std::min<std::size_t>(1 + random() % 3, world.spaces.size()));
         auto space = static_cast<world::SpaceIndex>(random() % world.spaces.size());
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
             moment.members.push_back(space);
@@ -47,7 +46,7 @@ frame::FrameView anyView(const world::World& world, std::mt19937& random) {
 }
 
 std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clusters& clusters,
-                                     const frame::Selection& selection) {
+                                     const world::Moment& moment, const frame::Selection& selection) {
     std::map<std::uint32_t, bool> drawn;
     std::uint32_t end = 0;
     for (const frame::SelectedRange& range : selection.ranges()) {
@@ -58,10 +57,12 @@ std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clu
             drawn[clusters.order[p]] = range.gated;
     }
     std::uint32_t next = 0;
-    for (const frame::SelectedMover& mover : selection.movers()) {
-        EXPECT_GE(mover.index, next) << "in order, once";
-        next = mover.index + 1;
-        drawn[static_cast<std::uint32_t>(world.instances.size()) + mover.index] = mover.gated;
+    for (const frame::SelectedMover mover : selection.movers()) {
+        const world::InstanceIndex index = moment.listed.instance[mover & ~frame::gpu::kGated];
+        EXPECT_GE(index, next) << "in order, once";
+        next = index + 1;
+        drawn[static_cast<std::uint32_t>(world.instances.size()) + index] =
+            (mover & frame::gpu::kGated) != 0;
     }
     EXPECT_EQ(drawn.size(), selection.counts().drawn);
     return drawn;
@@ -84,7 +85,7 @@ void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
         const frame::FrameView frame = anyView(world, random);
         visibility::flood(*graph, {}, frame.view, {}, scratch, set);
         selection.select(frame, moment, set);
-        const auto drawn = chosen(world, clusters, selection);
+        const auto drawn = chosen(world, clusters, moment, selection);
         const auto expected = selectOneByOne(world, moment, frame, set);
         if (set.visits.size() > 1) {
             ASSERT_EQ(drawn, expected) << "seed " << seed << ", view " << view;

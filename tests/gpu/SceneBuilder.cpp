@@ -55,12 +55,14 @@ std::uint32_t SceneBuilder::addQuad(std::uint32_t id, const std::array<glm::vec3
 std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::array<glm::vec3, 4>> quads,
                                      const QuadOptions& options) {
     layout::Instance instance;
-    instance.row0 = options.rows[0];
-    instance.row1 = options.rows[1];
-    instance.row2 = options.rows[2];
+    const auto& rows = options.rows;
+    instance.pose0 = {rows[0].x, rows[1].x, rows[2].x, rows[0].y};
+    instance.pose1 = {rows[1].y, rows[2].y, rows[0].z, rows[1].z};
+    instance.pose2 = {rows[2].z, rows[0].w, rows[1].w, rows[2].w};
     instance.block = options.block;
     instance.idBase = id;
     instance.highlight = options.highlight;
+    instance.reach = layout::kFromAnywhere;
     instance.opacity = 1.0f;
     instance.firstMember = static_cast<std::uint32_t>(upload.members.size());
     instance.membersAndKind = static_cast<std::uint32_t>(options.members.size());

@@ -155,10 +155,34 @@ TEST(Moments, whatIsListedIsListedWithItsBoundsAndWhetherOtherSpacesListIt) {
     const world::ListedInstances& listed = f.moment.listed;
     for (std::size_t i = 0; i < listed.instance.size(); ++i) {
         const world::Instance& instance = f.moment.instances[listed.instance[i]];
-        EXPECT_EQ(listed.boundsOf(i), instance.bounds);
+        const Vec3 centre = listed.origin + Vec3(listed.x[i], listed.y[i], listed.z[i]);
+        EXPECT_LT(glm::length(centre - instance.bounds.centre), 2e-4);
+        EXPECT_EQ(listed.radius[i], static_cast<float>(instance.bounds.radius));
         EXPECT_EQ(listed.isListedAgain[i] != 0, instance.memberCount > 1);
+        EXPECT_EQ(listed.mesh[i], instance.mesh);
     }
+    EXPECT_FALSE(listed.areFar);
     EXPECT_EQ(listed.radius.size(), listed.instance.size() + world::ListedInstances::kSpare);
+}
+
+TEST(Moments, whatLiesTooFarFromTheRestToBeToldInFloatsIsSaid) {
+    const auto listedWith = [](const Vec3& centre, double radius) {
+        world::Moment moment;
+        world::Instance instance;
+        instance.bounds = {{1e4, 2e4, 30.0}, 1.0};
+        instance.setMembers(0, 1);
+        moment.members.push_back(world::kOutside);
+        moment.instances.assign(2, instance);
+        moment.instances[1].bounds = {centre, radius};
+        world::listBySpace(1, moment);
+        return moment.listed.areFar;
+    };
+    constexpr double kMost = world::ListedInstances::kMostOffset;
+    EXPECT_FALSE(listedWith({1e4 + kMost - 1.0, 2e4, 30.0}, 1.0));
+    EXPECT_TRUE(listedWith({1e4 + kMost + 1.0, 2e4, 30.0}, 1.0));
+    EXPECT_TRUE(listedWith({1e4, 2e4, 30.0 - kMost - 1.0}, 1.0));
+    EXPECT_TRUE(listedWith({1e4, 2e4, 30.0}, 2.0 * kMost));
+    EXPECT_TRUE(listedWith({1e4, std::numeric_limits<double>::quiet_NaN(), 30.0}, 1.0));
 }
 
 TEST(Moments, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {

@@ -25,6 +25,10 @@ std::vector<std::uint32_t> listBySpace(std::size_t spaceCount, const std::vector
     return first;
 }
 
+void leaveOneMember(world::Instance& instance) {
+    instance.memberCount = instance.memberCount > 0 ? 1 : 0;
+}
+
 } // namespace
 
 world::World withoutMembership(const world::World& world) {
@@ -35,7 +39,7 @@ world::World withoutMembership(const world::World& world) {
         listed[i] = true;
     }
     for (world::Instance& instance : less.instances) {
-        instance.memberCount = std::min(instance.memberCount, 1u);
+        leaveOneMember(instance);
     }
     const auto first = listBySpace(
         less.spaces.size(), less.instances, less.members, [&](auto i) { return listed[i]; },
@@ -51,14 +55,16 @@ world::Moment without(const Omissions& omissions, const world::World& world, con
     world::Moment less = moment;
     if (omissions.membership) {
         for (world::Instance& instance : less.instances) {
-            instance.memberCount = std::min(instance.memberCount, 1u);
+            leaveOneMember(instance);
         }
     }
     if (omissions.fillings) {
         less.closed.clear();
         less.fillings.clear();
         for (world::Instance& instance : less.instances) { // which are then in no space
-            instance.memberCount = instance.kind == world::Kind::Filling ? 0 : instance.memberCount;
+            if (instance.kind == world::Kind::Filling) {
+                instance.memberCount = 0;
+            }
         }
     }
     world::listBySpace(world.spaces.size(), less);

@@ -21,8 +21,7 @@ public:
         instance.origin = Vec3f(position);
         instance.bounds = {world_.blocks[instance.block].origin() + position, 100.0};
         instance.placedIn = members.front();
-        instance.firstMember = static_cast<std::uint32_t>(moment_.members.size());
-        instance.memberCount = static_cast<std::uint32_t>(members.size());
+        instance.setMembers(static_cast<std::uint32_t>(moment_.members.size()), members.size());
         instance.idBase = nextId_;
         nextId_ += world_.meshes[instance.mesh].polygonCount;
         moment_.members.insert(moment_.members.end(), members.begin(), members.end());
