@@ -94,10 +94,10 @@ struct FramePlan {
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::SkyInstance> skyInstances;
-    RecordArray moving;                     ///< what `movers` are of
-    std::vector<std::uint32_t> movers;      ///< those drawn; numbered on from the scene's instances
-    std::vector<MoverChange> moverChanges;  ///< of few of them, in order
-    std::vector<gpu::Instance> records; ///< others of the frame's own; numbered on from the movers
+    RecordArray moving;                         ///< what `movers` are of
+    std::vector<std::uint32_t> movers;          ///< those drawn; numbered on from the scene's instances
+    std::vector<MoverChange> moverChanges;      ///< of few of them, in order
+    std::vector<gpu::Instance> records;         ///< others of the frame's own; numbered on from the movers
     std::vector<gpu::Member> moverMembers;      ///< numbered on from the scene's members
     std::vector<gpu::Replacement> replacements; ///< of the scene's instances by some of `records`
     std::vector<gpu::DrawPiece> pieces; ///< of movers and of the sky; numbered on from the scene's pieces

@@ -39,9 +39,8 @@ void Highlights::replaceObject(std::uint64_t object, std::uint32_t colour, Frame
         std::lower_bound(byObject_.begin(), byObject_.end(), object,
                          [&](world::InstanceIndex i, std::uint64_t wanted) { return objectOf(i) < wanted; });
     for (; next != byObject_.end() && objectOf(*next) == object; ++next) {
-        gpu::Instance record =
-            packInstance(world_, world_.instances[*next], world_.members,
-                         {plan.moverMembers, plan.constants.staticMembers});
+        gpu::Instance record = packInstance(world_, world_.instances[*next], world_.members,
+                                            {plan.moverMembers, plan.constants.staticMembers});
         record.highlight = colour;
         plan.replacements.push_back(
             {*next, plan.constants.staticInstances +

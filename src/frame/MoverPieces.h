@@ -26,10 +26,11 @@ public:
     void add(std::uint32_t mesh, std::uint32_t number, bool gated) {
         const MeshPiece* piece = &meshes_[mesh];
         addOne(*piece, number, gated);
-        while (piece->next != kNoMore) [[unlikely]] {
-            piece = &more_[piece->next];
-            addOne(*piece, number, gated);
-        }
+        while (piece->next != kNoMore)
+            [[unlikely]] {
+                piece = &more_[piece->next];
+                addOne(*piece, number, gated);
+            }
     }
     /// Begins to load what `add` reads.
     void fetchFor(std::uint32_t mesh) const { fetch(meshes_[mesh]); }

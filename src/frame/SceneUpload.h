@@ -21,7 +21,7 @@ struct SceneUpload {
     std::vector<gpu::Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< into `vertices`, of every mesh
     std::vector<gpu::Instance> instances;
-    std::vector<gpu::Member> members; ///< begin with those of the spaces (frame/PackInstance.h)
+    std::vector<gpu::Member> members;   ///< begin with those of the spaces (frame/PackInstance.h)
     std::vector<gpu::DrawPiece> pieces; ///< of the instances (frame/ResidentPieces.h)
     std::vector<gpu::Material> materials;
     std::vector<std::uint32_t> materialRefs;

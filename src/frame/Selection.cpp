@@ -240,8 +240,9 @@ void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
     for (std::uint32_t at = first; at < end; at += kAtOnce) {
         const std::uint32_t next = std::min(at + kAtOnce, end);
         const bool areAlone =
-            !listed.anyListedAgain || std::none_of(listed.isListedAgain.begin() + at, listed.isListedAgain.begin() + next,
-                                                   [](std::uint8_t again) { return again != 0; });
+            !listed.anyListedAgain ||
+            std::none_of(listed.isListedAgain.begin() + at, listed.isListedAgain.begin() + next,
+                         [](std::uint8_t again) { return again != 0; });
         const std::uint32_t found =
             areFar || !areAlone
                 ? visibility::Viewcones::kCannotTell

@@ -9,8 +9,6 @@
 // Loops of a fixed length over plain arrays: compilers make vectors of them, as wide as the function that they are put into is told
 // that it may have. Arrays are of their own wherever something is written, so that compilers need not ask whether it lies in the same
 // place as what is read, and not initialised where each is about to be.
-#define LIMEN_ALWAYS_INLINE [[gnu::always_inline]] inline
-
 namespace limen::visibility {
 
 namespace {
@@ -40,7 +38,7 @@ struct Balls {
 
 /// `Block`: FewBalls or BallBlock. `eye`: from where the balls are told from.
 template <class Block, class Coordinate, std::size_t Count>
-LIMEN_ALWAYS_INLINE void readBalls(const Question& asked, const Block& block,
+[[gnu::always_inline]] inline void readBalls(const Question& asked, const Block& block,
                                    const std::array<Coordinate, 3>& eye, Balls<Count>& balls) {
     for (std::size_t i = 0; i < Count; ++i) {
         balls.x[i] = static_cast<float>(block.x[i] - eye[0]);
@@ -58,7 +56,7 @@ LIMEN_ALWAYS_INLINE void readBalls(const Question& asked, const Block& block,
 
 /// From each centre to the plane that it lies farthest outside of, or least far inside: what is less than it was.
 template <std::size_t Count>
-LIMEN_ALWAYS_INLINE void lessen(Values<Count>& least, const FourEdges::Floats& edges,
+[[gnu::always_inline]] inline void lessen(Values<Count>& least, const FourEdges::Floats& edges,
                                 const Balls<Count>& balls) {
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
@@ -73,7 +71,7 @@ LIMEN_ALWAYS_INLINE void lessen(Values<Count>& least, const FourEdges::Floats& e
 }
 
 template <std::size_t Count>
-LIMEN_ALWAYS_INLINE void leastOf(const Question& asked, const Balls<Count>& balls, Values<Count>& least) {
+[[gnu::always_inline]] inline void leastOf(const Question& asked, const Balls<Count>& balls, Values<Count>& least) {
     for (std::size_t i = 0; i < Count; ++i) {
         least[i] = std::numeric_limits<float>::infinity();
     }
@@ -89,7 +87,7 @@ LIMEN_ALWAYS_INLINE void leastOf(const Question& asked, const Balls<Count>& ball
 /// than half of its slack. What a BallBlock rounds before makes 0.2 mm along each axis for the ball and as much for the eye: no more than 0.7 mm,
 /// of the other half, 2 mm and more. What is nearer to 0 than its slack floats cannot tell from it.
 template <std::size_t Count>
-LIMEN_ALWAYS_INLINE int countDoubtful(const Values<Count>& values, const Values<Count>& slack) {
+[[gnu::always_inline]] inline int countDoubtful(const Values<Count>& values, const Values<Count>& slack) {
     int doubtful = 0;
     for (std::size_t i = 0; i < Count; ++i) {
         doubtful += std::abs(values[i]) < slack[i] ? 1 : 0;
@@ -105,7 +103,7 @@ struct Sides {
     Values<BallBlock::kCount> within, away, slack;
 };
 
-LIMEN_ALWAYS_INLINE void tellSides(const Question& asked, const BallBlock& block,
+[[gnu::always_inline]] inline void tellSides(const Question& asked, const BallBlock& block,
                                    const std::array<float, 3>& eye, Sides& sides) {
     constexpr std::size_t kCount = BallBlock::kCount;
     Balls<kCount> balls;
@@ -130,7 +128,7 @@ std::uint32_t listByAny(const Question& asked, const BallBlock& block, const std
     tellSides(asked, block, eye, sides);
     int doubtful = 0;
     for (std::size_t i = 0; i < BallBlock::kCount; ++i) {
-        doubtful += sides.away[i] < sides.slack[i] ? 1 : 0;
+        doubtful += sides.away[i] < sides.slack[i] && i < listing.count ? 1 : 0;
     }
     if (doubtful > 0) {
         return Viewcones::kCannotTell;
@@ -208,12 +206,9 @@ Vectors widestVectors() {
 
 std::uint32_t Viewcones::listWithin(const BallBlock& block, const Vec3& eye, const FourEdges* rect,
                                     std::uint32_t first, std::uint32_t count, std::uint32_t* out) const {
-    const Question asked{static_cast<float>(kSlack),
-                         static_cast<float>(kSlackShare),
-                         static_cast<float>(2.0 * pixel_),
-                         edges_.data() + cones_.front().firstEdges,
-                         cones_.front().edgesCount,
-                         rect};
+    const Question asked{static_cast<float>(kSlack),       static_cast<float>(kSlackShare),
+                         static_cast<float>(2.0 * pixel_), edges_.data() + cones_.front().firstEdges,
+                         cones_.front().edgesCount,        rect};
     const std::array<float, 3> from{static_cast<float>(eye.x), static_cast<float>(eye.y),
                                     static_cast<float>(eye.z)};
     const Listing listing{first, count, out};
@@ -231,12 +226,9 @@ std::uint32_t Viewcones::listWithin(const BallBlock& block, const Vec3& eye, con
 
 std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewBalls& block,
                                                                 const Vec3& eye) const {
-    const Question asked{static_cast<float>(kSlack),
-                         static_cast<float>(kSlackShare),
-                         static_cast<float>(2.0 * pixel_),
-                         edges_.data() + cones_.front().firstEdges,
-                         cones_.front().edgesCount,
-                         nullptr};
+    const Question asked{static_cast<float>(kSlack),       static_cast<float>(kSlackShare),
+                         static_cast<float>(2.0 * pixel_), edges_.data() + cones_.front().firstEdges,
+                         cones_.front().edgesCount,        nullptr};
     Balls<kFew> balls;
     Values<kFew> least, within, beyond;
     readBalls(asked, block, std::array{eye.x, eye.y, eye.z}, balls);

@@ -110,7 +110,8 @@ public:
     /// though as many as a block has are read. `eye`: from where the balls are told from. Requires a single visit.
     static constexpr std::uint32_t kCannotTell = 0xFFFFFFFFu;
     [[nodiscard]] std::uint32_t listWithin(const BallBlock& balls, const Vec3& eye, const FourEdges* rect,
-                                           std::uint32_t first, std::uint32_t count, std::uint32_t* out) const;
+                                           std::uint32_t first, std::uint32_t count,
+                                           std::uint32_t* out) const;
     /// Of so many, and whether they lie inside. Requires a single visit.
     static constexpr std::size_t kFew = FewBalls::kCount;
     [[nodiscard]] std::array<Containment, kFew> classifyFew(const FewBalls& balls, const Vec3& eye) const;

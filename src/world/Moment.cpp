@@ -32,7 +32,8 @@ void listBySpace(std::size_t spaceCount, Moment& moment) {
         ends[space] = total;
         total += count;
     }
-    moment.listed.resize(total, moment.instances.empty() ? Vec3(0.0) : moment.instances.front().bounds.centre);
+    moment.listed.resize(total,
+                         moment.instances.empty() ? Vec3(0.0) : moment.instances.front().bounds.centre);
     for (InstanceIndex i = 0; i < moment.instances.size(); ++i) {
         for (const SpaceIndex space : membersOf(moment.instances[i]))
             moment.listed.set(ends[space + 1]++, moment.instances[i], i);

@@ -20,9 +20,10 @@ struct ListedInstances {
     std::vector<std::uint8_t> isListedAgain; ///< 1 if it is a member of other spaces, too
     std::vector<std::uint32_t> mesh;         ///< its own
     bool anyListedAgain = false;
-    Vec3 origin{0.0};                       ///< global, near them
-    std::vector<float> x, y, z, radius;     ///< its bounds, from there; and kSpare more
-    bool areFar = false; ///< some lie farther than kMostOffset: what these say of where balls are is of no use
+    Vec3 origin{0.0};                   ///< global, near them
+    std::vector<float> x, y, z, radius; ///< its bounds, from there; and kSpare more
+    bool areFar =
+        false; ///< some lie farther than kMostOffset: what these say of where balls are is of no use
 
     /// `around`: where most are, global.
     void resize(std::size_t count, const Vec3& around);

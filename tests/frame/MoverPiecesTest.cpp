@@ -27,9 +27,7 @@ world::World fourMeshes() {
 using Drawn = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
 struct MoverPiecesTest : ::testing::Test {
-    MoverPiecesTest() {
-        begin();
-    }
+    MoverPiecesTest() { begin(); }
     void begin() {
         plan.clear();
         pieces.begin(plan);
@@ -71,9 +69,10 @@ TEST_F(MoverPiecesTest, areCutAsWhatStandsStillIs) {
     pieces.add(kLong, 7, false);
     pieces.moveRuns(DrawClass::Opaque, plan);
     ASSERT_EQ(plan.runs.size(), 1u);
-    EXPECT_EQ(drawnBy(plan.runs[0]), (std::vector<Drawn>{{36, gpu::kTrianglesPerPiece, 7},
-                                                         {36 + 3 * gpu::kTrianglesPerPiece, gpu::kTrianglesPerPiece, 7},
-                                                         {36 + 6 * gpu::kTrianglesPerPiece, 5, 7}}));
+    EXPECT_EQ(drawnBy(plan.runs[0]),
+              (std::vector<Drawn>{{36, gpu::kTrianglesPerPiece, 7},
+                                  {36 + 3 * gpu::kTrianglesPerPiece, gpu::kTrianglesPerPiece, 7},
+                                  {36 + 6 * gpu::kTrianglesPerPiece, 5, 7}}));
 }
 
 TEST_F(MoverPiecesTest, aRunEndsWhereTheTestBeginsOrEnds) {
@@ -91,7 +90,8 @@ TEST_F(MoverPiecesTest, aRunEndsWhereTheTestBeginsOrEnds) {
 
 TEST_F(MoverPiecesTest, whatIsSplitIsCutOutAndBlended) {
     pieces.add(kPainted, 7, false);
-    for (const DrawClass drawn : {DrawClass::Wall, DrawClass::Terrain, DrawClass::Opaque, DrawClass::CutOut}) {
+    for (const DrawClass drawn :
+         {DrawClass::Wall, DrawClass::Terrain, DrawClass::Opaque, DrawClass::CutOut}) {
         pieces.moveRuns(drawn, plan);
     }
     const auto blended = pieces.movePieces(DrawClass::Blended, plan);

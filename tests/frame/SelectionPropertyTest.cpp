@@ -61,8 +61,7 @@ std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clu
         const world::InstanceIndex index = moment.listed.instance[mover & ~frame::gpu::kGated];
         EXPECT_GE(index, next) << "in order, once";
         next = index + 1;
-        drawn[static_cast<std::uint32_t>(world.instances.size()) + index] =
-            (mover & frame::gpu::kGated) != 0;
+        drawn[static_cast<std::uint32_t>(world.instances.size()) + index] = (mover & frame::gpu::kGated) != 0;
     }
     EXPECT_EQ(drawn.size(), selection.counts().drawn);
     return drawn;

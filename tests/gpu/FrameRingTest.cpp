@@ -66,7 +66,8 @@ void writesWhatIsDrawn(std::uint32_t count) {
     ring.locate(constants);
     ring.write(constants, {memory.front().bytes.data(), ring.size()});
     std::vector<layout::Instance> written(count + 1);
-    std::memcpy(static_cast<void*>(written.data()), memory.front().bytes.data() + std::size_t{constants.firstMover} * 16,
+    std::memcpy(static_cast<void*>(written.data()),
+                memory.front().bytes.data() + std::size_t{constants.firstMover} * 16,
                 written.size() * sizeof(layout::Instance));
     for (std::uint32_t i = 0; i < count; ++i) {
         layout::Instance expected = expectedOf(3 * i + i % 2);
