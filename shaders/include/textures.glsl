@@ -1,9 +1,13 @@
 // Textures by index, the same for both bindings of TextureStore: handles (BINDLESS) or array pages (PAGE_COUNT of
 // them, one unit each; EACH_PAGE(x) is x(0) x(3) ... for those that the program's surfaces use, and comes from
 // ShaderLibrary with PAGE_COUNT). Within one draw the texture differs from fragment to fragment, so that derivatives are taken
-// by the caller in uniform control flow, and units are chosen by constant index only.
+// by the caller in uniform control flow, and units are chosen by constant index only. But not with PAGES_BY_INDEX, where the fragments that
+// are shaded together are one triangle's and sample one page: drivers that run every case of a switch would filter in all pages.
 #include "buffers.glsl"
 
+#if defined(PAGES_BY_INDEX) && PAGE_COUNT == 0
+#undef PAGES_BY_INDEX
+#endif
 #ifndef BINDLESS
 #if PAGE_COUNT > 0
 layout(binding = kUnitFirstPage) uniform sampler2DArray pages[PAGE_COUNT];
@@ -21,6 +25,9 @@ vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
     return textureGrad(sampler2DArray(ref.place.xy), vec3(uv, 0.0), dx, dy);
 #else
     vec3 at = vec3(uv, float(ref.place.x));
+#ifdef PAGES_BY_INDEX
+    return textureGrad(pages[ref.place.y], at, dx, dy);
+#endif
     switch (int(ref.place.y)) {
 #define SAMPLE_PAGE(i) case i: return textureGrad(pages[i], at, dx, dy);
         EACH_PAGE(SAMPLE_PAGE)
@@ -40,6 +47,9 @@ vec4 nearestTexel(uint index, vec2 uv) {
     return texelFetch(sampler2DArray(ref.place.xy), ivec3(texel, 0), 0);
 #else
     ivec3 at = ivec3(texel, int(ref.place.x));
+#ifdef PAGES_BY_INDEX
+    return texelFetch(pages[ref.place.y], at, 0);
+#endif
     switch (int(ref.place.y)) {
 #define FETCH_PAGE(i) case i: return texelFetch(pages[i], at, 0);
         EACH_PAGE(FETCH_PAGE)

@@ -25,7 +25,7 @@ std::string textureDefines(const TextureBinding& binding) {
     for (const std::uint32_t page : binding.pages) {
         text += fmt::format(" x({})", page);
     }
-    return text + "\n";
+    return text + (binding.byIndex ? "\n#define PAGES_BY_INDEX 1\n" : "\n");
 }
 
 const char* stageDefine(std::string_view name) {

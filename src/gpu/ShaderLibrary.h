@@ -24,7 +24,8 @@ struct TextureBinding {
     bool bindless = false;
     std::uint32_t pageCount = 0; ///< array pages bound; 0 in bindless mode
     std::vector<std::uint32_t>
-        pages{}; ///< those that a program may sample, ascending: each one costs, used or not
+        pages{};          ///< those that a program may sample, ascending: each one costs, used or not
+    bool byIndex = false; ///< unless they are chosen by index (TextureStoreOptions)
     bool operator==(const TextureBinding&) const = default;
 };
 

@@ -98,7 +98,7 @@ void stageHandles(std::span<const frame::TextureUpload> pictures, float anisotro
 } // namespace
 
 TextureBinding bindingFor(const StagedTextures& staged, std::span<const std::uint32_t> pictures) {
-    TextureBinding binding{staged.bindless, 0, {}};
+    TextureBinding binding{staged.bindless, 0, {}, staged.byIndex};
     if (staged.bindless) {
         return binding;
     }
@@ -131,6 +131,7 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
     const float anisotropy = capabilities.software ? 1.0f : options.anisotropy;
     StagedTextures out;
     out.bindless = options.mode != TextureMode::ArrayPages && capabilities.bindless;
+    out.byIndex = !out.bindless && options.pagesByIndex && capabilities.software;
     if (out.bindless) {
         stageHandles(pictures, anisotropy, out);
     } else if (Result<void> staged = stagePages(pictures, options, capabilities, anisotropy, before, out);

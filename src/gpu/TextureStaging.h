@@ -19,7 +19,10 @@ enum class TextureMode : std::uint8_t {
 
 struct TextureStoreOptions {
     TextureMode mode = TextureMode::Auto;
-    float anisotropy = 4.0f;     ///< at most; 1 on software drivers, where it costs too much
+    float anisotropy = 4.0f; ///< at most; 1 on software drivers, where it costs too much
+    /// On software drivers shaders choose the page by an index that differs from triangle to triangle. GLSL has that undefined unless all that
+    /// is shaded together agrees, and they shade one triangle at a time. With constant indices they would sample every page for every fragment.
+    bool pagesByIndex = true;
     std::uint32_t pageLimit = 0; ///< array pages at most (>= 2); 0: what the driver's texture units allow
 };
 
@@ -42,7 +45,7 @@ struct StagedTexture {
 
 /// All textures of a scene, made ready for a device by any thread: mipmapped, and laid out in pages.
 struct StagedTextures {
-    bool bindless = false;
+    bool bindless = false, byIndex = false;
     std::vector<StagedTexture> textures;   ///< pages, or of bindless ones each by itself
     std::vector<PageLayout::Place> places; ///< by picture: index into `textures`, and layer
     std::vector<TextureClass> stored;      ///< by picture: how it is stored

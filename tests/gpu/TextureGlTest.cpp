@@ -56,6 +56,21 @@ TEST_F(TextureGlTest, bindlessAndArrayPagesGiveTheSameImage) {
     EXPECT_EQ(pages.depth, bindless.depth);
 }
 
+// On a software driver; on others the two are one.
+TEST_F(TextureGlTest, pagesChosenByIndexAndByConstantGiveTheSameImage) {
+    SceneBuilder scene = manyTextures();
+    scene.plan.constants.flags = layout::kFrameExactCutOuts;
+    for (const bool exact : {false, true}) {
+        scene.plan.constants.flags = exact ? layout::kFrameExactCutOuts : 0;
+        const Frame byConstant =
+            render(scene, 128, {.textures = {.mode = TextureMode::ArrayPages, .pagesByIndex = false}});
+        const Frame byIndex = render(scene, 128, {.textures = {.mode = TextureMode::ArrayPages}});
+        EXPECT_EQ(byConstant.colour, byIndex.colour);
+        EXPECT_EQ(byConstant.ids, byIndex.ids);
+        EXPECT_EQ(byConstant.depth, byIndex.depth);
+    }
+}
+
 // An eye that looks straight ahead, right over the edge of a floor: corners at no depth at all lie nowhere in the window, and the
 // triangle is drawn as one around the window. Its texture lies where it belongs all the same.
 TEST_F(TextureGlTest, liesInPlaceOnAFloorWhoseCornersAreBeneathTheEye) {
