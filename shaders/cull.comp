@@ -3,6 +3,8 @@
 // is kept stays in its order: of what lies equally deep, what comes later is seen. Where nothing is, nothing is drawn.
 // Triangles are only left out of frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a
 // triangle whose outline stays clear of all centres shows nothing, however it would be snapped.
+// What is seen in visits that do not have the whole picture is looked for within their rectangles alone: beyond these its fragments would be
+// dropped one by one.
 // In three dispatches (SharedLayout.h): the draws of walls and ground; when these are drawn, how far they cover the picture; and all
 // other draws, without triangles that lie behind.
 #include "frommodel.glsl"
@@ -13,6 +15,8 @@ layout(binding = kUnitDepth) uniform sampler2D depthSoFar;
 // Pixels that an outline may be from where it is computed here, and a pixel's ray beside its centre (kBesideX), with room to
 // spare: corners are 24-bit floats.
 const float kMargin = 1.0 / 32.0;
+// Share of what is added up by which it may round: ten roundings and more.
+const float kRounding = 1.0e-6;
 // Metres, and per metre of distance, that the eye must be behind a triangle's plane: mesh.vert computes it again.
 const float kBehind = 1.0e-3;
 const float kBehindSlope = 1.0e-6;
@@ -91,7 +95,31 @@ bool isHidden(Pixels pixels, float nearest) {
     return true;
 }
 
-bool mayShow(uint vertex, Instance instance) {
+// Whether all corners of a triangle, and so all of it that is ahead, lie beyond one edge of a rectangle (least and most x and y, in pixels
+// from the window's middle). Corners are pixels times depth, of which what is linear holds behind the eye as well.
+bool isBeside(vec3 a, vec3 b, vec3 c, vec4 rect) {
+    vec3 depths = vec3(a.z, b.z, c.z);
+    vec3 across = vec3(a.x, b.x, c.x);
+    vec3 up = vec3(a.y, b.y, c.y);
+    vec3 spareAcross = kMargin * abs(depths) + kRounding * (abs(across) + frame.viewport.x * abs(depths));
+    vec3 spareUp = kMargin * abs(depths) + kRounding * (abs(up) + frame.viewport.y * abs(depths));
+    return all(lessThan(across - rect.x * depths, -spareAcross)) || all(lessThan(up - rect.y * depths, -spareUp)) ||
+           all(greaterThan(across - rect.z * depths, spareAcross)) || all(greaterThan(up - rect.w * depths, spareUp));
+}
+
+// Whether a triangle reaches into one of a run's rectangles (DrawRun), or into the window.
+bool isWithin(vec3 a, vec3 b, vec3 c, uint rects) {
+    vec4 most = frame.viewport.xyxy * 0.5;
+    uint count = rects >> 16;
+    bool isIn = count == 0u && !isBeside(a, b, c, vec4(-1.0, -1.0, 1.0, 1.0) * (most + 2.0));
+    for (uint i = 0u; i < count; ++i) {
+        vec4 rect = uintBitsToFloat(ringTexel(frame.firstRect + (rects & 0xFFFFu) + i));
+        isIn = isIn || !isBeside(a, b, c, rect * most);
+    }
+    return isIn;
+}
+
+bool mayShow(uint vertex, Instance instance, uint rects) {
     vec3 first = eyeFromVertex(vertex, instance);
     if (facesAway(vertex, instance, first)) {
         return false;
@@ -99,6 +127,9 @@ bool mayShow(uint vertex, Instance instance) {
     vec3 a = screenFromEye(first);
     vec3 b = screenFromEye(eyeFromVertex(vertex + 1u, instance));
     vec3 c = screenFromEye(eyeFromVertex(vertex + 2u, instance));
+    if (!isWithin(a, b, c, rects)) {
+        return false;
+    }
     float nearest = min(min(a.z, b.z), c.z);
     if (nearest < frame.nearPlane) {
         return true;
@@ -156,7 +187,8 @@ void main() {
     uint ends = groups.z == kCullFirst ? frame.firstHideable : frame.slotCount;
     // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
     uint slot = min(begins + group, ends - 1u);
-    RunPlace place = placeOf(slot);
+    uint rects;
+    RunPlace place = placeOf(slot, rects);
     DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
     bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
     bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
@@ -171,7 +203,7 @@ void main() {
     uint kept = 0u;
     for (uint i = begin; i < end; ++i) {
         uint vertex = indices[piece.firstIndex + 3u * i];
-        kept |= keepsAll || mayShow(vertex - vertex % 3u, instance) ? 1u << (i - begin) : 0u;
+        kept |= keepsAll || mayShow(vertex - vertex % 3u, instance, rects) ? 1u << (i - begin) : 0u;
     }
     keptBy[me] = bitCount(kept);
     barrier();

@@ -137,9 +137,9 @@ LIMEN_STRUCT(FrameConstants) {
     uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
     uint replacementCount LIMEN_ZERO;
     uint firstHideable LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
+    uint firstRect LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: vec4 per rectangle: least and most x and y, NDC
     uint reserved0 LIMEN_ZERO;
     uint reserved1 LIMEN_ZERO;
-    uint reserved2 LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {
@@ -270,7 +270,7 @@ struct RunPlace {
 LIMEN_STRUCT(DrawRun) {
     RunPlace place LIMEN_ZERO;
     uint firstSlot LIMEN_ZERO;
-    uint reserved LIMEN_ZERO;
+    uint rects LIMEN_ZERO; // nothing of it shows but within these: the number of the first, and in the high half how many; 0: anywhere
 };
 
 // Which runs so many slots are of, from one that is a multiple of it: the run of a slot is looked up in few steps, mostly none, and

@@ -84,7 +84,7 @@ Instance instanceAt(uint index) {
 
 #ifdef COMPUTE_STAGE
 // Of the run that a slot is of.
-RunPlace placeOf(uint slot) {
+RunPlace placeOf(uint slot, out uint rects) {
     uvec4 group = ringTexel(frame.firstSlotGroup + slot / kSlotsPerGroup);
     RunPlace place = RunPlace(group.x, group.y);
     uint low = group.z;
@@ -99,6 +99,7 @@ RunPlace placeOf(uint slot) {
             high = middle - 1u;
         }
     }
+    rects = ringTexel(frame.firstRun + low).w;
     return place;
 }
 

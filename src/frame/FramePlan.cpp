@@ -8,6 +8,7 @@ void FramePlan::clear() {
     visits.clear();
     ownershipVertices.clear();
     clipSets.clear();
+    rects.clear();
     skyInstances.clear();
     moving = {};
     movers.clear();

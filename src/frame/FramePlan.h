@@ -30,12 +30,19 @@ enum class Program : std::uint8_t {
     Blended     ///< meshes of the late stage
 };
 
+/// Rectangles of FramePlan::rects; none: the whole window.
+struct RectRun {
+    std::uint16_t first = 0, count = 0;
+    friend bool operator==(const RectRun&, const RectRun&) = default;
+};
+
 /// Pieces that follow one another, each a draw command.
 struct PieceRun {
     std::uint32_t firstPiece = 0, pieceCount = 0; ///< the scene's, and on from there the plan's
     std::uint32_t indicesBefore = 0;              ///< of the first of them
     std::uint32_t indexCount = 0;                 ///< of all of them
     bool gated = false;                           ///< their fragments take the ownership test
+    RectRun rects{};                              ///< nothing of them shows elsewhere
 };
 
 /// Runs of pieces that one program draws: one GL draw call.
@@ -93,6 +100,7 @@ struct FramePlan {
     std::vector<gpu::Visit> visits;
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
+    std::vector<gpu::vec4> rects; ///< least and most x and y, NDC
     std::vector<gpu::SkyInstance> skyInstances;
     RecordArray moving;                         ///< what `movers` are of
     std::vector<std::uint32_t> movers;          ///< those drawn; numbered on from the scene's instances

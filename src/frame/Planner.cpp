@@ -63,7 +63,7 @@ constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
 Planner::Planner(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), pieces_(buildPieces(world, clusters_)),
-      highlights_(world), selection_(world, clusters_), moverPieces_(world) {
+      highlights_(world), selection_(world, clusters_), rects_(world.zones.size()), moverPieces_(world) {
     std::vector<gpu::Member> members = membersOfSpaces(world);
     for (const world::Instance& in : world.instances) {
         (void)packInstance(world, in, world.members, {members, 0});
@@ -84,6 +84,7 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
         plan.batches.push_back({Program::Ownership, false, 0, vertices, vertices > 0 ? 1u : 0u});
     }
     endStage(plan);
+    rects_.find(frame, set, plan);
     selection_.select(frame, moment, set);
     packMovers(frame, moment, plan);
     highlights_.replace(frame.highlights, plan);
@@ -179,7 +180,9 @@ void Planner::changeMover(const FrameView& frame, const world::Moment& moment, s
 void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
     beginBatch(programOf(drawn), several, plan);
     for (const SelectedRange& range : selection_.ranges()) {
-        addRun(gatedIf(range.gated, pieces_.run(range.first, range.end, drawn)), plan);
+        PieceRun run = gatedIf(range.gated, pieces_.run(range.first, range.end, drawn));
+        run.rects = rects_.of(range.zone);
+        addRun(run, plan);
     }
     moverPieces_.moveRuns(drawn, plan);
     countTriangles(plan);

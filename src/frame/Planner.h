@@ -7,6 +7,7 @@
 #include "frame/PlanBatches.h"
 #include "frame/ResidentPieces.h"
 #include "frame/Selection.h"
+#include "frame/VisitRects.h"
 #include "visibility/VisibleSet.h"
 #include "world/Moment.h"
 #include "world/World.h"
@@ -61,6 +62,7 @@ private:
     const ResidentPieces pieces_;
     const Highlights highlights_;
     Selection selection_;
+    VisitRects rects_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
     MoverPieces moverPieces_;         ///< of the frame
     std::vector<Late> late_;

@@ -60,10 +60,12 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     cones_.prepare(frame.view, set, pixel);
     gatherAsks(set);
     for (const Asked& asked : asked_) {
+        zone_ = several_ ? world_.spaces[asked.space].zone : world::kNone;
         if (const std::uint32_t root = clusters_.roots[asked.space]; root != world::kNone) {
             selectStanding(asked, root);
         }
     }
+    zone_ = world::kNone;
     for (const Ask& ask : asks_) {
         selectListed(ask, moment);
     }
@@ -177,10 +179,11 @@ void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside) {
     const bool gated = several_ && !inside;
     counts_.drawn += end - first;
     counts_.ungated += gated ? 0 : end - first;
-    if (!ranges_.empty() && ranges_.back().end == first && ranges_.back().gated == gated) {
-        ranges_.back().end = end;
+    SelectedRange* const last = ranges_.empty() ? nullptr : &ranges_.back();
+    if (last != nullptr && last->end == first && last->gated == gated && last->zone == zone_) {
+        last->end = end;
     } else {
-        ranges_.push_back({first, end, gated});
+        ranges_.push_back({first, end, gated, zone_});
     }
 }
 

@@ -14,6 +14,8 @@ namespace limen::frame {
 struct SelectedRange {
     std::uint32_t first = 0, end = 0;
     bool gated = false;
+    world::ZoneIndex zone =
+        world::kNone; ///< where there are several visits: all are members of this one alone
 };
 
 /// What moves and is drawn: a place of Moment::listed; and gpu::kGated.
@@ -94,8 +96,9 @@ private:
     visibility::Viewcones cones_;
     Vec3 eye_{0.0}, forward_{0.0};
     double nearPlane_ = 0.0;
-    bool several_ = false;  ///< visits
-    bool everyAsk_ = false; ///< Rules::viewcone
+    bool several_ = false;                 ///< visits
+    world::ZoneIndex zone_ = world::kNone; ///< of what is drawn next (SelectedRange)
+    bool everyAsk_ = false;                ///< Rules::viewcone
     std::uint32_t frameNumber_ = 0;
     std::vector<Ask> asks_; ///< by VisibleSet::seen
     std::vector<Asked> asked_;

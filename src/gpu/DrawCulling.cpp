@@ -119,7 +119,7 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
             const std::uint32_t toPiece = (run.firstPiece - slot) & ~layout::kGated;
             const layout::RunPlace place{toPiece | (run.gated ? layout::kGated : 0),
                                          kept - run.indicesBefore};
-            runs[number] = {place, slot, 0};
+            runs[number] = {place, slot, run.rects.first | std::uint32_t{run.rects.count} << 16};
             addToGroups(place, number, slot, run.pieceCount, groups);
             slot += run.pieceCount;
             kept += run.indexCount;

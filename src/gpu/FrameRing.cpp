@@ -58,6 +58,8 @@ std::span<const std::byte> FrameRing::bytes(Array array, const layout::FrameCons
         return std::as_bytes(std::span(&constants, 1));
     case kBlocks:
         return of(plan_.blocks);
+    case kRects:
+        return of(plan_.rects);
     case kVisits:
         return of(plan_.visits);
     case kOwnership:
@@ -116,6 +118,7 @@ std::uint32_t FrameRing::texel(Array array) const {
 
 void FrameRing::locate(layout::FrameConstants& constants) const {
     constants.firstBlock = texel(kBlocks);
+    constants.firstRect = texel(kRects);
     constants.firstVisit = texel(kVisits);
     constants.firstMover = texel(kMovers);
     constants.firstMoverMember = texel(kMoverMembers);

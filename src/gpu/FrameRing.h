@@ -36,6 +36,7 @@ private:
     enum Array : std::size_t {
         kConstants,
         kBlocks,
+        kRects,
         kVisits,
         kOwnership,
         kClipSets,

@@ -82,6 +82,43 @@ std::uint32_t trianglesGiven(Renderer& renderer, const frame::FramePlan& plan, R
 }
 
 // Ground in steps before and among quads of all sizes: what lies behind is left out, and nothing that shows.
+// Rectangles as visits have them: what reaches into one stays, what lies beside all is left out, also of what reaches behind the eye.
+TEST_F(DrawCullingGlTest, whatLiesBesideTheRectanglesOfItsRunIsLeftOut_andNothingElse) {
+    constexpr std::uint32_t kSize = 128; // eighths of NDC are whole pixels
+    constexpr float kHalf = kSize / 2;
+    const std::array<glm::vec4, 2> rects{glm::vec4{-0.75f, -0.5f, -0.25f, 0.5f},
+                                         {0.125f, -0.875f, 0.5f, 0.25f}};
+    std::size_t inside = 0, gone = 0;
+    for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+        SceneBuilder scene = anyQuads(seed, 300);
+        Renderer renderer(*device_);
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        frame::FramePlan plan = scene.finish(true);
+        const Frame whole = renderWith(renderer, plan, kSize, kSize);
+        plan.rects.assign(rects.begin(), rects.end());
+        for (frame::PieceRun& run : plan.runs) {
+            run.rects = {0, static_cast<std::uint16_t>(rects.size())};
+        }
+        const Frame less = renderWith(renderer, plan, kSize, kSize);
+        for (std::uint32_t y = 0; y < kSize; ++y) {
+            for (std::uint32_t x = 0; x < kSize; ++x) {
+                const glm::vec2 ndc((static_cast<float>(x) + 0.5f) / kHalf - 1.0f,
+                                    1.0f - (static_cast<float>(y) + 0.5f) / kHalf);
+                const bool isIn = std::any_of(rects.begin(), rects.end(), [&](const glm::vec4& rect) {
+                    return ndc.x > rect.x && ndc.x < rect.z && ndc.y > rect.y && ndc.y < rect.w;
+                });
+                const std::size_t pixel = std::size_t{y} * kSize + x;
+                const bool isSame = whole.ids[pixel] == less.ids[pixel] && whole.at(x, y) == less.at(x, y);
+                ASSERT_TRUE(isSame || !isIn) << seed << ": " << x << ", " << y;
+                inside += isIn && whole.ids[pixel] >= 100 ? 1 : 0;
+                gone += isSame ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_GT(inside, 2000u);
+    EXPECT_GT(gone, 500u) << "the rectangles count";
+}
+
 TEST_F(DrawCullingGlTest, whatGroundHidesIsLeftOut_andNothingElse) {
     for (std::uint32_t seed = 1; seed <= 8; ++seed) {
         SceneBuilder scene = anyQuads(seed, 400);

@@ -1,0 +1,70 @@
+#include "frame/VisitRects.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace limen::frame {
+
+namespace {
+
+/// Pixels that a region may be off from where its visit owns pixels, with room to spare: a pixel's ray passes a hundredth of one beside its
+/// centre, and what lies in between are roundings of floats.
+constexpr double kBeside = 2.0;
+
+constexpr std::size_t kMostNumber = std::numeric_limits<std::uint16_t>::max();
+
+/// Around a visit's region, NDC.
+gpu::vec4 rectOf(const FrameView& frame, const visibility::VisibleSet& set, const visibility::Visit& visit) {
+    visibility::Rect rect{1.0, 1.0, -1.0, -1.0};
+    for (const Vec3& corner : set.region(visit)) {
+        if (!(corner.z > 0.0)) { // of a direction square to the gaze, which no picture shows
+            return {-1.0f, -1.0f, 1.0f, 1.0f};
+        }
+        const double x = corner.x / corner.z, y = corner.y / corner.z;
+        rect = {std::min(rect.minX, x), std::min(rect.minY, y), std::max(rect.maxX, x),
+                std::max(rect.maxY, y)};
+    }
+    const double besideX = 2.0 * kBeside / frame.width, besideY = 2.0 * kBeside / frame.height;
+    return {static_cast<float>(rect.minX - besideX), static_cast<float>(rect.minY - besideY),
+            static_cast<float>(rect.maxX + besideX), static_cast<float>(rect.maxY + besideY)};
+}
+
+gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.z, b.z), std::max(a.w, b.w)};
+}
+
+} // namespace
+
+void VisitRects::find(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+    ++frame_;
+    entries_.clear();
+    for (std::uint32_t i = 0; i < set.visits.size() && set.visits.size() > 1; ++i) {
+        if (set.visits[i].zone < ofZone_.size()) { // rays that end in an opening have none
+            entries_.push_back({set.visits[i].zone, i});
+        }
+    }
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+        return a.zone != b.zone ? a.zone < b.zone : a.visit < b.visit;
+    });
+    for (const Entry& entry : entries_) {
+        OfZone& of = ofZone_[entry.zone];
+        const visibility::Visit& visit = set.visits[entry.visit];
+        if (of.frame != frame_) {
+            of = {frame_, {static_cast<std::uint16_t>(plan.rects.size()), 0}};
+            if (visit.depth == 0 || plan.rects.size() > kMostNumber) {
+                of.rects = {};
+                continue;
+            }
+        } else if (of.rects.count == 0) {
+            continue;
+        }
+        if (of.rects.count < kMostRects) {
+            plan.rects.push_back(rectOf(frame, set, visit));
+            ++of.rects.count;
+        } else {
+            plan.rects.back() = aroundBoth(plan.rects.back(), rectOf(frame, set, visit));
+        }
+    }
+}
+
+} // namespace limen::frame
