@@ -39,25 +39,27 @@ struct Balls {
 /// `Block`: FewBalls or BallBlock. `eye`: from where the balls are told from.
 template <class Block, class Coordinate, std::size_t Count>
 [[gnu::always_inline]] inline void readBalls(const Question& asked, const Block& block,
-                                   const std::array<Coordinate, 3>& eye, Balls<Count>& balls) {
+                                             const std::array<Coordinate, 3>& eye, Balls<Count>& balls) {
     for (std::size_t i = 0; i < Count; ++i) {
         balls.x[i] = static_cast<float>(block.x[i] - eye[0]);
         balls.y[i] = static_cast<float>(block.y[i] - eye[1]);
         balls.z[i] = static_cast<float>(block.z[i] - eye[2]);
-        balls.far[i] = static_cast<float>(block.radius[i]);
     }
+    // No array is copied as it is: that is done in other pieces than vectors, which then wait for it.
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
-        const float distance = std::sqrt(x * x + y * y + z * z) + balls.far[i];
-        balls.slack[i] = asked.slack + asked.slackShare * distance;
-        balls.far[i] += balls.slack[i] + asked.pixels * distance;
+        const float radius = static_cast<float>(block.radius[i]);
+        const float distance = std::sqrt(x * x + y * y + z * z) + radius;
+        const float slack = asked.slack + asked.slackShare * distance;
+        balls.slack[i] = slack;
+        balls.far[i] = radius + (slack + asked.pixels * distance);
     }
 }
 
 /// From each centre to the plane that it lies farthest outside of, or least far inside: what is less than it was.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void lessen(Values<Count>& least, const FourEdges::Floats& edges,
-                                const Balls<Count>& balls) {
+                                          const Balls<Count>& balls) {
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
         const float a = edges.x[0] * x + edges.y[0] * y + edges.z[0] * z;
@@ -71,7 +73,8 @@ template <std::size_t Count>
 }
 
 template <std::size_t Count>
-[[gnu::always_inline]] inline void leastOf(const Question& asked, const Balls<Count>& balls, Values<Count>& least) {
+[[gnu::always_inline]] inline void leastOf(const Question& asked, const Balls<Count>& balls,
+                                           Values<Count>& least) {
     for (std::size_t i = 0; i < Count; ++i) {
         least[i] = std::numeric_limits<float>::infinity();
     }
@@ -98,23 +101,24 @@ template <std::size_t Count>
 /// A bit for each ball of a block.
 using Bits = std::uint32_t;
 
-/// How a block's balls lie: a ball is within unless that is below 0, and floats cannot tell if it is no farther from 0 than the slack.
+/// How balls lie: one is within unless that is below 0, and floats cannot tell of one if its doubt is above 0.
+template <std::size_t Count>
 struct Sides {
-    Values<BallBlock::kCount> within, away, slack;
+    Values<Count> within, doubt;
 };
 
-[[gnu::always_inline]] inline void tellSides(const Question& asked, const BallBlock& block,
-                                   const std::array<float, 3>& eye, Sides& sides) {
-    constexpr std::size_t kCount = BallBlock::kCount;
-    Balls<kCount> balls;
-    Values<kCount> least;
-    readBalls(asked, block, eye, balls);
+/// Of so many of a block, from one on. As many as a vector has, so that nothing need be put down in between.
+template <std::size_t Count>
+[[gnu::always_inline]] inline void tellSides(const Question& asked, const BallBlock& block, std::size_t at,
+                                             const std::array<float, 3>& eye, Sides<Count>& sides) {
+    Balls<Count> balls;
+    Values<Count> least;
+    readBalls(asked, BallBlock{block.x + at, block.y + at, block.z + at, block.radius + at}, eye, balls);
     leastOf(asked, balls, least);
-    for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t i = 0; i < Count; ++i) {
         const float within = least[i] + balls.far[i];
         sides.within[i] = within;
-        sides.away[i] = std::abs(within);
-        sides.slack[i] = balls.slack[i];
+        sides.doubt[i] = balls.slack[i] - std::abs(within);
     }
 }
 
@@ -124,14 +128,11 @@ Bits bitsOfThoseListed(const Listing& listing) {
 
 std::uint32_t listByAny(const Question& asked, const BallBlock& block, const std::array<float, 3>& eye,
                         const Listing& listing) {
-    Sides sides;
-    tellSides(asked, block, eye, sides);
+    Sides<BallBlock::kCount> sides;
+    tellSides(asked, block, 0, eye, sides);
     int doubtful = 0;
-    for (std::size_t i = 0; i < BallBlock::kCount; ++i) {
-        doubtful += sides.away[i] < sides.slack[i] && i < listing.count ? 1 : 0;
-    }
-    if (doubtful > 0) {
-        return Viewcones::kCannotTell;
+    for (std::uint32_t i = 0; i < BallBlock::kCount; ++i) {
+        doubtful += sides.doubt[i] > 0.0f && i < listing.count ? 1 : 0;
     }
     // What is found is written either way, and counts or does not: nobody can foretell.
     std::uint32_t found = 0;
@@ -139,45 +140,65 @@ std::uint32_t listByAny(const Question& asked, const BallBlock& block, const std
         listing.out[found] = listing.first + i;
         found += static_cast<std::uint32_t>(sides.within[i] >= 0.0f);
     }
-    return found;
+    return doubtful > 0 ? Viewcones::kCannotTell : found;
 }
 
 #ifdef __x86_64__
+/// By eight bits: the numbers of those that are set, in order, a byte each; what follows them does not count.
+constexpr std::array<std::uint64_t, 256> numbersOfBits() {
+    std::array<std::uint64_t, 256> numbers{};
+    for (std::size_t bits = 0; bits < numbers.size(); ++bits) {
+        std::uint64_t found = 0;
+        for (std::uint64_t i = 0; i < 8; ++i) {
+            if ((bits >> i & 1) != 0) {
+                numbers[bits] |= i << 8 * found++;
+            }
+        }
+    }
+    return numbers;
+}
+constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
+
 [[gnu::target("avx2,popcnt")]] std::uint32_t listByAvx2(const Question& asked, const BallBlock& block,
                                                         const std::array<float, 3>& eye,
                                                         const Listing& listing) {
-    Sides sides;
-    tellSides(asked, block, eye, sides);
+    constexpr std::uint32_t kLanes = 8;
     Bits doubtful = 0, outside = 0;
-    for (int i = 0; i < 16; i += 8) {
-        const __m256 within = _mm256_loadu_ps(sides.within.data() + i);
-        const __m256 isDoubtful = _mm256_cmp_ps(_mm256_loadu_ps(sides.away.data() + i),
-                                                _mm256_loadu_ps(sides.slack.data() + i), _CMP_LT_OQ);
-        doubtful |= static_cast<Bits>(_mm256_movemask_ps(isDoubtful)) << i;
-        outside |= static_cast<Bits>(_mm256_movemask_ps(within)) << i; // the signs: none of these is nearly 0
+    for (std::uint32_t at = 0; at < BallBlock::kCount; at += kLanes) {
+        Sides<kLanes> sides;
+        tellSides(asked, block, at, eye, sides);
+        const __m256 isDoubtful =
+            _mm256_cmp_ps(_mm256_loadu_ps(sides.doubt.data()), _mm256_setzero_ps(), _CMP_GT_OQ);
+        doubtful |= static_cast<Bits>(_mm256_movemask_ps(isDoubtful)) << at;
+        // The signs: none of these is nearly 0.
+        outside |= static_cast<Bits>(_mm256_movemask_ps(_mm256_loadu_ps(sides.within.data()))) << at;
     }
     const Bits listed = bitsOfThoseListed(listing);
     if ((doubtful & listed) != 0) {
         return Viewcones::kCannotTell;
     }
     const Bits inside = ~outside & listed;
-    std::uint32_t* out = listing.out;
-    for (std::uint32_t i = 0; i < BallBlock::kCount; ++i) {
-        *out = listing.first + i;
-        out += inside >> i & 1;
+    std::uint32_t found = 0;
+    for (std::uint32_t at = 0; at < BallBlock::kCount; at += kLanes) {
+        const Bits bits = inside >> at & 0xFF;
+        const __m256i first = _mm256_set1_epi32(static_cast<int>(listing.first + at));
+        const __m128i numbers = _mm_cvtsi64_si128(static_cast<long long>(kNumbersOfBits[bits]));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(listing.out + found),
+                            _mm256_add_epi32(first, _mm256_cvtepu8_epi32(numbers)));
+        found += static_cast<std::uint32_t>(std::popcount(bits));
     }
-    return static_cast<std::uint32_t>(std::popcount(inside));
+    return found;
 }
 
 [[gnu::target("avx512f,avx512vl,avx512dq,popcnt")]] std::uint32_t
 listByAvx512(const Question& asked, const BallBlock& block, const std::array<float, 3>& eye,
              const Listing& listing) {
-    Sides sides;
-    tellSides(asked, block, eye, sides);
+    Sides<BallBlock::kCount> sides;
+    tellSides(asked, block, 0, eye, sides);
     const auto listed = static_cast<__mmask16>(bitsOfThoseListed(listing));
     const __m512 within = _mm512_loadu_ps(sides.within.data());
-    if (_mm512_mask_cmp_ps_mask(listed, _mm512_loadu_ps(sides.away.data()),
-                                _mm512_loadu_ps(sides.slack.data()), _CMP_LT_OQ) != 0) {
+    if (_mm512_mask_cmp_ps_mask(listed, _mm512_loadu_ps(sides.doubt.data()), _mm512_setzero_ps(),
+                                _CMP_GT_OQ) != 0) {
         return Viewcones::kCannotTell;
     }
     const __mmask16 inside = _mm512_mask_cmp_ps_mask(listed, within, _mm512_setzero_ps(), _CMP_GE_OQ);
