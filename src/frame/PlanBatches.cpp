@@ -35,7 +35,7 @@ void addRun(const PieceRun& run, FramePlan& plan) {
     ++batch.count;
 }
 
-PieceRun addOwnPieces(std::span<const OwnRange> ranges, FramePlan& plan) {
+PieceRun addOwnPieces(const world::Mesh::Range& range, std::uint32_t instance, FramePlan& plan) {
     const auto first = static_cast<std::uint32_t>(plan.pieces.size());
     std::uint32_t before = 0;
     if (first > 0) {
@@ -43,9 +43,7 @@ PieceRun addOwnPieces(std::span<const OwnRange> ranges, FramePlan& plan) {
         before = last.indicesBefore + 3 * (last.triangles & ~gpu::kKeepsAll);
     }
     std::uint32_t indices = before;
-    for (const OwnRange& own : ranges) {
-        addPieces(own.range, own.instance, indices, plan.pieces);
-    }
+    addPieces(range, instance, indices, plan.pieces);
     return {plan.constants.staticPieces + first, static_cast<std::uint32_t>(plan.pieces.size()) - first,
             before, indices - before, false};
 }

@@ -86,7 +86,7 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
     endStage(plan);
     rects_.find(frame, set, plan);
     selection_.select(frame, moment, set);
-    packMovers(frame, moment, plan);
+    planMovers(frame, moment, plan);
     highlights_.replace(frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
     planSolid(several, plan);
@@ -143,7 +143,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.nearPlane = static_cast<float>(frame.nearPlane);
 }
 
-void Planner::packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
+void Planner::planMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
     moverPieces_.begin(plan);
     const auto standing = static_cast<std::uint32_t>(world_.instances.size());
     plan.constants.staticInstances = standing;
@@ -223,8 +223,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         out.uvOffsetY = p.uvOffset.y;
         plan.skyInstances.push_back(out);
         for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges) {
-            const OwnRange own{range, instance, false};
-            addRun(addOwnPieces(std::span(&own, 1), plan), plan);
+            addRun(addOwnPieces(range, instance, plan), plan);
         }
     }
     for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i) {

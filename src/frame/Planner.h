@@ -44,7 +44,7 @@ private:
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
-    void packMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
+    void planMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
     /// For what its record does not say.
     void changeMover(const FrameView& frame, const world::Moment& moment, std::uint32_t mover,
                      FramePlan& plan) const;

@@ -1,5 +1,7 @@
 #include "frame/VisitRects.h"
 
+#include "visibility/Region.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -15,15 +17,7 @@ constexpr std::size_t kMostNumber = std::numeric_limits<std::uint16_t>::max();
 
 /// Around a visit's region, NDC.
 gpu::vec4 rectOf(const FrameView& frame, const visibility::VisibleSet& set, const visibility::Visit& visit) {
-    visibility::Rect rect{1.0, 1.0, -1.0, -1.0};
-    for (const Vec3& corner : set.region(visit)) {
-        if (!(corner.z > 0.0)) { // of a direction square to the gaze, which no picture shows
-            return {-1.0f, -1.0f, 1.0f, 1.0f};
-        }
-        const double x = corner.x / corner.z, y = corner.y / corner.z;
-        rect = {std::min(rect.minX, x), std::min(rect.minY, y), std::max(rect.maxX, x),
-                std::max(rect.maxY, y)};
-    }
+    const visibility::Rect rect = visibility::boundsOf(set.region(visit));
     const double besideX = 2.0 * kBeside / frame.width, besideY = 2.0 * kBeside / frame.height;
     return {static_cast<float>(rect.minX - besideX), static_cast<float>(rect.minY - besideY),
             static_cast<float>(rect.maxX + besideX), static_cast<float>(rect.maxY + besideY)};

@@ -26,7 +26,7 @@ struct Question {
 
 /// Where those that are found are listed.
 struct Listing {
-    std::uint32_t first, count; ///< of the block
+    std::uint32_t first, count; ///< of the block, at least one
     std::uint32_t* out;
 };
 

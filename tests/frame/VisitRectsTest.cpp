@@ -79,13 +79,6 @@ TEST_F(VisitRectsTest, areForgottenWithTheFrame) {
     EXPECT_TRUE(plan.rects.empty());
 }
 
-TEST_F(VisitRectsTest, aRegionThatReachesASquareDirectionHasTheWholeWindow) {
-    add(kOut, {{1, 0, 0}, {1, 1, 1}, {0, 1, 1}});
-    rects.find(frame, set, plan);
-    ASSERT_EQ(plan.rects.size(), 1u);
-    EXPECT_EQ(plan.rects[0], frame::gpu::vec4(-1, -1, 1, 1));
-}
-
 // From the first room: the second is seen through the door, the landscape through that and the exit, and what is in the first anywhere.
 TEST(PlannedRects, whatIsSeenThroughOpeningsIsLookedForThereAlone) {
     Rooms rooms;
