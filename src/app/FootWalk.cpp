@@ -10,18 +10,18 @@
 namespace limen::app {
 namespace {
 
-constexpr double kReached = 0.15;  // metres from a way point, on the level
-constexpr double kStep = 2.5;      // metres a second: half of what is run, so that steps do not lead past
-constexpr double kLevel = 1.0;     // metres that it may be above or below
-constexpr double kTurn = 240.0;    // degrees a second
-constexpr double kNod = 60.0;      // likewise
-constexpr double kAhead = 40.0;    // degrees beside which one turns before one goes
-constexpr double kPatience = 1.5;  // seconds without getting nearer
-constexpr double kSwing = 1.5;     // seconds that a door takes, and to get back to where it was met
-constexpr std::size_t kTries = 8;  // way points that are missed one after the other before it jumps
-constexpr double kNearer = 0.02;   // metres that count as nearer
-constexpr double kAtPlace = 1.0;   // metres from a place to a way point that lies there
-constexpr double kEyeHeight = 1.7; // way points are eyes
+constexpr double kReached = 0.15; // metres from a way point, on the level
+constexpr double kPace = 2.5;     // metres a second: half of what is run, so that steps do not lead past
+constexpr double kLevel = 1.0;    // metres that it may be above or below
+constexpr double kTurn = 240.0;   // degrees a second
+constexpr double kNod = 60.0;     // likewise
+constexpr double kAhead = 40.0;   // degrees beside which one turns before one goes
+constexpr double kPatience = 1.5; // seconds without getting nearer
+constexpr double kSwing = 1.5;    // seconds that a door takes, and to get back to where it was met
+constexpr std::size_t kTries = 8; // way points that are missed one after the other before it jumps
+constexpr double kNearer = 0.02;  // metres that count as nearer
+constexpr double kAtPlace = 1.0;  // metres from a place to a way point that lies there
+constexpr double kWayPointHeight = 1.7; // way points are eyes
 
 double levelDistance(const Vec3& a, const Vec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -59,13 +59,13 @@ public:
 private:
     [[nodiscard]] Vec3 feet() const { return play_.walk().body().standing.feet; }
     [[nodiscard]] static Vec3 feetAt(const Standpoint& point) {
-        return point.camera.eye - Vec3(0.0, 0.0, kEyeHeight);
+        return point.camera.eye - Vec3(0.0, 0.0, kWayPointHeight);
     }
 
     /// False where it gets no farther.
     Result<bool> goTo(const Standpoint& point) {
         const Vec3 target = feetAt(point);
-        const double reached = std::max(kReached, kStep / options_.fps);
+        const double reached = std::max(kReached, kPace / options_.fps);
         double best = levelDistance(feet(), target), waited = 0.0;
         while (best >= reached) {
             if (waited > kPatience)

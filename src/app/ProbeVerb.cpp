@@ -14,13 +14,13 @@ struct ProbeOptions {
     PathArguments path;
 };
 
-constexpr std::size_t kFrames = 2000; // unless said
+constexpr std::size_t kProbeFrames = 2000; // unless said
 
 Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<FramesRequest> request = checkFrames(options.path, kFrames, source->file);
+    Result<FramesRequest> request = checkFrames(options.path, kProbeFrames, source->file);
     if (!request)
         return tl::unexpected(request.error());
     gpu::NullDevice device; // what is decided does not depend on a driver
@@ -55,7 +55,7 @@ void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb = program.add_subcommand(
         "probe", "tells what a frame decides while a camera walks a path, as JSON lines");
     const auto options = std::make_shared<ProbeOptions>();
-    addPathOptions(*verb, options->path, kFrames);
+    addPathOptions(*verb, options->path, kProbeFrames);
     addSessionOptions(*verb, options->session);
     verb->footer(
         "With --walk it exits with 1 if the walk came out otherwise than when it was recorded.\n"

@@ -18,7 +18,7 @@ struct TourOptions {
     bool json = false;
 };
 
-constexpr std::size_t kFrames = 120; // unless said
+constexpr std::size_t kTourFrames = 120; // unless said
 constexpr std::size_t kSheetTiles = 24;
 
 /// One line of `--json`.
@@ -82,7 +82,7 @@ Result<HeadlessSession> openTour(const TourOptions& options, std::optional<Frame
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<FramesRequest> checked = checkFrames(options.path, kFrames, source->file);
+    Result<FramesRequest> checked = checkFrames(options.path, kTourFrames, source->file);
     if (!checked)
         return tl::unexpected(checked.error());
     request = std::move(*checked);
@@ -117,7 +117,7 @@ void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "the directory for frame-NNNNN.png and contact.png; made if it is missing")
         ->required()
         ->type_name("DIR");
-    addPathOptions(*verb, options->path, kFrames);
+    addPathOptions(*verb, options->path, kTourFrames);
     verb->add_flag("--json", options->json, "one JSON object for each frame on standard output");
     addSessionOptions(*verb, options->session);
     verb->callback([&console, &choice, options] {

@@ -15,7 +15,7 @@
 namespace limen::app {
 namespace {
 
-using Json = nlohmann::json;
+using WalkJson = nlohmann::json;
 
 constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes: some days of walking
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
@@ -35,7 +35,7 @@ void eachField(Input& input, Number&& number, Flag&& flag) {
     flag("frozen", input.isFrozen);
 }
 
-bool readAct(const Json& json, PlayAct& act) {
+bool readAct(const WalkJson& json, PlayAct& act) {
     if (!json.is_array() || json.size() != 2 || !json[0].is_string() || !json[1].is_number())
         return false;
     const auto found = std::find(kActNames.begin(), kActNames.end(), json[0].get<std::string>());
@@ -43,7 +43,7 @@ bool readAct(const Json& json, PlayAct& act) {
     return found != kActNames.end() && std::isfinite(act.value);
 }
 
-bool readSide(const Json& json, std::uint32_t& side) {
+bool readSide(const WalkJson& json, std::uint32_t& side) {
     if (!json.is_number_unsigned() || json.get<std::uint64_t>() == 0 || json.get<std::uint64_t>() > kMaxSide)
         return false;
     side = json.get<std::uint32_t>();
@@ -59,7 +59,7 @@ nlohmann::ordered_json loadJson(const world::LoadOptions& load) {
     return json;
 }
 
-bool readWithin(const Json& json, const char* name, int most, int& value) {
+bool readWithin(const WalkJson& json, const char* name, int most, int& value) {
     const auto found = json.find(name);
     if (found == json.end() || !found->is_number_unsigned() ||
         found->get<std::uint64_t>() > static_cast<std::uint64_t>(most))
@@ -68,7 +68,7 @@ bool readWithin(const Json& json, const char* name, int most, int& value) {
     return true;
 }
 
-bool readLoad(const Json& json, world::LoadOptions& load) {
+bool readLoad(const WalkJson& json, world::LoadOptions& load) {
     if (!json.is_object() || !readWithin(json, "radius", kMostRadius, load.radius) ||
         !readWithin(json, "far", kMostRadius, load.farRadius))
         return false;
@@ -78,12 +78,12 @@ bool readLoad(const Json& json, world::LoadOptions& load) {
     return load.detail > 0.0;
 }
 
-bool readShown(const Json& json, StreamTarget& shown) {
+bool readShown(const WalkJson& json, StreamTarget& shown) {
     return readLoad(json, shown.options) && readWithin(json, "x", world::kMapSize - 1, shown.centre.x) &&
            readWithin(json, "y", world::kMapSize - 1, shown.centre.y);
 }
 
-bool readHash(const Json& json, std::uint64_t& value) {
+bool readHash(const WalkJson& json, std::uint64_t& value) {
     if (!json.is_string())
         return false;
     const std::string& text = json.get_ref<const std::string&>();
@@ -92,7 +92,7 @@ bool readHash(const Json& json, std::uint64_t& value) {
     return error == std::errc() && rest == end;
 }
 
-bool readFrame(const Json& json, RecordedFrame& frame) {
+bool readFrame(const WalkJson& json, RecordedFrame& frame) {
     bool good = json.is_object();
     const auto take = [&](const char* name, const auto& read) {
         if (const auto found = good ? json.find(name) : json.end(); good && found != json.end())
@@ -101,40 +101,40 @@ bool readFrame(const Json& json, RecordedFrame& frame) {
     eachField(
         frame.input,
         [&](const char* name, double& value) {
-            take(name, [&](const Json& v) {
+            take(name, [&](const WalkJson& v) {
                 value = v.is_number() ? v.get<double>() : std::nan("");
                 return std::isfinite(value);
             });
         },
         [&](const char* name, bool& value) {
-            take(name, [&](const Json& v) {
+            take(name, [&](const WalkJson& v) {
                 value = v.is_boolean() && v.get<bool>();
                 return v.is_boolean();
             });
         });
-    take("size", [&](const Json& v) {
+    take("size", [&](const WalkJson& v) {
         return v.is_array() && v.size() == 2 && readSide(v[0], frame.input.size.width) &&
                readSide(v[1], frame.input.size.height);
     });
-    take("acts", [&](const Json& v) {
+    take("acts", [&](const WalkJson& v) {
         frame.input.acts.resize(v.is_array() ? v.size() : 0);
         std::size_t next = 0;
-        return v.is_array() && std::all_of(v.begin(), v.end(), [&](const Json& a) {
+        return v.is_array() && std::all_of(v.begin(), v.end(), [&](const WalkJson& a) {
                    return readAct(a, frame.input.acts[next++]);
                });
     });
-    take("decided", [&](const Json& v) { return readHash(v, frame.decided); });
-    take("refused", [&](const Json& v) {
+    take("decided", [&](const WalkJson& v) { return readHash(v, frame.decided); });
+    take("refused", [&](const WalkJson& v) {
         frame.isRefused = v.is_boolean() && v.get<bool>();
         return v.is_boolean();
     });
-    take("shown", [&](const Json& v) { return readShown(v, frame.shown.emplace()); });
+    take("shown", [&](const WalkJson& v) { return readShown(v, frame.shown.emplace()); });
     return good && frame.input.seconds >= 0.0;
 }
 
-bool readBeginning(const Json& json, WalkRecord& record) {
-    const bool good = json.is_object() && json.value("format", Json()) == "limen walk" &&
-                      json.value("version", Json()) == 1 && json.contains("start") &&
+bool readBeginning(const WalkJson& json, WalkRecord& record) {
+    const bool good = json.is_object() && json.value("format", WalkJson()) == "limen walk" &&
+                      json.value("version", WalkJson()) == 1 && json.contains("start") &&
                       json["start"].is_string();
     if (!good)
         return false;
@@ -182,8 +182,9 @@ Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const Json json = Json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
-                                      text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+        const WalkJson json =
+            WalkJson::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
+                            text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
         begin = end + 1;
         if (number == 0) {
             if (!readBeginning(json, record))

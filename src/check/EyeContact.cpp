@@ -1,21 +1,17 @@
 #include "check/EyeContact.h"
 
+#include "geometry/Segment.h"
+
 #include <algorithm>
 
 namespace limen::check {
 
 namespace {
 
-double distanceToSegment(const Vec3& a, const Vec3& b, const Vec3& point) {
-    const Vec3 along = b - a;
-    const double squared = glm::dot(along, along);
-    const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
-    return glm::length(point - (a + along * t));
-}
-
 bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (distanceToSegment(corners[i], corners[(i + 1) % corners.size()], point) <= EyeContact::kReach)
+        if (distanceToSegment(point, corners[i], corners[(i + 1) % corners.size()]).distance <=
+            EyeContact::kReach)
             return true;
     }
     return false;

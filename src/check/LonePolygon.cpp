@@ -13,7 +13,7 @@ namespace limen::check {
 namespace {
 
 constexpr double kSnap = 1.0 / 128.0;       // pixels
-constexpr double kDepthShare = 1e-4;        // of the depth
+constexpr double kPolygonDepthShare = 1e-4; // of the depth
 constexpr double kTransformShare = 4e-7;    // of the farthest corner's distance
 constexpr double kBlockFloat = 2e-5;        // metres
 constexpr double kStoredRounding = 0x1p-22; // of the largest inverse depth
@@ -94,7 +94,7 @@ bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int
     const Range facing = over(seen, square);
     // On the plane n·d = offset / t: all terms in units of n.
     const double wanted = seen.offset / drawn;
-    const double slack = kDepthShare * std::abs(wanted) +
+    const double slack = kPolygonDepthShare * std::abs(wanted) +
                          glm::length(seen.n) * (transformRounding(seen) + kBlockFloat) / drawn +
                          kStoredRounding * overPicture(seen, camera).farthest();
     if (!(wanted >= facing.low - slack && wanted <= facing.high + slack))

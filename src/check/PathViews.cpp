@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStep = 0.01;            // metres between the views of a walk
 constexpr std::size_t kLongestWalk = 150; // views
-constexpr double kFov = 75.0;             // degrees
+constexpr double kFovOfWalks = 75.0;      // degrees
 
 /// A point of the tour: the leg it is on and how far along.
 struct TourPoint {
@@ -122,7 +122,7 @@ private:
         view.eye = at_;
         view.yaw = ahead.yaw + 50.0 * std::sin(sway_);
         view.pitch = std::clamp(ahead.pitch + 20.0 * std::sin(sway_ * 0.7), -89.0, 89.0);
-        view.fov = kFov;
+        view.fov = kFovOfWalks;
         view.width = around_.width;
         view.height = around_.height;
         view.root = cellIdOf(around_.world, space_);
@@ -190,7 +190,7 @@ void addTourViews(const Surroundings& around, std::size_t count, std::vector<Vie
         view.eye = point.eye;
         view.yaw = turned(from.yaw, to.yaw, point.share);
         view.pitch = turned(from.pitch, to.pitch, point.share);
-        view.fov = kFov;
+        view.fov = kFovOfWalks;
         view.width = around.width;
         view.height = around.height;
         view.root = cellIdOf(around.world, *root);

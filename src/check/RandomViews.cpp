@@ -9,7 +9,7 @@ namespace limen::check {
 
 namespace {
 
-constexpr int kTries = 40;
+constexpr int kTriesOfView = 40;
 
 /// Anywhere, now and then straight up or down.
 Gaze anyGaze(Dice& dice) {
@@ -68,7 +68,7 @@ void addOutsideViews(const Surroundings& around, std::size_t count, std::vector<
     const std::vector<world::PortalIndex> doors = doorsOf(around.world, around.block);
     for (std::size_t i = 0; i < count; ++i) {
         Dice dice(around.seed, {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
-        for (int attempt = 0; attempt < kTries; ++attempt) {
+        for (int attempt = 0; attempt < kTriesOfView; ++attempt) {
             const world::Portal* door = doors.empty() || dice.unit() < 0.4
                                             ? nullptr
                                             : &around.world.portals[doors[dice.below(doors.size())]];

@@ -8,7 +8,7 @@ namespace limen::check {
 
 namespace {
 
-constexpr int kTries = 64; // for a random place
+constexpr int kTriesToStand = 64; // for a random place
 // Directions that a place is felt out in. The notch of a cell that winds around one lets half of them pass.
 constexpr int kFeelers = 24;
 constexpr double kRoom =
@@ -91,13 +91,13 @@ bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3&
 std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex cell, Dice& dice) {
     const world::Space& space = around.world.spaces[cell];
     const Vec3 size = space.bounds.max - space.bounds.min;
-    for (int i = 0; i < kTries && !space.bounds.empty(); ++i) {
+    for (int i = 0; i < kTriesToStand && !space.bounds.empty(); ++i) {
         const Vec3 eye = space.bounds.min + size * Vec3(dice.unit(), dice.unit(), dice.unit());
         if (isWithin(around.world, cell, eye) && standsFree(around, cell, eye, dice))
             return eye;
     }
     // A cell whose tree holds nothing: feel the way in from an opening.
-    for (int i = 0; i < kTries && space.portalCount > 0; ++i) {
+    for (int i = 0; i < kTriesToStand && space.portalCount > 0; ++i) {
         const world::Portal& portal = around.world.portals[space.firstPortal + dice.below(space.portalCount)];
         const Vec3 start = middleOf(around.world, portal) + portal.plane.n * kIntoCell;
         const Vec3 direction = dice.direction();

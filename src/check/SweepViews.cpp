@@ -8,13 +8,13 @@ namespace limen::check {
 
 namespace {
 
-constexpr double kFov = 75.0; // degrees
+constexpr double kFovOfSweeps = 75.0; // degrees
 constexpr double kBesideLeast = 0.004,
                  kBesideMost = 0.06; // metres from an edge or a corner: the near plane, 2 cm, cuts
                                      // the wall beside some of them
 constexpr double kAnchor =
     0.005; // metres from the opening's plane: in the space on that side, if no wall leans over it
-constexpr int kTries = 24; // combinations tried for one view
+constexpr int kTriesOfSweep = 24; // combinations tried for one view
 
 enum class Line : std::uint8_t { Square, Aslant, BesideEdge, BesideCorner, OnEdge, OnCorner };
 constexpr std::array<const char*, 6> kLineNames{"square",          "aslant",     "beside an edge",
@@ -163,7 +163,7 @@ std::optional<View> viewOf(const Surroundings& around, const Combination& c, Dic
     view.eye = eye;
     view.yaw = gaze.yaw;
     view.pitch = gaze.pitch;
-    view.fov = kFov;
+    view.fov = kFovOfSweeps;
     view.width = around.width;
     view.height = around.height;
     view.root = cellIdOf(around.world, *root);
@@ -186,7 +186,7 @@ void addSweepViews(const Surroundings& around, std::size_t count, std::vector<Vi
         Dice dice(around.seed, {static_cast<std::uint64_t>(Kind::Sweep), dat::blockWord(around.block), i});
         // One of each of `count` equal runs; a combination without a legal eye gives way to any other.
         double place = (static_cast<double>(i) + dice.unit()) / static_cast<double>(count);
-        for (int attempt = 0; attempt < kTries; ++attempt, place = dice.unit()) {
+        for (int attempt = 0; attempt < kTriesOfSweep; ++attempt, place = dice.unit()) {
             const auto index = std::min(combinations - 1,
                                         static_cast<std::size_t>(place * static_cast<double>(combinations)));
             if (auto view = viewOf(around, combinationAt(openings, all, index), dice)) {

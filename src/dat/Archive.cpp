@@ -38,10 +38,6 @@ Result<File> openAs(const std::filesystem::path& path, FileRole role) {
     return file;
 }
 
-bool isOfCells(RecordKind kind) {
-    return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
-}
-
 /// Names of the years before the end of retail, where the files of today are missing.
 bool holdsOlderGame(const std::filesystem::path& directory) {
     std::error_code error;

@@ -41,6 +41,10 @@ enum class RecordKind {
 enum class FileRole { Portal, Cell, Highres, Local };
 
 [[nodiscard]] RecordKind kindOf(FileRole role, RecordId id);
+/// Whether records of this kind are in the cell file.
+[[nodiscard]] constexpr bool isOfCells(RecordKind kind) {
+    return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
+}
 [[nodiscard]] const char* nameOf(RecordKind kind);
 
 /// A landblock's place on the map, 0..254 each way: x grows to the east, y to the north.

@@ -11,10 +11,6 @@
 namespace limen::dat {
 namespace {
 
-bool isOfCells(RecordKind kind) {
-    return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
-}
-
 /// Which records there are.
 class Index {
 public:

@@ -31,7 +31,7 @@ Face onWall(Side side, double at, const std::vector<Vec2>& corners, Material mat
 }
 
 /// As all points of walls, so that what meets the arch is cut to the same numbers.
-double onGrid(double v) {
+double onArchGrid(double v) {
     return std::round(v * 8192.0) / 8192.0;
 }
 
@@ -45,7 +45,8 @@ HoleTop archTop(double middle, double radius, double springing, int segments) {
     HoleTop top;
     for (int k = 0; k <= segments; ++k) {
         const double a = 3.14159265358979323846 * (1.0 - static_cast<double>(k) / segments);
-        top.emplace_back(onGrid(middle + radius * std::cos(a)), onGrid(springing + radius * std::sin(a)));
+        top.emplace_back(onArchGrid(middle + radius * std::cos(a)),
+                         onArchGrid(springing + radius * std::sin(a)));
     }
     return top;
 }

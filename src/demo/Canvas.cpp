@@ -17,6 +17,10 @@ void blendOver(Vec4f& under, const Vec4f& over, double coverage) {
 
 } // namespace
 
+Vec3f mixColour(const Vec3f& a, const Vec3f& b, double t) {
+    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
+}
+
 void drawStroke(Canvas& canvas, const Stroke& s) {
     const double reach = std::max(s.widthFrom, s.widthTo) + 1.0;
     const int x0 = static_cast<int>(std::floor(std::min(s.from.x, s.to.x) - reach));

@@ -42,6 +42,9 @@ private:
     std::vector<Vec4f> texels_;
 };
 
+/// From a (t = 0 and below) to b (1 and above).
+[[nodiscard]] Vec3f mixColour(const Vec3f& a, const Vec3f& b, double t);
+
 /// A tapering straight brush stroke, in texels; repeats across the borders. Alpha grows to opaque under it.
 struct Stroke {
     Vec2 from{0.0}, to{0.0};

@@ -7,9 +7,9 @@ namespace limen::demo {
 
 namespace {
 
-constexpr double kRoomHeight = 2.5;
+constexpr double kCottageHeight = 2.5;
 constexpr double kJoistUnderside =
-    kRoomHeight - 0.17; ///< where lanterns hang: under a joist, x = +-0.95, 2.85
+    kCottageHeight - 0.17; ///< where lanterns hang: under a joist, x = +-0.95, 2.85
 
 HouseShell cottageShell() {
     HouseShell shell;
@@ -45,14 +45,17 @@ CellPlan frontRoom(ModelSink& sink, const Furniture& f) {
     const Rect east{2.9, 0.9, 4.1, 2.0};
     const Rect inner{-0.8, 0.0, 0.8, 2.1};
     CellPlan cell = roomWithOpenings(
-        {.name = "front", .min = {-5.7, 0.3, 0.0}, .max = {5.7, 4.7, kRoomHeight}, .floor = Material::Planks},
+        {.name = "front",
+         .min = {-5.7, 0.3, 0.0},
+         .max = {5.7, 4.7, kCottageHeight},
+         .floor = Material::Planks},
         {{Side::South, door}, {Side::South, west}, {Side::South, east}, {Side::North, inner}});
     const dat::RecordId trim = addTrim(sink, {{{Side::South, door}, 0.3},
                                               {{Side::South, west}, 0.3},
                                               {{Side::South, east}, 0.3},
                                               {{Side::North, inner}, 4.7}});
     cell.statics = {{trim, {}},
-                    {addJoists(sink, 4.4, 11.4, 1.9), {{0.0, 2.5, kRoomHeight}, 90.0}},
+                    {addJoists(sink, 4.4, 11.4, 1.9), {{0.0, 2.5, kCottageHeight}, 90.0}},
                     {f.fireplace, {{5.69, 2.5, 0.0}, -90.0}},
                     {f.table, {{2.5, 2.5, 0.0}, 0.0}},
                     {f.chair, {{2.2, 3.3, 0.0}, 8.0}},
@@ -76,13 +79,16 @@ CellPlan rearRoom(ModelSink& sink, const Furniture& f) {
     const Rect east{6.6, 0.9, 7.8, 2.0};
     const Rect stairs{-1.9, kStairsTopY, -0.7, 9.5};
     CellPlan cell = roomWithOpenings(
-        {.name = "rear", .min = {-5.7, 4.9, 0.0}, .max = {5.7, 9.7, kRoomHeight}, .floor = Material::Planks},
+        {.name = "rear",
+         .min = {-5.7, 4.9, 0.0},
+         .max = {5.7, 9.7, kCottageHeight},
+         .floor = Material::Planks},
         {{Side::South, inner}, {Side::North, north}, {Side::East, east}, {Side::Floor, stairs}});
     const dat::RecordId trim =
         addTrim(sink, {{{Side::South, inner}, 4.9}, {{Side::North, north}, 9.7}, {{Side::East, east}, 5.7}});
     const dat::RecordId railing = addRailing(sink, 3.6);
     cell.statics = {{trim, {}},
-                    {addJoists(sink, 4.8, 11.4, 1.9), {{0.0, 7.3, kRoomHeight}, 90.0}},
+                    {addJoists(sink, 4.8, 11.4, 1.9), {{0.0, 7.3, kCottageHeight}, 90.0}},
                     {railing, {{-0.64, kStairsTopY, 0.0}, 0.0}},
                     {railing, {{-1.96, kStairsTopY, 0.0}, 0.0}},
                     {f.bed, {{-4.9, 8.55, 0.0}, 0.0}},
@@ -176,11 +182,11 @@ BuildingPlan planNeighbour(ModelSink& sink, const Furniture& f) {
     trims.push_back({openings.back(), 4.4});
     CellPlan room = roomWithOpenings({.name = "room",
                                       .min = {-3.7, 0.3, 0.0},
-                                      .max = {3.7, 4.4, kRoomHeight},
+                                      .max = {3.7, 4.4, kCottageHeight},
                                       .floor = Material::Flagstones},
                                      openings);
     room.statics = {{addTrim(sink, trims), {}},
-                    {addJoists(sink, 4.1, 7.4, 1.8), {{0.0, 2.35, kRoomHeight}, 90.0}},
+                    {addJoists(sink, 4.1, 7.4, 1.8), {{0.0, 2.35, kCottageHeight}, 90.0}},
                     {f.fireplace, {{-3.69, 2.4, 0.0}, 90.0}},
                     {f.table, {{2.2, 2.4, 0.0}, 90.0}},
                     {f.chair, {{1.4, 2.5, 0.0}, 85.0}},
@@ -194,14 +200,16 @@ BuildingPlan planNeighbour(ModelSink& sink, const Furniture& f) {
     plan.cells.push_back(
         doorway("doorway", {-0.6, 4.4, 0.0}, {0.6, 4.6, 2.1}, Axis::Y, Material::Beam, Material::Oak));
     const Rect window = shell.holes[3].rect;
-    CellPlan back = roomWithOpenings(
-        {.name = "back", .min = {-3.7, 4.6, 0.0}, .max = {3.7, 6.7, kRoomHeight}, .floor = Material::Planks},
-        {{Side::South, inner}, {Side::North, window}});
+    CellPlan back = roomWithOpenings({.name = "back",
+                                      .min = {-3.7, 4.6, 0.0},
+                                      .max = {3.7, 6.7, kCottageHeight},
+                                      .floor = Material::Planks},
+                                     {{Side::South, inner}, {Side::North, window}});
     back.statics = {{addTrim(sink, {{{Side::South, inner}, 4.6}, {{Side::North, window}, 6.7}}), {}},
                     {f.bed, {{-2.4, 5.9, 0.0}, 90.0}},
                     {f.chest, {{2.6, 6.35, 0.0}, 0.0}},
                     {f.stool, {{1.4, 6.2, 0.0}, 0.0}},
-                    {f.lantern, {{1.6, 5.3, kRoomHeight}, 0.0}}};
+                    {f.lantern, {{1.6, 5.3, kCottageHeight}, 0.0}}};
     plan.cells.push_back(std::move(back));
     return plan;
 }

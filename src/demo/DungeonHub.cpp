@@ -6,7 +6,7 @@ namespace {
 
 constexpr double kRingSide = 24.0; ///< from the hub's middle to the ring's corridors
 constexpr double kHubReach = 8.0, kHubHalf = 3.0, kHubHeight = 8.0;
-constexpr double kRoomHalf = 2.0, kRoomHeight = 5.0;
+constexpr double kRingRoomHalf = 2.0, kRingRoomHeight = 5.0;
 constexpr double kSpan = 4.0; ///< length of a corridor's cell
 
 Vec3 hubMiddle() {
@@ -73,7 +73,7 @@ void addSpokes(CellComplex& complex, const Ring& ring) {
         const std::string name = "spoke." + std::to_string(k);
         if (isDiagonal(way)) {
             const double from = 0.5 * (kHubReach + kHubHalf);
-            const double to = kRingSide - 0.5 * (kRingRoomReach + kRoomHalf);
+            const double to = kRingSide - 0.5 * (kRingRoomReach + kRingRoomHalf);
             connect(complex, name, ring.hub, ring.rooms[k], hubMiddle() + way * from,
                     way * ((to - from) / 4.0), 4, 0.75, kBricks);
         } else if (k != static_cast<std::size_t>(RingRoom::North)) {
@@ -151,7 +151,7 @@ Ring addHub(CellComplex& complex, ModelSink& sink, const DungeonProps& props) {
     for (std::size_t k = 0; k < ring.rooms.size(); ++k) {
         ring.rooms[k] =
             addOctagon(complex, "ring.room." + std::to_string(k), hubMiddle() + wayTo(k) * kRingSide,
-                       kRingRoomReach, kRoomHalf, kRoomHeight, kMasonry);
+                       kRingRoomReach, kRingRoomHalf, kRingRoomHeight, kMasonry);
     }
     ring.anteroom = addAnteroom(complex, ring.hub, ring.at(RingRoom::North));
     addSpokes(complex, ring);

@@ -7,10 +7,6 @@ namespace {
 constexpr std::uint32_t kTorchLight = 0xFFFFA850;
 constexpr std::uint32_t kEmberLight = 0xFFFF9040;
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
-}
-
 /// Two crossing pictures of a flame.
 void addFlame(MeshBuilder& mesh, const Vec3& foot, double half, double high) {
     const Vec3 up{0.0, 0.0, high};
@@ -84,7 +80,7 @@ dat::RecordId addStele(ModelSink& sink) {
         }
     }
     mesh.polygon({corner(3, 0), corner(3, 1), corner(3, 2), corner(3, 3)}, Material::Rock);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addMast(ModelSink& sink) {
@@ -102,7 +98,7 @@ dat::RecordId addMast(ModelSink& sink) {
     mesh.beam({-0.2, -0.03, 12.30}, {1.75, 0.03, 12.36}, Material::Oak);
     mesh.card({Vec3(0.15, 0.0, 8.6), Vec3(1.65, 0.0, 8.6), Vec3(1.65, 0.0, 12.30), Vec3(0.15, 0.0, 12.30)},
               Material::Blanket, true);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 } // namespace
@@ -129,7 +125,7 @@ dat::RecordId addColumn(ModelSink& sink, double height, double radius) {
                    .side = Material::StoneWall,
                    .caps = false});
     mesh.box({-wide, -wide, height - 0.4}, {wide, wide, height - 0.003}, Material::Flagstones);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addIronRailing(ModelSink& sink, double length) {
@@ -140,7 +136,7 @@ dat::RecordId addIronRailing(ModelSink& sink, double length) {
         mesh.beam({-0.015, y - 0.015, 0.0}, {0.015, y + 0.015, 0.87}, Material::Iron);
     }
     mesh.beam({-0.03, 0.0, 0.87}, {0.03, length, 0.91}, Material::Iron);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 } // namespace limen::demo

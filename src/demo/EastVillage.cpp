@@ -12,12 +12,8 @@ namespace limen::demo {
 
 namespace {
 
-void stand(BlockBuilder& block, dat::RecordId model, double x, double y, double turn) {
-    block.addObject({model, {{x, y, groundHeight(192.0 + x, 192.0 + y)}, turn}});
-}
-
 /// A torch on a wall: back to the north, its flame at (0, -0.32, 0.28).
-dat::RecordId addTorch(ModelSink& sink) {
+dat::RecordId addWallTorch(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.box({-0.07, -0.02, -0.16}, {0.07, 0.02, 0.10}, Material::Iron);
     mesh.strut({0.0, -0.02, -0.06}, {0.0, -0.28, -0.06}, {1, 0, 0}, 0.03, 0.03, Material::Iron);
@@ -27,7 +23,7 @@ dat::RecordId addTorch(ModelSink& sink) {
 }
 
 void standTorches(ModelSink& sink, BlockBuilder& block, const VillageMap& map) {
-    const dat::RecordId torch = addTorch(sink);
+    const dat::RecordId torch = addWallTorch(sink);
     for (const Vec3& at : hallTorches()) {
         // Its back is the wall towards -x of the hall.
         block.addObject({torch, {place(map.hall, at), map.hall.turn - 90.0}});
@@ -81,6 +77,10 @@ void plant(BlockBuilder& block, const Plants& plants) {
 }
 
 } // namespace
+
+void stand(BlockBuilder& block, dat::RecordId model, double x, double y, double turn) {
+    block.addObject({model, {{x, y, groundHeight(192.0 + x, 192.0 + y)}, turn}});
+}
 
 void addEastVillage(ModelSink& sink, BlockBuilder& block, const VillageModels& models, VillageMap& map) {
     const double floor = siteLevel() + kFloorAboveGround;

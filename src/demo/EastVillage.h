@@ -16,6 +16,9 @@ struct VillageModels {
     const Effects& effects;
 };
 
+/// Stands a model on the ground at the village block's coordinates.
+void stand(BlockBuilder& block, dat::RecordId model, double x, double y, double turn);
+
 /// Adds the inn, the meeting hall, what stands around them, and everything that moves in the village. Requires: the
 /// map's cottages are placed. Fills the rest of the map.
 void addEastVillage(ModelSink& sink, BlockBuilder& block, const VillageModels& models, VillageMap& map);

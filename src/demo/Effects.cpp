@@ -1,4 +1,5 @@
 #include "demo/Effects.h"
+#include "demo/MotionCommands.h"
 
 #include <array>
 #include <cstring>
@@ -12,9 +13,6 @@ using dat::ParticleType;
 
 // Hooks. ref: formats/effects_anim.md.
 constexpr std::uint32_t kCreate = 0x0D, kCall = 0x13;
-
-// Commands. ref: MotionCommand in the record schema of Chorizite's DatReaderWriter (dats.xml).
-constexpr std::uint32_t kNonCombat = 0x8000003D, kReady = 0x41000003;
 
 /// Appends a value as a record stores it.
 template <class Value>

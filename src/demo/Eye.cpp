@@ -4,12 +4,11 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace limen::demo {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double rounded(double v, double step) {
     return std::round(v / step) * step;
@@ -19,8 +18,8 @@ double rounded(double v, double step) {
 
 void lookAt(Eye& eye, const Vec3& target) {
     const Vec3 d = target - eye.position;
-    eye.yaw = std::fmod(std::atan2(d.x, d.y) * 180.0 / kPi + 360.0, 360.0);
-    eye.pitch = std::atan2(d.z, std::hypot(d.x, d.y)) * 180.0 / kPi;
+    eye.yaw = std::fmod(std::atan2(d.x, d.y) * 180.0 / std::numbers::pi + 360.0, 360.0);
+    eye.pitch = std::atan2(d.z, std::hypot(d.x, d.y)) * 180.0 / std::numbers::pi;
 }
 
 Eye eyeTowards(const Vec3& position, const Vec3& target, dat::RecordId cell) {

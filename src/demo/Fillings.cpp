@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <numbers>
 
 namespace limen::demo {
 
@@ -16,9 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kThick = 0.05; ///< of a leaf
-constexpr double kSwing = 95.0; ///< degrees
+constexpr double kLeafThick = 0.05; ///< of a leaf
+constexpr double kSwing = 95.0;     ///< degrees
 
 /// An upright rectangular opening as its cell sees it; coordinates of the building.
 struct OpeningView {
@@ -42,26 +42,28 @@ struct DoorSpec {
 /// Leaf of boards and iron bands; the hinge is the origin, the leaf reaches along +x, its faces look along y.
 MeshBuilder leafMesh(double width, double height) {
     MeshBuilder mesh;
-    const double from = -kThick / 2.0;
+    const double from = -kLeafThick / 2.0;
     const int boards = std::max(3, static_cast<int>(std::lround(width / 0.22)));
     for (int k = 0; k < boards; ++k) {
-        const double half = kThick / 2.0 - (k % 2 == 0 ? 0.0 : 0.004);
+        const double half = kLeafThick / 2.0 - (k % 2 == 0 ? 0.0 : 0.004);
         mesh.beam({from + width * k / boards, -half, 0.0}, {from + width * (k + 1) / boards, half, height},
                   Material::OldPlanks);
     }
     for (const double z : {0.22, height - 0.32}) {
-        mesh.box({from + 0.01, -kThick / 2 - 0.006, z}, {from + 0.82 * width, kThick / 2 + 0.006, z + 0.06},
-                 Material::Iron);
+        mesh.box({from + 0.01, -kLeafThick / 2 - 0.006, z},
+                 {from + 0.82 * width, kLeafThick / 2 + 0.006, z + 0.06}, Material::Iron);
     }
     const double x = from + width - 0.09;
-    mesh.box({x - 0.02, -kThick / 2 - 0.008, 0.98}, {x + 0.02, kThick / 2 + 0.008, 1.12}, Material::Iron);
+    mesh.box({x - 0.02, -kLeafThick / 2 - 0.008, 0.98}, {x + 0.02, kLeafThick / 2 + 0.008, 1.12},
+             Material::Iron);
     for (const double side : {-1.0, 1.0}) {
-        const double near = side * (kThick / 2 + 0.012);
-        const double far = side * (kThick / 2 + 0.023);
+        const double near = side * (kLeafThick / 2 + 0.012);
+        const double far = side * (kLeafThick / 2 + 0.023);
         mesh.beam({x - 0.10, std::min(near, far), 1.045}, {x + 0.012, std::max(near, far), 1.07},
                   Material::Iron);
     }
-    mesh.box({x - 0.012, -kThick / 2 - 0.018, 1.048}, {x + 0.008, kThick / 2 + 0.018, 1.066}, Material::Iron);
+    mesh.box({x - 0.012, -kLeafThick / 2 - 0.018, 1.048}, {x + 0.008, kLeafThick / 2 + 0.018, 1.066},
+             Material::Iron);
     return mesh;
 }
 
@@ -204,7 +206,7 @@ Json FillingList::leaf(dat::RecordId model, const Placement& building, const Vec
     const Vec3 at = globalOf(building, hinge);
     const Vec3 ahead = place({Vec3(0.0), building.turn}, along);
     // Yaw turns +y (0 is north); the leaf reaches along +x.
-    const double yaw = std::fmod(720.0 - std::atan2(ahead.y, ahead.x) * 180.0 / kPi, 360.0);
+    const double yaw = std::fmod(720.0 - std::atan2(ahead.y, ahead.x) * 180.0 / std::numbers::pi, 360.0);
     Json json;
     json["model"] = fmt::format("0x{:08X}", model);
     json["position"] = {rounded(at.x), rounded(at.y), rounded(at.z)};
@@ -224,7 +226,8 @@ void FillingList::door(const DoorSpec& spec) {
         const Vec3 along = glm::normalize((right ? view.left : view.right) - hinge);
         // Into the cell, the left leaf turns clockwise seen from above.
         const double swing = (right == spec.intoCell ? -1.0 : 1.0) * kSwing;
-        json["leaves"].push_back(leaf(model, *spec.building, hinge + along * (kThick / 2.0), along, swing));
+        json["leaves"].push_back(
+            leaf(model, *spec.building, hinge + along * (kLeafThick / 2.0), along, swing));
     };
     if (spec.twoLeaves) {
         add(false);

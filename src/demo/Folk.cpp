@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Feet are carried this high, metres, so that a step over a sill runs inside the opening and not along its border.
-constexpr double kClear = 0.01;
+constexpr double kAboveGround = 0.01;
 
 /// Writes a route point by point.
 class Route {
@@ -45,7 +45,7 @@ private:
     Route& add(const Vec3& at, dat::RecordId cell) {
         const auto rounded = [](double v) { return std::round(v * 1024.0) / 1024.0; };
         Json point;
-        point["position"] = {rounded(at.x), rounded(at.y), rounded(at.z + kClear)};
+        point["position"] = {rounded(at.x), rounded(at.y), rounded(at.z + kAboveGround)};
         point["cell"] = cell == 0 ? "outside" : fmt::format("0x{:08X}", cell);
         json_["points"].push_back(std::move(point));
         return *this;
@@ -55,16 +55,16 @@ private:
     Json json_;
 };
 
-constexpr double kGround = -0.375; ///< below the floors
+constexpr double kYardBelow = -0.375; ///< below the floors
 
 /// Down the steps at the inn's front door, from the hall to the yard, or up them.
 void throughTheInnsDoor(Route& route, const VillageMap& map, bool out) {
     if (out) {
         route.inn(InnCell::Hall, 0.0, 1.2);
         route.beside(map.inn, 0.0, -0.05, 0.0);
-        route.beside(map.inn, 0.0, -1.2, kGround);
+        route.beside(map.inn, 0.0, -1.2, kYardBelow);
     } else {
-        route.beside(map.inn, 0.0, -1.2, kGround);
+        route.beside(map.inn, 0.0, -1.2, kYardBelow);
         route.beside(map.inn, 0.0, -0.05, 0.0);
         route.inn(InnCell::Hall, 0.0, 1.2);
     }
@@ -75,9 +75,9 @@ void throughTheHallsDoor(Route& route, const VillageMap& map, double y, bool out
     if (out) {
         route.hall(HallCell::Nave, -4.4, y);
         route.beside(map.hall, door - 0.05, y, 0.0);
-        route.beside(map.hall, door - 1.3, y, kGround);
+        route.beside(map.hall, door - 1.3, y, kYardBelow);
     } else {
-        route.beside(map.hall, door - 1.3, y, kGround);
+        route.beside(map.hall, door - 1.3, y, kYardBelow);
         route.beside(map.hall, door - 0.05, y, 0.0);
         route.hall(HallCell::Nave, -4.4, y);
     }

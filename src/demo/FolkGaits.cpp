@@ -1,6 +1,8 @@
 #include "demo/FolkGaits.h"
 
 #include "demo/Effects.h"
+#include "demo/MotionCommands.h"
+#include "geometry/Angles.h"
 
 #include <algorithm>
 #include <numbers>
@@ -9,14 +11,9 @@ namespace limen::demo {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kRate = 30.0; ///< frames a second of going
 constexpr double kStandingRate = 8.0;
 constexpr int kStandingFrames = 48;
-
-// Commands. ref: MotionCommand in the record schema of Chorizite's DatReaderWriter (dats.xml).
-constexpr std::uint32_t kNonCombat = 0x8000003D, kReady = 0x41000003;
-constexpr std::uint32_t kWalkForward = 0x45000005, kRunForward = 0x44000007;
 
 Quat about(const Vec3& axis, double angle) {
     return glm::angleAxis(angle, axis);

@@ -7,10 +7,6 @@ namespace {
 constexpr std::uint32_t kCandleLight = 0xFFFFC070;
 constexpr std::uint32_t kFireLight = 0xFFFF9040;
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
-}
-
 /// Four legs and what rests on them, as parts.
 dat::RecordId onLegs(ModelSink& sink, const MeshBuilder& top, double x, double y, double height,
                      double thick) {
@@ -63,7 +59,7 @@ dat::RecordId addBench(ModelSink& sink) {
         mesh.beam({x - 0.03, -0.14, 0.0}, {x + 0.03, 0.14, 0.41}, Material::OldPlanks);
     }
     mesh.beam({-0.55, -0.02, 0.14}, {0.55, 0.02, 0.20}, Material::OldPlanks);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addBed(ModelSink& sink) {
@@ -90,7 +86,7 @@ dat::RecordId addChest(ModelSink& sink) {
         mesh.box({x - 0.03, -0.31, 0.02}, {x + 0.03, 0.31, 0.53}, Material::Iron);
     }
     mesh.box({-0.06, -0.325, 0.36}, {0.06, -0.27, 0.47}, Material::Iron);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addShelf(ModelSink& sink) {
@@ -130,7 +126,7 @@ dat::RecordId addShelf(ModelSink& sink) {
                    .side = Material::Brick,
                    .cap = Material::Iron});
     mesh.box({-0.4, -0.26, 0.11}, {0.2, -0.04, 0.36}, Material::OldPlanks);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addFireplace(ModelSink& sink) {
@@ -194,7 +190,7 @@ dat::RecordId addBarrel(ModelSink& sink) {
                   .side = Material::Oak,
                   .cap = Material::OldPlanks});
     mesh.add(lid.faces()[lid.faces().size() - 2]);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addCrate(ModelSink& sink) {
@@ -209,7 +205,7 @@ dat::RecordId addCrate(ModelSink& sink) {
         mesh.beam({-0.31, -0.295, z}, {0.31, -0.265, z + 0.07}, Material::Oak);
         mesh.beam({-0.31, 0.265, z}, {0.31, 0.295, z + 0.07}, Material::Oak);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addSacks(ModelSink& sink) {
@@ -299,7 +295,7 @@ dat::RecordId addRug(ModelSink& sink) {
     mesh.card(
         {Vec3(-1.1, -0.75, 0.014), Vec3(1.1, -0.75, 0.014), Vec3(1.1, 0.75, 0.014), Vec3(-1.1, 0.75, 0.014)},
         Material::Rug, false);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 } // namespace
@@ -335,7 +331,7 @@ Furniture addFurniture(ModelSink& sink) {
                   .sides = 10,
                   .side = Material::Brick,
                   .cap = Material::Iron});
-    f.jug = single(sink, jug);
+    f.jug = sink.addSingle(jug);
     MeshBuilder bowl;
     bowl.cylinder({.base = {0, 0, 0},
                    .lower = 0.05,
@@ -344,7 +340,7 @@ Furniture addFurniture(ModelSink& sink) {
                    .sides = 12,
                    .side = Material::Oak,
                    .cap = Material::Linen});
-    f.bowl = single(sink, bowl);
+    f.bowl = sink.addSingle(bowl);
     return f;
 }
 
@@ -356,7 +352,7 @@ dat::RecordId addJoists(ModelSink& sink, double across, double along, double spa
         mesh.beam({-across / 2 + 0.01, y - 0.07, -0.17}, {across / 2 - 0.01, y + 0.07, -0.002},
                   Material::Beam);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addStairs(ModelSink& sink, const StairSpec& s) {
@@ -373,7 +369,7 @@ dat::RecordId addStairs(ModelSink& sink, const StairSpec& s) {
     for (const double x : {-half + 0.03, half - 0.03}) {
         mesh.strut({x, 0.12, -0.30}, {x, run, -drop - 0.08}, {1, 0, 0}, 0.05, 0.20, Material::Beam);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addRailing(ModelSink& sink, double length) {
@@ -385,7 +381,7 @@ dat::RecordId addRailing(ModelSink& sink, double length) {
         mesh.beam({-half, y - half, 0.0}, {half, y + half, 0.90}, Material::Oak);
     }
     mesh.beam({-0.05, 0.0, 0.90}, {0.05, length, 0.96}, Material::Oak);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 } // namespace limen::demo

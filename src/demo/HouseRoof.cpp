@@ -6,23 +6,23 @@ namespace {
 
 constexpr double kOverhang = 0.55; ///< beyond the wall, measured level
 constexpr double kGableOverhang = 0.42;
-constexpr double kThick = 0.42;
+constexpr double kRoofThick = 0.42;
 
 /// One slope's outline from the eave to the ridge, as (y, z) with the normal of each point; the other slope
 /// is its mirror.
-struct Outline {
+struct OutlinePoint {
     Vec2 point, normal;
 };
 
-std::vector<Outline> slopeOutline(const RoofSpec& r) {
+std::vector<OutlinePoint> slopeOutline(const RoofSpec& r) {
     const double half = r.depth / 2.0;
     const double under = r.top - kOverhang * r.pitch; // underside at the eave
     const Vec2 up = glm::normalize(Vec2(-r.pitch, 1.0));
-    const Vec2 ridge{half, r.top + half * r.pitch + kThick * 1.15};
-    const Vec2 lip{-kOverhang - 0.06, under + kThick * 1.12};
-    std::vector<Outline> out{{{-kOverhang, under}, glm::normalize(Vec2(-0.5, -1.0))},
-                             {{-kOverhang - 0.16, under + 0.17}, {-1.0, 0.0}},
-                             {lip, glm::normalize(Vec2(-0.8, 0.9))}};
+    const Vec2 ridge{half, r.top + half * r.pitch + kRoofThick * 1.15};
+    const Vec2 lip{-kOverhang - 0.06, under + kRoofThick * 1.12};
+    std::vector<OutlinePoint> out{{{-kOverhang, under}, glm::normalize(Vec2(-0.5, -1.0))},
+                                  {{-kOverhang - 0.16, under + 0.17}, {-1.0, 0.0}},
+                                  {lip, glm::normalize(Vec2(-0.8, 0.9))}};
     for (int k = 1; k <= 5; ++k) {
         const double t = k / 5.0;
         // The slope sags a little, as old thatch does.
@@ -33,12 +33,12 @@ std::vector<Outline> slopeOutline(const RoofSpec& r) {
     return out;
 }
 
-Face slopeStrip(const RoofSpec& r, const Outline& a, const Outline& b, double along, bool south) {
+Face slopeStrip(const RoofSpec& r, const OutlinePoint& a, const OutlinePoint& b, double along, bool south) {
     const double x = r.halfWidth + kGableOverhang;
-    const auto at = [&](double px, const Outline& o) {
+    const auto at = [&](double px, const OutlinePoint& o) {
         return Vec3(px, south ? o.point.x : r.depth - o.point.x, o.point.y);
     };
-    const auto normal = [&](const Outline& o) {
+    const auto normal = [&](const OutlinePoint& o) {
         return Vec3(0.0, south ? o.normal.x : -o.normal.x, o.normal.y);
     };
     const double tile = metresPerTile(Material::Thatch);
@@ -55,7 +55,7 @@ Face slopeStrip(const RoofSpec& r, const Outline& a, const Outline& b, double al
 }
 
 void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
-    const std::vector<Outline> outline = slopeOutline(r);
+    const std::vector<OutlinePoint> outline = slopeOutline(r);
     double along = 0.0;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
         Face strip = slopeStrip(r, outline[i], outline[i + 1], along, south);
@@ -80,11 +80,11 @@ void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
     // The thickness seen at the gable ends, in pieces from the underside up to the outline.
     for (const double side : {-1.0, 1.0}) {
         for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
-            const auto below = [&](const Outline& o) {
+            const auto below = [&](const OutlinePoint& o) {
                 const double v = std::max(o.point.x, eave.x);
                 return Vec3(side * x, y(v), r.top + v * r.pitch);
             };
-            const auto onTop = [&](const Outline& o) { return Vec3(side * x, y(o.point.x), o.point.y); };
+            const auto onTop = [&](const OutlinePoint& o) { return Vec3(side * x, y(o.point.x), o.point.y); };
             std::vector<Vec3> piece{below(outline[i]), below(outline[i + 1]), onTop(outline[i + 1]),
                                     onTop(outline[i])};
             if (glm::length(piece[0] - piece[1]) < 1e-6) {
@@ -102,7 +102,7 @@ void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
 void addRidge(MeshBuilder& mesh, const RoofSpec& r) {
     const double x = r.halfWidth + kGableOverhang + 0.03;
     const double half = r.depth / 2.0;
-    const double ridge = r.top + half * r.pitch + kThick * 1.15;
+    const double ridge = r.top + half * r.pitch + kRoofThick * 1.15;
     const Vec2 down = glm::normalize(Vec2(1.0, -r.pitch));
     const Vec2 up{-down.y, down.x};
     for (const double side : {-1.0, 1.0}) {

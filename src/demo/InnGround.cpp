@@ -2,7 +2,7 @@
 
 namespace limen::demo::inn {
 
-CellPlan hall(Kit& k) {
+CellPlan innHall(Kit& k) {
     const Furniture& f = k.f;
     return furnished(k.sink, {.name = "hall", .min = {-7.7, 0.3, 0.0}, .max = {1.4, 6.4, kHeight}},
                      {{Side::North, kKitchenDoor}, {Side::East, kParlourDoor}, {Side::Ceiling, kShaft}},

@@ -34,7 +34,7 @@ struct Kit {
 [[nodiscard]] CellPlan furnished(ModelSink& sink, const RoomSpec& room, std::vector<Opening> openings,
                                  std::vector<Furnishing> statics);
 
-[[nodiscard]] CellPlan hall(Kit& kit);
+[[nodiscard]] CellPlan innHall(Kit& kit);
 [[nodiscard]] CellPlan kitchen(Kit& kit);
 [[nodiscard]] CellPlan passage(Kit& kit);
 [[nodiscard]] CellPlan parlour(Kit& kit);

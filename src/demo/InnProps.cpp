@@ -6,10 +6,6 @@ namespace limen::demo {
 
 namespace {
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
-}
-
 dat::RecordId addBar(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-1.80, -0.36, 1.04}, {1.80, 0.30, 1.10}, Material::Oak);
@@ -49,7 +45,7 @@ dat::RecordId addRoundTable(ModelSink& sink) {
     mesh.cylinder({.base = {0, 0, 0.04}, .lower = 0.09, .upper = 0.07, .height = 0.67, .sides = 10});
     mesh.beam({-0.34, -0.05, 0.0}, {0.34, 0.05, 0.07}, Material::Oak);
     mesh.beam({-0.05, -0.34, 0.004}, {0.05, 0.34, 0.065}, Material::Oak);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 /// The flight descends to the south from the origin, `kUpper` high; a platform lies to the north of its head.
@@ -79,7 +75,7 @@ dat::RecordId addFlight(ModelSink& sink) {
     for (const double x : {-kHalf + 0.01, kHalf - 0.11}) {
         mesh.beam({x, 0.035, -inn::kUpper}, {x + 0.10, 0.125, -0.22}, Material::Beam);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addRack(ModelSink& sink) {
@@ -139,7 +135,7 @@ dat::RecordId addPost(ModelSink& sink) {
     for (const double side : {-1.0, 1.0}) {
         mesh.strut({side * 0.06, 0.0, 2.05}, {side * 0.50, 0.0, 2.62}, {0, 1, 0}, 0.11, 0.10, Material::Beam);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 } // namespace
@@ -150,10 +146,10 @@ InnProps addInnProps(ModelSink& sink) {
     p.roundTable = addRoundTable(sink);
     MeshBuilder low;
     low.box({-0.85, -0.52, 2.5}, {0.85, 0.0, inn::kHeight - 0.003}, Material::StoneWall);
-    p.breast = single(sink, low);
+    p.breast = sink.addSingle(low);
     MeshBuilder high;
     high.box({-0.80, -0.48, 0.003}, {0.80, 0.0, inn::kTop - inn::kUpper - 0.003}, Material::StoneWall);
-    p.upperBreast = single(sink, high);
+    p.upperBreast = sink.addSingle(high);
     p.stairs = addFlight(sink);
     p.rack = addRack(sink);
     p.post = addPost(sink);

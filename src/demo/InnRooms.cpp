@@ -87,7 +87,7 @@ std::vector<CellPlan> planInnRooms(ModelSink& sink, const Furniture& furniture) 
     using namespace inn;
     Kit kit{sink, furniture, addInnProps(sink)};
     std::vector<CellPlan> cells;
-    cells.push_back(hall(kit));
+    cells.push_back(innHall(kit));
     cells.push_back(throughWall("kitchen door", Axis::Y, 6.4, 6.6, kKitchenDoor));
     cells.push_back(kitchen(kit));
     cells.push_back(throughWall("back door", Axis::X, 1.4, 1.6, kBackDoor));

@@ -151,10 +151,6 @@ CellPlan apse(ModelSink& sink) {
     return cell;
 }
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
-}
-
 dat::RecordId addColumn(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.box({-0.30, -0.30, 0.0}, {0.30, 0.30, 0.18}, Material::Flagstones);
@@ -166,7 +162,7 @@ dat::RecordId addColumn(ModelSink& sink) {
                    .side = Material::StoneWall,
                    .caps = false});
     mesh.box({-0.29, -0.29, 3.50}, {0.29, 0.29, 3.70}, Material::Flagstones);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 /// A tie beam across the nave with a king post and struts: middle at the origin, its underside at z = 3.7.
@@ -180,7 +176,7 @@ dat::RecordId addTruss(ModelSink& sink) {
         mesh.strut({0.0, side * (half - 0.2), 3.83}, {0.0, side * 0.08, 7.82}, {1, 0, 0}, 0.16, 0.18,
                    Material::Beam);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addLectern(ModelSink& sink) {
@@ -190,7 +186,7 @@ dat::RecordId addLectern(ModelSink& sink) {
     mesh.beam({-0.07, -0.07, 0.24}, {0.07, 0.07, 1.18}, Material::Oak);
     mesh.strut({-0.26, 0.0, 1.14}, {0.26, 0.0, 1.32}, {0, 1, 0}, 0.62, 0.05, Material::Oak);
     mesh.strut({-0.20, 0.0, 1.195}, {0.20, 0.0, 1.335}, {0, 1, 0}, 0.42, 0.05, Material::Linen);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 /// A carpet down the middle of the nave.
@@ -202,7 +198,7 @@ dat::RecordId addCarpet(ModelSink& sink) {
                    Vec3(x + 2.2, 0.75, 0.008)},
                   Material::Rug, false);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 void furnish(ModelSink& sink, const Furniture& f, CellPlan& nave, CellPlan& apse) {

@@ -5,19 +5,18 @@
 #include "geometry/Plane.h"
 
 #include <map>
+#include <numbers>
 #include <tuple>
 
 namespace limen::demo {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Vec3 turned(double degrees, const Vec3& v) {
     // Quarter turns stay exact.
     const double quarters = degrees / 90.0;
-    double c = std::cos(degrees * kPi / 180.0);
-    double s = std::sin(degrees * kPi / 180.0);
+    double c = std::cos(degrees * std::numbers::pi / 180.0);
+    double s = std::sin(degrees * std::numbers::pi / 180.0);
     if (quarters == std::floor(quarters)) {
         c = std::round(c);
         s = std::round(s);
@@ -154,12 +153,13 @@ void MeshBuilder::strut(const Vec3& a, const Vec3& b, const Vec3& side, double w
 void MeshBuilder::cylinder(const Round& r) {
     const double tile = metresPerTile(r.side);
     const double around =
-        r.wrapOnce ? 1.0 : std::max(1.0, std::round(2.0 * kPi * std::max(r.lower, r.upper) / tile));
+        r.wrapOnce ? 1.0
+                   : std::max(1.0, std::round(2.0 * std::numbers::pi * std::max(r.lower, r.upper) / tile));
     const double down = r.wrapOnce ? 1.0 : r.height / tile;
     std::vector<Vec3> bottom;
     std::vector<Vec3> top;
     for (int k = 0; k < r.sides; ++k) {
-        const double a = 2.0 * kPi * k / r.sides;
+        const double a = 2.0 * std::numbers::pi * k / r.sides;
         const Vec3 d{std::cos(a), std::sin(a), 0.0};
         bottom.push_back(r.base + d * r.lower);
         top.push_back(r.base + d * r.upper + Vec3(0, 0, r.height));
@@ -171,7 +171,7 @@ void MeshBuilder::cylinder(const Round& r) {
         const double u0 = around * k / r.sides;
         const double u1 = around * (k + 1) / r.sides;
         const auto normal = [&](std::size_t m) {
-            const double a = 2.0 * kPi * static_cast<double>(m) / r.sides;
+            const double a = 2.0 * std::numbers::pi * static_cast<double>(m) / r.sides;
             return glm::normalize(Vec3(std::cos(a), std::sin(a), slope));
         };
         Face face;

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 namespace limen::demo {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 bool canWalkThrough(const Face& face) {
     switch (face.material) {
@@ -52,7 +51,7 @@ Record& madeHere(std::vector<Record>& records, dat::RecordId id) {
 } // namespace
 
 dat::Frame toFrame(const Placement& placement) {
-    const double half = 0.5 * placement.turn * kPi / 180.0;
+    const double half = 0.5 * placement.turn * std::numbers::pi / 180.0;
     double w = std::cos(half);
     double z = std::sin(half);
     const double halfTurns = placement.turn / 180.0;

@@ -33,6 +33,8 @@ public:
     /// `motionTable`: what it does, 0 for what only stands.
     dat::RecordId addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps = {},
                            dat::RecordId motionTable = 0);
+    /// A Setup of one part.
+    dat::RecordId addSingle(const MeshBuilder& mesh) { return addSetup({{addMesh(mesh), {}}}); }
     /// Frames of as many parts each as the first.
     dat::RecordId addAnimation(std::vector<dat::AnimationFrame> frames);
     dat::RecordId addMotionTable(dat::MotionTable table);   ///< its id is filled in

@@ -4,10 +4,6 @@ namespace limen::demo {
 
 namespace {
 
-dat::RecordId single(ModelSink& sink, const MeshBuilder& mesh) {
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
-}
-
 dat::RecordId addFence(ModelSink& sink) {
     MeshBuilder mesh;
     for (const double x : {0.0, 1.5}) {
@@ -15,7 +11,7 @@ dat::RecordId addFence(ModelSink& sink) {
     }
     mesh.strut({0.0, 0.07, 0.42}, {3.0, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
     mesh.strut({0.0, 0.07, 0.86}, {3.0, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addWell(ModelSink& sink) {
@@ -86,7 +82,7 @@ dat::RecordId addWoodpile(ModelSink& sink) {
         mesh.beam({x - 0.05, 0.26, -0.4}, {x + 0.05, 0.36, 1.3}, Material::Beam);
     }
     mesh.strut({0.0, -0.62, 1.22}, {0.0, 0.55, 1.42}, {1, 0, 0}, 2.7, 0.05, Material::OldPlanks);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addSignpost(ModelSink& sink) {
@@ -94,7 +90,7 @@ dat::RecordId addSignpost(ModelSink& sink) {
     mesh.beam({-0.07, -0.07, -0.6}, {0.07, 0.07, 2.4}, Material::Beam);
     mesh.beam({0.0, -0.10, 1.95}, {1.05, -0.06, 2.18}, Material::OldPlanks);
     mesh.beam({-0.95, -0.10, 1.62}, {0.10, -0.06, 1.85}, Material::OldPlanks);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addYardBench(ModelSink& sink) {
@@ -103,7 +99,7 @@ dat::RecordId addYardBench(ModelSink& sink) {
     for (const double x : {-0.62, 0.62}) {
         mesh.box({x - 0.12, -0.15, -0.2}, {x + 0.12, 0.15, 0.40}, Material::StoneWall);
     }
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addTrough(ModelSink& sink) {
@@ -114,7 +110,7 @@ dat::RecordId addTrough(ModelSink& sink) {
     mesh.beam({0.82, -0.24, -0.1}, {0.9, 0.24, 0.5}, Material::OldPlanks);
     mesh.polygon({{-0.82, -0.24, 0.40}, {0.82, -0.24, 0.40}, {0.82, 0.24, 0.40}, {-0.82, 0.24, 0.40}},
                  Material::WaterDark);
-    return single(sink, mesh);
+    return sink.addSingle(mesh);
 }
 
 dat::RecordId addLampPost(ModelSink& sink) {

@@ -7,11 +7,7 @@ namespace limen::demo {
 
 namespace {
 
-constexpr int kSize = 256;
-
-Vec3f mixColour(Vec3f a, Vec3f b, double t) {
-    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
-}
+constexpr int kClothSize = 256;
 
 /// Threads crossing over and under, about 1.
 float weave(double u, double v, int threads) {
@@ -23,7 +19,7 @@ float weave(double u, double v, int threads) {
 } // namespace
 
 Canvas paintRug() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kClothSize, kClothSize, [](double u, double v) {
         const double x = std::abs(u - 0.5) * 2.0;
         const double y = std::abs(v - 0.5) * 2.0;
         const double border = std::max(x, y);
@@ -54,7 +50,7 @@ Canvas paintRug() {
 }
 
 Canvas paintBlanket() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kClothSize, kClothSize, [](double u, double v) {
         const Vec3f green(0.16f, 0.25f, 0.20f);
         const Vec3f wool(0.58f, 0.50f, 0.36f);
         const Vec3f rust(0.42f, 0.19f, 0.10f);
@@ -72,7 +68,7 @@ Canvas paintBlanket() {
 }
 
 Canvas paintLinen() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kClothSize, kClothSize, [](double u, double v) {
         const double folds = fbm(u, v, 3, 2, 4, 931);
         return Vec4f(Vec3f(0.80f, 0.76f, 0.67f) * weave(u, v, 80) * static_cast<float>(1.0 + 0.14 * folds),
                      1.0f);
@@ -81,7 +77,7 @@ Canvas paintLinen() {
 
 Canvas paintBooks() {
     // One row of spines; v runs down the spine.
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kClothSize, kClothSize, [](double u, double v) {
         const double slot = u * 16.0;
         const auto book = static_cast<std::uint32_t>(slot);
         const double across = slot - std::floor(slot);
@@ -104,7 +100,7 @@ Canvas paintBooks() {
 }
 
 Canvas paintEmbers() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kClothSize, kClothSize, [](double u, double v) {
         const Cellular c = cellular(u, v, 9, 9, 0.9, 951);
         const double crack = 1.0 - smoothStep(0.0, 0.22, c.second - c.nearest);
         const double heat = std::clamp(0.25 + 0.9 * crack + 0.9 * fbm(u, v, 3, 3, 4, 953), 0.0, 1.0);

@@ -5,11 +5,7 @@ namespace limen::demo {
 
 namespace {
 
-constexpr int kSize = 512;
-
-Vec3f mixColour(Vec3f a, Vec3f b, double t) {
-    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
-}
+constexpr int kGroundSize = 512;
 
 /// Small stones scattered on bare ground, lit from the upper left.
 Vec3f withPebbles(Vec3f ground, double u, double v, int cells, double share, std::uint32_t seed) {
@@ -28,7 +24,7 @@ Canvas paintGrass(const GrassStyle& s) {
     const auto cover = [&s](double u, double v) {
         return fbm(u, v, 4, 4, 5, s.seed + 1) + 0.5 - 1.1 * s.bare;
     };
-    Canvas canvas = Canvas::paint(kSize, kSize, [&](double u, double v) {
+    Canvas canvas = Canvas::paint(kGroundSize, kGroundSize, [&](double u, double v) {
         const double tone = 0.35 + 0.6 * fbm(u, v, 8, 8, 5, s.seed + 3);
         const Vec3f green = mixColour(s.dark, s.light, tone * 0.8);
         const Vec3f bare =
@@ -37,12 +33,12 @@ Canvas paintGrass(const GrassStyle& s) {
         return Vec4f(mixColour(bare, green, smoothStep(-0.12, 0.12, cover(u, v))), 1.0f);
     });
     for (std::uint32_t i = 0; i < 15000; ++i) {
-        const double x = random01(i, 1, s.seed) * kSize;
-        const double y = random01(i, 2, s.seed) * kSize;
-        if (cover(x / kSize, y / kSize) < 0.06 * (random01(i, 3, s.seed) - 0.5)) {
+        const double x = random01(i, 1, s.seed) * kGroundSize;
+        const double y = random01(i, 2, s.seed) * kGroundSize;
+        if (cover(x / kGroundSize, y / kGroundSize) < 0.06 * (random01(i, 3, s.seed) - 0.5)) {
             continue;
         }
-        const double patch = 0.3 * fbm(x / kSize, y / kSize, 3, 3, 3, s.seed + 9);
+        const double patch = 0.3 * fbm(x / kGroundSize, y / kGroundSize, 3, 3, 3, s.seed + 9);
         const double angle = 6.2831853 * random01(i, 4, s.seed);
         const double length = 5.0 + 9.0 * random01(i, 5, s.seed);
         const Vec3f colour = mixColour(s.dark, s.light, random01(i, 6, s.seed) * 1.05 + patch);
@@ -56,7 +52,7 @@ Canvas paintGrass(const GrassStyle& s) {
 }
 
 Canvas paintDirt() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kGroundSize, kGroundSize, [](double u, double v) {
         const double tone = 0.5 + 0.6 * fbm(u, v, 4, 4, 6, 1301);
         const Vec3f earth = mixColour(Vec3f(0.29f, 0.22f, 0.145f), Vec3f(0.47f, 0.38f, 0.265f), tone);
         return Vec4f(withPebbles(withPebbles(earth, u, v, 48, 0.16, 1303), u, v, 90, 0.22, 1305), 1.0f);
@@ -64,14 +60,14 @@ Canvas paintDirt() {
 }
 
 Canvas paintForestFloor() {
-    Canvas canvas = Canvas::paint(kSize, kSize, [](double u, double v) {
+    Canvas canvas = Canvas::paint(kGroundSize, kGroundSize, [](double u, double v) {
         const double tone = 0.5 + 0.7 * fbm(u, v, 6, 6, 6, 1401);
         const double moss = smoothStep(-0.25, 0.2, fbm(u, v, 3, 3, 5, 1403));
         const Vec3f soil = mixColour(Vec3f(0.125f, 0.12f, 0.06f), Vec3f(0.23f, 0.215f, 0.105f), tone);
         return Vec4f(mixColour(soil, Vec3f(0.165f, 0.235f, 0.075f), 0.85 * moss), 1.0f);
     });
     for (std::uint32_t i = 0; i < 2800; ++i) {
-        const Vec2 centre{random01(i, 1, 1405) * kSize, random01(i, 2, 1405) * kSize};
+        const Vec2 centre{random01(i, 1, 1405) * kGroundSize, random01(i, 2, 1405) * kGroundSize};
         const double hue = random01(i, 3, 1405);
         Vec3f colour =
             mixColour(Vec3f(0.20f, 0.16f, 0.08f), Vec3f(0.34f, 0.28f, 0.13f), random01(i, 4, 1405));
@@ -83,7 +79,7 @@ Canvas paintForestFloor() {
                  true);
     }
     for (std::uint32_t i = 0; i < 160; ++i) {
-        const Vec2 from{random01(i, 1, 1407) * kSize, random01(i, 2, 1407) * kSize};
+        const Vec2 from{random01(i, 1, 1407) * kGroundSize, random01(i, 2, 1407) * kGroundSize};
         const double a = 6.2831853 * random01(i, 3, 1407);
         const double length = 15.0 + 40.0 * random01(i, 4, 1407);
         drawStroke(canvas, {from, from + Vec2(std::cos(a), std::sin(a)) * length, 2.6, 1.2,
@@ -93,7 +89,7 @@ Canvas paintForestFloor() {
 }
 
 Canvas paintStream() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kGroundSize, kGroundSize, [](double u, double v) {
         const double depth = 0.5 + 0.7 * fbm(u, v, 3, 3, 4, 1601);
         Vec3f water = mixColour(Vec3f(0.13f, 0.20f, 0.20f), Vec3f(0.22f, 0.31f, 0.29f), depth);
         // Crests wander with a slower noise; what they mirror of the sky is brightest where they meet.
@@ -106,7 +102,7 @@ Canvas paintStream() {
 }
 
 Canvas paintRoad() {
-    Canvas canvas = Canvas::paint(kSize, kSize, [](double u, double v) {
+    Canvas canvas = Canvas::paint(kGroundSize, kGroundSize, [](double u, double v) {
         const double tone = 0.5 + 0.5 * fbm(u, v, 6, 6, 6, 1501);
         Vec3f earth = mixColour(Vec3f(0.37f, 0.29f, 0.195f), Vec3f(0.56f, 0.465f, 0.335f), tone);
         earth = withPebbles(withPebbles(earth, u, v, 40, 0.3, 1503), u, v, 84, 0.3, 1505);
@@ -118,9 +114,9 @@ Canvas paintRoad() {
     });
     for (std::uint32_t i = 0; i < 2600; ++i) {
         // Grass keeps to the strip between the ruts.
-        const double y = kSize * 0.055 * (random01(i, 2, 1509) - 0.5) * 2.0;
-        const double x = kSize * random01(i, 1, 1509);
-        if (fbm(x / kSize, 0.5, 8, 2, 3, 1511) < -0.05) {
+        const double y = kGroundSize * 0.055 * (random01(i, 2, 1509) - 0.5) * 2.0;
+        const double x = kGroundSize * random01(i, 1, 1509);
+        if (fbm(x / kGroundSize, 0.5, 8, 2, 3, 1511) < -0.05) {
             continue;
         }
         const double a = 6.2831853 * random01(i, 3, 1509);

@@ -7,11 +7,7 @@ namespace limen::demo {
 
 namespace {
 
-constexpr int kSize = 256;
-
-Vec3f mixColour(Vec3f a, Vec3f b, double t) {
-    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
-}
+constexpr int kMasonrySize = 256;
 
 /// Courses of blocks: which block a point is in and how far (in course heights) it is from the joint around
 /// it.
@@ -54,7 +50,7 @@ BlockHit courseBlock(double u, double v, int courses, int perCourse, double unev
 } // namespace
 
 Canvas paintPlaster(Vec3f base, double stains, std::uint32_t seed) {
-    return Canvas::paint(kSize, kSize, [=](double u, double v) {
+    return Canvas::paint(kMasonrySize, kMasonrySize, [=](double u, double v) {
         const double clouds = fbm(u, v, 2, 2, 5, seed);
         const double trowel =
             gradientNoise(u + 0.03 * gradientNoise(u, v, 5, 5, seed + 3), v, 9, 14, seed + 5);
@@ -76,7 +72,7 @@ Canvas paintStoneWall() {
         const double face = smoothStep(0.03, 0.20, c.second - c.nearest);
         return face * (0.8 + 0.2 * random01(c.id, 3)) + 0.16 * fbm(u, v, 14, 14, 4, 827);
     };
-    return Canvas::paint(kSize, kSize, [&height](double u, double v) {
+    return Canvas::paint(kMasonrySize, kMasonrySize, [&height](double u, double v) {
         const double wu = u + 0.018 * fbm(u, v, 6, 6, 3, 821);
         const double wv = v + 0.018 * fbm(u, v, 6, 6, 3, 823);
         const Cellular c = cellular(wu, wv, 6, 9, 0.72, 825);
@@ -95,7 +91,7 @@ Canvas paintStoneWall() {
 }
 
 Canvas paintFlagstones() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kMasonrySize, kMasonrySize, [](double u, double v) {
         const double wu = u + 0.006 * fbm(u, v, 8, 8, 3, 841);
         const double wv = v + 0.006 * fbm(u, v, 8, 8, 3, 843);
         const BlockHit b = courseBlock(wu, wv - std::floor(wv), 4, 3, 0.45, 845);
@@ -111,7 +107,7 @@ Canvas paintFlagstones() {
 }
 
 Canvas paintBricks() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kMasonrySize, kMasonrySize, [](double u, double v) {
         const BlockHit b = courseBlock(u + 0.003 * fbm(u, v, 16, 16, 2, 861), v, 12, 4, 0.06, 865);
         const double face = smoothStep(0.06, 0.14, b.edge + 0.05 * fbm(u, v, 32, 32, 2, 867));
         Vec3f brick = mixColour(Vec3f(0.50f, 0.25f, 0.17f), Vec3f(0.36f, 0.17f, 0.125f), random01(b.id, 1));
@@ -123,14 +119,14 @@ Canvas paintBricks() {
 }
 
 Canvas paintThatch() {
-    Canvas canvas = Canvas::paint(kSize, kSize, [](double u, double v) {
+    Canvas canvas = Canvas::paint(kMasonrySize, kMasonrySize, [](double u, double v) {
         const double tone = 0.5 + 0.5 * fbm(u, v, 48, 4, 3, 881);
         return Vec4f(mixColour(Vec3f(0.24f, 0.185f, 0.10f), Vec3f(0.45f, 0.36f, 0.20f), tone), 1.0f);
     });
     for (std::uint32_t i = 0; i < 5200; ++i) {
         // Bundles overlap in four bands; a stalk hangs down from its band.
-        const double band = std::floor(random01(i, 3, 883) * 4.0) * (kSize / 4.0);
-        const double x = random01(i, 1, 883) * kSize;
+        const double band = std::floor(random01(i, 3, 883) * 4.0) * (kMasonrySize / 4.0);
+        const double x = random01(i, 1, 883) * kMasonrySize;
         const double y = band + 10.0 * random01(i, 2, 883);
         const double length = 26.0 + 34.0 * random01(i, 4, 883);
         const double tone = random01(i, 5, 883);
@@ -141,10 +137,10 @@ Canvas paintThatch() {
             canvas,
             {{x, y}, {x + 8.0 * (random01(i, 7, 883) - 0.5), y + length}, 1.5, 0.5, Vec4f(colour, 0.75f)});
     }
-    for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
-            const double u = (x + 0.5) / kSize;
-            const double v = (y + 0.5) / kSize;
+    for (int y = 0; y < kMasonrySize; ++y) {
+        for (int x = 0; x < kMasonrySize; ++x) {
+            const double u = (x + 0.5) / kMasonrySize;
+            const double v = (y + 0.5) / kMasonrySize;
             const double ragged = v * 4.0 + 0.10 * fbm(u, v, 20, 4, 2, 885);
             const double within = ragged - std::floor(ragged);
             const double shade =

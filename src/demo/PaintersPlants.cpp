@@ -1,14 +1,10 @@
 #include "demo/Noise.h"
 #include "demo/Painters.h"
+#include "geometry/Angles.h"
 
 namespace limen::demo {
 
 namespace {
-
-Vec3f mixColour(Vec3f a, Vec3f b, double t) {
-    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
-}
-constexpr double kTurn = 6.283185307179586;
 
 /// Blades of grass from the lower edge, bending outwards.
 void drawBlades(Canvas& canvas, int count, std::uint32_t seed) {

@@ -5,10 +5,6 @@ namespace limen::demo {
 
 namespace {
 
-Vec3f mixColour(Vec3f a, Vec3f b, double t) {
-    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
-}
-
 /// 0 at the zenith, 1 at the horizon, beyond 1 below it.
 double descent(double v) {
     return v / kHorizonV;

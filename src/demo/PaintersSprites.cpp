@@ -5,7 +5,7 @@ namespace limen::demo {
 
 namespace {
 
-constexpr int kSize = 128;
+constexpr int kSpriteSize = 128;
 
 /// 1 in the middle of the picture, 0 from the border's nearest points outwards.
 double disc(double u, double v) {
@@ -19,7 +19,7 @@ Vec4f withAlpha(const Vec3f& colour, double alpha) {
 } // namespace
 
 Canvas paintGlass() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kSpriteSize, kSpriteSize, [](double u, double v) {
         // Two families of lead strips, three diamonds across.
         const auto strip = [](double t) { return std::abs(3.0 * t - std::round(3.0 * t)); };
         const double lead = std::min(strip(u + v), strip(u - v));
@@ -36,7 +36,7 @@ Canvas paintGlass() {
 }
 
 Canvas paintSmoke() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kSpriteSize, kSpriteSize, [](double u, double v) {
         const double cloud = 0.62 + 0.55 * fbm(u, v, 4, 4, 4, 3111);
         const auto shade = static_cast<float>(0.62 + 0.16 * fbm(u, v, 3, 3, 3, 3113));
         return withAlpha(Vec3f(shade, shade, shade * 0.98f), smoothStep(0.0, 0.9, disc(u, v)) * cloud);
@@ -44,7 +44,7 @@ Canvas paintSmoke() {
 }
 
 Canvas paintFire() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kSpriteSize, kSpriteSize, [](double u, double v) {
         // A tongue: round below, drawn out above, frayed by noise.
         const double height = 1.0 - v;
         const double half = 0.34 * std::pow(std::max(0.0, 1.0 - height), 0.7) + 0.02;
@@ -59,7 +59,7 @@ Canvas paintFire() {
 }
 
 Canvas paintFirefly() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kSpriteSize, kSpriteSize, [](double u, double v) {
         const double d = disc(u, v);
         const double core = smoothStep(0.78, 0.92, d);
         return withAlpha(Vec3f(0.72f, 0.95f, 0.35f) + Vec3f(0.25f, 0.05f, 0.5f) * static_cast<float>(core),
@@ -75,7 +75,7 @@ Canvas paintSnowflake() {
 }
 
 Canvas paintSwirl() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kSpriteSize, kSpriteSize, [](double u, double v) {
         const double d = disc(u, v);
         const double angle = std::atan2(v - 0.5, u - 0.5);
         const double arms = 0.5 + 0.5 * std::cos(3.0 * angle + 11.0 * d);

@@ -5,11 +5,7 @@ namespace limen::demo {
 
 namespace {
 
-constexpr int kSize = 256;
-
-Vec3f mixColour(Vec3f a, Vec3f b, double t) {
-    return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
-}
+constexpr int kWoodSize = 256;
 
 /// The grain of one board, 0 dark .. 1 light: long fibres, slow bands, now and then a knot.
 double grain(double u, double v, std::uint32_t seed) {
@@ -23,7 +19,7 @@ double grain(double u, double v, std::uint32_t seed) {
 } // namespace
 
 Canvas paintBoards(const BoardStyle& s) {
-    return Canvas::paint(kSize, kSize, [&s](double u, double v) {
+    return Canvas::paint(kWoodSize, kWoodSize, [&s](double u, double v) {
         const double row = v * s.boards;
         const auto board = static_cast<std::uint32_t>(row);
         const double across = row - std::floor(row);
@@ -39,13 +35,13 @@ Canvas paintBoards(const BoardStyle& s) {
             s.weathering * (0.6 + 0.4 * random01(piece, 3)) * (0.8 + fbm(u, v, 4, 8, 3, s.seed + 31));
         colour = mixColour(colour, Vec3f((colour.x + colour.y + colour.z) / 3.0f) * Vec3f(1.02f, 1.0f, 0.94f),
                            grey);
-        const double edge = std::min(across, 1.0 - across) / s.boards * kSize;
+        const double edge = std::min(across, 1.0 - across) / s.boards * kWoodSize;
         double shade = 0.35 + 0.65 * smoothStep(0.2, 2.2, edge);
         if (s.endJoints) {
-            const double end = std::min(std::abs(joint - 0.5), std::min(joint, 1.0 - joint)) * kSize;
+            const double end = std::min(std::abs(joint - 0.5), std::min(joint, 1.0 - joint)) * kWoodSize;
             shade *= 0.4 + 0.6 * smoothStep(0.2, 1.8, end);
             const double nail =
-                std::hypot(end - 7.0, (std::min(across, 1.0 - across) / s.boards * kSize) - 6.0);
+                std::hypot(end - 7.0, (std::min(across, 1.0 - across) / s.boards * kWoodSize) - 6.0);
             shade *= 0.45 + 0.55 * smoothStep(0.8, 1.9, nail);
         }
         return Vec4f(colour * static_cast<float>(shade), 1.0f);
@@ -53,7 +49,7 @@ Canvas paintBoards(const BoardStyle& s) {
 }
 
 Canvas paintBeam() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kWoodSize, kWoodSize, [](double u, double v) {
         const double fibre = fbm(u, v, 2, 40, 3, 401);
         const double cracks = smoothStep(
             0.80, 0.97, ridged(u, v + 0.01 * gradientNoise(u, v, 6, 6, 405), 2, 14, 2, 403) + 0.12);
@@ -66,7 +62,7 @@ Canvas paintBeam() {
 }
 
 Canvas paintBark() {
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kWoodSize, kWoodSize, [](double u, double v) {
         const double warp = 0.04 * fbm(u, v, 4, 3, 3, 511);
         const double plates = ridged(u + warp, v, 10, 3, 3, 513);
         const double fine = fbm(u, v, 24, 8, 3, 515);
@@ -80,7 +76,7 @@ Canvas paintBark() {
 
 Canvas paintBarrelStaves() {
     // Staves run down v; u goes around. Two iron hoops near each end.
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kWoodSize, kWoodSize, [](double u, double v) {
         const double row = u * 12.0;
         const auto stave = static_cast<std::uint32_t>(row);
         const double across = row - std::floor(row);
@@ -101,7 +97,7 @@ Canvas paintBarrelStaves() {
 
 Canvas paintLogEnds() {
     // A stack of cut logs seen from the end: rings, bark, dark between.
-    return Canvas::paint(kSize, kSize, [](double u, double v) {
+    return Canvas::paint(kWoodSize, kWoodSize, [](double u, double v) {
         const Cellular c = cellular(u, v, 6, 6, 0.16, 711);
         const double radius = 0.45 + 0.06 * random01(c.id, 4);
         const double wobble = c.nearest + 0.03 * fbm(u, v, 12, 12, 2, 713);

@@ -1,12 +1,11 @@
 #include "demo/Plants.h"
 
 #include "demo/Noise.h"
+#include "geometry/Angles.h"
 
 namespace limen::demo {
 
 namespace {
-
-constexpr double kTurn = 6.283185307179586;
 
 /// A square picture standing or lying in the air: centre, the direction of its right and upper edge (half
 /// lengths).

@@ -10,7 +10,7 @@ namespace limen::demo {
 namespace {
 
 /// Metres.
-constexpr double kInPlane = 1e-6;
+constexpr double kInFacePlane = 1e-6;
 
 /// Two coordinates of a plane, and the way back.
 class FlatView {
@@ -172,7 +172,7 @@ std::vector<Face> faceWithout(const Face& face, const std::vector<Outline>& open
 bool liesIn(const Outline& outline, const Face& face) {
     const Plane plane = planeOf(face.points);
     return std::all_of(outline.begin(), outline.end(),
-                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) < kInPlane; });
+                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) < kInFacePlane; });
 }
 
 } // namespace limen::demo

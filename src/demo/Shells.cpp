@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace limen::demo {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Metres: corners are planned on a grid of 2^-10 m or coarser.
 constexpr double kPlanGrid = 1.0 / 1024.0;
 
@@ -93,7 +93,7 @@ Outline archOutline(const Upright& at, double spring, double height) {
     constexpr int kArcs = 8;
     Outline out{at.foot - at.across * at.half, at.foot + at.across * at.half};
     for (int k = 0; k <= kArcs; ++k) {
-        const double angle = kPi * k / kArcs;
+        const double angle = std::numbers::pi * k / kArcs;
         out.push_back(at.foot + at.across * onGrid(at.half * std::cos(angle)) +
                       Vec3(0.0, 0.0, onGrid(spring + (height - spring) * std::sin(angle))));
     }

@@ -2,14 +2,16 @@
 #include "demo/Painters.h"
 #include "demo/RegionBuilder.h"
 
+#include <numbers>
+
 namespace limen::demo {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRadius =
     1000.0; ///< metres; sky meshes are drawn around the eye, their size does not matter
-constexpr double kSunTilt = 32.0 * kPi / 180.0; ///< how far south of the zenith the sun stands at noon
+constexpr double kSunTilt =
+    32.0 * std::numbers::pi / 180.0; ///< how far south of the zenith the sun stands at noon
 constexpr double kSunrise = 0.25, kSunset = 0.75;
 
 /// Indices into the day group's objects.
@@ -22,8 +24,8 @@ MeshBuilder dome(Material material) {
     constexpr int kRings = 10;
     MeshBuilder mesh;
     const auto at = [](int ring, int k) {
-        const double polar = 0.5 * kPi / kHorizonV * ring / kRings;
-        const double a = 2.0 * kPi * (k % kAround) / kAround;
+        const double polar = 0.5 * std::numbers::pi / kHorizonV * ring / kRings;
+        const double a = 2.0 * std::numbers::pi * (k % kAround) / kAround;
         return kRadius * Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar));
     };
     const auto uv = [](int ring, int k) {
@@ -63,7 +65,7 @@ MeshBuilder cloudBowl() {
     MeshBuilder mesh;
     const auto at = [](int ring, int k) {
         const double t = static_cast<double>(ring) / kRings;
-        const double a = 2.0 * kPi * (k % kAround) / kAround;
+        const double a = 2.0 * std::numbers::pi * (k % kAround) / kAround;
         return Vec3(kRadius * t * std::cos(a), kRadius * t * std::sin(a), 240.0 * (1.0 - t * t) + 6.0);
     };
     const auto uv = [&](int ring, int k) { return Vec2(at(ring, k)) / 560.0; };
@@ -126,7 +128,7 @@ Vec3 lightDirection(double time) {
     const bool day = time > 0.22 && time < 0.78;
     const double half = kSunset - kSunrise;
     const double since = day ? time - kSunrise : (time < 0.5 ? time + 1.0 : time) - kSunset;
-    const double angle = kPi * std::clamp(since / half, 0.02, 0.98);
+    const double angle = std::numbers::pi * std::clamp(since / half, 0.02, 0.98);
     const double tilt = day ? kSunTilt : 0.5 * kSunTilt;
     return {std::cos(tilt) * std::cos(angle), -std::sin(tilt), std::cos(tilt) * std::sin(angle)};
 }
@@ -137,8 +139,8 @@ dat::SkyTimeOfDay keyframe(const Moment& m, dat::RecordId lowSun) {
     const Vec3 towards = lightDirection(m.time);
     key.begin = static_cast<float>(m.time);
     key.dirBright = static_cast<float>(m.sun);
-    key.dirHeading = static_cast<float>(std::atan2(towards.y, towards.x) * 180.0 / kPi);
-    key.dirPitch = static_cast<float>(std::asin(towards.z) * 180.0 / kPi);
+    key.dirHeading = static_cast<float>(std::atan2(towards.y, towards.x) * 180.0 / std::numbers::pi);
+    key.dirPitch = static_cast<float>(std::asin(towards.z) * 180.0 / std::numbers::pi);
     key.dirColour.argb = m.sunColour;
     key.ambBright = static_cast<float>(m.ambient);
     key.ambColour.argb = m.ambientColour;

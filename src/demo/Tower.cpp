@@ -9,10 +9,10 @@ namespace limen::demo {
 
 namespace {
 
-constexpr double kRoomHeight = 4.5;
+constexpr double kTowerRoomHeight = 4.5;
 constexpr double kInnerHalf = 1.75, kOuterHalf = 2.0625;
 constexpr double kBase = -4.0; ///< where the walls end in the ground
-constexpr double kCeiling = 2.0 * kTowerStorey + kRoomHeight;
+constexpr double kCeiling = 2.0 * kTowerStorey + kTowerRoomHeight;
 constexpr double kParapetTop = kTowerRoof + 1.0;
 constexpr double kParapet = 5.5, kParapetHalf = 2.25; ///< the parapet's outer face
 
@@ -20,7 +20,7 @@ constexpr double kParapet = 5.5, kParapetHalf = 2.25; ///< the parapet's outer f
 constexpr std::array<std::array<double, 2>, 4> kSides{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 /// An opening through the wall, in a plane at `reach` from the middle.
-struct WallOpening {
+struct TowerOpening {
     std::size_t side = 0;
     std::size_t room = 0;
     bool door = false;
@@ -36,8 +36,8 @@ struct WallOpening {
     }
 };
 
-std::vector<WallOpening> wallOpenings() {
-    std::vector<WallOpening> out{{0, 0, true}};
+std::vector<TowerOpening> wallOpenings() {
+    std::vector<TowerOpening> out{{0, 0, true}};
     for (std::size_t room = 0; room < 3; ++room) {
         for (std::size_t side = room == 0 ? 1 : 0; side < 4; ++side) {
             out.push_back({side, room, false});
@@ -66,12 +66,12 @@ Outline ringAt(double reach, double half, double z) {
 
 /// Walls with their openings, reveals and portals; closed where they meet.
 void addWalls(std::vector<Face>& faces) {
-    const std::vector<WallOpening> openings = wallOpenings();
+    const std::vector<TowerOpening> openings = wallOpenings();
     for (const Face& wall :
          wallBetween(ringAt(kTowerOuter, kOuterHalf, kBase), ringAt(kTowerOuter, kOuterHalf, kCeiling - 0.75),
                      Material::StoneWall)) {
         std::vector<Outline> own;
-        for (const WallOpening& opening : openings) {
+        for (const TowerOpening& opening : openings) {
             if (glm::dot(faceNormal(wall), opening.out()) > 0.99) {
                 own.push_back(opening.at(kTowerOuter));
             }
@@ -80,7 +80,7 @@ void addWalls(std::vector<Face>& faces) {
             faces.push_back(std::move(strip));
         }
     }
-    for (const WallOpening& opening : openings) {
+    for (const TowerOpening& opening : openings) {
         const Outline inner = opening.at(kTowerWall);
         const Outline outer = opening.at(kTowerOuter);
         Vec3 middle(0.0);
@@ -212,19 +212,19 @@ BuildingPlan planTower(ModelSink& sink, const DungeonProps& props) {
         const double z = static_cast<double>(room) * kTowerStorey;
         const std::size_t cell =
             complex.addSwept("tower.room", levelOutline(octagon(kTowerWall, kInnerHalf), z),
-                             {0.0, 0.0, kRoomHeight}, room == 0 ? stone : boards);
+                             {0.0, 0.0, kTowerRoomHeight}, room == 0 ? stone : boards);
         if (room > 0) {
             complex.join(cell - 1, cell, hatchAt(z));
         }
-        for (const WallOpening& opening : wallOpenings()) {
+        for (const TowerOpening& opening : wallOpenings()) {
             if (opening.room == room) {
                 complex.open(cell, opening.at(kTowerWall));
             }
         }
         if (room < 2) {
-            const std::size_t hatch = complex.addSwept("tower.hatch", hatchAt(z + kRoomHeight),
-                                                       {0.0, 0.0, kTowerStorey - kRoomHeight}, stone);
-            complex.join(cell, hatch, hatchAt(z + kRoomHeight));
+            const std::size_t hatch = complex.addSwept("tower.hatch", hatchAt(z + kTowerRoomHeight),
+                                                       {0.0, 0.0, kTowerStorey - kTowerRoomHeight}, stone);
+            complex.join(cell, hatch, hatchAt(z + kTowerRoomHeight));
         } else {
             complex.open(cell, hatchAt(kCeiling));
         }

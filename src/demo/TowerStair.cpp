@@ -1,12 +1,12 @@
 #include "demo/TowerStair.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace limen::demo {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kStairsPerTurn = 24;
 constexpr double kRise = kTowerStorey / kStairsPerTurn;
 constexpr double kNewel = 0.18, kTreadEnd = 1.62;
@@ -14,12 +14,12 @@ constexpr double kNewel = 0.18, kTreadEnd = 1.62;
 } // namespace
 
 double stairAngle(double z) {
-    return 2.0 * kPi * z / kTowerStorey;
+    return 2.0 * std::numbers::pi * z / kTowerStorey;
 }
 
 dat::RecordId addWindingStair(ModelSink& sink) {
     const auto at = [](double radius, int step, double z) {
-        const double a = 2.0 * kPi * step / kStairsPerTurn;
+        const double a = 2.0 * std::numbers::pi * step / kStairsPerTurn;
         return Vec3(radius * std::cos(a), radius * std::sin(a), z);
     };
     MeshBuilder mesh;

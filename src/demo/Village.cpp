@@ -11,11 +11,6 @@ namespace limen::demo {
 
 namespace {
 
-/// Stands a model on the ground at block coordinates.
-void stand(BlockBuilder& block, dat::RecordId model, double x, double y, double turn) {
-    block.addObject({model, {{x, y, groundHeight(192.0 + x, 192.0 + y)}, turn}});
-}
-
 /// A row of fence pieces along x, 3 m each, open where a piece would lie in the gap.
 void fenceRow(BlockBuilder& block, dat::RecordId fence, double y, double from, double to, double gapFrom,
               double gapTo) {

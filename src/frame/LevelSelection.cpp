@@ -11,7 +11,7 @@ namespace {
 
 using visibility::Containment;
 /// Clusters on their way to the cache while one is asked about.
-constexpr std::size_t kFetchedAhead = 4;
+constexpr std::size_t kPartsAhead = 4;
 constexpr std::uint32_t kBits = 64;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
@@ -93,8 +93,8 @@ void LevelSelection::descend(std::uint32_t root, const visibility::Viewcones& co
             leafCount_ += static_cast<std::size_t>(isPartial & isLeaf);
             wholeCount_ += static_cast<std::size_t>(found[i] == Containment::Inside);
         }
-        if (next + kFetchedAhead < openCount) {
-            fetch(parts_[open_[next + kFetchedAhead]]);
+        if (next + kPartsAhead < openCount) {
+            fetch(parts_[open_[next + kPartsAhead]]);
         }
     }
 }

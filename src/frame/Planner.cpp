@@ -54,7 +54,7 @@ PieceRun gatedIf(bool gated, PieceRun run) {
 }
 
 /// Meshes on their way to the cache while a mover is planned.
-constexpr std::size_t kFetchedAhead = 8;
+constexpr std::size_t kMoversAhead = 8;
 
 /// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
@@ -154,8 +154,8 @@ void Planner::planMovers(const FrameView& frame, const world::Moment& moment, Fr
     const std::span<const SelectedMover> movers = selection_.movers();
     plan.movers.resize(movers.size());
     for (std::size_t i = 0; i < movers.size(); ++i) {
-        if (i + kFetchedAhead < movers.size()) {
-            moverPieces_.fetchFor(listed.mesh[movers[i + kFetchedAhead] & ~gpu::kGated]);
+        if (i + kMoversAhead < movers.size()) {
+            moverPieces_.fetchFor(listed.mesh[movers[i + kMoversAhead] & ~gpu::kGated]);
         }
         const std::uint32_t at = movers[i] & ~gpu::kGated;
         moverPieces_.add(listed.mesh[at], standing + static_cast<std::uint32_t>(i),

@@ -8,7 +8,7 @@
 namespace limen::motion {
 namespace {
 
-constexpr double kSkin = 0.005; // metres beside the ball: two sweeps of one way differ by less
+constexpr double kBesideBall = 0.005; // metres beside the ball: two sweeps of one way differ by less
 
 /// A ball that goes where nothing is in its way.
 class Ball {
@@ -19,8 +19,8 @@ public:
     /// Metres of a straight way, along a unit vector, that are free, of at most so many.
     [[nodiscard]] double freeAlong(const Vec3& direction, double most) const {
         const std::optional<Bump> bump =
-            around_.sweep(shape_, at_, at_.feet + direction * (most + kSkin), doors_);
-        return bump ? std::clamp(bump->share * (most + kSkin) - kSkin, 0.0, most) : most;
+            around_.sweep(shape_, at_, at_.feet + direction * (most + kBesideBall), doors_);
+        return bump ? std::clamp(bump->share * (most + kBesideBall) - kBesideBall, 0.0, most) : most;
     }
 
     void go(const Vec3& way) {

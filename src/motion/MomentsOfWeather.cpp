@@ -24,11 +24,7 @@ constexpr double kLeastSpread = 1.0; ///< metres; what is born closer together g
 constexpr double kMostSquares = 2.0; ///< what drifts farther than so many comes from nowhere
 
 /// What chance decides beyond what motion/Particles.cpp lets it.
-enum Use : std::uint32_t { kAcross = 100, kAlong, kAbove };
-
-double signedUnit(const ParticleKey& key, Use use) {
-    return 2.0 * hashedUnit(key.seed, key.number, use) - 1.0;
-}
+enum PlaceUse : std::uint32_t { kAcrossArea = 100, kAlongArea, kAboveArea };
 
 /// From a place to the nearest point of a square on the level.
 double distanceTo(const Vec2& middle, double half, const Vec2& place) {
@@ -113,8 +109,9 @@ void Moments::addFalling(const MomentInput& input, const world::SkyWeather& weat
     for (std::int64_t start = starts.first; start <= starts.last; ++start) {
         eachLiving(style, source, start, input.seconds,
                    [&](const ParticleKey& key, double, double age, double life) {
-                       const Vec3 aside = half * Vec3(signedUnit(key, kAcross), signedUnit(key, kAlong),
-                                                      signedUnit(key, kAbove));
+                       const Vec3 aside =
+                           half * Vec3(signedUnit(key, kAcrossArea), signedUnit(key, kAlongArea),
+                                       signedUnit(key, kAboveArea));
                        const ParticleState state =
                            particleAt(style, key, age, life, from.orientation, source.offset + aside);
                        if (glm::length(Vec2(middle + state.offset - input.eye)) <= radius)

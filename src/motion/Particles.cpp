@@ -30,7 +30,7 @@ enum Use : std::uint32_t {
     kStartTranslucency,
     kFinalTranslucency,
     kAround,
-    kUp
+    kUpwards
 };
 
 constexpr double kSmallest = 0.1, kLargest = 10.0; ///< scales
@@ -41,10 +41,6 @@ constexpr double kFarNumber = 1e15; ///< numbers stay whole in doubles
 
 double unit(const ParticleKey& key, Use use) {
     return hashedUnit(key.seed, key.number, use);
-}
-/// -1 <= u < 1.
-double signedUnit(const ParticleKey& key, Use use) {
-    return 2.0 * unit(key, use) - 1.0;
 }
 
 Vec3 drawn(const VectorRange& range, const ParticleKey& key, Use use) {
@@ -94,7 +90,7 @@ bool isLocal(ParticleType type, Use vector) {
 /// The way out of an explosion.
 Vec3 burst(const Vec3& c, const ParticleKey& key) {
     const double around = std::numbers::pi * signedUnit(key, kAround),
-                 up = std::numbers::pi * signedUnit(key, kUp);
+                 up = std::numbers::pi * signedUnit(key, kUpwards);
     const Vec3 way(std::cos(around) * c.x * std::cos(up), std::sin(around) * c.y * std::cos(up),
                    std::sin(up) * c.z);
     const double length = glm::length(way);
@@ -205,6 +201,10 @@ SourceStarts startsAt(const ParticleStyle& style, const ParticleSource& source, 
 
 ParticleKey keyOf(const ParticleSource& source, std::int64_t start, std::int64_t number) {
     return {source.seed + static_cast<std::uint64_t>(start) * 0xD1B54A32D192ED03u, number};
+}
+
+double signedUnit(const ParticleKey& key, std::uint32_t use) {
+    return 2.0 * hashedUnit(key.seed, key.number, use) - 1.0;
 }
 
 double lifeOf(const ParticleStyle& style, const ParticleKey& key) {

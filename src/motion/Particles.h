@@ -51,6 +51,9 @@ struct ParticleKey {
 };
 [[nodiscard]] ParticleKey keyOf(const world::ParticleSource& source, std::int64_t start, std::int64_t number);
 
+/// -1 <= u < 1, another one for each `use`.
+[[nodiscard]] double signedUnit(const ParticleKey& key, std::uint32_t use);
+
 /// How long a particle lives, seconds.
 [[nodiscard]] double lifeOf(const world::ParticleStyle& style, const ParticleKey& key);
 

@@ -6,15 +6,15 @@
 namespace limen::motion {
 namespace {
 
-enum Use : std::uint32_t { kAround, kOut, kUp, kSpreadX, kSpreadY, kSpreadZ };
+enum BallUse : std::uint32_t { kBallAround, kBallOut, kBallUp, kSpreadX, kSpreadY, kSpreadZ };
 
 /// A point of the ball of radius 1.
 Vec3 inUnitBall(std::uint32_t seed, std::int64_t number) {
-    const double around = 2.0 * std::numbers::pi * hashedUnit(seed, number, kAround);
-    const double z = 2.0 * hashedUnit(seed, number, kUp) - 1.0;
+    const double around = 2.0 * std::numbers::pi * hashedUnit(seed, number, kBallAround);
+    const double z = 2.0 * hashedUnit(seed, number, kBallUp) - 1.0;
     const double flat = std::sqrt(1.0 - z * z);
     return Vec3(flat * std::cos(around), flat * std::sin(around), z) *
-           std::cbrt(hashedUnit(seed, number, kOut));
+           std::cbrt(hashedUnit(seed, number, kBallOut));
 }
 
 } // namespace

@@ -11,9 +11,9 @@ namespace limen::reference {
 namespace {
 
 /// A space with no more portals than this has them asked one by one.
-constexpr std::uint32_t kFew = 6;
+constexpr std::uint32_t kFewPortals = 6;
 /// Portals that a hierarchy's leaf holds at most.
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kPortalsOfLeaf = 4;
 
 /// True if the ray meets the convex polygon that faces it, edges included.
 bool meetsConvex(const RayFrame& ray, std::span<const Vec3> polygon) {
@@ -102,9 +102,9 @@ Openings::Openings(const world::World& world, const Vec3& origin) : world_(world
             order_.push_back(i);
         }
         here.count = static_cast<std::uint32_t>(order_.size()) - here.first;
-        if (here.count <= kFew)
+        if (here.count <= kFewPortals)
             continue;
-        here.tree.build(boxes, kLeafSize, order);
+        here.tree.build(boxes, kPortalsOfLeaf, order);
         const std::vector<std::uint32_t> portals(order_.begin() + here.first, order_.end());
         for (std::uint32_t i = 0; i < here.count; ++i)
             order_[here.first + i] = portals[order[i]];

@@ -73,7 +73,7 @@ private:
         double before = 0.0; ///< metres before its plane up to which an eye is in it
     };
     struct SpaceOpenings {
-        Hierarchy tree; ///< only of more than kFew
+        Hierarchy tree; ///< only of more than kFewPortals
         std::uint32_t first = 0, count = 0;
     };
     /// Calls offer(portal) for those that the ray may leave its space through, as Hierarchy::walk calls its leaf.

@@ -11,7 +11,7 @@ namespace {
 
 /// Rays look for their own triangles in a body that has more than this many for each pixel it may cover: measured; a
 /// ray's walk costs about as much as testing that many triangles against the whole tile.
-constexpr std::size_t kFew = 8;
+constexpr std::size_t kFewTriangles = 8;
 
 constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b.least; };
 
@@ -82,9 +82,9 @@ void TileSurfaces::openBody(const Pending& leaf, std::uint32_t body) {
     root.isFilling = bodies.isFilling(body);
     root.set = kind_ == Kind::Solid ? &surfaces.solid : &surfaces.blended;
     const std::size_t triangles = root.set->triangles().size();
-    if (triangles > kFew) {
+    if (triangles > kFewTriangles) {
         const PixelMask pixels = pyramid_->pixelsOf(root.set->box());
-        if (triangles > kFew * static_cast<std::size_t>(std::popcount(pixels))) {
+        if (triangles > kFewTriangles * static_cast<std::size_t>(std::popcount(pixels))) {
             if (pixels != 0)
                 add({root.least, root.isFilling, root.least, std::numeric_limits<double>::infinity(),
                      root.set},

@@ -9,7 +9,7 @@
 namespace limen::reference {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4; ///< at most this many triangles are tested one by one
+constexpr std::uint32_t kTrianglesOfLeaf = 4; ///< at most this many triangles are tested one by one
 
 Box boxOf(const Triangle& triangle) {
     Extent extent;
@@ -59,7 +59,7 @@ void TriangleSet::build(Grouping& grouping, Scratch& scratch) {
     };
     if (!grouping.isKnown) {
         boxAll();
-        grouping.tree.build(scratch.boxes, kLeafSize, grouping.order);
+        grouping.tree.build(scratch.boxes, kTrianglesOfLeaf, grouping.order);
         grouping.isKnown = true;
     }
     LIMEN_ASSERT(grouping.order.size() == triangles_.size(), "a grouping is of the same mesh");

@@ -5,8 +5,8 @@
 namespace limen::world {
 namespace {
 
-constexpr double kFarthest = 500000.0; ///< metres; leaves the welder's grid room
-constexpr int kPasses = 4;             ///< of stitching; a second one is rare, a third has not been seen
+constexpr double kFarthestCorner = 500000.0; ///< metres; leaves the welder's grid room
+constexpr int kPasses = 4; ///< of stitching; a second one is rare, a third has not been seen
 
 } // namespace
 
@@ -20,7 +20,7 @@ std::uint32_t BakedGeometry::add(SourcePolygon polygon, const Placement& placeme
     for (SourcePolygon::Corner& corner : polygon.corners) {
         corner.position = placement.origin + placement.linear * corner.position;
         const Vec3& p = corner.position;
-        if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kFarthest))
+        if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kFarthestCorner))
             return kNone;
     }
     for (const SourcePolygon::Corner& corner : polygon.corners) {

@@ -1,6 +1,7 @@
 #include "world/CellPortals.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Segment.h"
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "world/PointTree.h"
 
+#include "geometry/Segment.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -81,14 +83,6 @@ void PointTree::nearSegment(const Vec3& a, const Vec3& b, double radius,
                 out.push_back(order_[i]);
         }
     }
-}
-
-SegmentDistance distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 d = b - a;
-    const double length2 = glm::dot(d, d);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
-    const Vec3 offset = p - (a + d * t);
-    return {std::sqrt(glm::dot(offset, offset)), t};
 }
 
 } // namespace limen::world

@@ -28,10 +28,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// Distance of a point from a segment, and where along it (0 at a, 1 at b) the nearest point lies.
-struct SegmentDistance {
-    double distance = 0.0, t = 0.0;
-};
-[[nodiscard]] SegmentDistance distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
-
 } // namespace limen::world

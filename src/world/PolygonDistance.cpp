@@ -1,7 +1,7 @@
 #include "world/PolygonDistance.h"
 
 #include "geometry/ConvexPolygon.h"
-#include "world/PointTree.h"
+#include "geometry/Segment.h"
 
 #include <algorithm>
 #include <limits>

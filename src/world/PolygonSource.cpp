@@ -9,7 +9,7 @@ namespace limen::world {
 namespace {
 
 /// No vertex of a real record is this far from its origin; what is, is damage. Metres.
-constexpr double kFarthest = 100000.0;
+constexpr double kFarthestPoint = 100000.0;
 
 /// Looks vertices up by key; keys are normally their positions in the list.
 class VertexLookup {
@@ -44,7 +44,7 @@ Vec2f uvOf(const dat::Vertex& vertex, std::span<const std::uint8_t> indices, std
 }
 
 bool isSane(const Vec3& p) {
-    return isFinite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kFarthest;
+    return isFinite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kFarthestPoint;
 }
 
 std::int32_t slot(std::int16_t surface, std::size_t surfaceCount) {

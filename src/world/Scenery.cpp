@@ -1,12 +1,12 @@
 #include "world/Scenery.h"
 
+#include "geometry/Angles.h"
 #include "world/LandRandom.h"
 
 namespace limen::world {
 namespace {
 
 constexpr double kRoadHalfWidth = 5.0;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 /// The draws of one entry of a scene at one vertex.
 struct Dice {

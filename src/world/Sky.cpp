@@ -1,12 +1,12 @@
 #include "world/Sky.h"
 
+#include "geometry/Angles.h"
+
 #include <algorithm>
 #include <charconv>
 
 namespace limen::world {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 double fractionOf(double time) {
     const double f = time - std::floor(time);

@@ -1,5 +1,6 @@
 #include "world/Stitch.h"
 
+#include "geometry/Segment.h"
 #include "world/Weld.h"
 
 #include <algorithm>

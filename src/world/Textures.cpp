@@ -13,7 +13,7 @@ namespace {
 using dat::PixelFormat;
 using Texel = std::array<std::uint8_t, 4>;
 
-constexpr std::int32_t kLargest = 4096;
+constexpr std::int32_t kLargestSide = 4096;
 
 std::optional<DxtKind> dxtKind(PixelFormat format) {
     switch (format) {
@@ -96,7 +96,8 @@ Texel fromBytes(PixelFormat format, const std::uint8_t* p, const dat::Palette* p
 }
 
 Result<void> check(const dat::RenderSurface& picture, const dat::Palette* palette) {
-    if (picture.width < 1 || picture.height < 1 || picture.width > kLargest || picture.height > kLargest)
+    if (picture.width < 1 || picture.height < 1 || picture.width > kLargestSide ||
+        picture.height > kLargestSide)
         return fail(ErrorCode::Malformed, "", "picture of impossible size");
     const auto width = static_cast<std::size_t>(picture.width),
                height = static_cast<std::size_t>(picture.height);
@@ -124,7 +125,7 @@ void makeBlackTransparent(Image& image) {
 Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette,
                           const DecodeRules& rules) {
     if (picture.format == PixelFormat::RawJpeg) // its size is its own: the record's may not be trusted
-        return decodeJpeg(picture.pixels, kLargest);
+        return decodeJpeg(picture.pixels, kLargestSide);
     if (Result<void> fine = check(picture, palette); !fine)
         return tl::unexpected(fine.error());
     Image image;

@@ -3,7 +3,7 @@
 #include "visibility/VisibleSet.h"
 #include "world/World.h"
 
-namespace limen::app::test {
+namespace limen::test {
 
 inline world::Instance instanceOf(world::Kind kind, std::uint32_t mesh, world::SpaceIndex placedIn,
                                   std::uint64_t object, dat::RecordId record, std::uint32_t idBase) {
@@ -57,4 +57,4 @@ inline visibility::VisibleSet twoVisits() {
     return visible;
 }
 
-} // namespace limen::app::test
+} // namespace limen::test

@@ -19,13 +19,13 @@ Triangle triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// A wall across the view, 2 m ahead.
-const std::vector<Triangle> kWall{triangle({-9, 2, -9}, {9, 2, -9}, {0, 2, 9})};
+const std::vector<Triangle> kWallAhead{triangle({-9, 2, -9}, {9, 2, -9}, {0, 2, 9})};
 
 TEST(LonePolygon, aWallAcrossTheViewHasOneDepth) {
-    EXPECT_TRUE(mayHaveDepth(kWall, north(), 30, 30, 2.0));
-    EXPECT_TRUE(mayHaveDepth(kWall, north(), 30, 30, 2.0001));
-    EXPECT_FALSE(mayHaveDepth(kWall, north(), 30, 30, 2.002));
-    EXPECT_FALSE(mayHaveDepth(kWall, north(), 30, 30, 1.998));
+    EXPECT_TRUE(mayHaveDepth(kWallAhead, north(), 30, 30, 2.0));
+    EXPECT_TRUE(mayHaveDepth(kWallAhead, north(), 30, 30, 2.0001));
+    EXPECT_FALSE(mayHaveDepth(kWallAhead, north(), 30, 30, 2.002));
+    EXPECT_FALSE(mayHaveDepth(kWallAhead, north(), 30, 30, 1.998));
 }
 
 TEST(LonePolygon, aSteepOneHasThoseWithinTheRasterisersRounding) {
@@ -55,7 +55,7 @@ TEST(LonePolygon, hasNoDepthWhereItIsNot) {
 TEST(LonePolygon, neverHasADepthThatIsNoNumber) {
     for (const double depth :
          {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-        EXPECT_FALSE(mayHaveDepth(kWall, north(), 30, 30, depth)) << depth;
+        EXPECT_FALSE(mayHaveDepth(kWallAhead, north(), 30, 30, depth)) << depth;
 }
 
 TEST(LonePolygon, aStripThinnerThanTheSnappingCoversEdgeOn) {
@@ -80,9 +80,9 @@ TEST(LonePolygon, whatLiesBehindTheEyeCoversNothing) {
 }
 
 TEST(LonePolygon, doesNotCoverEdgeOnWhatLiesBeforeItsPlane) {
-    EXPECT_TRUE(coversEdgeOn(kWall, north(), 30, 30, 2.5));
-    EXPECT_FALSE(coversEdgeOn(kWall, north(), 30, 30, 1.5)) << "something nearer is there";
-    EXPECT_TRUE(coversEdgeOn(kWall, north(), 30, 30, std::numeric_limits<double>::infinity()));
+    EXPECT_TRUE(coversEdgeOn(kWallAhead, north(), 30, 30, 2.5));
+    EXPECT_FALSE(coversEdgeOn(kWallAhead, north(), 30, 30, 1.5)) << "something nearer is there";
+    EXPECT_TRUE(coversEdgeOn(kWallAhead, north(), 30, 30, std::numeric_limits<double>::infinity()));
 }
 
 TEST(LonePolygon, itsOutlineIsRoundedTheMoreTheNearerItIs) {

@@ -7,15 +7,15 @@
 namespace limen::check {
 namespace {
 
-constexpr std::array<Kind, kKindCount> kAll{Kind::Random, Kind::Outside, Kind::Path, Kind::Sweep,
-                                            Kind::Still};
+constexpr std::array<Kind, kKindCount> kEveryKind{Kind::Random, Kind::Outside, Kind::Path, Kind::Sweep,
+                                                  Kind::Still};
 
 std::size_t sum(const KindCounts& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 TEST(Plan, kindsShareTheBudget) {
-    EXPECT_EQ(sum(shareAmongKinds(1000, kAll)), 1000u);
+    EXPECT_EQ(sum(shareAmongKinds(1000, kEveryKind)), 1000u);
     const std::array<Kind, 1> sweep{Kind::Sweep};
     const KindCounts only = shareAmongKinds(77, sweep);
     EXPECT_EQ(only[static_cast<std::size_t>(Kind::Sweep)], 77u);
@@ -23,17 +23,17 @@ TEST(Plan, kindsShareTheBudget) {
 }
 
 TEST(Plan, everyWantedKindGetsAView) {
-    for (const std::size_t count : shareAmongKinds(1, kAll))
+    for (const std::size_t count : shareAmongKinds(1, kEveryKind))
         EXPECT_GE(count, 1u);
 }
 
 TEST(Plan, kindsWithoutAPlaceLeaveTheirShareToOthers) {
     const BlockSummary dungeon{{1, 1}, 30, false, false}, hills{{2, 2}, 0, false, true};
-    const std::vector<Kind> below = kindsWithPlaces(kAll, std::vector{dungeon});
+    const std::vector<Kind> below = kindsWithPlaces(kEveryKind, std::vector{dungeon});
     EXPECT_EQ(below, (std::vector<Kind>{Kind::Random, Kind::Path, Kind::Sweep, Kind::Still}));
     EXPECT_EQ(sum(shareAmongKinds(50, below)), 50u);
-    EXPECT_EQ(kindsWithPlaces(kAll, std::vector{hills}), std::vector<Kind>{Kind::Outside});
-    EXPECT_EQ(kindsWithPlaces(kAll, std::vector{dungeon, hills}).size(), kAll.size());
+    EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{hills}), std::vector<Kind>{Kind::Outside});
+    EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{dungeon, hills}).size(), kEveryKind.size());
 }
 
 TEST(Plan, blocksShareByCells) {

@@ -11,7 +11,7 @@ using test::at;
 using test::HandMadeRetracer;
 using test::tracedOf;
 
-constexpr std::uint32_t kWall = 5, kFloor = 7, kHidden = 9;
+constexpr std::uint32_t kSampledWall = 5, kFloor = 7, kHidden = 9;
 
 std::array<std::uint8_t, 3> grey(std::uint32_t id) {
     const auto v = static_cast<std::uint8_t>(20 * id);
@@ -21,7 +21,7 @@ std::array<std::uint8_t, 3> grey(std::uint32_t id) {
 /// 6 × 4 pixels of four samples, all of a wall; pixel (2, 1) is to be looked at.
 struct Sampled {
     DrawnImages drawn;
-    std::vector<reference::Picture> traced{4, tracedOf(6, 4, kWall)};
+    std::vector<reference::Picture> traced{4, tracedOf(6, 4, kSampledWall)};
     HandMadeRetracer retracer;
     Comparison result;
 
@@ -29,7 +29,7 @@ struct Sampled {
         drawn.width = 6;
         drawn.height = 4;
         drawn.samples = {{-0.375f, -0.125f}, {0.125f, -0.375f}, {0.375f, 0.125f}, {-0.125f, 0.375f}};
-        drawn.colour.assign(std::size_t{6} * 4 * 4, static_cast<std::uint8_t>(20 * kWall));
+        drawn.colour.assign(std::size_t{6} * 4 * 4, static_cast<std::uint8_t>(20 * kSampledWall));
     }
     void draw(std::uint32_t value, std::size_t x = 2, std::size_t y = 1) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -66,9 +66,9 @@ TEST(SampledComparison, whereAllSamplesMeetTheSameTheColourIsExact) {
 TEST(SampledComparison, anEdgeThatPassesBesideASampleMakesASliver) {
     Sampled pixel;
     pixel.draw((3 * 100 + 140) / 4);
-    pixel.retracer.exactId = [](double x, double) { return x > 2.37501 && x < 2.4 ? kFloor : kWall; };
+    pixel.retracer.exactId = [](double x, double) { return x > 2.37501 && x < 2.4 ? kFloor : kSampledWall; };
     EXPECT_EQ(pixel.verdict(), Verdict::Sliver);
-    pixel.retracer.exactId = [](double x, double) { return x > 2.376 ? kFloor : kWall; };
+    pixel.retracer.exactId = [](double x, double) { return x > 2.376 ? kFloor : kSampledWall; };
     EXPECT_EQ(pixel.verdict(), Verdict::Disagrees) << "farther off than corners are rounded";
 }
 
@@ -76,7 +76,7 @@ TEST(SampledComparison, anEdgeThatPassesBesideASampleMakesASliver) {
 TEST(SampledComparison, anOutlineNearTheEyeIsRoundedByMore) {
     Sampled pixel;
     pixel.draw((3 * 100 + 140) / 4);
-    pixel.retracer.exactId = [](double x, double) { return x > 2.376 && x < 2.4 ? kFloor : kWall; };
+    pixel.retracer.exactId = [](double x, double) { return x > 2.376 && x < 2.4 ? kFloor : kSampledWall; };
     pixel.retracer.near = {kFloor};
     pixel.retracer.rounding = [](std::uint32_t id) { return id == kFloor ? 5e-4 : 0.0; };
     EXPECT_EQ(pixel.verdict(), Verdict::Disagrees) << "it would have to be moved by 1e-3 of a pixel";
@@ -90,14 +90,16 @@ TEST(SampledComparison, anOutlineNearTheEyeIsRoundedByMore) {
 TEST(SampledComparison, aStripNarrowerThanAnyGridMakesASliver) {
     Sampled pixel;
     pixel.draw((3 * 100 + 140) / 4);
-    pixel.retracer.exactId = [](double x, double) { return x > 2.3750001 && x < 2.375002 ? kFloor : kWall; };
+    pixel.retracer.exactId = [](double x, double) {
+        return x > 2.3750001 && x < 2.375002 ? kFloor : kSampledWall;
+    };
     EXPECT_EQ(pixel.verdict(), Verdict::Sliver);
 }
 
 TEST(SampledComparison, whatIsSeenOnlyInPixelsAroundIsWrong) {
     Sampled pixel;
     pixel.draw((3 * 100 + 140) / 4);
-    pixel.retracer.exactId = [](double, double) { return kWall; };
+    pixel.retracer.exactId = [](double, double) { return kSampledWall; };
     pixel.retracer.edgeOn = [](std::uint32_t id) { return id == kFloor; };
     at(pixel.traced[0], 3, 2) = answer(kFloor);
     pixel.draw((3 * 100 + 140) / 4, 3, 2);
@@ -109,7 +111,7 @@ TEST(SampledComparison, whatIsSeenOnlyInPixelsAroundIsWrong) {
 TEST(SampledComparison, aHiddenPolygonIsWrong) {
     Sampled pixel;
     pixel.draw((3 * 100 + 180) / 4);
-    pixel.retracer.exactId = [](double, double) { return kWall; };
+    pixel.retracer.exactId = [](double, double) { return kSampledWall; };
     pixel.retracer.near = {kHidden};
     pixel.retracer.edgeOn = [](std::uint32_t id) { return id == kHidden; };
     EXPECT_EQ(pixel.verdict(), Verdict::EdgeOn);

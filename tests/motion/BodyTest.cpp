@@ -11,11 +11,13 @@ namespace {
 using test::boxExterior;
 using test::frameAt;
 using test::Hut;
+using test::kYawEast;
+using test::kYawNorth;
+using test::kYawWest;
 using test::TestWorld;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNorth = 0.0, kEast = 90.0, kWest = 270.0;
 constexpr double kNear = 0.02; // metres: the skin, and what Bullet rounds
 
 TEST(Body, fallsOntoTheFloorAndStands) {
@@ -37,11 +39,11 @@ TEST(Body, goesAsFastAsItIsAskedTo) {
     walker.put({40, 40, 2.01}, kOutside);
     walker.stand(0.2);
     const Vec3 start = walker.feet();
-    walker.go(kEast, 1.0);
+    walker.go(kYawEast, 1.0);
     const Vec3 walked = walker.feet() - start;
     EXPECT_NEAR(walked.x, 2.2, 0.1);
     EXPECT_NEAR(walked.y, 0.0, 1e-6);
-    walker.go(kNorth, 1.0, true);
+    walker.go(kYawNorth, 1.0, true);
     EXPECT_NEAR((walker.feet() - start - walked).y, 5.0, 0.2);
 }
 
@@ -49,7 +51,7 @@ TEST(Body, stopsAtWallsAndSlidesAlongThem) {
     Hut hut;
     Walker walker(hut.source);
     walker.put({11, 13, 2.01}, walker.space(hut.front));
-    walker.go(kNorth, 2.0);
+    walker.go(kYawNorth, 2.0);
     EXPECT_NEAR(walker.feet().y, 14.0 - 0.3, kNear);
     EXPECT_NEAR(walker.feet().x, 11.0, kNear);
     walker.go(45.0, 1.0);
@@ -64,15 +66,15 @@ TEST(Body, goesThroughOpenDoorsAndKnowsWhereItIs) {
     Hut hut;
     Walker walker(hut.source);
     walker.put({6, 11.5, 2.01}, kOutside);
-    walker.go(kEast, 1.5);
+    walker.go(kYawEast, 1.5);
     EXPECT_NEAR(walker.feet().x, 9.3, 0.2);
     EXPECT_EQ(walker.body.standing.space, kOutside);
-    walker.go(kEast, 1.0);
+    walker.go(kYawEast, 1.0);
     EXPECT_EQ(walker.body.standing.space, walker.space(hut.front));
-    walker.go(kEast, 2.0);
+    walker.go(kYawEast, 2.0);
     EXPECT_EQ(walker.body.standing.space, walker.space(hut.rear));
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
-    walker.go(kWest, 6.0);
+    walker.go(kYawWest, 6.0);
     EXPECT_EQ(walker.body.standing.space, kOutside) << "and out again";
 }
 
@@ -86,12 +88,12 @@ TEST(Body, isStoppedByTheWallAroundTheSmallerOfTwoOpeningsThatAreNotAlike) {
     Walker walker(source);
     for (const double y : {10.6, 12.9}) {
         walker.put({12, y, 2.01}, walker.space(west));
-        walker.go(kEast, 2.0);
+        walker.go(kYawEast, 2.0);
         EXPECT_NEAR(walker.feet().x, 14.0 - 0.3, kNear) << y;
         EXPECT_EQ(walker.body.standing.space, walker.space(west));
     }
     walker.put({12, 11.5, 2.01}, walker.space(west));
-    walker.go(kEast, 2.0);
+    walker.go(kYawEast, 2.0);
     EXPECT_EQ(walker.body.standing.space, walker.space(east));
 }
 
@@ -105,7 +107,7 @@ TEST(Body, isStoppedByAWallHalfAMillimetreBehindAnOpening) {
     Walker walker(source);
     for (const double y : {10.5, 12.0}) {
         walker.put({12, y, 2.01}, walker.space(room));
-        walker.go(kEast, 2.0);
+        walker.go(kYawEast, 2.0);
         EXPECT_NEAR(walker.feet().x, 14.0 - 0.3, kNear) << y;
     }
 }
@@ -118,14 +120,14 @@ TEST(Body, isStoppedByShutDoors) {
     for (const bool shut : {true, false}) {
         walker.doors.assign(1, shut ? 0.0 : 1.0);
         walker.put({7, 11.5, 2.01}, kOutside);
-        walker.go(kEast, 2.0);
+        walker.go(kYawEast, 2.0);
         EXPECT_EQ(walker.body.standing.space, shut ? kOutside : walker.space(hut.front));
         EXPECT_EQ(walker.feet().x < 10.0, shut);
         walker.put({12, 11.5, 2.01}, walker.space(hut.front));
-        walker.go(kWest, 2.0);
+        walker.go(kYawWest, 2.0);
         EXPECT_EQ(walker.body.standing.space, shut ? walker.space(hut.front) : kOutside);
         walker.put({12, 11.5, 2.01}, walker.space(hut.front));
-        walker.go(kEast, 2.0);
+        walker.go(kYawEast, 2.0);
         EXPECT_EQ(walker.body.standing.space, walker.space(hut.rear)) << "no door is known there";
     }
 }
@@ -136,7 +138,7 @@ TEST(Body, isNotBlockedByTheGroundThatACellarLiesUnder) {
     walker.put({12.5, 12.5, 0.0}, walker.space(hut.cellar));
     walker.stand(0.5);
     EXPECT_NEAR(walker.feet().z, -1.0, kNear);
-    walker.go(kWest, 4.0); // under the meadow
+    walker.go(kYawWest, 4.0); // under the meadow
     EXPECT_NEAR(walker.feet().x, 6.3, kNear);
     EXPECT_NEAR(walker.feet().z, -1.0, kNear);
     EXPECT_EQ(walker.body.standing.space, walker.space(hut.cellar));
@@ -146,7 +148,7 @@ TEST(Body, isNotBlockedOutdoorsByTheCellarBelow) {
     Hut hut;
     Walker walker(hut.source);
     walker.put({5, 12, 2.01}, kOutside);
-    walker.go(kEast, 1.5);
+    walker.go(kYawEast, 1.5);
     EXPECT_NEAR(walker.feet().x, 5 + 2.2 * 1.5, 0.15);
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
 }
@@ -168,11 +170,11 @@ TEST(Body, climbsStepsUpToItsHeightAndNoHigher) {
         hut.source.addObject(block, frameAt({32, 40, 2}));
         Walker walker(hut.source);
         walker.put({30, 40, 2.01}, kOutside);
-        walker.go(kEast, 1.8);
+        walker.go(kYawEast, 1.8);
         if (step < 0.6) {
             EXPECT_NEAR(walker.feet().z, 2.0 + step, kNear);
             EXPECT_NEAR(walker.feet().x, 30 + 2.2 * 1.8, 0.2) << "no slower";
-            walker.go(kWest, 2.0);
+            walker.go(kYawWest, 2.0);
             EXPECT_NEAR(walker.feet().z, 2.0, kNear) << "and down again";
         } else {
             EXPECT_NEAR(walker.feet().x, 32 - 0.3, kNear);
@@ -191,9 +193,9 @@ TEST(Body, climbsStairs) {
     hut.source.addObject(landing, frameAt({35, 40, 2}));
     Walker walker(hut.source);
     walker.put({30, 40, 2.01}, kOutside);
-    walker.go(kEast, 3.0);
+    walker.go(kYawEast, 3.0);
     EXPECT_NEAR(walker.feet().z, 4.0, kNear);
-    walker.go(kWest, 3.0);
+    walker.go(kYawWest, 3.0);
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
     EXPECT_TRUE(walker.body.isOnGround) << "step by step, not in the air";
 }
@@ -210,7 +212,7 @@ TEST(Body, getsOutOfANotchThatIsTooSteepToStandIn) {
     EXPECT_GT(held.z, 3.1);
     walker.stand(1.0);
     EXPECT_EQ(walker.feet(), held) << "at rest, to the bit";
-    walker.go(kNorth, 3.0);
+    walker.go(kYawNorth, 3.0);
     EXPECT_GT(walker.feet().y, 42.0);
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
 }

@@ -14,12 +14,14 @@ namespace {
 using test::boxExterior;
 using test::frameAt;
 using test::Hut;
+using test::kYawEast;
+using test::kYawNorth;
+using test::kYawWest;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNorth = 0.0, kEast = 90.0, kWest = 270.0;
-constexpr double kFrame = 0.03;
-constexpr double kRadius = ChaseShape().radius;
+constexpr double kCameraFrame = 0.03;
+constexpr double kCameraRadius = ChaseShape().radius;
 
 Vec3 direction(double yaw, double pitch = 0.0) {
     return turnedTo(yaw) * Vec3(0.0, std::cos(glm::radians(pitch)), std::sin(glm::radians(pitch)));
@@ -35,20 +37,20 @@ struct Chase {
     }
     void frame(double yaw, double pitch = 0.0, double walks = 0.0) {
         const BodyInput input{.forward = walks, .yaw = yaw};
-        walker.body = moved(walker.body, input, kFrame, walker.collisions(), walker.doors);
-        camera =
-            chased(camera, walker.body, direction(yaw, pitch), kFrame, walker.collisions(), walker.doors);
+        walker.body = moved(walker.body, input, kCameraFrame, walker.collisions(), walker.doors);
+        camera = chased(camera, walker.body, direction(yaw, pitch), kCameraFrame, walker.collisions(),
+                        walker.doors);
     }
     void go(double yaw, double seconds, double pitch = 0.0, double walks = 0.0) {
-        for (double t = 0.0; t < seconds; t += kFrame)
+        for (double t = 0.0; t < seconds; t += kCameraFrame)
             frame(yaw, pitch, walks);
     }
     [[nodiscard]] Vec3 eye() const { return camera.eye.position - walker.at(0, 0, 0); }
     [[nodiscard]] Vec3 head() const { return walker.feet() + Vec3(0.0, 0.0, BodyShape().eyeHeight); }
     /// Whether what a ball around it touches stays out of it, but for what Bullet rounds.
     [[nodiscard]] bool isInNothing() const {
-        const Capsule ball{kRadius, 2.0 * kRadius};
-        const Standing at{camera.eye.position - Vec3(0.0, 0.0, kRadius), camera.eye.space};
+        const Capsule ball{kCameraRadius, 2.0 * kCameraRadius};
+        const Standing at{camera.eye.position - Vec3(0.0, 0.0, kCameraRadius), camera.eye.space};
         return glm::length(walker.collisions().wayOut(ball, at, walker.doors)) < 0.002;
     }
     [[nodiscard]] bool isWhereItSays() const {
@@ -64,7 +66,7 @@ TEST(ChaseCamera, goesBehindAndAboveTheHead) {
     Hut hut;
     Chase chase(hut);
     chase.put({40, 40, 2.01}, kOutside);
-    chase.go(kEast, 5.0);
+    chase.go(kYawEast, 5.0);
     EXPECT_LT(glm::length(chase.eye() - (chase.head() + Vec3(-3.0, 0.0, 0.4))), 1e-6);
     EXPECT_EQ(chase.camera.eye.space, kOutside);
 }
@@ -75,7 +77,7 @@ TEST(ChaseCamera, comesOutByAndBy) {
     chase.put({40, 40, 2.01}, kOutside);
     double before = -1.0;
     for (int i = 0; i < 20; ++i) {
-        chase.frame(kNorth);
+        chase.frame(kYawNorth);
         EXPECT_GT(chase.camera.arm, before);
         EXPECT_LT(chase.camera.arm - before, 1.5);
         before = chase.camera.arm;
@@ -87,7 +89,7 @@ TEST(ChaseCamera, case27_comesToRestToTheBit) {
     Hut hut;
     Chase chase(hut);
     for (const Vec3& place : {Vec3(40, 40, 2.5), Vec3(12, 11, 2.5), Vec3(10.4, 11.5, 2.01)}) {
-        for (const double yaw : {kNorth, kWest, 33.0, 200.0}) {
+        for (const double yaw : {kYawNorth, kYawWest, 33.0, 200.0}) {
             SCOPED_TRACE(testing::Message() << place.x << " " << yaw);
             chase.put(place, place.x == 40 ? kOutside : chase.walker.space(hut.front));
             chase.go(yaw, 4.0, -7.0);
@@ -108,11 +110,11 @@ TEST(ChaseCamera, isPushedInByAWallAndKeepsOffIt) {
     Chase chase(hut);
     chase.put({10.4, 13.0, 2.01}, chase.walker.space(hut.front)); // its back to the western wall
     for (int i = 0; i < 100; ++i) {
-        chase.frame(kEast);
-        ASSERT_GE(chase.eye().x, 10.0 + kRadius - 1e-3);
+        chase.frame(kYawEast);
+        ASSERT_GE(chase.eye().x, 10.0 + kCameraRadius - 1e-3);
         ASSERT_EQ(chase.camera.eye.space, chase.walker.space(hut.front));
     }
-    EXPECT_LT(chase.eye().x, 10.0 + kRadius + 0.02) << "as far back as there is room";
+    EXPECT_LT(chase.eye().x, 10.0 + kCameraRadius + 0.02) << "as far back as there is room";
 }
 
 TEST(ChaseCamera, isPushedInAtOnce) {
@@ -121,23 +123,23 @@ TEST(ChaseCamera, isPushedInAtOnce) {
     hut.source.addObject(wall, frameAt({30, 40, 2}));
     Chase chase(hut);
     chase.put({31.0, 36.0, 2.01}, kOutside); // beside the wall's end
-    chase.go(kNorth, 3.0);
+    chase.go(kYawNorth, 3.0);
     ASSERT_EQ(chase.camera.arm, 3.0);
     chase.put({31.0, 40.0, 2.01}, kOutside);
     chase.camera.arm = 3.0;
-    chase.frame(kEast);
-    EXPECT_GE(chase.eye().x, 30.1 + kRadius - 1e-3);
+    chase.frame(kYawEast);
+    EXPECT_GE(chase.eye().x, 30.1 + kCameraRadius - 1e-3);
 }
 
 TEST(ChaseCamera, case23_isPulledThroughADoorAfterTheBody) {
     Hut hut;
     Chase chase(hut);
     chase.put({5, 11.5, 2.01}, kOutside);
-    chase.go(kEast, 3.0);
+    chase.go(kYawEast, 3.0);
     const world::SpaceIndex front = chase.walker.space(hut.front), rear = chase.walker.space(hut.rear);
     bool bodyAlone = false;
     for (int i = 0; i < 140 && chase.walker.body.standing.space != rear; ++i) {
-        chase.frame(kEast, 0.0, 1.0);
+        chase.frame(kYawEast, 0.0, 1.0);
         ASSERT_TRUE(chase.isWhereItSays()) << chase.eye().x;
         ASSERT_TRUE(chase.isInNothing()) << chase.eye().x << " " << chase.eye().z;
         bodyAlone =
@@ -154,7 +156,7 @@ TEST(ChaseCamera, case23_looksOutOfTheDoorThatTheBodyLeft) {
     chase.put({13, 11.5, 2.01}, front);
     bool eyeAlone = false;
     for (int i = 0; i < 90; ++i) {
-        chase.frame(kWest, 0.0, 1.0);
+        chase.frame(kYawWest, 0.0, 1.0);
         ASSERT_TRUE(chase.isWhereItSays()) << chase.eye().x;
         eyeAlone =
             eyeAlone || (chase.walker.body.standing.space == kOutside && chase.camera.eye.space == front);
@@ -171,7 +173,7 @@ TEST(ChaseCamera, staysOnTheBodysSideOfAShutDoor) {
         SCOPED_TRACE(shut);
         chase.walker.doors.assign(1, shut ? 0.0 : 1.0);
         chase.put({10.6, 11.5, 2.01}, chase.walker.space(hut.front));
-        chase.go(kEast, 3.0);
+        chase.go(kYawEast, 3.0);
         EXPECT_EQ(chase.camera.eye.space, shut ? chase.walker.space(hut.front) : kOutside);
         EXPECT_EQ(chase.eye().x > 10.0, shut);
     }
@@ -181,12 +183,12 @@ TEST(ChaseCamera, goesUnderTheGroundInACellarAndNotOutside) {
     Hut hut;
     Chase chase(hut);
     chase.put({12.5, 12.5, -0.99}, chase.walker.space(hut.cellar));
-    chase.go(kEast, 3.0);
+    chase.go(kYawEast, 3.0);
     EXPECT_NEAR(chase.eye().x, 9.5, 0.1) << "under the meadow";
     EXPECT_EQ(chase.camera.eye.space, chase.walker.space(hut.cellar));
     chase.put({40, 40, 2.01}, kOutside);
-    chase.go(kEast, 3.0, 60.0); // it looks up; its place would be below
-    EXPECT_GE(chase.eye().z, 2.0 + kRadius - 1e-3);
+    chase.go(kYawEast, 3.0, 60.0); // it looks up; its place would be below
+    EXPECT_GE(chase.eye().z, 2.0 + kCameraRadius - 1e-3);
     EXPECT_EQ(chase.camera.eye.space, kOutside);
 }
 
@@ -196,9 +198,9 @@ TEST(ChaseCamera, bendsDownUnderALowCeiling) {
     hut.source.addObject(board, frameAt({40, 40, 2 + 1.8}));
     Chase chase(hut);
     chase.put({40, 40, 2.01}, kOutside);
-    chase.go(kEast, 1.0);
+    chase.go(kYawEast, 1.0);
     EXPECT_TRUE(chase.isInNothing());
-    EXPECT_LE(chase.eye().z, 2.0 + 1.8 - kRadius + 1e-3);
+    EXPECT_LE(chase.eye().z, 2.0 + 1.8 - kCameraRadius + 1e-3);
 }
 
 // Whatever it does: in nothing, and in the space that its place says.

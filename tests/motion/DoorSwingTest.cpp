@@ -12,12 +12,14 @@ namespace {
 using test::boxExterior;
 using test::frameAt;
 using test::Hut;
+using test::kYawEast;
+using test::kYawNorth;
+using test::kYawSouth;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNorth = 0.0, kEast = 90.0, kSouth = 180.0;
-constexpr double kNear = 0.02, kRadius = 0.3, kHalfLeaf = 0.03;
-constexpr double kFrame = 1.0 / 30.0;
+constexpr double kNearLeaf = 0.02, kBodyRadius = 0.3, kHalfLeaf = 0.03;
+constexpr double kSwingFrame = 1.0 / 30.0;
 
 /// A hut whose front door, in the wall x = 10 from y = 11 to 12, hangs at y = 11 and opens outwards by a right angle, or inwards.
 struct DoorHut : Hut {
@@ -34,10 +36,10 @@ struct Swung {
     explicit Swung(DoorHut& of) : hut(of), walker(of.source, of.moving) { walker.doors = {0.0}; }
     /// Swings for a while, by frames, and lets the body stand meanwhile.
     void swingTo(double to, double seconds = 1.5) {
-        for (double t = 0.0; t < seconds; t += kFrame) {
-            const double way = std::clamp(to - walker.doors[0], -kFrame, kFrame);
+        for (double t = 0.0; t < seconds; t += kSwingFrame) {
+            const double way = std::clamp(to - walker.doors[0], -kSwingFrame, kSwingFrame);
             swing(0, walker.doors[0] + way, walker.doors, walker.body, walker.collisions());
-            walker.body = moved(walker.body, {}, kFrame, walker.collisions(), walker.doors);
+            walker.body = moved(walker.body, {}, kSwingFrame, walker.collisions(), walker.doors);
             deepest = std::max(
                 deepest, glm::length(walker.collisions().wayOut({}, walker.body.standing, walker.doors)));
         }
@@ -55,8 +57,8 @@ TEST(DoorLeaf, aShutOneStopsABodyAtItsFace) {
     DoorHut hut;
     Swung s(hut);
     s.put({7, 11.5, 2.01}, kOutside);
-    s.walker.go(kEast, 2.0);
-    EXPECT_NEAR(s.walker.feet().x, 10.0 - kHalfLeaf - kRadius, kNear);
+    s.walker.go(kYawEast, 2.0);
+    EXPECT_NEAR(s.walker.feet().x, 10.0 - kHalfLeaf - kBodyRadius, kNearLeaf);
 }
 
 TEST(DoorLeaf, anOpenOneLeavesTheDoorwayFreeAndStopsWhoWalksIntoItsFace) {
@@ -64,16 +66,16 @@ TEST(DoorLeaf, anOpenOneLeavesTheDoorwayFreeAndStopsWhoWalksIntoItsFace) {
     Swung s(hut);
     s.walker.doors = {1.0}; // along the line y = 11, from x = 9 to 10
     s.put({7, 11.5, 2.01}, kOutside);
-    s.walker.go(kEast, 2.5);
+    s.walker.go(kYawEast, 2.5);
     EXPECT_EQ(s.walker.body.standing.space, s.walker.space(hut.front));
     for (const double from : {-1.0, 1.0}) {
         s.put({9.4, 11.0 + 1.5 * from, 2.01}, kOutside);
-        s.walker.go(from < 0.0 ? kNorth : kSouth, 2.0);
-        EXPECT_NEAR(s.walker.feet().y, 11.0 + from * (kHalfLeaf + kRadius), kNear);
+        s.walker.go(from < 0.0 ? kYawNorth : kYawSouth, 2.0);
+        EXPECT_NEAR(s.walker.feet().y, 11.0 + from * (kHalfLeaf + kBodyRadius), kNearLeaf);
     }
     s.walker.doors = {0.5};
     s.put({9.5, 10.0, 2.01}, kOutside); // half open it stands askew before the doorway
-    s.walker.go(kNorth, 1.0);
+    s.walker.go(kYawNorth, 1.0);
     EXPECT_LT(s.walker.feet().y, 12.0) << "it slides along it";
     EXPECT_LT(s.walker.feet().x, 9.4);
 }
@@ -83,8 +85,8 @@ TEST(DoorLeaf, isMetFromTheRoomThatItSwingsInto) {
     Swung s(hut);
     s.walker.doors = {1.0}; // along y = 11, from x = 10 to 11
     s.put({10.6, 12.5, 2.01}, s.walker.space(hut.front));
-    s.walker.go(kSouth, 2.0);
-    EXPECT_NEAR(s.walker.feet().y, 11.0 + kHalfLeaf + kRadius, kNear);
+    s.walker.go(kYawSouth, 2.0);
+    EXPECT_NEAR(s.walker.feet().y, 11.0 + kHalfLeaf + kBodyRadius, kNearLeaf);
 }
 
 TEST(DoorLeaf, aShutPaneStopsABodyThoughItStopsNoRay) {
@@ -93,8 +95,8 @@ TEST(DoorLeaf, aShutPaneStopsABodyThoughItStopsNoRay) {
     moving.doors.push_back({"glass", hut.source.id(hut.front), hut.door.index, false, 0.0, {}});
     Walker walker(hut.source, moving);
     walker.put({7, 11.5, 2.01}, kOutside);
-    walker.go(kEast, 2.0);
-    EXPECT_NEAR(walker.feet().x, 10.0 - kRadius, kNear);
+    walker.go(kYawEast, 2.0);
+    EXPECT_NEAR(walker.feet().x, 10.0 - kBodyRadius, kNearLeaf);
 }
 
 TEST(DoorSwing, pushesABodyBeforeIt) {
@@ -105,7 +107,8 @@ TEST(DoorSwing, pushesABodyBeforeIt) {
     EXPECT_EQ(s.walker.doors[0], 1.0);
     EXPECT_LT(s.deepest, 0.002);
     const Vec3 feet = s.walker.feet();
-    EXPECT_TRUE(feet.y < 11.0 - kHalfLeaf - kRadius + kNear || feet.x < 9.0) << feet.x << " " << feet.y;
+    EXPECT_TRUE(feet.y < 11.0 - kHalfLeaf - kBodyRadius + kNearLeaf || feet.x < 9.0)
+        << feet.x << " " << feet.y;
     EXPECT_EQ(s.walker.body.standing.space, kOutside);
 }
 
@@ -119,7 +122,7 @@ TEST(DoorSwing, pushesABodyOutOfTheDoorwayThatItShuts) {
         s.swingTo(0.0, 2.0);
         EXPECT_EQ(s.walker.doors[0], 0.0);
         EXPECT_LT(s.deepest, 0.002);
-        EXPECT_GT(std::abs(s.walker.feet().x - 10.0), kHalfLeaf + kRadius - kNear);
+        EXPECT_GT(std::abs(s.walker.feet().x - 10.0), kHalfLeaf + kBodyRadius - kNearLeaf);
     }
 }
 
@@ -182,9 +185,9 @@ TEST(DoorSwing, isUsedDoorByDoorAndTheSameAgain) {
         use.use(s.walker.world().doors[0]);
         s.put({9.5, 11.6, 2.01}, kOutside);
         for (int i = 0; i < 45; ++i) {
-            use.pass(kFrame, s.walker.collisions(), s.walker.body);
+            use.pass(kSwingFrame, s.walker.collisions(), s.walker.body);
             use.write(s.walker.world(), s.walker.doors);
-            s.walker.body = moved(s.walker.body, {.forward = 0.3, .yaw = kEast}, kFrame,
+            s.walker.body = moved(s.walker.body, {.forward = 0.3, .yaw = kYawEast}, kSwingFrame,
                                   s.walker.collisions(), s.walker.doors);
         }
         EXPECT_EQ(s.walker.doors[0], 1.0);
@@ -200,11 +203,11 @@ TEST(DoorSwing, theChaseCamerasBallKeepsOffAnOpenLeaf) {
     s.put({9.5, 11.5, 2.01}, kOutside);
     ChaseState camera;
     for (int i = 0; i < 100; ++i)
-        camera = chased(camera, s.walker.body, {0, 1, 0}, kFrame, s.walker.collisions(), s.walker.doors);
+        camera = chased(camera, s.walker.body, {0, 1, 0}, kSwingFrame, s.walker.collisions(), s.walker.doors);
     EXPECT_GE(camera.eye.position.y - s.walker.at(0, 0, 0).y, 11.0 + kHalfLeaf + ChaseShape().radius - 0.002);
     s.walker.doors = {0.0};
     for (int i = 0; i < 100; ++i)
-        camera = chased(camera, s.walker.body, {0, 1, 0}, kFrame, s.walker.collisions(), s.walker.doors);
+        camera = chased(camera, s.walker.body, {0, 1, 0}, kSwingFrame, s.walker.collisions(), s.walker.doors);
     EXPECT_NEAR(camera.eye.position.y - s.walker.at(0, 0, 0).y, 8.5, 0.01) << "out of the way";
 }
 
@@ -227,10 +230,10 @@ TEST(DoorSwing, neverPushesABodyIntoAnything) {
                 const BodyInput input{.forward = 1.0, .yaw = dice(60, 120) + (i % 2 == 0 ? 0.0 : 180.0)};
                 const double to = dice(0, 1) < 0.5 ? 0.0 : 1.0;
                 for (int f = 0; f < 15; ++f) {
-                    const double way = std::clamp(to - s.walker.doors[0], -kFrame, kFrame);
+                    const double way = std::clamp(to - s.walker.doors[0], -kSwingFrame, kSwingFrame);
                     swing(0, s.walker.doors[0] + way, s.walker.doors, s.walker.body, s.walker.collisions());
                     s.walker.body =
-                        moved(s.walker.body, input, kFrame, s.walker.collisions(), s.walker.doors);
+                        moved(s.walker.body, input, kSwingFrame, s.walker.collisions(), s.walker.doors);
                     const Standing& at = s.walker.body.standing;
                     ASSERT_LT(glm::length(s.walker.collisions().wayOut({}, at, s.walker.doors)), 0.01)
                         << life << " " << i << " at " << s.walker.feet().x << " " << s.walker.feet().y;

@@ -12,14 +12,14 @@ using world::kOutside;
 using world::World;
 
 /// A hut of two rooms with a door between them, a trapdoor to a cellar, and a front door; a dungeon cell far off.
-struct Hut {
+struct HutAlone {
     TestWorld source;
     TestWorld::Cell front = source.addBox({10, 10, 2}, {14, 14, 5}),
                     rear = source.addBox({14, 10, 2}, {18, 14, 5}),
                     cellar = source.addBox({10, 10, -1}, {14, 14, 2}),
                     dungeon = source.addBox({50, 50, -20}, {60, 60, -10});
     World world;
-    Hut() {
+    HutAlone() {
         source.link(front, rectangle({14, 11, 2}, {14, 12, 4}), rear);
         source.link(front, rectangle({12, 12, 2}, {13, 13, 2}), cellar);
         const auto door = source.openOutside(front, rectangle({10, 11, 2}, {10, 12, 4}));
@@ -31,7 +31,7 @@ struct Hut {
 };
 
 TEST(Locate, findsTheCellOfABuildingElseTheOutside) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_EQ(locate(hut.world, hut.at(12, 12, 3)).space, 1u);
     EXPECT_EQ(locate(hut.world, hut.at(16, 12, 3)).space, 2u);
     EXPECT_EQ(locate(hut.world, hut.at(12, 12, 0)).space, 3u);
@@ -40,13 +40,13 @@ TEST(Locate, findsTheCellOfABuildingElseTheOutside) {
 }
 
 TEST(Locate, neverGuessesADungeonCell) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_TRUE(cellContains(hut.world, 4, hut.at(55, 55, -15)));
     EXPECT_EQ(locate(hut.world, hut.at(55, 55, -15)).space, kOutside);
 }
 
 TEST(Locate, saysWhenTwoCellsClaimThePlace) {
-    Hut hut;
+    HutAlone hut;
     const Located between = locate(hut.world, hut.at(14, 12, 3)); // in the plane of the door: both hold it
     EXPECT_EQ(between.space, 1u);
     EXPECT_TRUE(between.ambiguous);
@@ -54,7 +54,7 @@ TEST(Locate, saysWhenTwoCellsClaimThePlace) {
 }
 
 TEST(Locate, copesWithPositionsThatAreNotNumbers) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_EQ(locate(hut.world, Vec3(std::nan(""), 0, 0)).space, kOutside);
     EXPECT_FALSE(cellContains(hut.world, 1, Vec3(INFINITY)));
     EXPECT_FALSE(cellContains(hut.world, kOutside, hut.at(12, 12, 3)));
@@ -62,7 +62,7 @@ TEST(Locate, copesWithPositionsThatAreNotNumbers) {
 }
 
 TEST(CellContains, reachesATenthOfAMillimetreBeyondItsWalls) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_TRUE(cellContains(hut.world, 1, hut.at(10, 10, 2)));
     EXPECT_TRUE(cellContains(hut.world, 1, hut.at(9.9999, 12, 3)));
     EXPECT_FALSE(cellContains(hut.world, 1, hut.at(9.9995, 12, 3)));
@@ -103,7 +103,7 @@ TEST(CellContains, triesBothSidesOfAPlaneThatThePointLiesIn) {
 }
 
 TEST(CellContains, readsNegativeChildrenOfRecords) {
-    Hut hut;
+    HutAlone hut;
     dat::BspNode x, y, leaf;
     x.tag = dat::BspTag::BPIN;
     x.plane = {Vec3f(-1, 0, 0), 16.0f};
@@ -123,7 +123,7 @@ TEST(CellContains, readsNegativeChildrenOfRecords) {
 }
 
 TEST(Sweep, followsPortalsBothWays) {
-    const Hut hut;
+    const HutAlone hut;
     const Vec3 yard = hut.at(5, 11.5, 3), front = hut.at(12, 11.5, 3), rear = hut.at(17, 11.5, 3);
     EXPECT_EQ(sweep(hut.world, kOutside, yard, front), 1u);
     EXPECT_EQ(sweep(hut.world, kOutside, yard, rear), 2u);
@@ -134,19 +134,19 @@ TEST(Sweep, followsPortalsBothWays) {
 }
 
 TEST(Sweep, staysInItsSpaceWhereItMissesTheOpening) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_EQ(sweep(hut.world, 1, hut.at(12, 13, 3), hut.at(17, 13, 3)), 1u);
     EXPECT_EQ(sweep(hut.world, kOutside, hut.at(5, 13, 3), hut.at(17, 13, 3)), kOutside);
 }
 
 TEST(Sweep, countsTheEdgeOfAnOpeningAsOpen) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_EQ(sweep(hut.world, 1, hut.at(13, 12, 3), hut.at(15, 12, 3)), 2u);
     EXPECT_EQ(sweep(hut.world, 1, hut.at(13, 12.01, 3), hut.at(15, 12.01, 3)), 1u);
 }
 
 TEST(Sweep, neverPassesTheSameOpeningBackAtOnce) {
-    const Hut hut;
+    const HutAlone hut;
     const Vec3 inPlane = hut.at(14, 11.5, 3);
     EXPECT_EQ(sweep(hut.world, 1, inPlane, hut.at(14.001, 11.5, 3)), 2u);
     EXPECT_EQ(sweep(hut.world, 2, inPlane, hut.at(13.999, 11.5, 3)), 1u);
@@ -165,7 +165,7 @@ TEST(Sweep, neverPassesTheSameOpeningBackAtOnce) {
 }
 
 TEST(Sweep, copesWithBadInput) {
-    const Hut hut;
+    const HutAlone hut;
     EXPECT_EQ(sweep(hut.world, 1, hut.at(12, 12, 3), Vec3(std::nan(""))), 1u);
     EXPECT_EQ(sweep(hut.world, 77, hut.at(12, 12, 3), hut.at(12, 12, 4)), 77u);
     EXPECT_EQ(sweep(World{}, kOutside, {}, {}), kOutside);

@@ -19,7 +19,7 @@ using demo::GeneratedKind;
 using demo::test::GeneratedWorld;
 using world::kOutside;
 
-constexpr double kFrame = 1.0 / 30.0;
+constexpr double kBodyFrame = 1.0 / 30.0;
 constexpr int kFrames = 1800, kFramesEach = 15; ///< of a life; of what is done at random
 constexpr double kMostDeep = 0.01;              ///< metres in anything: the skin, and what Bullet rounds
 constexpr double kLeastWay = 0.1;               ///< metres that who is not stuck gets
@@ -163,9 +163,9 @@ private:
     }
 
     void step() {
-        use_.pass(kFrame, part_.collisions, body_, shape_);
+        use_.pass(kBodyFrame, part_.collisions, body_, shape_);
         use_.write(part_.world, doors_);
-        body_ = moved(body_, input_, kFrame, part_.collisions, doors_, shape_);
+        body_ = moved(body_, input_, kBodyFrame, part_.collisions, doors_, shape_);
         input_.jump = false;
     }
 
@@ -220,7 +220,7 @@ private:
             BodyState tries = body_;
             for (int frame = 0; frame < 45; ++frame) {
                 const BodyInput input{.forward = 1.0, .yaw = yaw, .run = true, .jump = frame == 0};
-                tries = moved(tries, input, kFrame, part_.collisions, doors_, shape_);
+                tries = moved(tries, input, kBodyFrame, part_.collisions, doors_, shape_);
                 if (glm::length(tries.standing.feet - body_.standing.feet) > kLeastWay + 1.0)
                     break;
             }

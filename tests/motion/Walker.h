@@ -6,6 +6,8 @@
 
 namespace limen::test {
 
+inline constexpr double kYawNorth = 0.0, kYawEast = 90.0, kYawSouth = 180.0, kYawWest = 270.0; ///< degrees
+
 /// Something with a body in a small world.
 class Walker {
 public:

@@ -16,14 +16,14 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using world::kOutside;
 
-constexpr double kRadius = 10.0;
+constexpr double kRainRadius = 10.0;
 
 /// A hut under a sky with two day groups; in the second an object lets sparks hang in the air, up to a radius from the eye.
 struct Sky {
     EffectsHut effects;
     dat::SkyObject object;
 
-    explicit Sky(double radius = kRadius) {
+    explicit Sky(double radius = kRainRadius) {
         dat::ParticleEmitter record = EffectsHut::emitter(effects.spark);
         record.birthrate = 0.02;
         record.maxParticles = 300;
@@ -83,9 +83,9 @@ TEST(Weather, asMuchLiesAroundTheEyeAsItsEmitterHas) {
         EXPECT_NEAR(static_cast<double>(places.size()), 300.0, 75.0); // chance
         std::size_t near = 0;
         for (const Vec3& place : places) {
-            EXPECT_LE(level(place - eye), kRadius + 1e-3);
+            EXPECT_LE(level(place - eye), kRainRadius + 1e-3);
             EXPECT_NEAR(place.z, eye.z + 2.0, 1e-3);
-            near += level(place - eye) < kRadius * std::sqrt(0.5) ? 1 : 0;
+            near += level(place - eye) < kRainRadius * std::sqrt(0.5) ? 1 : 0;
         }
         EXPECT_NEAR(static_cast<double>(near) / static_cast<double>(places.size()), 0.5, 0.12)
             << "evenly spread";
@@ -98,7 +98,7 @@ TEST(Weather, staysWhereItIsWhenTheEyeMoves) {
     const std::vector<Vec3> before = falling.around(eye), after = falling.around(then);
     std::size_t both = 0;
     for (const Vec3& place : before) {
-        if (level(place - then) > kRadius - 1e-3)
+        if (level(place - then) > kRainRadius - 1e-3)
             continue;
         ++both;
         EXPECT_TRUE(std::any_of(after.begin(), after.end(),

@@ -14,7 +14,7 @@ namespace {
 struct CasesWeather : ZoneCases {};
 LIMEN_BOTH_ZONINGS(CasesWeather);
 
-constexpr gpu::RenderOptions kCountLayers{.shading = gpu::Shading::IdsOnly, .wantLayers = true};
+constexpr gpu::RenderOptions kCountRain{.shading = gpu::Shading::IdsOnly, .wantLayers = true};
 
 /// The hut with smoke that rises in its front door, and glass in no window, so that all that is translucent is a sprite.
 struct RainyHut : MovingHut {
@@ -90,12 +90,12 @@ TEST_P(CasesWeather, case18_rainFallsOutsideOnlyWhicheverSideTheEyeIsOn) {
             motion::MomentInput input = wet;
             input.allDoors = doors;
             pictures.setMoment(input);
-            const Picture rain = pictures.expectClean(frame, kCountLayers);
+            const Picture rain = pictures.expectClean(frame, kCountRain);
             const bool toBeSeen = stand.out && (doors > 0.0 || root == world::kOutside || stand.eye.x > 14);
             EXPECT_EQ(sumOf(rain).pixels > 0, toBeSeen) << "doors " << doors;
             input.rain = false; // the player is inside
             pictures.setMoment(input);
-            EXPECT_EQ(sumOf(pictures.expectClean(frame, kCountLayers)).layers, 0u);
+            EXPECT_EQ(sumOf(pictures.expectClean(frame, kCountRain)).layers, 0u);
         }
     }
 }
@@ -112,9 +112,9 @@ TEST_P(CasesWeather, case30_rainAndSmokeAtAnOpenDoorWithTheEyeOnEitherSide) {
             SCOPED_TRACE(::testing::Message() << "x " << x << " yaw " << yaw);
             const frame::FrameView frame = pictures.look(eye, yaw, -8, root);
             pictures.setMoment(momentFor(frame, 3.0 + 0.21 * step, 1.0, true));
-            const Picture both = pictures.expectClean(frame, kCountLayers);
+            const Picture both = pictures.expectClean(frame, kCountRain);
             pictures.setMoment(momentFor(frame, 3.0 + 0.21 * step, 1.0, false));
-            const Picture smoke = pictures.expectClean(frame, kCountLayers);
+            const Picture smoke = pictures.expectClean(frame, kCountRain);
             // A pixel whose ray never gets outside has the smoke's layers and no more.
             for (std::uint32_t i = 0; i < both.layers.size(); ++i) {
                 const auto traced =

@@ -54,7 +54,7 @@ void compare(const reference::Scene& scene, const world::World& world, const wor
     }
 }
 
-double between(std::mt19937& random, double low, double high) {
+double randomBetween(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
@@ -92,18 +92,19 @@ Camera randomCamera(const world::World& world, std::mt19937& random) {
     const bool isCell = root != world::kOutside && !space.bounds.empty();
     if (isCell) {
         for (int axis = 0; axis < 3; ++axis)
-            eye[axis] = between(random, space.bounds.min[axis], space.bounds.max[axis]);
+            eye[axis] = randomBetween(random, space.bounds.min[axis], space.bounds.max[axis]);
     } else {
         const Vec3 corner = world.blocks[random() % world.blocks.size()].origin();
-        eye = corner + Vec3(between(random, 0, 192), between(random, 0, 192), between(random, 0, 40));
+        eye = corner + Vec3(randomBetween(random, 0, 192), randomBetween(random, 0, 192),
+                            randomBetween(random, 0, 40));
     }
     if (space.portalCount > 0 && random() % 2 == 0) {
         // Before, in or just behind an opening of the space, looking through it or anywhere.
         const world::Portal& portal = world.portals[space.firstPortal + random() % space.portalCount];
         const auto corners = world::cornersOf(world, portal);
         if (corners.size() >= 3) {
-            const Vec3 inner = glm::mix(glm::mix(corners[0], corners[1], between(random, 0, 1)), corners[2],
-                                        between(random, 0, 1));
+            const Vec3 inner = glm::mix(glm::mix(corners[0], corners[1], randomBetween(random, 0, 1)),
+                                        corners[2], randomBetween(random, 0, 1));
             const double steps[] = {0.0, 1e-6, 1e-4, -1e-4, 0.005, 0.3, 4.0};
             eye = inner + portal.plane.n * steps[random() % 7];
             if (random() % 2 == 0)
@@ -112,14 +113,15 @@ Camera randomCamera(const world::World& world, std::mt19937& random) {
     }
     const double fields[] = {0.01, 0.4, 1.0, 1.0, 1.0, 3.0};
     Camera camera =
-        looking(eye, forward, random() % 2 ? 0.0 : between(random, 0, 6), fields[random() % 6], root);
+        looking(eye, forward, random() % 2 ? 0.0 : randomBetween(random, 0, 6), fields[random() % 6], root);
     if (random() % 8 == 0)
         camera.right = -camera.right; // in a mirror
     return camera;
 }
 
 Vec2 randomPlace(std::mt19937& random) {
-    return random() % 2 ? Vec2(0.0) : Vec2(between(random, -0.5, 0.5), between(random, -0.5, 0.5));
+    return random() % 2 ? Vec2(0.0)
+                        : Vec2(randomBetween(random, -0.5, 0.5), randomBetween(random, -0.5, 0.5));
 }
 
 Seen compareAllOver(const world::World& world, int views, unsigned seed, bool withMoments) {
@@ -132,8 +134,8 @@ Seen compareAllOver(const world::World& world, int views, unsigned seed, bool wi
         world::Moment moment;
         if (withMoments) {
             motion::MomentInput input;
-            input.seconds = between(random, 0, 100);
-            input.allDoors = random() % 2 ? 0.0 : between(random, 0, 1);
+            input.seconds = randomBetween(random, 0, 100);
+            input.allDoors = random() % 2 ? 0.0 : randomBetween(random, 0, 1);
             input.rain = random() % 2 == 0;
             input.eye = camera.eye;
             moments.at(input, moment);
@@ -234,7 +236,7 @@ TEST(Tile, everyAnswerIsThatOfItsRayInGeneratedComplexes) {
         for (std::size_t x = 0; x < 3; ++x) {
             for (std::size_t y = 0; y < 3; ++y) {
                 const Vec3 corner(80 + static_cast<double>(x) * 4, 80 + static_cast<double>(y) * 4, 0.5);
-                const double aside = between(random, 0.2, 2.2);
+                const double aside = randomBetween(random, 0.2, 2.2);
                 if (x < 2)
                     source.link(cells[x * 3 + y],
                                 regularPolygon(corner + Vec3(4, 2, 1.5), {1, 0, 0}, 1.2,
@@ -254,8 +256,8 @@ TEST(Tile, everyAnswerIsThatOfItsRayInGeneratedComplexes) {
         const std::uint32_t post =
             source.addModel(insideOut(boxWalls({-0.3, -0.3, 0}, {0.3, 0.3, 1.8}, "pink")));
         for (int i = 0; i < 5; ++i)
-            source.addObject(post,
-                             frameAt({between(random, 79, 93), between(random, 79, 93), 0.5}, 30.0 * i));
+            source.addObject(
+                post, frameAt({randomBetween(random, 79, 93), randomBetween(random, 79, 93), 0.5}, 30.0 * i));
         const world::World world = loadTestWorld(source, {.radius = 0, .mergeZones = seed % 2 == 0});
         const Seen here = compareAllOver(world, 60, seed, false);
         EXPECT_EQ(here.wrong, 0u) << "seed " << seed << ": " << here.first;

@@ -8,7 +8,7 @@
 namespace limen::world {
 namespace {
 
-Result<WorldFile> load(const std::string& text) {
+Result<WorldFile> loadPlaces(const std::string& text) {
     const test::TempDir directory;
     std::ofstream(directory.path() / "world.json") << text;
     return loadWorldFile(directory.path());
@@ -26,7 +26,7 @@ TEST(ParseWorldFile, startIsOneOfItsPlaces) {
 }
 
 TEST(LoadWorldFile, readsPlacesAndTour) {
-    const auto file = load(R"({
+    const auto file = loadPlaces(R"({
         "places": {"hill": {"eye": [1.5, 2, -3], "yaw": 90, "pitch": -5.5},
                    "room": {"eye": [1, 2, 3], "cell": "0xA9B40100", "colour": "red"}},
         "tour": [{"x": 1, "y": 2, "z": 3, "yaw": 10, "pitch": 20, "t": 0.5}, {"eye": [4, 5, 6]}],
@@ -48,7 +48,7 @@ TEST(LoadWorldFile, isEmptyWithoutAFile) {
     const auto file = loadWorldFile(directory.path());
     ASSERT_TRUE(file);
     EXPECT_TRUE(file->places.empty() && file->tour.empty());
-    EXPECT_TRUE(load("{}"));
+    EXPECT_TRUE(loadPlaces("{}"));
 }
 
 TEST(LoadWorldFile, refusesOtherShapesWithASentence) {
@@ -58,7 +58,7 @@ TEST(LoadWorldFile, refusesOtherShapesWithASentence) {
           R"({"places": {"a": {"eye": [1, 2, 3], "yaw": "n"}}})",
           R"({"places": {"a": {"eye": [1, 2, 3], "cell": "door"}}})", R"({"tour": {}})",
           R"({"tour": [{"x": 1}]})"}) {
-        const auto file = load(text);
+        const auto file = loadPlaces(text);
         ASSERT_FALSE(file) << text;
         EXPECT_EQ(file.error().code, ErrorCode::Malformed);
         EXPECT_THAT(file.error().where, testing::HasSubstr("world.json"));

@@ -1,5 +1,7 @@
 #include "world/Stitch.h"
 
+#include "geometry/Segment.h"
+
 #include <gtest/gtest.h>
 
 namespace limen::world {

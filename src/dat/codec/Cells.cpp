@@ -6,18 +6,18 @@ namespace {
 constexpr std::size_t kMinBuildingBytes = 4 + kFrameBytes + 4 + 4;
 constexpr std::size_t kMinBuildingPortalBytes = 8;
 
-struct CellCounts {
+struct EnvCellCounts {
     std::size_t surfaces = 0, portals = 0, visibleCells = 0;
 };
 
-CellCounts cellCounts(ByteReader& io, EnvCell&) {
-    CellCounts n;
+EnvCellCounts cellCounts(ByteReader& io, EnvCell&) {
+    EnvCellCounts n;
     n.surfaces = io.count<std::uint8_t>("surfaces");
     n.portals = io.count<std::uint8_t>("portals");
     n.visibleCells = io.count<std::uint16_t>("visible cells");
     return n;
 }
-CellCounts cellCounts(ByteWriter& io, const EnvCell& cell) {
+EnvCellCounts cellCounts(ByteWriter& io, const EnvCell& cell) {
     io.count<std::uint8_t>(cell.surfaces.size());
     io.count<std::uint8_t>(cell.portals.size());
     io.count<std::uint16_t>(cell.visibleCells.size());
@@ -39,7 +39,7 @@ void envCell(IO& io, RecordId key, C& cell) {
     ownId(io, key, cell.id);
     io.value(cell.flags);
     idAgain(io, cell);
-    const CellCounts n = cellCounts(io, cell);
+    const EnvCellCounts n = cellCounts(io, cell);
     io.array(cell.surfaces, n.surfaces);
     io.value(cell.environment);
     io.value(cell.cellStructure);

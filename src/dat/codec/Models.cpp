@@ -41,18 +41,18 @@ void gfxObj(IO& io, RecordId key, G& g) {
         io.value(g.degradeId);
 }
 
-struct CellCounts {
+struct CellStructCounts {
     std::size_t polygons = 0, physicsPolygons = 0, portals = 0;
 };
 
-CellCounts cellCounts(ByteReader& io, CellStruct&) {
-    CellCounts n;
+CellStructCounts cellCounts(ByteReader& io, CellStruct&) {
+    CellStructCounts n;
     n.polygons = io.count<std::uint32_t>("polygons");
     n.physicsPolygons = io.count<std::uint32_t>("physics polygons");
     n.portals = io.count<std::uint32_t>("portals");
     return n;
 }
-CellCounts cellCounts(ByteWriter& io, const CellStruct& cell) {
+CellStructCounts cellCounts(ByteWriter& io, const CellStruct& cell) {
     io.count<std::uint32_t>(cell.polygons.size());
     io.count<std::uint32_t>(cell.physicsPolygons.size());
     io.count<std::uint32_t>(cell.portalPolygons.size());
@@ -75,7 +75,7 @@ void optionalDrawingBsp(ByteWriter& io, const std::optional<BspTree>& tree) {
 
 template <class IO, class C>
 void cellStruct(IO& io, C& cell) {
-    const CellCounts n = cellCounts(io, cell);
+    const CellStructCounts n = cellCounts(io, cell);
     vertexArray(io, cell.vertexArray);
     polygons(io, cell.polygons, n.polygons);
     io.array(cell.portalPolygons, n.portals);

@@ -20,8 +20,8 @@ namespace {
 constexpr dat::BlockCoord kBlock{0x30, 0x40};
 constexpr double kVolume = 60.0; ///< cubic metres a cell, on average
 constexpr double kLeastRadius = 0.12;
-constexpr int kGroundIndex = 40;
-constexpr std::size_t kMostPlaces = 48;
+constexpr int kComplexGround = 40;
+constexpr std::size_t kMostComplexPlaces = 48;
 
 OpeningMix mixOf(Random& random) {
     OpeningMix mix;
@@ -205,9 +205,9 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     const Props props = addProps(sink);
     Random random(seedOf(spec));
     const OpeningMix mix = mixOf(random);
-    const Land land(kBlock, 1, 1, mix.toGround ? kGroundIndex : 0);
+    const Land land(kBlock, 1, 1, mix.toGround ? kComplexGround : 0);
     // Without land the block is a dungeon.
-    const Placement at{{96.0, 96.0, heightOfIndex(kGroundIndex) + 0.125},
+    const Placement at{{96.0, 96.0, heightOfIndex(kComplexGround) + 0.125},
                        mix.toGround ? random.between(0.0, 360.0) : 0.0};
     CellsPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
     WorldNotes notes;
@@ -220,7 +220,7 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
         notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
                        blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);
     }
-    const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostPlaces);
+    const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostComplexPlaces);
     for (std::size_t c = 0; c < cells.size(); c += step) {
         const Vec3 target =
             cells[c].portals.empty()

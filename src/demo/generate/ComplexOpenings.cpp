@@ -1,5 +1,7 @@
 #include "demo/generate/ComplexOpenings.h"
 
+#include "geometry/Segment.h"
+
 #include <algorithm>
 
 namespace limen::demo {
@@ -31,9 +33,9 @@ Plane randomLine(const Polygon& face, const Vec3& through, Random& random) {
 }
 
 bool staysClear(const Polygon& polygon, const Plane& plane) {
-    constexpr double kClear = 0.02;
+    constexpr double kClearOfOpening = 0.02;
     return std::all_of(polygon.begin(), polygon.end(),
-                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) > kClear; });
+                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) > kClearOfOpening; });
 }
 
 /// Both parts of a polygon along a line that keeps away from its corners, or nothing.
@@ -72,12 +74,6 @@ Polygon shifted(Polygon polygon, const Polygon& face, Random& random) {
     return polygon;
 }
 
-double distanceToEdge(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 along = b - a;
-    const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
-    return glm::length(p - (a + along * t));
-}
-
 /// On it, or well away.
 bool isClear(double distance) {
     constexpr double kOn = 1e-6, kAway = 0.01;
@@ -88,7 +84,8 @@ bool clearOf(const Polygon& a, const Polygon& b) {
     return std::all_of(a.begin(), a.end(), [&](const Vec3& p) {
         for (std::size_t i = 0; i < b.size(); ++i) {
             const Vec3& from = b[i];
-            if (!isClear(glm::length(p - from)) || !isClear(distanceToEdge(p, from, b[(i + 1) % b.size()]))) {
+            if (!isClear(glm::length(p - from)) ||
+                !isClear(distanceToSegment(p, from, b[(i + 1) % b.size()]).distance)) {
                 return false;
             }
         }

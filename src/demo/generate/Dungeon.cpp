@@ -7,7 +7,7 @@ namespace limen::demo {
 namespace {
 
 /// A landblock holds 0x0100..0xFFFD.
-constexpr std::uint32_t kCellsPerBlock = 60000;
+constexpr std::uint32_t kMostCellsOfBlock = 60000;
 constexpr dat::BlockCoord kFirstBlock{0x10, 0x20};
 
 } // namespace
@@ -21,7 +21,7 @@ WorldRecords buildDungeon(const GeneratedSpec& spec) {
     const Props props = addProps(sink);
     const DungeonLeaves leaves = addDungeonLeaves(sink);
     WorldNotes notes;
-    const std::uint32_t blocks = (spec.size + kCellsPerBlock - 1) / kCellsPerBlock;
+    const std::uint32_t blocks = (spec.size + kMostCellsOfBlock - 1) / kMostCellsOfBlock;
     for (std::uint32_t b = 0; b < blocks; ++b) {
         const std::uint32_t cells = spec.size / blocks + (b < spec.size % blocks ? 1u : 0u);
         const std::uint64_t seed = seedOf(spec) ^ static_cast<std::uint64_t>(b) << 56;

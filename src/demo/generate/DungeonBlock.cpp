@@ -9,8 +9,8 @@ namespace limen::demo {
 
 namespace {
 
-constexpr std::size_t kListSteps = 2;
-constexpr std::size_t kMostPlaces = 64, kMostDoors = 400;
+constexpr std::size_t kDungeonListSteps = 2;
+constexpr std::size_t kMostDungeonPlaces = 64, kMostDoors = 400;
 
 /// Surfaces in place of those the shapes are stored with: floor, walls, ceiling.
 constexpr std::array<std::array<Material, 3>, 5> kThemes{
@@ -211,7 +211,7 @@ private:
 
     void notePlaces(WorldNotes& notes) const {
         const std::size_t count = layout_->rooms.size();
-        const std::size_t step = std::max<std::size_t>(1, count / kMostPlaces);
+        const std::size_t step = std::max<std::size_t>(1, count / kMostDungeonPlaces);
         for (std::size_t r = 0; r < count; r += step) {
             const LatticeRoom& room = layout_->rooms[r];
             const auto way = static_cast<std::size_t>(std::find_if(room.doors.begin(), room.doors.begin() + 4,
@@ -228,7 +228,7 @@ private:
 
     void finish() {
         for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-            for (const std::uint32_t other : cellsWithin(neighbours_, c, kListSteps)) {
+            for (const std::uint32_t other : cellsWithin(neighbours_, c, kDungeonListSteps)) {
                 cells_[c].visibleCells.push_back(wordOf(other));
             }
             cells_[c].flags = cells_[c].statics.empty() ? 0u : dat::EnvCell::kHasStatics;

@@ -19,7 +19,7 @@ constexpr int kVertices = kAcross * kCellsPerBlock;
 constexpr int kMostDungeonColumns = 64;
 constexpr std::uint32_t kDungeonCells = 200; ///< of each, unless there are more than find room
 constexpr double kHouseShare = 0.05;         ///< of the cells
-constexpr std::size_t kMostDoors = 400;
+constexpr std::size_t kMostMapDoors = 400;
 constexpr std::size_t kDungeonsWithPlaces = 2;
 
 /// Ground: mountains some kilometres apart, hills between them.
@@ -87,13 +87,13 @@ private:
                                : TerrainKind::Moss;
     }
     static bool isRoad(int vx, int vy) {
-        constexpr int kStep = kRoadEvery * kCellsPerBlock;
-        return vx % kStep == kStep / 2 || vy % kStep == kStep / 2;
+        constexpr int kRoadSteps = kRoadEvery * kCellsPerBlock;
+        return vx % kRoadSteps == kRoadSteps / 2 || vy % kRoadSteps == kRoadSteps / 2;
     }
 
     // Where roads cross, and beside them, until there are cells enough; the other landblocks hold nothing.
     void addTowns() {
-        TownBlocks towns({sink_, shapes_, props_, houseLeaves_, notes_, kMostDoors}, land_, random_);
+        TownBlocks towns({sink_, shapes_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
         const auto wanted = static_cast<std::uint32_t>(spec_.size * kHouseShare);
         std::set<std::pair<int, int>> built;
         while (towns.cells() < wanted && built.size() < kMostTownBlocks) {

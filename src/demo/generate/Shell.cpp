@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Segment.h"
 
 namespace limen::demo {
 
@@ -62,12 +63,6 @@ std::vector<Shell::Wall> piecesOf(const Shell& shell, const std::vector<std::vec
 constexpr double kSame = 1e-5, kClear = 0.001;
 constexpr std::size_t kWaysToCut = 12;
 
-double distanceToEdge(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 along = b - a;
-    const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
-    return glm::length(p - (a + along * t));
-}
-
 /// The smallest distance of a corner from another corner or edge that it is not on.
 double clearanceOf(const std::vector<Shell::Wall>& pieces) {
     std::vector<Vec3> corners;
@@ -91,7 +86,7 @@ double clearanceOf(const std::vector<Shell::Wall>& pieces) {
                 const Vec3& a = piece.points[i];
                 const Vec3& b = piece.points[(i + 1) % piece.points.size()];
                 consider(glm::length(p - a));
-                consider(distanceToEdge(p, a, b));
+                consider(distanceToSegment(p, a, b).distance);
             }
         }
     }

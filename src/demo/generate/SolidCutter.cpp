@@ -13,7 +13,7 @@ namespace limen::demo {
 namespace {
 
 /// Metres: how far every corner stays from a plane that cuts its solid.
-constexpr double kClear = 0.05;
+constexpr double kClearOfCut = 0.05;
 constexpr int kAttempts = 40;
 /// The smaller part of a cut has at least this share of the volume.
 constexpr double kLeastShare = 0.22;
@@ -63,7 +63,7 @@ Plane randomPlane(const Solid& solid, Random& random) {
 bool staysClear(const Solid& solid, const Plane& plane) {
     return std::all_of(solid.sides.begin(), solid.sides.end(), [&](const Solid::Side& side) {
         return std::all_of(side.points.begin(), side.points.end(),
-                           [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) > kClear; });
+                           [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) > kClearOfCut; });
     });
 }
 

@@ -21,17 +21,17 @@ struct Parting {
 };
 
 bool inPlane(const Piece& piece, const Plane& plane) {
-    constexpr double kInPlane = 1e-3;
+    constexpr double kInCutPlane = 1e-3;
     return std::all_of(piece.points.begin(), piece.points.end(),
-                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) <= kInPlane; });
+                       [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) <= kInCutPlane; });
 }
 
 /// Faces of a convex solid bend by what corners are off: such slivers bound nothing, and a tree that went on behind them would hold what
 /// is far outside.
 bool isDeepBehind(const Polygon& piece, const Plane& plane) {
-    constexpr double kSliver = 0.005;
+    constexpr double kSliverDepth = 0.005;
     return std::any_of(piece.begin(), piece.end(),
-                       [&](const Vec3& p) { return plane.signedDistance(p) < -kSliver; });
+                       [&](const Vec3& p) { return plane.signedDistance(p) < -kSliverDepth; });
 }
 
 Parting part(const std::vector<Piece>& pieces, const Plane& plane) {

@@ -13,9 +13,9 @@ namespace limen::demo {
 namespace {
 
 constexpr dat::BlockCoord kSouthWestOfLand{0x60, 0x30};
-constexpr int kGround = 60; ///< index of the level around the sites
+constexpr int kSitesGround = 60; ///< index of the level around the sites
 constexpr std::uint32_t kSitesPerBlock = 4;
-constexpr std::size_t kMostPlaces = 80;
+constexpr std::size_t kMostTerrainPlaces = 80;
 constexpr double kAboveGround = 0.25;
 
 enum class Site : std::uint32_t { Tunnel, Court, Tower, Slope, Vault, Cellar, Count };
@@ -25,7 +25,8 @@ class TerrainBuilder {
 public:
     explicit TerrainBuilder(const GeneratedSpec& spec)
         : spec_(spec), random_(seedOf(spec)), blocks_((spec.size + kSitesPerBlock - 1) / kSitesPerBlock),
-          across_(acrossOf(blocks_)), land_(kSouthWestOfLand, across_, rowsOf(blocks_, across_), kGround) {}
+          across_(acrossOf(blocks_)),
+          land_(kSouthWestOfLand, across_, rowsOf(blocks_, across_), kSitesGround) {}
 
     WorldRecords build() {
         addSmallMaterials(records_);
@@ -67,9 +68,9 @@ private:
         const int vx = bx * kCellsPerBlock + 2 + 4 * (quarter % 2);
         const int vy = by * kCellsPerBlock + 2 + 4 * (quarter / 2);
         const bool alongY = random_.chance(0.5);
-        Placement at{
-            {48.0 + 96.0 * (quarter % 2), 48.0 + 96.0 * (quarter / 2), heightOfIndex(kGround) + kAboveGround},
-            alongY ? 90.0 : 0.0};
+        Placement at{{48.0 + 96.0 * (quarter % 2), 48.0 + 96.0 * (quarter / 2),
+                      heightOfIndex(kSitesGround) + kAboveGround},
+                     alongY ? 90.0 : 0.0};
         std::vector<HouseOpening> openings;
         shapeGround(kind, vx, vy, alongY);
         CellsPlan plan = planOf(kind, at, openings);
@@ -87,14 +88,14 @@ private:
         if (kind == Site::Tunnel) {
             const int rise = 22 + static_cast<int>(random_.below(12));
             for (int k = -1; k <= 1; ++k) {
-                land_.setHeight(vx + (alongY ? k : 0), vy + (alongY ? 0 : k), kGround + rise);
+                land_.setHeight(vx + (alongY ? k : 0), vy + (alongY ? 0 : k), kSitesGround + rise);
                 land_.setCover(vx + (alongY ? k : 0), vy + (alongY ? 0 : k), TerrainKind::BarrenRock, false);
             }
         } else if (kind == Site::Slope) {
             const int step = 5 + static_cast<int>(random_.below(5));
             for (int k = -1; k <= 1; ++k) {
-                land_.setHeight(vx + (alongY ? k : -1), vy + (alongY ? -1 : k), kGround - step);
-                land_.setHeight(vx + (alongY ? k : 1), vy + (alongY ? 1 : k), kGround + step);
+                land_.setHeight(vx + (alongY ? k : -1), vy + (alongY ? -1 : k), kSitesGround - step);
+                land_.setHeight(vx + (alongY ? k : 1), vy + (alongY ? 1 : k), kSitesGround + step);
             }
         } else {
             land_.setCover(vx, vy, TerrainKind::PackedDirt, false);
@@ -128,7 +129,7 @@ private:
                     const std::vector<PlannedCell>& cells, dat::RecordId first) {
         const std::string name = fmt::format("{}.{}", kSiteNames[static_cast<std::size_t>(kind)], number);
         const auto global = [&](const Vec3& p) { return blockToGlobal(coord, place(at, p)); };
-        for (std::size_t c = 0; c < cells.size() && notes_.placeCount() < kMostPlaces; ++c) {
+        for (std::size_t c = 0; c < cells.size() && notes_.placeCount() < kMostTerrainPlaces; ++c) {
             const auto portal = std::find_if(cells[c].faces.begin(), cells[c].faces.end(),
                                              [](const Face& f) { return f.portal; });
             notes_.addPlace(fmt::format("{}.{}", name, c), global(cells[c].eye),

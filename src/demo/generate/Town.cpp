@@ -10,7 +10,7 @@ namespace limen::demo {
 namespace {
 
 constexpr dat::BlockCoord kSouthWestOfTown{0x50, 0x60};
-constexpr int kGround = 40; ///< index of the level that the town lies about
+constexpr int kTownGround = 40; ///< index of the level that the town lies about
 
 class TownBuilder {
 public:
@@ -20,7 +20,7 @@ public:
           land_(kSouthWestOfTown, across_,
                 static_cast<int>((blocks_ + static_cast<std::uint32_t>(across_) - 1) /
                                  static_cast<std::uint32_t>(across_)),
-                kGround) {}
+                kTownGround) {}
 
     WorldRecords build() {
         addSmallMaterials(records_);
@@ -61,7 +61,7 @@ private:
     void roll() {
         for (int vx = 0; vx < land_.verticesX(); ++vx) {
             for (int vy = 0; vy < land_.verticesY(); ++vy) {
-                land_.setHeight(vx, vy, kGround + static_cast<int>(random_.below(4)));
+                land_.setHeight(vx, vy, kTownGround + static_cast<int>(random_.below(4)));
                 land_.setCover(vx, vy, random_.chance(0.3) ? TerrainKind::PackedDirt : TerrainKind::LushGrass,
                                false);
             }

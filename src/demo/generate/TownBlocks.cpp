@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kColumns = kMostHouses / 4, kRows = 4;
 constexpr double kLot = 22.0;
-constexpr std::size_t kMostPlaces = 48;
+constexpr std::size_t kMostTownPlaces = 48;
 
 /// A row of houses along a street; metres from the middle of its landblock, before the district is turned.
 struct Row {
@@ -55,7 +55,7 @@ void TownBlocks::addHouse(PlanWriter& block, dat::BlockCoord coord, const Vec3& 
     if (tools_.notes.doorCount() < tools_.mostDoors) {
         noteDoors(planned.openings, tools_.leaves, coord, at, first, random_, tools_.notes);
     }
-    for (std::size_t c = 0; c < cells.size() && tools_.notes.placeCount() < kMostPlaces; ++c) {
+    for (std::size_t c = 0; c < cells.size() && tools_.notes.placeCount() < kMostTownPlaces; ++c) {
         const Vec3 target = c == 0 ? Vec3(0.0, 0.0, 1.2) : cells[c].eye + Vec3(0.3, 1.0, -0.1);
         tools_.notes.addPlace(fmt::format("house.{}.{}", house_, c),
                               blockToGlobal(coord, place(at, cells[c].eye)),
