@@ -55,13 +55,13 @@ function(limen_room name)
     limen_unite(limen_${name})
 endfunction()
 
-# limen_test(name [TOGETHER] [BUSY] LABELS l... SOURCES s... LINK t...): one gtest program. Every suite in it becomes a CTest test, which its tests share
+# limen_test(name [TOGETHER] [BUSY] [LONG] LABELS l... SOURCES s... LINK t...): one gtest program. Every suite in it becomes a CTest test, which its tests share
 # a process in: many ask for the same world, and making it takes longer than they do. TOGETHER: so do all suites. Programs without labels are built by the target
 # `unlabelled_tests`: all that sanitizers run. With them it is our code that is optimised and not the tests', which compiles in half the time, but for
-# tests that are BUSY themselves.
+# tests that are BUSY themselves. What is LONG begins first.
 add_custom_target(unlabelled_tests)
 function(limen_test name)
-    cmake_parse_arguments(ARG "TOGETHER;BUSY" "" "LABELS;SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG" "" "LABELS;SOURCES;LINK" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_link_libraries(${name} PRIVATE limen_flags ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
@@ -72,13 +72,18 @@ function(limen_test name)
     if(LIMEN_SANITIZE AND NOT ARG_BUSY)
         target_compile_options(${name} PRIVATE -O0)
     endif()
+    set(cost 0)
+    if(ARG_LONG)
+        set(cost 100)
+    endif()
     if(ARG_TOGETHER)
         add_test(NAME ${name} COMMAND ${name})
+        set_tests_properties(${name} PROPERTIES COST ${cost})
         return()
     endif()
     set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
     add_custom_command(TARGET ${name} POST_BUILD
-        COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> "-DLABELS=${ARG_LABELS}" -D OUTPUT=${suites}
+        COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> "-DLABELS=${ARG_LABELS}" -D COST=${cost} -D OUTPUT=${suites}
             -P ${PROJECT_SOURCE_DIR}/cmake/ListSuites.cmake
         BYPRODUCTS ${suites}
         VERBATIM)

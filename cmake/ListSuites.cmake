@@ -1,4 +1,4 @@
-# cmake -D PROGRAM=... -D LABELS=... -D OUTPUT=... -P ListSuites.cmake: asks a gtest program for its suites and writes a CTest
+# cmake -D PROGRAM=... -D LABELS=... -D COST=... -D OUTPUT=... -P ListSuites.cmake: asks a gtest program for its suites and writes a CTest
 # file with a test for each.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "(^|\n)[^ \n]+\\." suites "${listed}")
@@ -6,8 +6,6 @@ set(text "")
 foreach(suite ${suites})
     string(REGEX REPLACE "^\n|\\.$" "" suite "${suite}")
     string(APPEND text "add_test([[${suite}]] [[${PROGRAM}]] [[--gtest_filter=${suite}.*]])\n")
-    if(LABELS)
-        string(APPEND text "set_tests_properties([[${suite}]] PROPERTIES LABELS \"${LABELS}\")\n")
-    endif()
+    string(APPEND text "set_tests_properties([[${suite}]] PROPERTIES LABELS \"${LABELS}\" COST ${COST})\n")
 endforeach()
 file(WRITE ${OUTPUT} "${text}")
