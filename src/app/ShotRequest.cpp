@@ -9,7 +9,7 @@
 namespace limen::app {
 namespace {
 
-constexpr double kFarthestEye = 1e6; ///< metres; farther from the map an eye is a slip of the hand
+constexpr double kFarthestPosition = 1e6; ///< metres; farther from the map a position is a slip of the hand
 constexpr std::size_t kMaxListFile = 64u << 20;
 
 /// Parses `text` into `value` unless it is empty.
@@ -24,21 +24,22 @@ Result<void> take(const std::string& text, const char* option, Parse parse, T& v
     return {};
 }
 
-Result<Vec3> eyePosition(std::string_view option, std::string_view text) {
+Result<Vec3> positionNearMap(std::string_view option, std::string_view text) {
     const Result<Vec3> value = parseVec3(option, text);
-    if (value && !(std::max({std::abs(value->x), std::abs(value->y), std::abs(value->z)}) <= kFarthestEye))
-        return fail(
-            ErrorCode::BadArgument, std::string(option),
-            fmt::format("'{}' lies more than {:.0f} km from the map's corner", text, kFarthestEye / 1000.0));
+    if (value &&
+        !(std::max({std::abs(value->x), std::abs(value->y), std::abs(value->z)}) <= kFarthestPosition))
+        return fail(ErrorCode::BadArgument, std::string(option),
+                    fmt::format("'{}' lies more than {:.0f} km from the map's corner", text,
+                                kFarthestPosition / 1000.0));
     return value;
 }
 
 Result<void> checkPosition(const ViewArguments& a, ViewRequest& view) {
-    if (Result<void> r = take(a.eye, "--eye", eyePosition, view.eye); !r)
+    if (Result<void> r = take(a.eye, "--eye", positionNearMap, view.eye); !r)
         return r;
     if (Result<void> r = take(a.at, "--at", parsePlace, view.at); !r)
         return r;
-    if (Result<void> r = take(a.player, "--player", eyePosition, view.player); !r)
+    if (Result<void> r = take(a.player, "--player", positionNearMap, view.player); !r)
         return r;
     if (Result<void> r = take(a.root, "--root", parseRoot, view.root); !r)
         return r;
@@ -148,7 +149,7 @@ Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
     const auto opacity = [](std::string_view option, std::string_view text) {
         return parseNumberBetween(option, text, 0.0, 1.0);
     };
-    if (Result<void> r = take(a.body, "--body", eyePosition, body.feet); !r)
+    if (Result<void> r = take(a.body, "--body", positionNearMap, body.feet); !r)
         return r;
     if (Result<void> r = take(a.bodyYaw, "--body-yaw", parseNumber, body.yaw); !r)
         return r;

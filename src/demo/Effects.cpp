@@ -1,4 +1,5 @@
 #include "demo/Effects.h"
+
 #include "demo/MotionCommands.h"
 
 #include <array>

@@ -2,6 +2,7 @@
 
 #include "demo/FolkClothes.h"
 #include "demo/FolkGaits.h"
+#include "geometry/Angles.h"
 
 namespace limen::demo {
 
@@ -150,7 +151,7 @@ MeshBuilder wheelMesh() {
     constexpr double kRim = 0.52;
     for (int k = 0; k < kSpokes; ++k) {
         const auto at = [](double turns) {
-            const double a = 6.283185307179586 * turns / kSpokes;
+            const double a = kTurn * turns / kSpokes;
             return Vec3(0.0, kRim * std::cos(a), kRim * std::sin(a));
         };
         mesh.strut(at(k - 0.02), at(k + 1.02), {1, 0, 0}, 0.07, 0.08, Material::OldPlanks);

@@ -1,5 +1,7 @@
 #include "demo/OutdoorProps.h"
 
+#include "geometry/Angles.h"
+
 namespace limen::demo {
 
 namespace {
@@ -20,7 +22,7 @@ dat::RecordId addWell(ModelSink& sink) {
     constexpr double kInner = 0.68;
     MeshBuilder ring;
     const auto at = [](double radius, int k, double z) {
-        const double a = 6.283185307179586 * (k % kSides) / kSides;
+        const double a = kTurn * (k % kSides) / kSides;
         return Vec3(radius * std::cos(a), radius * std::sin(a), z);
     };
     for (int k = 0; k < kSides; ++k) {

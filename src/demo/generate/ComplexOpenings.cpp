@@ -1,5 +1,6 @@
 #include "demo/generate/ComplexOpenings.h"
 
+#include "geometry/Angles.h"
 #include "geometry/Segment.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@ namespace limen::demo {
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
 constexpr double kSliver = 0.01;    ///< metres
 constexpr double kLeastArea = 0.02; ///< square metres, of a part that a line leaves
 
