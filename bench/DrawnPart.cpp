@@ -58,17 +58,17 @@ frame::FrameView DrawnPart::viewFrom(const world::Place& place, double turn) con
 }
 
 void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) {
-    motion::MomentInput input;
+    motion::DynamicStateInput input;
     input.allDoors = doors;
     input.eye = view.view.eye;
     input.right = view.view.right;
     input.up = view.view.up;
     input.forward = view.view.forward;
-    moments_.at(input, moment_);
+    dynamicsBuilder_.at(input, dynamics_);
 }
 
 void DrawnPart::flood(const frame::FrameView& view) {
-    visibility::flood(graph_, moment_.closed, view.view, {}, scratch_, visible_);
+    visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_);
 }
 
 void DrawnPart::takeAll(const frame::FrameView& view) {

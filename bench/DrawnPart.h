@@ -4,7 +4,7 @@
 #include "frame/Planner.h"
 #include "gpu/RenderTarget.h"
 #include "gpu/Renderer.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "visibility/Flood.h"
 #include "world/Loader.h"
 #include "world/Places.h"
@@ -34,7 +34,7 @@ public:
     void flood(const frame::FrameView& view);
     /// What a renderer without visibility takes it to see: every space within the picture's edges, and nothing before another.
     void takeAll(const frame::FrameView& view);
-    void plan(const frame::FrameView& view) { planner_.plan(view, moment_, visible_, plan_); }
+    void plan(const frame::FrameView& view) { planner_.plan(view, dynamics_, visible_, plan_); }
     /// Makes the plan one whose fragments are kept wherever they are: no ownership, no tests for it.
     void leaveOutOwnership();
     [[nodiscard]] Result<void> submit(const gpu::RenderOptions& options = {}) {
@@ -47,13 +47,13 @@ public:
 
 private:
     DrawnPart(world::World world, visibility::Graph graph, gpu::Device& device, gpu::RenderTarget target)
-        : world_(std::move(world)), graph_(std::move(graph)), moments_(world_), planner_(world_),
+        : world_(std::move(world)), graph_(std::move(graph)), dynamicsBuilder_(world_), planner_(world_),
           renderer_(device), target_(std::move(target)) {}
 
     const world::World world_;
     const visibility::Graph graph_;
-    motion::Moments moments_;
-    world::Moment moment_;
+    motion::DynamicStateBuilder dynamicsBuilder_;
+    world::DynamicState dynamics_;
     visibility::FloodScratch scratch_;
     visibility::VisibleSet visible_;
     frame::Planner planner_;

@@ -17,26 +17,26 @@ std::uint64_t mixed(std::uint64_t v) {
 
 } // namespace
 
-double Dice::fraction(Draw draw, std::uint32_t number) const {
+double RandomGenerator::fraction(Draw draw, std::uint32_t number) const {
     const std::uint64_t key = std::uint64_t{seed_} << 48 ^ static_cast<std::uint64_t>(draw) << 40 ^ number;
     return static_cast<double>(mixed(mixed(key + 0x9E3779B97F4A7C15u)) >> 11) * 0x1p-53;
 }
 
 // Fisher and Yates.
-std::vector<std::uint32_t> shuffled(std::uint32_t count, const Dice& dice) {
+std::vector<std::uint32_t> shuffled(std::uint32_t count, const RandomGenerator& random) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0u);
     for (std::uint32_t i = count; i > 1; --i) {
-        std::swap(numbers[i - 1], numbers[dice.below(i, Draw::Place, i)]);
+        std::swap(numbers[i - 1], numbers[random.below(i, Draw::Place, i)]);
     }
     return numbers;
 }
 
-world::Image noisyPicture(std::uint32_t number, std::uint32_t size, const Dice& dice) {
+world::Image noisyPicture(std::uint32_t number, std::uint32_t size, const RandomGenerator& random) {
     world::Image image{size, size, {}, false};
     const std::uint32_t base = 97 * number;
     for (std::uint32_t i = 0; i < size * size; ++i) {
-        const auto shade = static_cast<std::uint32_t>(64.0 * dice.fraction(Draw::Texel, number << 16 | i));
+        const auto shade = static_cast<std::uint32_t>(64.0 * random.fraction(Draw::Texel, number << 16 | i));
         for (const std::uint32_t channel : {base, base * 3, base * 7}) {
             image.rgba.push_back(static_cast<std::uint8_t>(96 + (channel % 96) + shade));
         }

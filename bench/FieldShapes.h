@@ -24,9 +24,9 @@ enum class Draw : std::uint32_t {
 };
 
 /// Random numbers, each a hash of what it is for and of whose it is: the same on every machine, in any order.
-class Dice {
+class RandomGenerator {
 public:
-    explicit Dice(std::uint32_t seed) : seed_(seed) {}
+    explicit RandomGenerator(std::uint32_t seed) : seed_(seed) {}
     [[nodiscard]] double between(double low, double high, Draw draw, std::uint32_t number) const {
         return low + (high - low) * fraction(draw, number);
     }
@@ -41,10 +41,11 @@ private:
 };
 
 /// Numbers 0 .. count-1 in a random order.
-[[nodiscard]] std::vector<std::uint32_t> shuffled(std::uint32_t count, const Dice& dice);
+[[nodiscard]] std::vector<std::uint32_t> shuffled(std::uint32_t count, const RandomGenerator& random);
 
 /// An opaque picture of size x size texels, in colours and noise of its number's own.
-[[nodiscard]] world::Image noisyPicture(std::uint32_t number, std::uint32_t size, const Dice& dice);
+[[nodiscard]] world::Image noisyPicture(std::uint32_t number, std::uint32_t size,
+                                        const RandomGenerator& random);
 
 /// A box that stands on z = 0 around the z axis, a polygon a side; half its width, depth and height in metres.
 [[nodiscard]] world::MeshData boxMesh(const Vec3& half);

@@ -18,9 +18,9 @@ namespace {
 constexpr int kTries = 64; // for a place that will do
 constexpr double kEyeHeight = 1.7;
 
-class Dice {
+class RandomGenerator {
 public:
-    explicit Dice(std::uint32_t seed) : random_(seed) {}
+    explicit RandomGenerator(std::uint32_t seed) : random_(seed) {}
     double between(double from, double to) { return from + (to - from) * unit_(random_); }
     std::size_t below(std::size_t count) {
         return std::min(static_cast<std::size_t>(unit_(random_) * static_cast<double>(count)), count - 1);
@@ -43,9 +43,9 @@ visibility::View lookAlong(const Vec3& eye, const Vec3& direction, world::SpaceI
     return view;
 }
 
-Vec3 anyDirection(Dice& dice, double steepest) {
-    const double yaw = dice.between(0.0, 2.0 * std::numbers::pi);
-    return {std::sin(yaw), std::cos(yaw), dice.between(-steepest, steepest)};
+Vec3 anyDirection(RandomGenerator& random, double steepest) {
+    const double yaw = random.between(0.0, 2.0 * std::numbers::pi);
+    return {std::sin(yaw), std::cos(yaw), random.between(-steepest, steepest)};
 }
 
 Vec3 middleOf(const world::World& world, const world::Portal& portal) {
@@ -66,9 +66,9 @@ std::vector<visibility::View> collect(std::size_t count, Next next) {
     return views;
 }
 
-const world::Portal& anyBuildingPortal(const world::World& world, Dice& dice) {
+const world::Portal& anyBuildingPortal(const world::World& world, RandomGenerator& random) {
     const world::Space& outside = world.spaces[world::kOutside];
-    return world.portals[outside.firstPortal + dice.below(outside.portalCount)];
+    return world.portals[outside.firstPortal + random.below(outside.portalCount)];
 }
 
 } // namespace
@@ -106,15 +106,15 @@ world::World apart(world::World world) {
 }
 
 std::vector<visibility::View> viewsInCells(const world::World& world, std::size_t count, std::uint32_t seed) {
-    Dice dice(seed);
+    RandomGenerator random(seed);
     return collect(count, [&](std::vector<visibility::View>& views) {
-        const auto cell = static_cast<world::SpaceIndex>(1 + dice.below(world.spaces.size() - 1));
+        const auto cell = static_cast<world::SpaceIndex>(1 + random.below(world.spaces.size() - 1));
         const Aabb& box = world.spaces[cell].bounds;
         for (int i = 0; i < kTries; ++i) {
-            const Vec3 eye(dice.between(box.min.x, box.max.x), dice.between(box.min.y, box.max.y),
-                           dice.between(box.min.z, box.max.z));
+            const Vec3 eye(random.between(box.min.x, box.max.x), random.between(box.min.y, box.max.y),
+                           random.between(box.min.z, box.max.z));
             if (motion::cellContains(world, cell, eye)) {
-                views.push_back(lookAlong(eye, anyDirection(dice, 1.0), cell));
+                views.push_back(lookAlong(eye, anyDirection(random, 1.0), cell));
                 return;
             }
         }
@@ -123,27 +123,27 @@ std::vector<visibility::View> viewsInCells(const world::World& world, std::size_
 
 std::vector<visibility::View> viewsOutdoors(const world::World& world, std::size_t count,
                                             std::uint32_t seed) {
-    Dice dice(seed);
+    RandomGenerator random(seed);
     return collect(count, [&](std::vector<visibility::View>& views) {
-        const double turn = dice.between(0.0, 2.0 * std::numbers::pi);
-        Vec3 eye = middleOf(world, anyBuildingPortal(world, dice)) +
-                   Vec3(std::cos(turn), std::sin(turn), 0.0) * dice.between(0.0, 25.0);
+        const double turn = random.between(0.0, 2.0 * std::numbers::pi);
+        Vec3 eye = middleOf(world, anyBuildingPortal(world, random)) +
+                   Vec3(std::cos(turn), std::sin(turn), 0.0) * random.between(0.0, 25.0);
         eye.z = world::terrainHeight(world, eye.x, eye.y) + kEyeHeight;
         if (isFinite(eye) && motion::locate(world, eye).space == world::kOutside) {
-            views.push_back(lookAlong(eye, anyDirection(dice, 0.2), world::kOutside));
+            views.push_back(lookAlong(eye, anyDirection(random, 0.2), world::kOutside));
         }
     });
 }
 
 std::vector<visibility::View> viewsAtWindows(const world::World& world, std::size_t count,
                                              std::uint32_t seed) {
-    Dice dice(seed);
+    RandomGenerator random(seed);
     return collect(count, [&](std::vector<visibility::View>& views) {
-        const world::Portal& portal = anyBuildingPortal(world, dice);
+        const world::Portal& portal = anyBuildingPortal(world, random);
         const Vec3 out = portal.plane.n;
-        const Vec3 eye = middleOf(world, portal) - out * dice.between(0.3, 1.0);
+        const Vec3 eye = middleOf(world, portal) - out * random.between(0.3, 1.0);
         if (motion::cellContains(world, portal.destination, eye)) {
-            views.push_back(lookAlong(eye, out + anyDirection(dice, 0.2) * 0.3, portal.destination));
+            views.push_back(lookAlong(eye, out + anyDirection(random, 0.2) * 0.3, portal.destination));
         }
     });
 }

@@ -29,7 +29,7 @@ constexpr dat::RecordId kFirstModel = 0x01000001;
 class Maker {
 public:
     Maker(const FieldSpec& spec, ObjectField& field)
-        : spec_(spec), field_(field), world_(field.world), arena_(field.world), dice_(spec.seed),
+        : spec_(spec), field_(field), world_(field.world), arena_(field.world), random_(spec.seed),
           blocks_(static_cast<int>(std::ceil(spec.side / world::kBlockSize))) {}
 
     void make() {
@@ -71,7 +71,7 @@ private:
     }
 
     void addGround() {
-        world_.textures.push_back(std::make_shared<const world::Image>(noisyPicture(kTextures, 64, dice_)));
+        world_.textures.push_back(std::make_shared<const world::Image>(noisyPicture(kTextures, 64, random_)));
         world::TerrainCell cell;
         cell.base.texture = 0;
         cell.base.tiling = 4.0f;
@@ -87,7 +87,7 @@ private:
         world_.blocks.push_back(
             {coord, true, std::vector<std::uint8_t>(81, 0), std::vector<float>(81, 0.0f)});
         world::Instance instance;
-        instance.kind = world::Kind::Terrain;
+        instance.kind = world::InstanceKind::Terrain;
         instance.record = dat::landBlockId(coord);
         instance.object = instance.record;
         instance.mesh = arena_.add(world::terrainMesh(ground, [](int, int) { return std::optional(0.0f); }),
@@ -102,18 +102,18 @@ private:
     void addGroups() {
         for (std::uint32_t i = 0; i < kTextures; ++i) {
             world_.textures.push_back(
-                std::make_shared<const world::Image>(noisyPicture(i, 16u << i % 3, dice_)));
+                std::make_shared<const world::Image>(noisyPicture(i, 16u << i % 3, random_)));
             world::Material material;
             material.texture = i + 1; // behind the ground's
             world_.materials.push_back(material);
         }
         for (std::uint32_t group = 0; group < spec_.groups; ++group) {
-            const Vec3 half(dice_.between(kLeastHalf, kMostHalf, Draw::Width, group),
-                            dice_.between(kLeastHalf, kMostHalf, Draw::Depth, group),
-                            0.5 * dice_.between(kLeastHeight, kMostHeight, Draw::Height, group));
+            const Vec3 half(random_.between(kLeastHalf, kMostHalf, Draw::Width, group),
+                            random_.between(kLeastHalf, kMostHalf, Draw::Depth, group),
+                            0.5 * random_.between(kLeastHeight, kMostHeight, Draw::Height, group));
             groupMeshes_.push_back(
                 arena_.add(boxMesh(half), world::contentKey(world::MeshSource::GfxObj, kFirstModel + group)));
-            world_.materialRefs.push_back(dice_.below(kTextures, Draw::Material, group));
+            world_.materialRefs.push_back(random_.below(kTextures, Draw::Material, group));
         }
     }
 
@@ -123,24 +123,25 @@ private:
         const double room = spec_.side / row;
         const double free = room * 0.5 - std::hypot(kMostHalf, kMostHalf) - kReach;
         LIMEN_ASSERT(free > 0.0, "the boxes have room");
-        const std::vector<std::uint32_t> places = shuffled(row * row, dice_);
+        const std::vector<std::uint32_t> places = shuffled(row * row, random_);
         for (std::uint32_t i = 0; i < spec_.objects; ++i) {
-            const Vec3 offset((places[i] % row + 0.5) * room + dice_.between(-free, free, Draw::East, i),
-                              (places[i] / row + 0.5) * room + dice_.between(-free, free, Draw::North, i),
+            const Vec3 offset((places[i] % row + 0.5) * room + random_.between(-free, free, Draw::East, i),
+                              (places[i] / row + 0.5) * room + random_.between(-free, free, Draw::North, i),
                               kClearance);
             addObject(i, middle() - Vec3(spec_.side, spec_.side, 0.0) * 0.5 + offset);
         }
     }
 
     void addObject(std::uint32_t number, const Vec3& at) {
-        const bool moves = dice_.fraction(Draw::Moves, number) < spec_.movingShare;
+        const bool moves = random_.fraction(Draw::Moves, number) < spec_.movingShare;
         const std::uint32_t group =
-            number < spec_.groups ? number : dice_.below(spec_.groups, Draw::Group, number);
+            number < spec_.groups ? number : random_.below(spec_.groups, Draw::Group, number);
         const Vec3 block = glm::floor(at / world::kBlockSize);
         const Vec3 origin(block.x * world::kBlockSize, block.y * world::kBlockSize, 0.0);
-        const auto turn = static_cast<float>(dice_.between(0.0, 2.0 * std::numbers::pi, Draw::Turn, number));
+        const auto turn =
+            static_cast<float>(random_.between(0.0, 2.0 * std::numbers::pi, Draw::Turn, number));
         world::Instance instance;
-        instance.kind = world::Kind::Scenery;
+        instance.kind = world::InstanceKind::Scenery;
         instance.mesh = groupMeshes_[group];
         instance.block =
             static_cast<std::uint32_t>((block.y - kFirstBlock.y) * blocks_ + block.x - kFirstBlock.x);
@@ -152,8 +153,8 @@ private:
         instance.object = std::uint64_t{number} + 1;
         instance.record = kFirstModel + group;
         instance.firstMaterial = group;
-        placeOutside(instance, moves ? field_.moment.members : world_.members);
-        (moves ? field_.moment.instances : world_.instances).push_back(instance);
+        placeOutside(instance, moves ? field_.dynamics.members : world_.members);
+        (moves ? field_.dynamics.instances : world_.instances).push_back(instance);
         if (moves) {
             field_.homes.push_back(at - origin);
         }
@@ -163,7 +164,7 @@ private:
     ObjectField& field_;
     world::World& world_;
     world::MeshArena arena_;
-    Dice dice_;
+    RandomGenerator random_;
     int blocks_; ///< along each side
     std::vector<std::uint32_t> groupMeshes_;
 };
@@ -171,15 +172,15 @@ private:
 } // namespace
 
 void ObjectField::moveTo(std::uint32_t frame) {
-    for (std::size_t i = 0; i < moment.instances.size(); ++i) {
-        world::Instance& instance = moment.instances[i];
+    for (std::size_t i = 0; i < dynamics.instances.size(); ++i) {
+        world::Instance& instance = dynamics.instances[i];
         const double angle = 0.1 * frame + static_cast<double>(i);
         const Vec3 at = homes[i] + kReach * Vec3(std::cos(angle), std::sin(angle), 0.0);
         const Sphere& bounds = world.meshes[instance.mesh].bounds;
         instance.origin = Vec3f(at);
         instance.bounds.centre = world.blocks[instance.block].origin() + at + bounds.centre;
     }
-    world::listBySpace(world.spaces.size(), moment);
+    world::listBySpace(world.spaces.size(), dynamics);
 }
 
 ObjectField makeField(const FieldSpec& spec) {

@@ -2,7 +2,7 @@
 
 #include "frame/FrameView.h"
 #include "visibility/VisibleSet.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 #include <cstdint>
@@ -27,9 +27,9 @@ struct FieldSpec {
 /// has the same ids whether it moves or not.
 struct ObjectField {
     world::World world;
-    world::Moment moment;    ///< the objects that move; empty if none does
-    Vec3 eye{0.0};           ///< global; in the middle, higher than the boxes
-    std::vector<Vec3> homes; ///< by Moment::instances: what they move around, block-local
+    world::DynamicState dynamics; ///< the objects that move; empty if none does
+    Vec3 eye{0.0};                ///< global; in the middle, higher than the boxes
+    std::vector<Vec3> homes;      ///< by Moment::instances: what they move around, block-local
 
     /// Puts what moves where it is in a frame: up to 5 cm from its home. Allocates nothing.
     void moveTo(std::uint32_t frame);

@@ -14,7 +14,7 @@ Result<std::unique_ptr<TwoWays>> TwoWays::create(gpu::Device& device, const Obje
     if (Result<void> uploaded = ways->renderer_.upload(frame::buildScene(field.world)); !uploaded) {
         return tl::unexpected(uploaded.error());
     }
-    Result<std::unique_ptr<ClassicPath>> classic = ClassicPath::create(device, field.world, field.moment);
+    Result<std::unique_ptr<ClassicPath>> classic = ClassicPath::create(device, field.world, field.dynamics);
     if (!classic) {
         return tl::unexpected(classic.error());
     }
@@ -23,12 +23,12 @@ Result<std::unique_ptr<TwoWays>> TwoWays::create(gpu::Device& device, const Obje
 }
 
 Result<void> TwoWays::drawReal(const FieldView& view) {
-    planner_.plan(view.frame, field_.moment, view.visible, plan_);
+    planner_.plan(view.frame, field_.dynamics, view.visible, plan_);
     return renderer_.render(plan_, target_);
 }
 
 Result<void> TwoWays::drawClassic(const FieldView& view) {
-    return classic_->render(view.frame, field_.moment, view.visible, target_);
+    return classic_->render(view.frame, field_.dynamics, view.visible, target_);
 }
 
 } // namespace limen::bench

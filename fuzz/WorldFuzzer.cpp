@@ -5,7 +5,7 @@
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
 #include "motion/DoorSwing.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "reference/Scene.h"
 #include "support/MovingHut.h"
 #include "visibility/Flood.h"
@@ -104,7 +104,7 @@ dat::File fileOf(const std::vector<Stored>& records, const dat::FileTraits& trai
 
 /// Looks around from an eye as a frame, a ray and a body would.
 void look(const world::World& world, const visibility::Graph& graph, frame::Planner& planner,
-          const reference::Scene& scene, const world::Moment& moment, const Vec3& eye,
+          const reference::Scene& scene, const world::DynamicState& dynamics, const Vec3& eye,
           world::SpaceIndex root) {
     if (!std::isfinite(eye.x + eye.y + eye.z))
         return;
@@ -113,9 +113,9 @@ void look(const world::World& world, const visibility::Graph& graph, frame::Plan
     frame::FramePlan plan;
     for (const double yaw : {0.0, 100.0, 230.0}) {
         const frame::FrameView view = frame::makeView(eye, yaw, -10.0, 80.0, 64, 48, root);
-        visibility::flood(graph, moment.closed, view.view, {}, scratch, set);
+        visibility::flood(graph, dynamics.closed, view.view, {}, scratch, set);
         FUZZ_CHECK(!set.visits.empty());
-        planner.plan(view, moment, set, plan);
+        planner.plan(view, dynamics, set, plan);
         FUZZ_CHECK(plan.visits.size() == set.visits.size());
         for (const Vec3& aside : {Vec3(0.0), 0.3 * view.view.right, -0.2 * view.view.up})
             static_cast<void>(scene.trace(root, {eye, glm::normalize(view.view.forward + aside), 0.02}));
@@ -151,22 +151,22 @@ void check(const dat::Archive& archive, const test::MovingHut& hut) {
     const auto graph = frame::visibilityGraph(*world);
     if (!graph)
         return;
-    motion::Moments moments(*world);
-    world::Moment moment;
-    motion::MomentInput input;
+    motion::DynamicStateBuilder dynamicsBuilder(*world);
+    world::DynamicState dynamics;
+    motion::DynamicStateInput input;
     input.seconds = 12.5;
     input.eye = hut.at({12, 12, 3.5});
     input.rain = true;
     if (!world->sky.weather.empty())
         input.weather = world::SkyHour{world->sky.weather.front().dayGroup, 0.5};
-    moments.at(input, moment);
+    dynamicsBuilder.at(input, dynamics);
     frame::Planner planner(*world);
     static_cast<void>(frame::buildScene(*world, planner.pieces()));
     reference::Scene scene(*world);
-    scene.setMoment(moment);
-    look(*world, *graph, planner, scene, moment, hut.at({5, 11.5, 3.5}), world::kOutside);
+    scene.setDynamics(dynamics);
+    look(*world, *graph, planner, scene, dynamics, hut.at({5, 11.5, 3.5}), world::kOutside);
     for (world::SpaceIndex space = 1; space < world->spaces.size(); ++space)
-        look(*world, *graph, planner, scene, moment, world->spaces[space].bounds.centre(), space);
+        look(*world, *graph, planner, scene, dynamics, world->spaces[space].bounds.centre(), space);
     walk(archive, *world, hut.at({5, 11.5, 3.0}));
 }
 

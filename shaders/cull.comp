@@ -139,18 +139,18 @@ bool mayShow(uint vertex, Instance instance, uint rects) {
 }
 
 uint squareOf(int steps) {
-    uint away = uint(min(abs(steps), int(kMostReachSteps)));
+    uint away = uint(min(abs(steps), int(kMostRangeSteps)));
     return away * away;
 }
 
-// Whether the eye is where the instance is drawn from; world/Reach.cpp finds the same in the same whole numbers.
-bool isInReach(Instance instance) {
+// Whether the eye is where the instance is drawn from; world/LevelRange.cpp finds the same in the same whole numbers.
+bool isInLevelRange(Instance instance) {
     if (instance.reach == kFromAnywhere) {
         return true;
     }
     vec3 origin = originOf(instance);
-    vec3 local = clamp(floor(origin * float(kReachSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
-    ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kReachSteps)) - ivec3(frame.eyeSteps.xyz);
+    vec3 local = clamp(floor(origin * float(kRangeSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
+    ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kRangeSteps)) - ivec3(frame.eyeSteps.xyz);
     uint away = squareOf(offset.x) + squareOf(offset.y) + squareOf(offset.z);
     uint beyond = instance.reach & 0xFFFFu;
     uint upTo = instance.reach >> 16;
@@ -194,7 +194,7 @@ void main() {
     bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
     uint triangles = piece.triangles & ~kKeepsAll;
     Instance instance = instanceAt(keepsAll ? 0u : piece.instance);
-    bool isHere = keepsAll || isInReach(instance);
+    bool isHere = keepsAll || isInLevelRange(instance);
     uint toLookAt = drawsAsIs || !isHere ? 0u : triangles;
     uint me = gl_LocalInvocationID.x;
     uint each = (toLookAt + kCullThreads - 1u) / kCullThreads;

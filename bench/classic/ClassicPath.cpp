@@ -37,14 +37,14 @@ std::uint32_t texelAt(std::size_t offset) {
 } // namespace
 
 Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, const world::World& world,
-                                                         const world::Moment& moment) {
+                                                         const world::DynamicState& dynamics) {
     LIMEN_ASSERT(world.spaces.size() == 1, "there are no cells");
-    Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, moment);
+    Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, dynamics);
     if (!scene) {
         return tl::unexpected(scene.error());
     }
     std::unique_ptr<ClassicPath> path(new ClassicPath(device, world, std::move(*scene)));
-    path->layOut(moment);
+    path->layOut(dynamics);
     return path;
 }
 
@@ -52,7 +52,7 @@ ClassicPath::ClassicPath(gpu::Device& device, const world::World& world, std::un
     : device_(device), world_(world), scene_(std::move(scene)), bare_(withoutContent(world)), planner_(bare_),
       storage_(scene_->storage()), textures_(scene_->textures()) {}
 
-void ClassicPath::layOut(const world::Moment& moment) {
+void ClassicPath::layOut(const world::DynamicState& dynamics) {
     const std::size_t alignment = std::max(device_.capabilities().storageAlignment, kBytesPerTexel);
     const auto place = [&](std::size_t bytes) {
         const std::size_t offset = (places_.size + alignment - 1) / alignment * alignment;
@@ -62,13 +62,13 @@ void ClassicPath::layOut(const world::Moment& moment) {
     places_.constants = place(sizeof(layout::FrameConstants));
     places_.blocks = place(world_.blocks.size() * sizeof(layout::vec4));
     places_.visit = place(sizeof(layout::Visit));
-    places_.members = place(moment.members.size() * sizeof(layout::Member));
+    places_.members = place(dynamics.members.size() * sizeof(layout::Member));
     places_.instances =
         place((scene_->standing().size() + scene_->moving().size()) * sizeof(layout::Instance));
     places_.commands = place(scene_->groups().size() * sizeof(layout::DrawCommand));
     storage_[layout::kBindFrame] = {gpu::BufferHandle::Invalid, places_.constants,
                                     sizeof(layout::FrameConstants)};
-    zones_.reserve(moment.members.size());
+    zones_.reserve(dynamics.members.size());
 }
 
 template <class T>
@@ -91,10 +91,10 @@ ClassicPath::Sides ClassicPath::sidesOf(const visibility::View& view) {
              glm::normalize(high - view.up), glm::normalize(high + view.up)}};
 }
 
-Result<void> ClassicPath::render(const frame::FrameView& view, const world::Moment& moment,
+Result<void> ClassicPath::render(const frame::FrameView& view, const world::DynamicState& dynamics,
                                  const visibility::VisibleSet& visible, gpu::RenderTarget& target) {
     LIMEN_ASSERT(visible.visits.size() == 1, "all there is to see is outside");
-    LIMEN_ASSERT(moment.instances.size() == scene_->moving().size(), "as much moves as before");
+    LIMEN_ASSERT(dynamics.instances.size() == scene_->moving().size(), "as much moves as before");
     planner_.plan(view, visible, base_);
     if (Result<void> reserved = device_.reserveRing(places_.size); !reserved) {
         return reserved;
@@ -102,7 +102,7 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Mome
     begin(target);
     counts_ = {};
     zones_.clear();
-    drawGroups(sidesOf(view.view), moment);
+    drawGroups(sidesOf(view.view), dynamics);
     device_.setState({.program = scene_->program(frame::Program::SkyPlain)});
     device_.drawVertices(0, 3);
     return device_.endFrame();
@@ -132,10 +132,10 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
     device_.beginPass(gpu::Pass::Solid);
 }
 
-void ClassicPath::drawGroups(const Sides& sides, const world::Moment& moment) {
+void ClassicPath::drawGroups(const Sides& sides, const world::DynamicState& dynamics) {
     for (const ClassicGroup& group : scene_->groups()) {
         const std::size_t known = zones_.size();
-        if (const std::uint32_t count = gather(group, sides, moment); count > 0) {
+        if (const std::uint32_t count = gather(group, sides, dynamics); count > 0) {
             // A driver may begin with a draw at once: all that it reads is written before.
             write(places_.members + known * sizeof(layout::Member),
                   std::span<const layout::Member>(zones_).subspan(known));
@@ -145,7 +145,7 @@ void ClassicPath::drawGroups(const Sides& sides, const world::Moment& moment) {
 }
 
 std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
-                                  const world::Moment& moment) {
+                                  const world::DynamicState& dynamics) {
     std::byte* const begin =
         memory_.data() + places_.instances + std::size_t{counts_.objects} * sizeof(layout::Instance);
     std::byte* to = begin;
@@ -159,9 +159,9 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
         }
     }
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
-        const world::Instance& instance = moment.instances[index];
+        const world::Instance& instance = dynamics.instances[index];
         if (sides.sees(instance.bounds)) {
-            copy(frame::packInstance(world_, instance, moment.members, {zones_, scene_->staticMembers()}));
+            copy(frame::packInstance(world_, instance, dynamics.members, {zones_, scene_->staticMembers()}));
         }
     }
     return static_cast<std::uint32_t>(static_cast<std::size_t>(to - begin) / sizeof(layout::Instance));

@@ -18,11 +18,11 @@ public:
     /// World, and the moment's instances in number and order, must stay as they are; the device must outlive it. Errors:
     /// what ClassicScene reports.
     [[nodiscard]] static Result<std::unique_ptr<ClassicPath>>
-    create(gpu::Device& device, const world::World& world, const world::Moment& moment);
+    create(gpu::Device& device, const world::World& world, const world::DynamicState& dynamics);
 
     /// Draws a frame with ids, planning included. `visible` is one visit, of the outside. Errors: Driver, if memory for the
     /// frame cannot be had.
-    [[nodiscard]] Result<void> render(const frame::FrameView& view, const world::Moment& moment,
+    [[nodiscard]] Result<void> render(const frame::FrameView& view, const world::DynamicState& dynamics,
                                       const visibility::VisibleSet& visible, gpu::RenderTarget& target);
 
     /// Of the last frame.
@@ -44,12 +44,12 @@ private:
         [[nodiscard]] bool sees(const Sphere& bounds) const;
     };
     ClassicPath(gpu::Device& device, const world::World& world, std::unique_ptr<ClassicScene> scene);
-    void layOut(const world::Moment& moment);
+    void layOut(const world::DynamicState& dynamics);
     [[nodiscard]] static Sides sidesOf(const visibility::View& view);
     void begin(gpu::RenderTarget& target);
-    void drawGroups(const Sides& sides, const world::Moment& moment);
+    void drawGroups(const Sides& sides, const world::DynamicState& dynamics);
     [[nodiscard]] std::uint32_t gather(const ClassicGroup& group, const Sides& sides,
-                                       const world::Moment& moment);
+                                       const world::DynamicState& dynamics);
     void drawGroup(const ClassicGroup& group, std::uint32_t count);
     template <class T>
     void write(std::size_t offset, std::span<const T> values);

@@ -23,7 +23,7 @@ std::span<const std::byte> bytesOf(const std::vector<T>& array) {
 }
 
 std::uint32_t textureOf(const world::World& world, const world::Instance& instance) {
-    if (instance.kind == world::Kind::Terrain) {
+    if (instance.kind == world::InstanceKind::Terrain) {
         return world.terrainCells[instance.firstMaterial].base.texture;
     }
     return world.materials[world.materialRefs[instance.firstMaterial]].texture;
@@ -41,7 +41,7 @@ struct Sorted {
     std::vector<std::vector<std::uint32_t>> standing, moving;
 };
 
-Sorted sortByGroup(const world::World& world, const world::Moment& moment) {
+Sorted sortByGroup(const world::World& world, const world::DynamicState& dynamics) {
     Sorted sorted;
     std::map<GroupKey, std::size_t> numbers;
     const auto groupFor = [&](const world::Instance& instance) {
@@ -56,8 +56,8 @@ Sorted sortByGroup(const world::World& world, const world::Moment& moment) {
     for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
         sorted.standing[groupFor(world.instances[i])].push_back(i);
     }
-    for (std::uint32_t i = 0; i < moment.instances.size(); ++i) {
-        sorted.moving[groupFor(moment.instances[i])].push_back(i);
+    for (std::uint32_t i = 0; i < dynamics.instances.size(); ++i) {
+        sorted.moving[groupFor(dynamics.instances[i])].push_back(i);
     }
     return sorted;
 }
@@ -65,14 +65,14 @@ Sorted sortByGroup(const world::World& world, const world::Moment& moment) {
 } // namespace
 
 Result<std::unique_ptr<ClassicScene>> ClassicScene::create(gpu::Device& device, const world::World& world,
-                                                           const world::Moment& moment) {
+                                                           const world::DynamicState& dynamics) {
     std::unique_ptr<ClassicScene> scene(new ClassicScene(device));
     scene->programs_.fill(gpu::ProgramHandle::Invalid);
     Result<void> made = scene->upload(world).and_then([&] { return scene->addPrograms(); });
     if (!made) {
         return tl::unexpected(made.error());
     }
-    scene->addGroups(world, moment);
+    scene->addGroups(world, dynamics);
     return scene;
 }
 
@@ -154,7 +154,7 @@ Result<void> ClassicScene::addPrograms() {
 ClassicGroup ClassicScene::groupOf(const world::World& world, const world::Instance& instance) const {
     const world::Mesh& mesh = world.meshes[instance.mesh];
     const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(world::SurfaceClass::Opaque)];
-    const bool isGround = instance.kind == world::Kind::Terrain;
+    const bool isGround = instance.kind == world::InstanceKind::Terrain;
     LIMEN_ASSERT(range.indexCount == mesh.vertexCount, "all surfaces are opaque");
     LIMEN_ASSERT(textureOf(world, instance) != world::kNone, "every group has a texture");
     ClassicGroup group;
@@ -165,8 +165,8 @@ ClassicGroup ClassicScene::groupOf(const world::World& world, const world::Insta
     return group;
 }
 
-void ClassicScene::addGroups(const world::World& world, const world::Moment& moment) {
-    const Sorted sorted = sortByGroup(world, moment);
+void ClassicScene::addGroups(const world::World& world, const world::DynamicState& dynamics) {
+    const Sorted sorted = sortByGroup(world, dynamics);
     for (std::size_t i = 0; i < sorted.examples.size(); ++i) {
         ClassicGroup group = groupOf(world, sorted.examples[i]);
         group.firstStanding = static_cast<std::uint32_t>(standing_.size());

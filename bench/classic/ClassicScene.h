@@ -3,7 +3,7 @@
 #include "frame/GpuLayout.h"
 #include "gpu/Device.h"
 #include "gpu/TextureStore.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 #include <array>
@@ -35,7 +35,7 @@ public:
     /// Requires a world whose surfaces are all opaque, each mesh with one texture, ground without blending. Things that move are
     /// told apart by their place in `moment`. Errors: what textures, buffers and programs report.
     [[nodiscard]] static Result<std::unique_ptr<ClassicScene>>
-    create(gpu::Device& device, const world::World& world, const world::Moment& moment);
+    create(gpu::Device& device, const world::World& world, const world::DynamicState& dynamics);
     ClassicScene(const ClassicScene&) = delete;
     ClassicScene& operator=(const ClassicScene&) = delete;
     ~ClassicScene();
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] Result<void> upload(const world::World& world);
     [[nodiscard]] Result<void> addPages(std::span<const frame::TextureUpload> textures);
     [[nodiscard]] Result<void> addPrograms();
-    void addGroups(const world::World& world, const world::Moment& moment);
+    void addGroups(const world::World& world, const world::DynamicState& dynamics);
     [[nodiscard]] ClassicGroup groupOf(const world::World& world, const world::Instance& instance) const;
     /// What fails is in `missing_`.
     gpu::BufferHandle add(std::string_view label, std::span<const std::byte> bytes);

@@ -5,7 +5,8 @@
 // Space: "eye-relative" is world axes with the origin at the eye, metres.
 #ifdef __cplusplus
 #define LIMEN_STRUCT(name) struct alignas(16) name
-#define LIMEN_ZERO {}
+#define LIMEN_ZERO                                                                                           \
+    {}
 namespace limen::frame::gpu {
 using vec2 = glm::vec2;
 using vec3 = glm::vec3;
@@ -55,11 +56,12 @@ LIMEN_CONST kOutputColour = 0;
 LIMEN_CONST kOutputId = 1;
 LIMEN_CONST kOutputBlended = 2;
 
-LIMEN_CONST kOutside = 0u; // the outdoor zone
+LIMEN_CONST kOutside = 0u;   // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
 
-LIMEN_CONST kKindShell = 0u;   // kind of instance: a cell's own walls, world::Kind::Shell
-LIMEN_CONST kKindFilling = 6u; // what stands in an opening: a door's leaf, a pane, world::Kind::Filling
+LIMEN_CONST kKindShell = 0u; // kind of instance: a cell's own walls, world::InstanceKind::Shell
+LIMEN_CONST kKindFilling =
+    6u; // what stands in an opening: a door's leaf, a pane, world::InstanceKind::Filling
 
 // Where in a pixel its ray passes, from the centre, in parts of a pixel, y upwards. Eyes stand in the planes of walls and over
 // edges, and what is built on a grid lies at angles that pixels' centres lie at, too: rays through centres then pass along edges,
@@ -75,9 +77,9 @@ LIMEN_CONST kPartsOfAPixel = 4096u;
 LIMEN_CONST kFringeExponent = 40u;
 LIMEN_CONST kSkyExponent = 39u;
 
-// From how far away an instance is drawn (world/Reach.h): steps a metre, and what farther away, or from its block's origin, counts as.
-LIMEN_CONST kReachSteps = 16u;
-LIMEN_CONST kMostReachSteps = 37000u;
+// From how far away an instance is drawn (world/LevelRange.h): steps a metre, and what farther away, or from its block's origin, counts as.
+LIMEN_CONST kRangeSteps = 16u;
+LIMEN_CONST kMostRangeSteps = 37000u;
 LIMEN_CONST kMostLocalSteps = 1048576u;
 
 LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
@@ -89,9 +91,10 @@ LIMEN_CONST kSkyId = 1u;
 LIMEN_CONST kVoidId = 0u;
 
 // FrameConstants.flags
-LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs tested at mip 0, nearest texel (ids and depth)
+LIMEN_CONST kFrameExactCutOuts = 1u;   // cut-outs tested at mip 0, nearest texel (ids and depth)
 LIMEN_CONST kFrameKeepsTriangles = 2u; // draws read the static indices, whatever shows; filled in by gpu
-LIMEN_CONST kFrameSplits = 4u; // surfaces with kMaterialSplit are drawn as cut-outs where they are nearly opaque; likewise
+LIMEN_CONST kFrameSplits =
+    4u; // surfaces with kMaterialSplit are drawn as cut-outs where they are nearly opaque; likewise
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
@@ -101,20 +104,22 @@ LIMEN_CONST kMaterialAlpha = 8u;
 LIMEN_CONST kMaterialSplit = 16u; // drawn as a cut-out, too: see surface.glsl
 
 LIMEN_STRUCT(FrameConstants) {
-    mat4 clipFromEye LIMEN_ZERO;   // clip from eye-relative; reversed depth, infinite far plane
-    vec4 eyeHigh LIMEN_ZERO;       // xyz: the eye relative to the eye's block, rounded to float
-    vec4 eyeLow LIMEN_ZERO;        // xyz: what the rounding left
-    vec4 eyeSteps LIMEN_ZERO;      // xyz: the eye relative to the eye's block in steps of 1 / kReachSteps, rounded down: whole numbers
-    vec4 sunDirection LIMEN_ZERO;  // xyz towards the sun
+    mat4 clipFromEye LIMEN_ZERO; // clip from eye-relative; reversed depth, infinite far plane
+    vec4 eyeHigh LIMEN_ZERO;     // xyz: the eye relative to the eye's block, rounded to float
+    vec4 eyeLow LIMEN_ZERO;      // xyz: what the rounding left
+    vec4 eyeSteps
+        LIMEN_ZERO; // xyz: the eye relative to the eye's block in steps of 1 / kRangeSteps, rounded down: whole numbers
+    vec4 sunDirection LIMEN_ZERO; // xyz towards the sun
     vec4 sunColour LIMEN_ZERO;
     vec4 skyAmbient LIMEN_ZERO;
-    vec4 fogColour LIMEN_ZERO;     // rgb
-    vec4 fogRange LIMEN_ZERO;      // near, far in metres
+    vec4 fogColour LIMEN_ZERO; // rgb
+    vec4 fogRange LIMEN_ZERO;  // near, far in metres
     vec4 voidColour LIMEN_ZERO;
-    vec4 skyZenith LIMEN_ZERO;     // rgb: plain sky overhead; the horizon is fogColour
-    vec4 viewport LIMEN_ZERO;      // width, height, 1/width, 1/height; this and the rays are filled in by gpu
-    vec4 rayCorner LIMEN_ZERO;     // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
-    vec4 rayRight LIMEN_ZERO;      // and the steps of one pixel
+    vec4 skyZenith LIMEN_ZERO; // rgb: plain sky overhead; the horizon is fogColour
+    vec4 viewport LIMEN_ZERO;  // width, height, 1/width, 1/height; this and the rays are filled in by gpu
+    vec4 rayCorner
+        LIMEN_ZERO; // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
+    vec4 rayRight LIMEN_ZERO; // and the steps of one pixel
     vec4 rayUp LIMEN_ZERO;
     uint rootZone LIMEN_ZERO;
     uint visitCount LIMEN_ZERO;
@@ -122,12 +127,14 @@ LIMEN_STRUCT(FrameConstants) {
     float nearPlane LIMEN_ZERO;
     uint staticInstances LIMEN_ZERO; // numbers from here on are movers
     uint staticMembers LIMEN_ZERO;   // likewise
-    uint samplesX LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
+    uint samplesX
+        LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
     uint samplesY LIMEN_ZERO; // pixel's lower left corner in 1/256 of a pixel
     float pixel LIMEN_ZERO;   // metres that a pixel covers at a view depth of one metre; likewise
-    uint firstBlock LIMEN_ZERO; // texels of kUnitRing, filled in by gpu: vec4 per resident block: its origin from the eye's,
-    uint firstVisit LIMEN_ZERO; // Visit,
-    uint firstMover LIMEN_ZERO; // Instance: what moves,
+    uint firstBlock
+        LIMEN_ZERO; // texels of kUnitRing, filled in by gpu: vec4 per resident block: its origin from the eye's,
+    uint firstVisit LIMEN_ZERO;       // Visit,
+    uint firstMover LIMEN_ZERO;       // Instance: what moves,
     uint firstMoverMember LIMEN_ZERO; // Member, likewise
     uint firstMoverPiece LIMEN_ZERO;  // DrawPiece, of what moves and of the sky,
     uint firstSlotGroup LIMEN_ZERO;   // SlotGroup,
@@ -136,22 +143,26 @@ LIMEN_STRUCT(FrameConstants) {
     uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
     uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
     uint replacementCount LIMEN_ZERO;
-    uint firstHideable LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
-    uint firstRect LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: vec4 per rectangle: least and most x and y, NDC
+    uint firstHideable
+        LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
+    uint firstRect
+        LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: vec4 per rectangle: least and most x and y, NDC
     uint reserved0 LIMEN_ZERO;
     uint reserved1 LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {
-    vec4 entryPlane LIMEN_ZERO; // eye-relative; beyond = positive; the root's is (0,0,0,1): everything is beyond it
+    vec4 entryPlane
+        LIMEN_ZERO; // eye-relative; beyond = positive; the root's is (0,0,0,1): everything is beyond it
     uint zone LIMEN_ZERO;
-    uint parent LIMEN_ZERO;     // kNoVisit for the root
-    uint shutBy LIMEN_ZERO;     // 0: not shut; else the idBase of what fills the opening, or kShutByNothing
+    uint parent LIMEN_ZERO; // kNoVisit for the root
+    uint shutBy LIMEN_ZERO; // 0: not shut; else the idBase of what fills the opening, or kShutByNothing
     uint reserved LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Instance) {
-    vec4 pose0 LIMEN_ZERO; // block-local from model, 12 floats: the columns of the matrix that turns and scales, and the origin
+    vec4 pose0
+        LIMEN_ZERO; // block-local from model, 12 floats: the columns of the matrix that turns and scales, and the origin
     vec4 pose1 LIMEN_ZERO;
     vec4 pose2 LIMEN_ZERO;
     uint block LIMEN_ZERO;
@@ -159,13 +170,14 @@ LIMEN_STRUCT(Instance) {
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
     uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
-    uint reach LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than the high half
-                           // says; kFromAnywhere
-    uint highlight LIMEN_ZERO;     // RGBA8, alpha = strength; 0 none
-    float opacity LIMEN_ZERO;      // times its blended surfaces' own
+    uint reach
+        LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than the high half
+        // says; kFromAnywhere
+    uint highlight LIMEN_ZERO; // RGBA8, alpha = strength; 0 none
+    float opacity LIMEN_ZERO;  // times its blended surfaces' own
 };
 
-LIMEN_CONST kEndlessReach = 0xFFFFu;
+LIMEN_CONST kEndlessRange = 0xFFFFu;
 LIMEN_CONST kFromAnywhere = 0xFFFF0000u;
 LIMEN_CONST kMostMembers = 0xFFFFu;
 
@@ -240,7 +252,8 @@ LIMEN_STRUCT(OwnershipVertex) {
 LIMEN_CONST kCullThreads = 32u;         // of a work group
 LIMEN_CONST kTrianglesPerThread = 32u;  // at most: a bit each
 LIMEN_CONST kTrianglesPerPiece = 1024u; // at most
-LIMEN_CONST kKeepsAll = 0x80000000u;    // DrawPiece.triangles: none is ever left out, for they are not an Instance's
+LIMEN_CONST kKeepsAll =
+    0x80000000u; // DrawPiece.triangles: none is ever left out, for they are not an Instance's
 LIMEN_CONST kWordsPerCommand = 5u;
 LIMEN_STRUCT(DrawPiece) {
     uint firstIndex LIMEN_ZERO;
@@ -265,12 +278,14 @@ LIMEN_CONST kGated = 0x80000000u;
 // whole run.
 struct RunPlace {
     uint piece LIMEN_ZERO; // to the slot's number, modulo 2^31: the piece's; and kGated
-    uint kept LIMEN_ZERO;  // to the piece's indicesBefore, modulo 2^32: where those of its indices go that are kept
+    uint kept
+        LIMEN_ZERO; // to the piece's indicesBefore, modulo 2^32: where those of its indices go that are kept
 };
 LIMEN_STRUCT(DrawRun) {
     RunPlace place LIMEN_ZERO;
     uint firstSlot LIMEN_ZERO;
-    uint rects LIMEN_ZERO; // nothing of it shows but within these: the number of the first, and in the high half how many; 0: anywhere
+    uint rects
+        LIMEN_ZERO; // nothing of it shows but within these: the number of the first, and in the high half how many; 0: anywhere
 };
 
 // Which runs so many slots are of, from one that is a multiple of it: the run of a slot is looked up in few steps, mostly none, and

@@ -30,7 +30,7 @@ public:
         return drawer_.draw(view, root, colour);
     }
     check::IdColour idColour() const override { return drawer_.idColour(); }
-    const world::Moment& moment() const override { return drawer_.moment(); }
+    const world::DynamicState& dynamics() const override { return drawer_.dynamics(); }
 
 private:
     const Session& helped_;

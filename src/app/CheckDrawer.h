@@ -25,7 +25,7 @@ public:
     reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override;
     Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
     check::IdColour idColour() const override { return &frame::colourOfId; }
-    const world::Moment& moment() const override { return session_.moment(); }
+    const world::DynamicState& dynamics() const override { return session_.dynamics(); }
     Result<std::unique_ptr<check::Drawer>> makeHelper() override;
 
 private:

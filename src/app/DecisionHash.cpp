@@ -14,7 +14,7 @@ void add(Hash& hash, const Vec3& v) {
 } // namespace
 
 std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& visible,
-                           const world::Moment& moment) {
+                           const world::DynamicState& dynamics) {
     Hash hash;
     add(hash, eye.camera.eye);
     for (const double value : {eye.camera.heading.yaw, eye.camera.heading.pitch, eye.time, eye.seconds})
@@ -26,14 +26,14 @@ std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& vi
         for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})
             hash.add(value);
     }
-    for (const world::Instance& instance : moment.instances) {
+    for (const world::Instance& instance : dynamics.instances) {
         for (const std::uint32_t value : {instance.mesh, instance.block, std::uint32_t{instance.memberCount}})
             hash.add(value);
         hash.addWords(std::as_bytes(std::span(&instance.linear, 1)));
         hash.addWords(std::as_bytes(std::span(&instance.origin, 1)));
         hash.add(instance.opacity);
     }
-    hash.addWords(std::as_bytes(std::span(moment.closed)));
+    hash.addWords(std::as_bytes(std::span(dynamics.closed)));
     return hash.value();
 }
 

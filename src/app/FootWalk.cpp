@@ -29,7 +29,7 @@ double levelDistance(const Vec3& a, const Vec3& b) {
 
 class Walker {
 public:
-    Walker(Session& session, const FrameEye& start, const std::vector<Standpoint>& points,
+    Walker(Session& session, const FrameEye& start, const std::vector<Viewpoint>& points,
            const FootWalkOptions& options)
         : session_(session), play_(session, start), points_(points), options_(options), size_(start.size) {
         walk_.record.start = check::shotOptions(viewOf(start, session.loaded().world));
@@ -58,12 +58,12 @@ public:
 
 private:
     [[nodiscard]] Vec3 feet() const { return play_.walk().body().standing.feet; }
-    [[nodiscard]] static Vec3 feetAt(const Standpoint& point) {
+    [[nodiscard]] static Vec3 feetAt(const Viewpoint& point) {
         return point.camera.eye - Vec3(0.0, 0.0, kWayPointHeight);
     }
 
     /// False where it gets no farther.
-    Result<bool> goTo(const Standpoint& point) {
+    Result<bool> goTo(const Viewpoint& point) {
         const Vec3 target = feetAt(point);
         const double reached = std::max(kReached, kPace / options_.fps);
         double best = levelDistance(feet(), target), waited = 0.0;
@@ -109,7 +109,7 @@ private:
             return stepped;
         if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
             return drawn;
-        const std::uint64_t decided = decisionHash(play_.eye(), session_.visible(), session_.moment());
+        const std::uint64_t decided = decisionHash(play_.eye(), session_.visible(), session_.dynamics());
         walk_.record.frames.push_back({std::move(input), decided, {}});
         return {};
     }
@@ -131,7 +131,7 @@ private:
 
     Session& session_;
     Play play_;
-    const std::vector<Standpoint>& points_;
+    const std::vector<Viewpoint>& points_;
     const FootWalkOptions& options_;
     const PixelSize size_;
     std::vector<PlayAct> acts_; ///< of the next frame
@@ -140,7 +140,7 @@ private:
 
 } // namespace
 
-Result<FootWalk> walkOnFoot(Session& session, const FrameEye& start, const std::vector<Standpoint>& points,
+Result<FootWalk> walkOnFoot(Session& session, const FrameEye& start, const std::vector<Viewpoint>& points,
                             const FootWalkOptions& options, const std::function<void(std::size_t)>& done) {
     return Walker(session, start, points, options).run(done);
 }

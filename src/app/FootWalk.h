@@ -26,7 +26,7 @@ struct FootWalk {
 /// none, the walk ends. The session
 /// should draw nothing (gpu::NullDevice). `done` is told of way points. Errors: the session's.
 [[nodiscard]] Result<FootWalk> walkOnFoot(Session& session, const FrameEye& start,
-                                          const std::vector<Standpoint>& points,
+                                          const std::vector<Viewpoint>& points,
                                           const FootWalkOptions& options,
                                           const std::function<void(std::size_t)>& done = {});
 

@@ -43,13 +43,13 @@ Json visitsJson(const world::World& world, const visibility::VisibleSet& visible
     return list;
 }
 
-Json idsJson(const IdTable& table, const world::Moment& moment, std::span<const std::uint32_t> ids) {
+Json idsJson(const IdTable& table, const world::DynamicState& dynamics, std::span<const std::uint32_t> ids) {
     std::vector<std::uint32_t> distinct(ids.begin(), ids.end());
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     Json map = Json::object();
     for (const std::uint32_t id : distinct) {
-        const IdMeaning meaning = table.meaning(id, moment);
+        const IdMeaning meaning = table.meaning(id, dynamics);
         map[std::to_string(id)] = {{"space", meaning.space},
                                    {"kind", meaning.kind},
                                    {"record", meaning.record},
@@ -128,7 +128,7 @@ Json bodyJson(const world::World& world, const std::optional<motion::PlayerBody>
 }
 
 Json frameJson(const world::World& world, const IdTable& table, const FrameEye& eye,
-               const world::Moment& moment, const visibility::VisibleSet& visible,
+               const world::DynamicState& dynamics, const visibility::VisibleSet& visible,
                const frame::FramePlan& plan, const FrameFigures& figures,
                std::span<const std::uint32_t> ids) {
     Json cells = Json::array();
@@ -168,7 +168,7 @@ Json frameJson(const world::World& world, const IdTable& table, const FrameEye& 
         report["trouble"] = figures.trouble;
     if (!ids.empty()) {
         report["void_pixels"] = voids;
-        report["ids"] = idsJson(table, moment, ids);
+        report["ids"] = idsJson(table, dynamics, ids);
     }
     return report;
 }

@@ -4,7 +4,7 @@
 #include "app/IdTable.h"
 #include "frame/FramePlan.h"
 #include "gpu/Device.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "visibility/VisibleSet.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -54,7 +54,7 @@ struct FrameEye {
 
 /// The frame as JSON (docs/interface.md). `ids` is the id image, or empty if it was not drawn.
 [[nodiscard]] nlohmann::ordered_json frameJson(const world::World& world, const IdTable& table,
-                                               const FrameEye& eye, const world::Moment& moment,
+                                               const FrameEye& eye, const world::DynamicState& dynamics,
                                                const visibility::VisibleSet& visible,
                                                const frame::FramePlan& plan, const FrameFigures& figures,
                                                std::span<const std::uint32_t> ids);

@@ -71,7 +71,7 @@ Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(Session& session, W
     const Result<ViewRequest> view = parseView(record.start, "the walk's beginning");
     if (!view)
         return tl::unexpected(view.error());
-    const Result<Standpoint> stand = standpointOf(*view, session.source().file);
+    const Result<Viewpoint> stand = viewpointOf(*view, session.source().file);
     if (!stand)
         return tl::unexpected(stand.error());
     if (record.streamed)
@@ -81,7 +81,8 @@ Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(Session& session, W
     Result<FrameEye> start = placeEye(session.loaded(), *stand, record.frames.front().input.size);
     if (!start)
         return tl::unexpected(start.error());
-    if (Result<void> applied = applyMoment(session.loaded(), session.source().file, *view, *start); !applied)
+    if (Result<void> applied = applyDynamics(session.loaded(), session.source().file, *view, *start);
+        !applied)
         return tl::unexpected(applied.error());
     return std::unique_ptr<ReplayedFrames>(new ReplayedFrames(session, std::move(*start), std::move(record)));
 }
@@ -90,7 +91,7 @@ void ReplayedFrames::compareLast() {
     if (next_ == 0 || difference_)
         return;
     const std::uint64_t decided = record_.frames[next_ - 1].decided;
-    if (decided != 0 && decided != decisionHash(play_.eye(), session_.visible(), session_.moment()))
+    if (decided != 0 && decided != decisionHash(play_.eye(), session_.visible(), session_.dynamics()))
         difference_ = next_ - 1;
 }
 
@@ -119,7 +120,7 @@ Result<FramesRequest> checkFrames(const PathArguments& arguments, std::size_t fr
     if (!path)
         return tl::unexpected(path.error());
     request.path = *path;
-    Result<std::vector<Standpoint>> points = wayPointsOf(arguments, file);
+    Result<std::vector<Viewpoint>> points = wayPointsOf(arguments, file);
     if (!points)
         return tl::unexpected(points.error());
     request.points = std::move(*points);

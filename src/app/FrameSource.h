@@ -70,7 +70,7 @@ private:
 /// What the command line says of frames, checked as far as that goes without a session.
 struct FramesRequest {
     PathRequest path;
-    std::vector<Standpoint> points; ///< of the path
+    std::vector<Viewpoint> points;  ///< of the path
     std::optional<WalkRecord> walk; ///< instead of it
 };
 /// `frames`: how many unless said. Errors: checkPath's, wayPointsOf's, readWalk's.

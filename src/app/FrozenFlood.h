@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/PortalSights.h"
+#include "app/PortalTraces.h"
 #include "visibility/VisibleSet.h"
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace limen::app {
 struct FrozenFlood {
     visibility::View view;
     visibility::VisibleSet visible;
-    std::vector<PortalSight> portals; ///< what became of each that it came to
+    std::vector<PortalTrace> portals; ///< what became of each that it came to
 };
 
 /// A line of a visit's pyramid in a picture, in NDC; it may leave the picture.

@@ -217,7 +217,7 @@ Result<std::string> encodeGlb(const world::World& world, std::span<const world::
     Writer writer(world);
     for (const world::InstanceIndex index : instances) {
         const world::Instance& instance = world.instances[index];
-        if (instance.kind == world::Kind::Terrain)
+        if (instance.kind == world::InstanceKind::Terrain)
             continue;
         if (Result<void> added = writer.add(instance, origin); !added)
             return tl::unexpected(added.error());

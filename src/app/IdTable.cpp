@@ -43,7 +43,7 @@ const world::Instance* IdTable::instance(std::uint32_t id) const {
     return id - found->idBase < polygonCount(world_, *found) ? found : nullptr;
 }
 
-IdMeaning IdTable::meaning(std::uint32_t id, const world::Moment& moment) const {
+IdMeaning IdTable::meaning(std::uint32_t id, const world::DynamicState& dynamics) const {
     if (id == kVoidPixel)
         return {"none", "void", hexId(0), "", 0};
     if (id == kSkyPixel)
@@ -51,9 +51,9 @@ IdMeaning IdTable::meaning(std::uint32_t id, const world::Moment& moment) const 
     const world::Instance* known = instance(id);
     if (known == nullptr)
         return {"none", "unknown", hexId(0), "", id};
-    const auto here = std::find_if(moment.instances.begin(), moment.instances.end(),
+    const auto here = std::find_if(dynamics.instances.begin(), dynamics.instances.end(),
                                    [&](const world::Instance& i) { return i.idBase == known->idBase; });
-    const world::Instance& found = here != moment.instances.end() ? *here : *known;
+    const world::Instance& found = here != dynamics.instances.end() ? *here : *known;
     const std::uint32_t number = id - found.idBase;
     const std::size_t info = world_.meshes[found.mesh].firstPolygonInfo + std::size_t{number};
     const std::uint32_t polygon = info < world_.polygonIds.size() ? world_.polygonIds[info] : number;

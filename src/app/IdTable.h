@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 #include <string>
@@ -28,7 +28,7 @@ class IdTable {
 public:
     explicit IdTable(const world::World& world);
     /// An id that no instance has is told as kind "unknown", space "none". What moves is placed where `moment` says.
-    [[nodiscard]] IdMeaning meaning(std::uint32_t id, const world::Moment& moment = {}) const;
+    [[nodiscard]] IdMeaning meaning(std::uint32_t id, const world::DynamicState& dynamics = {}) const;
     /// The instance an id belongs to: one of World::instances or of World::movingParts, or null.
     [[nodiscard]] const world::Instance* instance(std::uint32_t id) const;
 

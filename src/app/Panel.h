@@ -3,7 +3,7 @@
 #include "app/FrameReport.h"
 #include "app/FrozenFlood.h"
 #include "app/Picked.h"
-#include "app/PortalSights.h"
+#include "app/PortalTraces.h"
 #include "app/Quality.h"
 #include "app/ResidencyMap.h"
 #include "app/TimeWindow.h"
@@ -54,7 +54,7 @@ struct PanelFacts {
     const Picked* picked;          ///< null: nothing is
     const ViewVerdict* verdict;    ///< on this very view; null: none
     const FrozenFlood* frozen;     ///< to be shown in the picture; null: none
-    std::span<const PortalSight>
+    std::span<const PortalTrace>
         portals; ///< of this flood, or the one that is kept; only when they are to be shown
     const ResidencyMap& residency;
     std::optional<std::size_t> quality; ///< of kQualities

@@ -195,9 +195,9 @@ void drawPortalList(const PanelFacts& facts) {
         ImGui::PopStyleColor();
         if (!isOpen)
             continue;
-        for (const PortalSight& sight : facts.portals) {
-            if (sight.fate == fate)
-                line(portalLabel(facts.world, sight));
+        for (const PortalTrace& trace : facts.portals) {
+            if (trace.fate == fate)
+                line(portalLabel(facts.world, trace));
         }
         ImGui::TreePop();
     }

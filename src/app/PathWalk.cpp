@@ -8,11 +8,10 @@
 namespace limen::app {
 namespace {
 
-Result<CameraPath> makePath(const LoadedWorld& loaded, const std::vector<Standpoint>& points,
-                            PixelSize size) {
+Result<CameraPath> makePath(const LoadedWorld& loaded, const std::vector<Viewpoint>& points, PixelSize size) {
     std::vector<world::Place> places;
-    for (const Standpoint& point : points) {
-        Standpoint free =
+    for (const Viewpoint& point : points) {
+        Viewpoint free =
             point; // only the position matters here; cells of later way points may not be loaded yet
         free.root = {RootChoice::Kind::Outside, 0};
         const Result<FrameEye> eye = placeEye(loaded, free, size);
@@ -98,11 +97,11 @@ Result<PathRequest> checkPath(const PathArguments& arguments, std::size_t frames
     return request;
 }
 
-Result<std::vector<Standpoint>> wayPointsOf(const PathArguments& arguments, const world::WorldFile& file) {
-    std::vector<Standpoint> points;
+Result<std::vector<Viewpoint>> wayPointsOf(const PathArguments& arguments, const world::WorldFile& file) {
+    std::vector<Viewpoint> points;
     if (arguments.path.empty()) {
         for (const world::Place& place : file.tour)
-            points.push_back(standpointAt(place));
+            points.push_back(viewpointAt(place));
         if (points.empty())
             return fail(ErrorCode::NotFound, "tour",
                         "this world's world.json has no tour; give way points with --path FILE");
@@ -112,7 +111,7 @@ Result<std::vector<Standpoint>> wayPointsOf(const PathArguments& arguments, cons
     if (!views)
         return tl::unexpected(views.error());
     for (const ListedView& listed : *views) {
-        Result<Standpoint> stand = standpointOf(listed.view, file);
+        Result<Viewpoint> stand = viewpointOf(listed.view, file);
         if (!stand)
             return tl::unexpected(stand.error());
         points.push_back(*stand);
@@ -120,11 +119,11 @@ Result<std::vector<Standpoint>> wayPointsOf(const PathArguments& arguments, cons
     return points;
 }
 
-Result<PathStart> startPath(Session& session, const std::vector<Standpoint>& points,
+Result<PathStart> startPath(Session& session, const std::vector<Viewpoint>& points,
                             const PathRequest& request) {
     if (Result<void> loaded = session.load(points.front().centre); !loaded)
         return tl::unexpected(loaded.error());
-    Standpoint first = points.front();
+    Viewpoint first = points.front();
     first.camera.fovDegrees = request.fov;
     Result<FrameEye> eye = placeEye(session.loaded(), first, request.size);
     if (!eye)

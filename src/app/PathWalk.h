@@ -32,8 +32,8 @@ struct PathRequest {
 [[nodiscard]] Result<PathRequest> checkPath(const PathArguments& arguments, std::size_t frames);
 
 /// The way points: of a file in the form of `shot`'s views files, or the world's own tour. Errors: of the file; there is no tour.
-[[nodiscard]] Result<std::vector<Standpoint>> wayPointsOf(const PathArguments& arguments,
-                                                          const world::WorldFile& file);
+[[nodiscard]] Result<std::vector<Viewpoint>> wayPointsOf(const PathArguments& arguments,
+                                                         const world::WorldFile& file);
 
 /// A path, and the eye at its beginning.
 struct PathStart {
@@ -41,7 +41,7 @@ struct PathStart {
     FrameEye eye;
 };
 /// Loads what is around the first way point. Errors: the session's; a way point that is nowhere.
-[[nodiscard]] Result<PathStart> startPath(Session& session, const std::vector<Standpoint>& points,
+[[nodiscard]] Result<PathStart> startPath(Session& session, const std::vector<Viewpoint>& points,
                                           const PathRequest& request);
 
 /// The camera on its way: where it is, and the space it was swept into. A path that leads through a wall is followed

@@ -8,15 +8,15 @@
 
 namespace limen::app {
 
-Picked pickedPixel(const world::World& world, const IdTable& table, const world::Moment& moment,
+Picked pickedPixel(const world::World& world, const IdTable& table, const world::DynamicState& dynamics,
                    const visibility::VisibleSet& visible, std::uint32_t id, std::uint32_t visit,
                    double distance) {
     Picked picked;
-    picked.meaning = table.meaning(id, moment);
+    picked.meaning = table.meaning(id, dynamics);
     picked.distance = distance;
     if (const world::Instance* instance = table.instance(id); instance != nullptr) {
         picked.object = instance->object;
-        picked.isLandscape = instance->kind == world::Kind::Terrain;
+        picked.isLandscape = instance->kind == world::InstanceKind::Terrain;
     }
     while (visit < visible.visits.size()) {
         picked.chain.push_back(visitLabel(world, visible, visit));

@@ -15,9 +15,9 @@ struct Picked {
 };
 
 /// A pixel, as a frame with ids was drawn: the id, the number of the visit that owns it, and the distance.
-[[nodiscard]] Picked pickedPixel(const world::World& world, const IdTable& table, const world::Moment& moment,
-                                 const visibility::VisibleSet& visible, std::uint32_t id, std::uint32_t visit,
-                                 double distance);
+[[nodiscard]] Picked pickedPixel(const world::World& world, const IdTable& table,
+                                 const world::DynamicState& dynamics, const visibility::VisibleSet& visible,
+                                 std::uint32_t id, std::uint32_t visit, double distance);
 
 /// In lines: what it is, of which record, where, how far away, and then the chain.
 [[nodiscard]] std::vector<std::string> pickedLines(const Picked& picked);

@@ -9,7 +9,7 @@ namespace limen::app {
 namespace {
 
 /// Whether a place lies so far within what is shown that one may stand there while the rest of its surroundings comes.
-bool isWithin(const LoadedWorld& shown, const Standpoint& stand) {
+bool isWithin(const LoadedWorld& shown, const Viewpoint& stand) {
     const int away =
         std::max(std::abs(stand.centre.x - shown.centre.x), std::abs(stand.centre.y - shown.centre.y));
     const world::Block* block = world::findBlock(shown.world, stand.centre);
@@ -122,7 +122,7 @@ void Play::useDoor() {
 void Play::goTo(std::size_t place) {
     const std::vector<world::Place>& places = session_.source().file.places;
     if (place < places.size())
-        going_ = {standpointAt(places[place]), places[place].name};
+        going_ = {viewpointAt(places[place]), places[place].name};
 }
 
 /// Until it is there the eye goes on where it is.
@@ -137,7 +137,7 @@ Result<void> Play::goOn() {
     return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{};
 }
 
-void Play::standAt(Standpoint stand) {
+void Play::standAt(Viewpoint stand) {
     Result<FrameEye> eye = placeEye(session_.loaded(), stand, eye_.size);
     if (!eye) { // it has no ground, or its cell is damaged; what was shown before has gone
         stand.onGround = false;

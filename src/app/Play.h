@@ -31,7 +31,7 @@ public:
 
 private:
     struct Destination {
-        Standpoint stand;
+        Viewpoint stand;
         std::string name;
     };
     void act(const PlayAct& act);
@@ -41,7 +41,7 @@ private:
     void useDoor();
     void goTo(std::size_t place);
     [[nodiscard]] Result<void> goOn();
-    void standAt(Standpoint stand);
+    void standAt(Viewpoint stand);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);
     void moveDoors(double seconds);
     void swingAllTo(double open);

@@ -181,7 +181,7 @@ world::SpaceIndex rootIn(const LoadedWorld& loaded, dat::RecordId cell, const Ve
                : motion::locate(loaded.world, eye).space; // its block is damaged or was left out: look again
 }
 
-Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size) {
+Result<FrameEye> placeEye(const LoadedWorld& loaded, const Viewpoint& stand, PixelSize size) {
     FrameEye eye;
     eye.camera = stand.camera;
     eye.size = size;
@@ -225,8 +225,8 @@ Result<std::vector<double>> eachDoor(const world::World& world, const world::Wor
 
 } // namespace
 
-Result<void> applyMoment(const LoadedWorld& loaded, const world::WorldFile& file, const ViewRequest& view,
-                         FrameEye& eye) {
+Result<void> applyDynamics(const LoadedWorld& loaded, const world::WorldFile& file, const ViewRequest& view,
+                           FrameEye& eye) {
     eye.time = view.time;
     Result<std::uint32_t> day = dayGroupOf(loaded.world.sky.desc, view.day);
     if (!day)
@@ -345,12 +345,12 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
         return tl::unexpected(target.error());
     shown_ = *target;
     const frame::FrameView view = frameView(eye, options);
-    loaded_->moments.at(momentInput(loaded_->world, eye), moment_);
+    loaded_->dynamicsBuilder.at(dynamicsInput(loaded_->world, eye), dynamics_);
     const Stopwatch flooding;
-    visibility::flood(loaded_->graph, moment_.closed, view.view, {}, scratch_, visible_);
+    visibility::flood(loaded_->graph, dynamics_.closed, view.view, {}, scratch_, visible_);
     floodMs_ = flooding.ms();
     const Stopwatch planning;
-    loaded_->planner.plan(view, moment_, visible_, plan_);
+    loaded_->planner.plan(view, dynamics_, visible_, plan_);
     planMs_ = planning.ms();
     Result<void> rendered = renderer_.render(
         plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
@@ -363,14 +363,14 @@ Result<Picked> Session::pick(const FrameEye& eye, std::uint32_t x, std::uint32_t
     if (Result<void> drawn = draw(eye, {.ids = true, .shading = gpu::Shading::IdsOnly}); !drawn)
         return tl::unexpected(drawn.error());
     const std::size_t pixel = std::size_t{y} * eye.size.width + x;
-    return pickedPixel(loaded_->world, loaded_->ids, moment_, visible_, shown_->readIds()[pixel],
+    return pickedPixel(loaded_->world, loaded_->ids, dynamics_, visible_, shown_->readIds()[pixel],
                        shown_->readOwnership()[pixel], shown_->readDistances(plan_.constants)[pixel]);
 }
 
 void Session::tracePortals(const FrameEye& eye, visibility::FloodTrace& trace) {
     LIMEN_ASSERT(loaded_ != nullptr && shown_ != nullptr, "draw before asking why");
     visibility::VisibleSet visible;
-    visibility::flood(loaded_->graph, moment_.closed, viewOf(eye.camera, eye.size, eye.root), {}, scratch_,
+    visibility::flood(loaded_->graph, dynamics_.closed, viewOf(eye.camera, eye.size, eye.root), {}, scratch_,
                       visible, &trace);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/DynamicStateInput.h"
 #include "app/FrameReport.h"
-#include "app/MomentInput.h"
 #include "app/Picked.h"
 #include "app/Quality.h"
 #include "app/Residency.h"
@@ -12,7 +12,7 @@
 #include "gpu/GlDevice.h"
 #include "gpu/HeadlessContext.h"
 #include "gpu/Renderer.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "visibility/Flood.h"
 #include "world/LoadCache.h"
 #include "world/Loader.h"
@@ -62,7 +62,7 @@ private:
     explicit LoadedWorld(std::shared_ptr<const Contents> contents)
         : contents_(std::move(contents)), world(contents_->world), graph(contents_->graph),
           ids(contents_->ids), target(contents_->target), centre(target.centre), planner(world),
-          moments(world) {}
+          dynamicsBuilder(world) {}
     const std::shared_ptr<const Contents> contents_; // first: the others refer to it
 
 public:
@@ -72,7 +72,7 @@ public:
     const StreamTarget& target; ///< what it was asked for
     const dat::BlockCoord& centre;
     frame::Planner planner;
-    motion::Moments moments;
+    motion::DynamicStateBuilder dynamicsBuilder;
 };
 
 /// The block that an eye in the cell `cell` (0: outside) is to have around it. Over a dungeon's block, which has no landscape, it is the
@@ -85,12 +85,12 @@ public:
 
 /// Eye, root and height of the ground of a standpoint, found in a loaded world. Errors: a root cell that is
 /// not there; no ground where the eye is to stand on it.
-[[nodiscard]] Result<FrameEye> placeEye(const LoadedWorld& loaded, const Standpoint& stand, PixelSize size);
+[[nodiscard]] Result<FrameEye> placeEye(const LoadedWorld& loaded, const Viewpoint& stand, PixelSize size);
 
 /// Gives an eye what a view says of time, weather, doors and the player's body. Errors: a door that the world file does not name; a kind of day or
 /// a cell that is not there.
-[[nodiscard]] Result<void> applyMoment(const LoadedWorld& loaded, const world::WorldFile& file,
-                                       const ViewRequest& view, FrameEye& eye);
+[[nodiscard]] Result<void> applyDynamics(const LoadedWorld& loaded, const world::WorldFile& file,
+                                         const ViewRequest& view, FrameEye& eye);
 
 /// What the renderer is asked to draw of a frame.
 struct DrawOptions {
@@ -154,7 +154,7 @@ public:
     /// The last frame.
     [[nodiscard]] const visibility::VisibleSet& visible() const { return visible_; }
     [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
-    [[nodiscard]] const world::Moment& moment() const { return moment_; }
+    [[nodiscard]] const world::DynamicState& dynamics() const { return dynamics_; }
     [[nodiscard]] const gpu::RenderTarget& target() const { return *shown_; }
     [[nodiscard]] FrameFigures figures() const;
     /// The driver in one line.
@@ -175,7 +175,7 @@ private:
     gpu::RenderTarget* shown_ = nullptr;                      ///< that of the last frame
     std::shared_ptr<LoadedWorld> loaded_;
     visibility::FloodScratch scratch_;
-    world::Moment moment_;
+    world::DynamicState dynamics_;
     visibility::VisibleSet visible_;
     frame::FramePlan plan_;
     double floodMs_ = 0.0, planMs_ = 0.0;

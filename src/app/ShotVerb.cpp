@@ -74,18 +74,18 @@ Result<void> writeMeasurements(Session& session, const FrameEye& eye, const Outp
     if (outputs.json.empty())
         return {};
     nlohmann::ordered_json json =
-        frameJson(session.loaded().world, session.loaded().ids, eye, session.moment(), session.visible(),
+        frameJson(session.loaded().world, session.loaded().ids, eye, session.dynamics(), session.visible(),
                   session.plan(), session.figures(), ids);
     json["command"] = reproduction(session.loaded().world, eye, session.source().datOption);
     return writeFile(outputs.json, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 Result<FrameEye> eyeOf(const LoadedWorld& loaded, const world::WorldFile& file, const ListedView& listed,
-                       const Standpoint& stand, const Console& console) {
+                       const Viewpoint& stand, const Console& console) {
     Result<FrameEye> eye = placeEye(loaded, stand, listed.view.size);
     if (!eye)
         return eye;
-    if (Result<void> applied = applyMoment(loaded, file, listed.view, *eye); !applied)
+    if (Result<void> applied = applyDynamics(loaded, file, listed.view, *eye); !applied)
         return tl::unexpected(applied.error());
     if (eye->rootAmbiguous)
         console.note(fmt::format("limen: several cells claim the eye; {} is taken, --root names another",
@@ -93,7 +93,7 @@ Result<FrameEye> eyeOf(const LoadedWorld& loaded, const world::WorldFile& file, 
     return eye;
 }
 
-Result<void> shoot(Session& session, const ListedView& listed, const Standpoint& stand,
+Result<void> shoot(Session& session, const ListedView& listed, const Viewpoint& stand,
                    const Console& console) {
     const Result<FrameEye> eye = eyeOf(session.loaded(), session.source().file, listed, stand, console);
     if (!eye)
@@ -134,7 +134,7 @@ Result<void> checkAllOutputs(const ShotOptions& options, const std::vector<Liste
 }
 
 /// The order to draw in: views of one landblock together, so that each part of the world is loaded once.
-std::vector<std::size_t> drawingOrder(const std::vector<Standpoint>& stands) {
+std::vector<std::size_t> drawingOrder(const std::vector<Viewpoint>& stands) {
     std::vector<std::size_t> order(stands.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -152,13 +152,13 @@ Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
 
 /// One view traced instead of drawn.
 Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const WorldSource& source,
-                   const ListedView& listed, const Standpoint& stand, const Console& console) {
+                   const ListedView& listed, const Viewpoint& stand, const Console& console) {
     const Result<FrameEye> eye = eyeOf(loaded, source.file, listed, stand, console);
     if (!eye)
         return tl::unexpected(eye.error());
-    world::Moment moment;
-    loaded.moments.at(momentInput(loaded.world, *eye), moment);
-    scene.setMoment(moment);
+    world::DynamicState dynamics;
+    loaded.dynamicsBuilder.at(dynamicsInput(loaded.world, *eye), dynamics);
+    scene.setDynamics(dynamics);
     const TracedFrame frame = traceFrame(scene, *eye);
     const OutputPaths& outputs = listed.outputs;
     const std::uint32_t width = eye->size.width, height = eye->size.height;
@@ -176,7 +176,7 @@ Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const WorldSour
         !written)
         return written;
     return writeIfAsked(outputs.json, [&] {
-        return tracedJson(loaded.world, loaded.ids, *eye, moment, frame, source.datOption)
+        return tracedJson(loaded.world, loaded.ids, *eye, dynamics, frame, source.datOption)
                    .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                "\n";
     });
@@ -184,7 +184,7 @@ Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const WorldSour
 
 /// All views traced: no device, no GL.
 Result<Exit> runTraced(const WorldSource& source, const ShotOptions& options,
-                       const std::vector<ListedView>& views, const std::vector<Standpoint>& stands,
+                       const std::vector<ListedView>& views, const std::vector<Viewpoint>& stands,
                        const Console& console) {
     std::unique_ptr<LoadedWorld> loaded;
     std::optional<reference::Scene> scene;
@@ -231,9 +231,9 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    std::vector<Standpoint> stands;
+    std::vector<Viewpoint> stands;
     for (const ListedView& listed : *views) {
-        Result<Standpoint> stand = standpointOf(listed.view, source->file);
+        Result<Viewpoint> stand = viewpointOf(listed.view, source->file);
         if (!stand)
             return tl::unexpected(stand.error());
         stands.push_back(*stand);

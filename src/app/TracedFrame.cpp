@@ -107,7 +107,7 @@ Picture TracedFrame::painting() const {
 }
 
 nlohmann::ordered_json tracedJson(const world::World& world, const IdTable& table, const FrameEye& eye,
-                                  const world::Moment& moment, const TracedFrame& frame,
+                                  const world::DynamicState& dynamics, const TracedFrame& frame,
                                   const std::string& datOption) {
     visibility::VisibleSet visible;
     std::vector<std::uint8_t> seen(world.spaces.size(), 0);
@@ -122,7 +122,7 @@ nlohmann::ordered_json tracedJson(const world::World& world, const IdTable& tabl
     figures.floodMs = figures.planMs = figures.submitMs = figures.gpuMs =
         std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::uint32_t> ids = frame.ids();
-    nlohmann::ordered_json json = frameJson(world, table, eye, moment, visible, {}, figures, ids);
+    nlohmann::ordered_json json = frameJson(world, table, eye, dynamics, visible, {}, figures, ids);
     json["command"] = reproduction(world, eye, datOption) + " --reference";
     return json;
 }

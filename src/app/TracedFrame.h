@@ -30,7 +30,7 @@ struct TracedFrame {
 /// frameJson for a traced frame: "cells" are those that rays ended in, "visits" and "stages" are empty, counts and
 /// gl_calls 0, times null, "driver" says "reference".
 [[nodiscard]] nlohmann::ordered_json tracedJson(const world::World& world, const IdTable& table,
-                                                const FrameEye& eye, const world::Moment& moment,
+                                                const FrameEye& eye, const world::DynamicState& dynamics,
                                                 const TracedFrame& frame, const std::string& datOption);
 
 } // namespace limen::app

@@ -17,7 +17,7 @@ Result<ViewVerdict> ViewCheck::check(Session& session, const FrameEye& eye) {
     const Result<check::DrawnImages> drawn = drawImages(session, eye, false);
     if (!drawn)
         return tl::unexpected(drawn.error());
-    traced_->setMoment(session.moment());
+    traced_->setDynamics(session.dynamics());
     const TracedFrame traced = traceFrame(traced_->scene(), eye);
     check::ViewRetracer retracer(*traced_, traced.camera);
     ViewVerdict verdict;

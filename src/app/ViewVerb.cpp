@@ -25,7 +25,7 @@ struct ViewOptions {
 /// Where and how the window opens.
 struct Opening {
     ViewRequest view;
-    Standpoint stand;
+    Viewpoint stand;
 };
 
 /// As the options say; without a position where the world begins (firstPlace).
@@ -41,7 +41,7 @@ Result<Opening> openingOf(const ViewOptions& options, const world::WorldFile& fi
     Result<ViewRequest> view = checkView(arguments);
     if (!view)
         return tl::unexpected(view.error());
-    Result<Standpoint> stand = nowhere ? standpointAt(*place) : standpointOf(*view, file);
+    Result<Viewpoint> stand = nowhere ? viewpointAt(*place) : viewpointOf(*view, file);
     if (!stand)
         return tl::unexpected(stand.error());
     stand->camera.fovDegrees = view->fov;
@@ -110,7 +110,7 @@ Result<Exit> loop(Window& window, gpu::GlDevice& device, Session& session, const
         ++frames;
         if (!options.record.empty())
             record +=
-                frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.moment()),
+                frameLine({viewer.input(), decisionHash(viewer.eye(), session.visible(), session.dynamics()),
                            viewer.stream().shown(), viewer.stream().hasRefused()});
         if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
             console.note("limen: what is near cannot be loaded: " + fault);
@@ -167,7 +167,7 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     Result<FrameEye> start = placeEye(session.loaded(), opening->stand, opening->view.size);
     if (!start)
         return tl::unexpected(start.error());
-    if (Result<void> applied = applyMoment(session.loaded(), session.source().file, opening->view, *start);
+    if (Result<void> applied = applyDynamics(session.loaded(), session.source().file, opening->view, *start);
         !applied)
         return tl::unexpected(applied.error());
     return loop(**window, **device, session, *start, std::move(*script), options, console);

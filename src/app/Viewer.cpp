@@ -218,9 +218,9 @@ void Viewer::freeze() {
         frozen_ = FrozenFlood{viewOf(eye().camera, eye().size, eye().root), session_.visible(), portalsNow()};
 }
 
-std::vector<PortalSight> Viewer::portalsNow() {
+std::vector<PortalTrace> Viewer::portalsNow() {
     session_.tracePortals(eye(), trace_);
-    return portalSights(trace_);
+    return portalTraces(trace_);
 }
 
 ResidencyMap Viewer::residency() const {
@@ -309,7 +309,7 @@ void Viewer::overlay() {
         times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
     const std::optional<std::size_t> door = play_.doorInReach();
     const std::string said = noticeText();
-    portals_ = !switches_.portals ? std::vector<PortalSight>{} : frozen_ ? frozen_->portals : portalsNow();
+    portals_ = !switches_.portals ? std::vector<PortalTrace>{} : frozen_ ? frozen_->portals : portalsNow();
     const ResidencyMap blocks = residency();
     const PanelFacts facts{.world = session_.loaded().world,
                            .eye = eye(),

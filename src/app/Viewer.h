@@ -55,7 +55,7 @@ public:
     [[nodiscard]] std::string noticeText() const;
     [[nodiscard]] const std::optional<Rebinding>& rebinding() const { return rebinding_; }
     [[nodiscard]] const KeyBindings& bindings() const { return bindings_; }
-    [[nodiscard]] std::span<const PortalSight> portals() const { return portals_; }
+    [[nodiscard]] std::span<const PortalTrace> portals() const { return portals_; }
     [[nodiscard]] WindowSizes sizes() const { return window_.sizes(); }
     /// Of the flood that is kept; none is: 0.
     [[nodiscard]] std::size_t frozenVisits() const { return frozen_ ? frozen_->visible.visits.size() : 0; }
@@ -83,7 +83,7 @@ private:
     void freeze();
 
     /// What becomes of portals in the last frame's flood.
-    std::vector<PortalSight> portalsNow();
+    std::vector<PortalTrace> portalsNow();
 
     /// The landblocks around eye and player.
     [[nodiscard]] ResidencyMap residency() const;
@@ -138,7 +138,7 @@ private:
     FrameEye checkedFrom_;
     std::optional<FrozenFlood> frozen_;
     visibility::FloodTrace trace_;
-    std::vector<PortalSight> portals_; ///< that are shown
+    std::vector<PortalTrace> portals_; ///< that are shown
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
     FrameWindows times_;

@@ -20,7 +20,7 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
 }
 
 /// How many portals came to what, as far as they are shown.
-nlohmann::ordered_json fatesJson(std::span<const PortalSight> portals) {
+nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     const auto counts = countFates(portals);
     for (std::size_t i = counts.size(); i-- > 0;) {

@@ -33,7 +33,7 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     Result<WorldSource> source = openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<std::vector<Standpoint>> points = wayPointsOf(options.path, source->file);
+    const Result<std::vector<Viewpoint>> points = wayPointsOf(options.path, source->file);
     if (!points)
         return tl::unexpected(points.error());
     gpu::NullDevice device; // nobody looks

@@ -43,7 +43,7 @@ Result<WorldSource> openBuiltIn() {
     }
 }
 
-dat::BlockCoord centreOf(const Standpoint& stand) {
+dat::BlockCoord centreOf(const Viewpoint& stand) {
     return stand.root.kind == RootChoice::Kind::Cell ? dat::blockOf(stand.root.cell)
                                                      : world::blockAt(stand.camera.eye);
 }
@@ -64,7 +64,7 @@ Result<const world::Place*> findPlace(const world::WorldFile& file, const std::s
                             fmt::join(names, ", "), file.places.size() > names.size() ? ", ..." : ""));
 }
 
-void applyNotation(const PlacePosition& place, Standpoint& stand) {
+void applyNotation(const PlacePosition& place, Viewpoint& stand) {
     stand.camera.eye = place.eye;
     stand.camera.heading = {place.yaw.value_or(0.0), place.pitch.value_or(0.0)};
     stand.onGround = place.onGround;
@@ -82,8 +82,8 @@ Result<WorldSource> openWorldSource(const std::string& directory) {
     return source;
 }
 
-Standpoint standpointAt(const world::Place& place) {
-    Standpoint stand;
+Viewpoint viewpointAt(const world::Place& place) {
+    Viewpoint stand;
     stand.camera.eye = stand.player = place.eye;
     stand.camera.heading = {place.yaw, place.pitch};
     stand.root.kind = place.cell == 0 ? RootChoice::Kind::Outside : RootChoice::Kind::Cell;
@@ -102,8 +102,8 @@ const world::Place* firstPlace(const world::WorldFile& file) {
     return file.places.empty() ? nullptr : &file.places.front();
 }
 
-Result<Standpoint> standpointOf(const ViewRequest& view, const world::WorldFile& file) {
-    Standpoint stand;
+Result<Viewpoint> viewpointOf(const ViewRequest& view, const world::WorldFile& file) {
+    Viewpoint stand;
     if (view.eye)
         stand.camera.eye = *view.eye;
     else if (const auto* position = std::get_if<PlacePosition>(&*view.at))
@@ -112,7 +112,7 @@ Result<Standpoint> standpointOf(const ViewRequest& view, const world::WorldFile&
         const Result<const world::Place*> place = findPlace(file, std::get<PlaceName>(*view.at).name);
         if (!place)
             return tl::unexpected(place.error());
-        stand = standpointAt(**place);
+        stand = viewpointAt(**place);
     }
     stand.camera.fovDegrees = view.fov;
     stand.camera.heading.yaw = view.yaw.value_or(stand.camera.heading.yaw);

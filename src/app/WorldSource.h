@@ -23,7 +23,7 @@ struct WorldSource {
 [[nodiscard]] Result<WorldSource> openWorldSource(const std::string& directory);
 
 /// Where a view stands, before any of the world is loaded.
-struct Standpoint {
+struct Viewpoint {
     Camera camera;
     bool onGround = false; ///< the eye's z is to be the ground's height plus kEyeHeight
     RootChoice root;
@@ -34,12 +34,12 @@ struct Standpoint {
 
 /// Resolves names of places. Errors: a name that the world does not know (some that it knows are in the
 /// message).
-[[nodiscard]] Result<Standpoint> standpointOf(const ViewRequest& view, const world::WorldFile& file);
+[[nodiscard]] Result<Viewpoint> viewpointOf(const ViewRequest& view, const world::WorldFile& file);
 
 /// The place a world is first seen from: the one it names as its start, the first of its tour, the first of its places, else nothing.
 [[nodiscard]] const world::Place* firstPlace(const world::WorldFile& file);
 
 /// The standpoint of a named place.
-[[nodiscard]] Standpoint standpointAt(const world::Place& place);
+[[nodiscard]] Viewpoint viewpointAt(const world::Place& place);
 
 } // namespace limen::app

@@ -3,7 +3,7 @@
 #include "check/SampledComparison.h"
 #include "check/View.h"
 #include "core/Error.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 
 #include <memory>
 
@@ -26,7 +26,7 @@ public:
     /// What an id's colour is in a flat picture; for drawers of multisampled ones.
     [[nodiscard]] virtual IdColour idColour() const { return nullptr; }
     /// Where everything was in the picture drawn last.
-    [[nodiscard]] virtual const world::Moment& moment() const = 0;
+    [[nodiscard]] virtual const world::DynamicState& dynamics() const = 0;
     /// Makes another drawer that draws the same, for the thread that calls, of whatever this one has loaded last: its own load()
     /// takes that over, and this one loads nothing new meanwhile. Null if it has none to offer.
     [[nodiscard]] virtual Result<std::unique_ptr<Drawer>> makeHelper() { return nullptr; }

@@ -26,7 +26,7 @@ Result<DrawnView> drawView(Drawer& drawer, const world::World& world, const View
     if (!images)
         return tl::unexpected(images.error());
     drawn.images = std::move(*images);
-    drawn.moment = drawer.moment();
+    drawn.dynamics = drawer.dynamics();
     if (still) {
         const Result<DrawnImages> again = drawer.draw(view, root, true);
         if (!again)

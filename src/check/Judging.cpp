@@ -91,7 +91,7 @@ void Judging::work() {
 
 void Judging::judge(const DrawnView& drawn) {
     const auto start = std::chrono::steady_clock::now();
-    traced_.setMoment(drawn.moment);
+    traced_.setDynamics(drawn.dynamics);
     reference::tracePicture(traced_.scene(), drawn.camera, threads_, picture_);
     ViewRetracer retracer(traced_, drawn.camera);
     if (drawn.images.samples.empty())

@@ -15,9 +15,9 @@ struct DrawnView {
     View view;
     reference::Camera camera;
     DrawnImages images;
-    world::Moment moment;    ///< of the picture
-    std::uint64_t moved = 0; ///< pixels that a second picture of it had otherwise
-    double seconds = 0.0;    ///< that drawing took
+    world::DynamicState dynamics; ///< of the picture
+    std::uint64_t moved = 0;      ///< pixels that a second picture of it had otherwise
+    double seconds = 0.0;         ///< that drawing took
 };
 
 /// Traces and judges drawn views of one loaded world on a thread of its own, in the order of their indices: several may draw.

@@ -49,9 +49,9 @@ double turned(double a, double b, double share) {
 class Walker {
 public:
     Walker(const Surroundings& around, std::uint64_t number)
-        : around_(around),
-          dice_(around.seed, {static_cast<std::uint64_t>(Kind::Path), dat::blockWord(around.block), number}),
-          sway_(dice_.between(0.0, 6.28)) {}
+        : around_(around), random_(around.seed, {static_cast<std::uint64_t>(Kind::Path),
+                                                 dat::blockWord(around.block), number}),
+          sway_(random_.between(0.0, 6.28)) {}
 
     /// Walks up to `most` steps through `first` and on; appends a view for each step.
     void go(world::PortalIndex first, std::size_t most, std::vector<View>& out) {
@@ -63,7 +63,7 @@ public:
             const world::Portal& portal = around_.world.portals[through];
             const Vec3 opening = pointIn(portal);
             if (!stepTo(opening, end, out) ||
-                !stepTo(opening - portal.plane.n * dice_.between(0.2, 0.6), end, out) ||
+                !stepTo(opening - portal.plane.n * random_.between(0.2, 0.6), end, out) ||
                 !chooseNext(portal.reciprocal, through))
                 return;
         }
@@ -74,9 +74,9 @@ private:
     bool startBefore(const world::Portal& portal, double farthest) {
         const Vec3 opening = pointIn(portal) + portal.plane.n * 0.005;
         for (int i = 0; i < 16; ++i) {
-            const Vec3 aside = dice_.direction() * 0.4;
+            const Vec3 aside = random_.direction() * 0.4;
             const Vec3 away = glm::normalize(portal.plane.n + aside);
-            const Vec3 start = opening + away * std::min(farthest, dice_.between(0.3, 1.0));
+            const Vec3 start = opening + away * std::min(farthest, random_.between(0.3, 1.0));
             if (const auto space = walk(around_, portal.space, opening, start)) {
                 at_ = start;
                 space_ = *space;
@@ -90,7 +90,7 @@ private:
     Vec3 pointIn(const world::Portal& portal) {
         const Vec3 middle = middleOf(around_.world, portal);
         const std::span<const Vec3> corners = cornersOf(around_.world, portal);
-        return middle + (corners[dice_.below(corners.size())] - middle) * dice_.between(0.0, 0.7);
+        return middle + (corners[random_.below(corners.size())] - middle) * random_.between(0.0, 0.7);
     }
 
     /// False if something is in the way, the block is left, or enough views are made.
@@ -135,7 +135,7 @@ private:
         const world::Space& space = around_.world.spaces[space_];
         if (space_ == world::kOutside || space.portalCount == 0)
             return false;
-        const std::size_t first = dice_.below(space.portalCount);
+        const std::size_t first = random_.below(space.portalCount);
         for (std::size_t i = 0; i < space.portalCount; ++i) {
             const auto p =
                 static_cast<world::PortalIndex>(space.firstPortal + (first + i) % space.portalCount);
@@ -149,7 +149,7 @@ private:
     }
 
     const Surroundings& around_;
-    Dice dice_;
+    RandomGenerator random_;
     double sway_;
     Vec3 at_{0.0};
     world::SpaceIndex space_ = world::kOutside;
@@ -208,10 +208,10 @@ void addWalkViews(const Surroundings& around, std::size_t count, std::vector<Vie
     // Walks that end early make room for others; a block where none gets anywhere ends the search.
     for (std::uint64_t number = 0; out.size() < end && number < 4 * (count / kLongestWalk + 1) + 16;
          ++number) {
-        Dice dice(around.seed,
-                  {static_cast<std::uint64_t>(Kind::Path), dat::blockWord(around.block), ~number});
+        RandomGenerator random(
+            around.seed, {static_cast<std::uint64_t>(Kind::Path), dat::blockWord(around.block), ~number});
         Walker(around, number)
-            .go(openings[dice.below(openings.size())], std::min(kLongestWalk, end - out.size()), out);
+            .go(openings[random.below(openings.size())], std::min(kLongestWalk, end - out.size()), out);
     }
 }
 

@@ -13,8 +13,8 @@ constexpr double kPixelShare = 0.02;
 
 } // namespace
 
-PolygonTable::PolygonTable(const world::World& world, const world::Moment& moment)
-    : world_(world), moment_(moment) {
+PolygonTable::PolygonTable(const world::World& world, const world::DynamicState& dynamics)
+    : world_(world), dynamics_(dynamics) {
     const auto add = [&](const world::Instance& instance) {
         if (instance.mesh != world::kNone && world.meshes[instance.mesh].polygonCount > 0)
             byId_.push_back(&instance);
@@ -46,7 +46,7 @@ void PolygonTable::forTriangles(const world::Instance& instance, bool blended, V
 }
 
 const world::Instance* PolygonTable::instanceOf(std::uint32_t id) const {
-    for (const world::Instance& moving : moment_.instances) {
+    for (const world::Instance& moving : dynamics_.instances) {
         if (id >= moving.idBase && id - moving.idBase < world_.meshes[moving.mesh].polygonCount)
             return &moving;
     }
@@ -84,8 +84,8 @@ void PolygonTable::trianglesAround(world::SpaceIndex index, const Vec3& point, d
     const world::Space& space = world_.spaces[index];
     for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i)
         addTrianglesAround(world_.instances[world_.spaceInstances[i]], point, reach, out);
-    for (const world::InstanceIndex i : moment_.instancesIn(index))
-        addTrianglesAround(moment_.instances[i], point, reach, out);
+    for (const world::InstanceIndex i : dynamics_.instancesIn(index))
+        addTrianglesAround(dynamics_.instances[i], point, reach, out);
 }
 
 void PolygonTable::polygonsAlong(const Vec3& eye, const Vec3& direction,
@@ -102,7 +102,7 @@ void PolygonTable::polygonsAlong(const Vec3& eye, const Vec3& direction,
             out.push_back(instance.idBase + p);
     };
     std::for_each(byId_.begin(), byId_.end(), [&](const world::Instance* instance) { add(*instance); });
-    for (const world::Instance& moving : moment_.instances) {
+    for (const world::Instance& moving : dynamics_.instances) {
         if (moving.mesh != world::kNone)
             add(moving);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/Vec.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 #include <array>
@@ -17,7 +17,7 @@ struct Triangle {
 /// Finds the triangles behind ids and around points. The world and the moment must outlive it; the moment may change.
 class PolygonTable {
 public:
-    PolygonTable(const world::World& world, const world::Moment& moment);
+    PolygonTable(const world::World& world, const world::DynamicState& dynamics);
 
     /// The triangles that show as `id`; none for void, sky and ids that nothing has. `out` is overwritten.
     void trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const;
@@ -38,7 +38,7 @@ private:
                             std::vector<Triangle>& out) const;
 
     const world::World& world_;
-    const world::Moment& moment_;
+    const world::DynamicState& dynamics_;
     std::vector<const world::Instance*> byId_; ///< static ones with polygons, ascending by idBase
 };
 

@@ -12,9 +12,10 @@ namespace {
 constexpr int kTriesOfView = 40;
 
 /// Anywhere, now and then straight up or down.
-Gaze anyGaze(Dice& dice) {
-    const double pitch = dice.unit() < 0.04 ? (dice.unit() < 0.5 ? -90.0 : 90.0) : dice.between(-75.0, 75.0);
-    return {dice.between(0.0, 360.0), pitch};
+Gaze anyGaze(RandomGenerator& random) {
+    const double pitch =
+        random.unit() < 0.04 ? (random.unit() < 0.5 ? -90.0 : 90.0) : random.between(-75.0, 75.0);
+    return {random.between(0.0, 360.0), pitch};
 }
 
 View lookFrom(const Surroundings& around, Kind kind, const Vec3& eye, const Gaze& gaze, double fov,
@@ -40,14 +41,14 @@ std::vector<world::PortalIndex> doorsOf(const world::World& world, dat::BlockCoo
 }
 
 /// A place above the block's ground; near `door` if there is one. NaN height where there is no ground.
-Vec3 placeAboveGround(const Surroundings& around, const world::Portal* door, Dice& dice) {
+Vec3 placeAboveGround(const Surroundings& around, const world::Portal* door, RandomGenerator& random) {
     Vec3 eye = Vec3(around.block.x, around.block.y, 0.0) * world::kBlockSize +
-               Vec3(dice.unit(), dice.unit(), 0.0) * world::kBlockSize;
+               Vec3(random.unit(), random.unit(), 0.0) * world::kBlockSize;
     if (door != nullptr) {
-        const double turn = dice.between(0.0, 2.0 * std::numbers::pi), far = dice.betweenLog(0.2, 20.0);
+        const double turn = random.between(0.0, 2.0 * std::numbers::pi), far = random.betweenLog(0.2, 20.0);
         eye = middleOf(around.world, *door) + Vec3(std::cos(turn), std::sin(turn), 0.0) * far;
     }
-    eye.z = world::terrainHeight(around.world, eye.x, eye.y) + dice.betweenLog(0.3, 20.0);
+    eye.z = world::terrainHeight(around.world, eye.x, eye.y) + random.betweenLog(0.3, 20.0);
     return eye;
 }
 
@@ -56,31 +57,33 @@ Vec3 placeAboveGround(const Surroundings& around, const world::Portal* door, Dic
 void addRandomViews(const Surroundings& around, Kind kind, std::size_t count, std::vector<View>& out) {
     const std::vector<world::SpaceIndex> cells = cellsOf(around.world, around.block);
     for (std::size_t i = 0; i < count && !cells.empty(); ++i) {
-        Dice dice(around.seed, {static_cast<std::uint64_t>(kind), dat::blockWord(around.block), i});
-        const world::SpaceIndex cell = cells[(i + dice.below(2)) % cells.size()];
-        const std::optional<Vec3> eye = placeInCell(around, cell, dice);
+        RandomGenerator random(around.seed,
+                               {static_cast<std::uint64_t>(kind), dat::blockWord(around.block), i});
+        const world::SpaceIndex cell = cells[(i + random.below(2)) % cells.size()];
+        const std::optional<Vec3> eye = placeInCell(around, cell, random);
         if (eye)
-            out.push_back(lookFrom(around, kind, *eye, anyGaze(dice), dice.between(40.0, 100.0), cell));
+            out.push_back(lookFrom(around, kind, *eye, anyGaze(random), random.between(40.0, 100.0), cell));
     }
 }
 
 void addOutsideViews(const Surroundings& around, std::size_t count, std::vector<View>& out) {
     const std::vector<world::PortalIndex> doors = doorsOf(around.world, around.block);
     for (std::size_t i = 0; i < count; ++i) {
-        Dice dice(around.seed, {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
+        RandomGenerator random(around.seed,
+                               {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
         for (int attempt = 0; attempt < kTriesOfView; ++attempt) {
-            const world::Portal* door = doors.empty() || dice.unit() < 0.4
+            const world::Portal* door = doors.empty() || random.unit() < 0.4
                                             ? nullptr
-                                            : &around.world.portals[doors[dice.below(doors.size())]];
-            const Vec3 eye = placeAboveGround(around, door, dice);
+                                            : &around.world.portals[doors[random.below(doors.size())]];
+            const Vec3 eye = placeAboveGround(around, door, random);
             if (!isFinite(eye) || world::blockAt(eye) != around.block ||
                 motion::locate(around.world, eye).space != world::kOutside ||
-                !standsFree(around, world::kOutside, eye, dice))
+                !standsFree(around, world::kOutside, eye, random))
                 continue;
-            const bool atDoor = door != nullptr && dice.unit() < 0.5;
-            const Gaze gaze = atDoor ? gazeAlong(middleOf(around.world, *door) - eye) : anyGaze(dice);
+            const bool atDoor = door != nullptr && random.unit() < 0.5;
+            const Gaze gaze = atDoor ? gazeAlong(middleOf(around.world, *door) - eye) : anyGaze(random);
             out.push_back(
-                lookFrom(around, Kind::Outside, eye, gaze, dice.between(40.0, 100.0), world::kOutside));
+                lookFrom(around, Kind::Outside, eye, gaze, random.between(40.0, 100.0), world::kOutside));
             break;
         }
     }

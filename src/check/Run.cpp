@@ -1,7 +1,7 @@
 #include "check/Run.h"
 
-#include "check/Dice.h"
 #include "check/DrawingHelper.h"
+#include "check/RandomGenerator.h"
 #include "check/Views.h"
 
 #include <chrono>
@@ -158,8 +158,8 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
     around.height = request.sweepHeight;
     addSweepViews(around, count(Kind::Sweep), views);
     for (std::size_t i = 0; i < views.size(); ++i) {
-        Dice dice(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
-        views[i].seconds = std::floor(dice.between(0.0, request.longest) * 100.0) / 100.0;
+        RandomGenerator random(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
+        views[i].seconds = std::floor(random.between(0.0, request.longest) * 100.0) / 100.0;
         views[i].doors = request.doors;
         views[i].dayGroup = request.dayGroup;
         views[i].rain = request.rain;

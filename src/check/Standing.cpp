@@ -73,9 +73,10 @@ std::optional<world::SpaceIndex> walk(const Surroundings& around, world::SpaceIn
     return motion::sweep(around.world, space, from, to);
 }
 
-bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3& eye, Dice& dice) {
+bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3& eye,
+                RandomGenerator& random) {
     for (int i = 0; i < kFeelers; ++i) {
-        const Vec3 direction = dice.direction();
+        const Vec3 direction = random.direction();
         const reference::Answer seen = around.scene.trace(space, {eye, direction, 0.0});
         if (std::isnan(seen.t))
             continue; // a hole of the data says nothing
@@ -88,24 +89,25 @@ bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3&
     return true;
 }
 
-std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex cell, Dice& dice) {
+std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex cell, RandomGenerator& random) {
     const world::Space& space = around.world.spaces[cell];
     const Vec3 size = space.bounds.max - space.bounds.min;
     for (int i = 0; i < kTriesToStand && !space.bounds.empty(); ++i) {
-        const Vec3 eye = space.bounds.min + size * Vec3(dice.unit(), dice.unit(), dice.unit());
-        if (isWithin(around.world, cell, eye) && standsFree(around, cell, eye, dice))
+        const Vec3 eye = space.bounds.min + size * Vec3(random.unit(), random.unit(), random.unit());
+        if (isWithin(around.world, cell, eye) && standsFree(around, cell, eye, random))
             return eye;
     }
     // A cell whose tree holds nothing: feel the way in from an opening.
     for (int i = 0; i < kTriesToStand && space.portalCount > 0; ++i) {
-        const world::Portal& portal = around.world.portals[space.firstPortal + dice.below(space.portalCount)];
+        const world::Portal& portal =
+            around.world.portals[space.firstPortal + random.below(space.portalCount)];
         const Vec3 start = middleOf(around.world, portal) + portal.plane.n * kIntoCell;
-        const Vec3 direction = dice.direction();
+        const Vec3 direction = random.direction();
         const reference::Answer seen = around.scene.trace(cell, {start, direction, 0.0});
         if (seen.space != cell || !std::isfinite(seen.t))
             continue;
-        const Vec3 eye = start + direction * (seen.t * dice.unit());
-        if (standsFree(around, cell, eye, dice))
+        const Vec3 eye = start + direction * (seen.t * random.unit());
+        if (standsFree(around, cell, eye, random))
             return eye;
     }
     return std::nullopt;

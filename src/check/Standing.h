@@ -1,6 +1,6 @@
 #pragma once
 
-#include "check/Dice.h"
+#include "check/RandomGenerator.h"
 #include "check/Views.h"
 
 #include <optional>
@@ -26,10 +26,11 @@ namespace limen::check {
 /// False if the eye is within something solid or behind a wall of its space. Surfaces are one-sided, so what is seen
 /// from there is no proof; but whatever an eye in the open sees can be walked back from, and there a wall is met.
 [[nodiscard]] bool standsFree(const Surroundings& around, world::SpaceIndex space, const Vec3& eye,
-                              Dice& dice);
+                              RandomGenerator& random);
 
 /// A legal place in a cell; nothing if none is found.
-[[nodiscard]] std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex cell, Dice& dice);
+[[nodiscard]] std::optional<Vec3> placeInCell(const Surroundings& around, world::SpaceIndex cell,
+                                              RandomGenerator& random);
 
 /// Yaw and pitch (degrees) of a direction that is not zero.
 struct Gaze {

@@ -70,9 +70,9 @@ struct Course {
     Vec3 way{0.0};   ///< towards the portal's space, 1 m along the normal
 };
 
-Vec3 anyTangent(const Vec3& n, Dice& dice) {
+Vec3 anyTangent(const Vec3& n, RandomGenerator& random) {
     for (;;) {
-        const Vec3 across = glm::cross(n, dice.direction());
+        const Vec3 across = glm::cross(n, random.direction());
         if (glm::length(across) > 0.1)
             return glm::normalize(across);
     }
@@ -84,19 +84,19 @@ Vec3 towards(const Vec3& from, const Vec3& to, double metres) {
     return length > 0.0 ? from + (to - from) * std::min(0.5, metres / length) : from;
 }
 
-Course courseOf(const world::World& world, const world::Portal& portal, Line line, Dice& dice) {
+Course courseOf(const world::World& world, const world::Portal& portal, Line line, RandomGenerator& random) {
     const Vec3 middle = middleOf(world, portal);
     const std::span<const Vec3> corners = cornersOf(world, portal);
-    const std::size_t i = dice.below(corners.size());
+    const std::size_t i = random.below(corners.size());
     const Vec3 corner = corners[i];
-    const Vec3 edge = corner + (corners[(i + 1) % corners.size()] - corner) * dice.between(0.2, 0.8);
-    const double beside = dice.betweenLog(kBesideLeast, kBesideMost);
+    const Vec3 edge = corner + (corners[(i + 1) % corners.size()] - corner) * random.between(0.2, 0.8);
+    const double beside = random.betweenLog(kBesideLeast, kBesideMost);
     Course course{middle, middle, portal.plane.n};
     switch (line) {
     case Line::Square:
         break;
     case Line::Aslant:
-        course.way += anyTangent(portal.plane.n, dice) * dice.between(0.5, 2.0);
+        course.way += anyTangent(portal.plane.n, random) * random.between(0.5, 2.0);
         break;
     case Line::BesideEdge:
         course.foot = course.inner = towards(edge, middle, beside);
@@ -116,9 +116,9 @@ Course courseOf(const world::World& world, const world::Portal& portal, Line lin
     return course;
 }
 
-Vec3 directionOf(Look look, const Vec3& n, Dice& dice) {
-    const Vec3 aside = anyTangent(n, dice);
-    const double grazing = std::tan(dice.betweenLog(0.05, 3.0) * (std::numbers::pi / 180.0));
+Vec3 directionOf(Look look, const Vec3& n, RandomGenerator& random) {
+    const Vec3 aside = anyTangent(n, random);
+    const double grazing = std::tan(random.betweenLog(0.05, 3.0) * (std::numbers::pi / 180.0));
     switch (look) {
     case Look::Along:
         return -n;
@@ -135,7 +135,7 @@ Vec3 directionOf(Look look, const Vec3& n, Dice& dice) {
     case Look::Anyhow:
         break;
     }
-    return dice.direction();
+    return random.direction();
 }
 
 /// The space that the eye is in when it comes along the course; nothing if a wall stands in the way. A point of the
@@ -150,14 +150,14 @@ std::optional<world::SpaceIndex> spaceAt(const Surroundings& around, const Combi
     return walk(around, start, anchor, eye);
 }
 
-std::optional<View> viewOf(const Surroundings& around, const Combination& c, Dice& dice) {
+std::optional<View> viewOf(const Surroundings& around, const Combination& c, RandomGenerator& random) {
     const world::Portal& portal = around.world.portals[c.portal];
-    const Course course = courseOf(around.world, portal, c.line, dice);
+    const Course course = courseOf(around.world, portal, c.line, random);
     const Vec3 eye = course.foot + course.way * c.distance;
     const auto root = spaceAt(around, c, course, eye);
     if (!root)
         return std::nullopt;
-    const Gaze gaze = gazeAlong(directionOf(c.look, portal.plane.n, dice));
+    const Gaze gaze = gazeAlong(directionOf(c.look, portal.plane.n, random));
     View view;
     view.kind = Kind::Sweep;
     view.eye = eye;
@@ -183,13 +183,14 @@ void addSweepViews(const Surroundings& around, std::size_t count, std::vector<Vi
     const std::vector<double> all = distances();
     const std::size_t combinations = openings.size() * kLineNames.size() * 2 * all.size() * kLooks;
     for (std::size_t i = 0; i < count; ++i) {
-        Dice dice(around.seed, {static_cast<std::uint64_t>(Kind::Sweep), dat::blockWord(around.block), i});
+        RandomGenerator random(around.seed,
+                               {static_cast<std::uint64_t>(Kind::Sweep), dat::blockWord(around.block), i});
         // One of each of `count` equal runs; a combination without a legal eye gives way to any other.
-        double place = (static_cast<double>(i) + dice.unit()) / static_cast<double>(count);
-        for (int attempt = 0; attempt < kTriesOfSweep; ++attempt, place = dice.unit()) {
+        double place = (static_cast<double>(i) + random.unit()) / static_cast<double>(count);
+        for (int attempt = 0; attempt < kTriesOfSweep; ++attempt, place = random.unit()) {
             const auto index = std::min(combinations - 1,
                                         static_cast<std::size_t>(place * static_cast<double>(combinations)));
-            if (auto view = viewOf(around, combinationAt(openings, all, index), dice)) {
+            if (auto view = viewOf(around, combinationAt(openings, all, index), random)) {
                 out.push_back(std::move(*view));
                 break;
             }

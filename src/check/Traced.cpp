@@ -13,9 +13,9 @@ constexpr double kNearRounding = 2e-5;
 
 TracedWorld::TracedWorld(const world::World& world) : world_(world), scene_(world) {}
 
-void TracedWorld::setMoment(const world::Moment& moment) {
-    moment_ = moment;
-    scene_.setMoment(moment_);
+void TracedWorld::setDynamics(const world::DynamicState& dynamics) {
+    dynamics_ = dynamics;
+    scene_.setDynamics(dynamics_);
     byZoneIsOld_ = true;
 }
 
@@ -23,14 +23,14 @@ const reference::Scene& TracedWorld::sceneByZone() {
     if (!byZone_)
         byZone_.emplace(world_, reference::RuleOptions{.objectsByZone = true});
     if (byZoneIsOld_)
-        byZone_->setMoment(moment_);
+        byZone_->setDynamics(dynamics_);
     byZoneIsOld_ = false;
     return *byZone_;
 }
 
 const PolygonTable& TracedWorld::polygons() {
     if (!polygons_)
-        polygons_.emplace(world_, moment_);
+        polygons_.emplace(world_, dynamics_);
     return *polygons_;
 }
 

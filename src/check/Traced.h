@@ -17,7 +17,7 @@ public:
     explicit TracedWorld(const world::World& world);
     TracedWorld(const TracedWorld&) = delete;
     TracedWorld& operator=(const TracedWorld&) = delete;
-    void setMoment(const world::Moment& moment);
+    void setDynamics(const world::DynamicState& dynamics);
 
     [[nodiscard]] const world::World& world() const { return world_; }
     [[nodiscard]] const reference::Scene& scene() const { return scene_; }
@@ -26,7 +26,7 @@ public:
 
 private:
     const world::World& world_;
-    world::Moment moment_;
+    world::DynamicState dynamics_;
     reference::Scene scene_;
     std::optional<reference::Scene> byZone_;
     bool byZoneIsOld_ = true; ///< it has another moment

@@ -217,7 +217,7 @@ std::vector<dat::RecordId> BlockBuilder::addCells(const std::vector<CellPlan>& c
                                                   const std::vector<std::vector<PortalLink>>& links,
                                                   const Placement& at) {
     WorldRecords& records = sink_.records();
-    const std::vector<bool> sight = cellsThatSeeOutside(sightMapOf(cells, links));
+    const std::vector<bool> trace = cellsThatSeeOutside(sightMapOf(cells, links));
     const auto firstCell = static_cast<std::uint16_t>(dat::kFirstCell + info_.numCells);
     dat::Environment environment;
     environment.id = 0x0D000100u + static_cast<dat::RecordId>(records.environments.size());
@@ -228,7 +228,7 @@ std::vector<dat::RecordId> BlockBuilder::addCells(const std::vector<CellPlan>& c
         record.id = (info_.id & 0xFFFF0000u) | static_cast<dat::RecordId>(firstCell + c);
         record.environment = static_cast<std::uint16_t>(environment.id & 0xFFFF);
         record.cellStructure = static_cast<std::uint16_t>(c);
-        record.flags |= sight[c] ? dat::EnvCell::kSeenOutside : 0u;
+        record.flags |= trace[c] ? dat::EnvCell::kSeenOutside : 0u;
         for (const dat::RecordId surface : mesh.surfaces) {
             record.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
         }

@@ -98,7 +98,7 @@ dat::SkyObject skyObject(dat::RecordId mesh, double begin, double end, double fr
 }
 
 /// One keyframe in words: light and how much of each dome shows (0..1).
-struct Moment {
+struct DynamicState {
     double time = 0.0;
     double sun = 0.0;
     std::uint32_t sunColour = 0xFFFFFFFF;
@@ -108,20 +108,21 @@ struct Moment {
     double day = 0.0, dusk = 0.0, clouds = 0.0;
 };
 
-constexpr std::array kMoments{Moment{0.00, 0.30, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-                              Moment{0.19, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-                              Moment{0.235, 0.00, 0xFFFF9050, 0.80, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
-                              Moment{0.27, 0.45, 0xFFFFA060, 0.72, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
-                              Moment{0.31, 0.66, 0xFFFFCF98, 0.64, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
-                              Moment{0.37, 0.78, 0xFFFFE6C4, 0.70, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
-                              Moment{0.43, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-                              Moment{0.50, 0.84, 0xFFFFF4E4, 0.74, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
-                              Moment{0.57, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-                              Moment{0.63, 0.78, 0xFFFFE4C0, 0.70, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
-                              Moment{0.69, 0.64, 0xFFFFC88C, 0.62, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
-                              Moment{0.73, 0.45, 0xFFFF9455, 0.70, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
-                              Moment{0.765, 0.00, 0xFFFF7848, 0.80, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
-                              Moment{0.81, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
+constexpr std::array kStates{
+    DynamicState{0.00, 0.30, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
+    DynamicState{0.19, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
+    DynamicState{0.235, 0.00, 0xFFFF9050, 0.80, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
+    DynamicState{0.27, 0.45, 0xFFFFA060, 0.72, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
+    DynamicState{0.31, 0.66, 0xFFFFCF98, 0.64, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
+    DynamicState{0.37, 0.78, 0xFFFFE6C4, 0.70, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
+    DynamicState{0.43, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
+    DynamicState{0.50, 0.84, 0xFFFFF4E4, 0.74, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
+    DynamicState{0.57, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
+    DynamicState{0.63, 0.78, 0xFFFFE4C0, 0.70, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
+    DynamicState{0.69, 0.64, 0xFFFFC88C, 0.62, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
+    DynamicState{0.73, 0.45, 0xFFFF9455, 0.70, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
+    DynamicState{0.765, 0.00, 0xFFFF7848, 0.80, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
+    DynamicState{0.81, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
 
 /// Towards the sun (by day) or the moon (by night) at that time.
 Vec3 lightDirection(double time) {
@@ -134,7 +135,7 @@ Vec3 lightDirection(double time) {
 }
 
 /// `lowSun`: shown in the sun's place while dusk or dawn is at its strongest.
-dat::SkyTimeOfDay keyframe(const Moment& m, dat::RecordId lowSun) {
+dat::SkyTimeOfDay keyframe(const DynamicState& m, dat::RecordId lowSun) {
     dat::SkyTimeOfDay key;
     const Vec3 towards = lightDirection(m.time);
     key.begin = static_cast<float>(m.time);
@@ -177,7 +178,7 @@ dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId 
     group.objects.push_back(skyObject(cloud, 0.0, 0.0, 0.0, 0.0, 0));
     group.objects.push_back(skyObject(0, 0.0, 0.0, 0.0, 0.0, 8));
     group.objects.back().script = snow;
-    for (const Moment& fair : kMoments) {
+    for (const DynamicState& fair : kStates) {
         dat::SkyTimeOfDay key = keyframe(fair, 0);
         key.dirBright *= static_cast<float>(kSun);
         key.ambBright *= static_cast<float>(kAmbient);
@@ -215,8 +216,8 @@ dat::SkyDesc buildSky(ModelSink& sink) {
     clouds.texVelocityY = 0.0006f;
     fair.objects.push_back(clouds);
     const dat::RecordId lowSun = mesh(disc(Material::Sun, 150.0, kSunTilt));
-    for (const Moment& moment : kMoments) {
-        fair.times.push_back(keyframe(moment, lowSun));
+    for (const DynamicState& dynamics : kStates) {
+        fair.times.push_back(keyframe(dynamics, lowSun));
     }
     dat::SkyDesc sky;
     sky.tickSize = 5.0;

@@ -97,17 +97,18 @@ private:
         return box.max - box.min;
     }
 
-    [[nodiscard]] Sphere ballAround(Range range) const {
+    [[nodiscard]] Sphere sphereAround(Range range) const {
         Aabb box;
         for (const InstanceIndex instance : range) {
-            const Sphere& ball = boundsOf(instance);
-            box.include(ball.centre - Vec3(ball.radius));
-            box.include(ball.centre + Vec3(ball.radius));
+            const Sphere& sphere = boundsOf(instance);
+            box.include(sphere.centre - Vec3(sphere.radius));
+            box.include(sphere.centre + Vec3(sphere.radius));
         }
         Sphere around{box.centre(), 0.0};
         for (const InstanceIndex instance : range) {
-            const Sphere& ball = boundsOf(instance);
-            around.radius = std::max(around.radius, glm::distance(ball.centre, around.centre) + ball.radius);
+            const Sphere& sphere = boundsOf(instance);
+            around.radius =
+                std::max(around.radius, glm::distance(sphere.centre, around.centre) + sphere.radius);
         }
         return around;
     }
@@ -163,7 +164,7 @@ private:
     void divide(std::uint32_t index) {
         const Cluster whole = out_.clusters[index];
         const Range range = rangeOf(whole);
-        out_.clusters[index].bounds = ballAround(range);
+        out_.clusters[index].bounds = sphereAround(range);
         if (range.size() <= kLeafInstances) {
             std::sort(range.begin(), range.end());
             return;

@@ -12,10 +12,11 @@
 namespace limen::frame {
 
 /// The stages of every frame, whatever the root (docs/architecture.md).
-enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Late, Overlay };
+enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Transparent, Overlay };
 inline constexpr std::size_t kStageCount = 5;
 [[nodiscard]] constexpr const char* nameOf(StageKind kind) {
-    constexpr std::array<const char*, kStageCount> kNames{"ownership", "solid", "sky", "late", "overlay"};
+    constexpr std::array<const char*, kStageCount> kNames{"ownership", "solid", "sky", "transparent",
+                                                          "overlay"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -53,7 +54,7 @@ struct Batch {
     std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
-/// Things that move, as somebody else has them (world::Moment): each begins as the gpu::Instance of what is a member of the one space that
+/// Things that move, as somebody else has them (world::DynamicState): each begins as the gpu::Instance of what is a member of the one space that
 /// it is placed in, but for the highlight. A view and not a copy, for they lie here and there in memory, and to fetch them once is most of
 /// what a frame costs in which all move. They must stay as they are until the plan has been drawn.
 struct RecordArray {

@@ -102,8 +102,8 @@ void LevelSelection::descend(std::uint32_t root, const visibility::Viewcones& co
 void LevelSelection::markLeaf(const PositionRange& leaf, const visibility::Viewcones& cones,
                               const Vec3& eye) {
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
-        const Sphere& ball = clusters_.bounds[position];
-        if (cones.classify(0, cones.ballOf({ball.centre - eye, ball.radius})) != Containment::Outside) {
+        const Sphere& sphere = clusters_.bounds[position];
+        if (cones.classify(0, cones.sphereOf({sphere.centre - eye, sphere.radius})) != Containment::Outside) {
             mark({position, position + 1});
         }
     }

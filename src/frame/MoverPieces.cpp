@@ -15,14 +15,15 @@ MoverPieces::MoverPieces(const world::World& world) {
                 last = &more_.emplace_back(piece);
             }
         };
-        eachRangeOf(mesh, world::Kind::Dynamic, [&](DrawClass drawn, const world::Mesh::Range& range) {
-            std::uint32_t indices = 0;
-            cut.clear();
-            addPieces(range, 0, indices, cut);
-            for (const gpu::DrawPiece& piece : cut) {
-                append({piece.firstIndex, piece.triangles, static_cast<std::uint32_t>(drawn), kNoMore});
-            }
-        });
+        eachRangeOf(
+            mesh, world::InstanceKind::Dynamic, [&](DrawClass drawn, const world::Mesh::Range& range) {
+                std::uint32_t indices = 0;
+                cut.clear();
+                addPieces(range, 0, indices, cut);
+                for (const gpu::DrawPiece& piece : cut) {
+                    append({piece.firstIndex, piece.triangles, static_cast<std::uint32_t>(drawn), kNoMore});
+                }
+            });
         if (last == nullptr) {
             meshes_.emplace_back();
         }

@@ -28,9 +28,9 @@ constexpr std::size_t kEdgesPerSet = 7;
 
 class OwnershipPlanner {
 public:
-    OwnershipPlanner(const world::World& world, const world::Moment& moment, const FrameView& frame,
+    OwnershipPlanner(const world::World& world, const world::DynamicState& dynamics, const FrameView& frame,
                      const visibility::VisibleSet& set, FramePlan& plan)
-        : world_(world), moment_(moment), frame_(frame), set_(set), plan_(plan),
+        : world_(world), dynamics_(dynamics), frame_(frame), set_(set), plan_(plan),
           screen_(frame.view.screenFromEye()) {}
 
     void run() {
@@ -83,8 +83,8 @@ private:
     /// gpu::Visit::shutBy of a shut portal.
     [[nodiscard]] std::uint32_t shutBy(std::uint32_t portal) const {
         const world::InstanceIndex filling =
-            moment_.fillings.empty() ? world::kNone : moment_.fillings[portal];
-        return filling == world::kNone ? gpu::kShutByNothing : moment_.instances[filling].idBase;
+            dynamics_.fillings.empty() ? world::kNone : dynamics_.fillings[portal];
+        return filling == world::kNone ? gpu::kShutByNothing : dynamics_.instances[filling].idBase;
     }
 
     /// A plane to cut the visit's portal by; open where it does not reach: of a polygon seen edge-on the depth in the
@@ -183,7 +183,7 @@ private:
     }
 
     const world::World& world_;
-    const world::Moment& moment_;
+    const world::DynamicState& dynamics_;
     const FrameView& frame_;
     const visibility::VisibleSet& set_;
     FramePlan& plan_;
@@ -192,9 +192,9 @@ private:
 
 } // namespace
 
-void planOwnership(const world::World& world, const world::Moment& moment, const FrameView& frame,
+void planOwnership(const world::World& world, const world::DynamicState& dynamics, const FrameView& frame,
                    const visibility::VisibleSet& set, FramePlan& plan) {
-    OwnershipPlanner(world, moment, frame, set, plan).run();
+    OwnershipPlanner(world, dynamics, frame, set, plan).run();
     plan.counts.ownershipTriangles = static_cast<std::uint32_t>(plan.ownershipVertices.size() / 3);
 }
 

@@ -3,7 +3,7 @@
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
 #include "visibility/VisibleSet.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 
 namespace limen::frame {
 
@@ -18,7 +18,7 @@ namespace limen::frame {
 /// well; the hole around an inexact pair is drawn as if the pair were exact. An opening nearer to the eye than 5 cm is looked
 /// for in the whole window; one in whose plane the eye lies is its region alone.
 /// A shut opening is drawn like any other: of what lies in its plane its rays meet the filling first.
-void planOwnership(const world::World& world, const world::Moment& moment, const FrameView& frame,
+void planOwnership(const world::World& world, const world::DynamicState& dynamics, const FrameView& frame,
                    const visibility::VisibleSet& set, FramePlan& plan);
 
 } // namespace limen::frame

@@ -6,12 +6,12 @@
 
 namespace limen::frame {
 
-static_assert(static_cast<std::uint32_t>(world::Kind::Shell) == gpu::kKindShell &&
-              static_cast<std::uint32_t>(world::Kind::Filling) == gpu::kKindFilling);
-static_assert(world::kReachSteps == static_cast<std::int32_t>(gpu::kReachSteps) &&
-              world::kMostReachSteps == static_cast<std::int32_t>(gpu::kMostReachSteps) &&
+static_assert(static_cast<std::uint32_t>(world::InstanceKind::Shell) == gpu::kKindShell &&
+              static_cast<std::uint32_t>(world::InstanceKind::Filling) == gpu::kKindFilling);
+static_assert(world::kRangeSteps == static_cast<std::int32_t>(gpu::kRangeSteps) &&
+              world::kMostRangeSteps == static_cast<std::int32_t>(gpu::kMostRangeSteps) &&
               world::kMostLocalSteps == static_cast<std::int32_t>(gpu::kMostLocalSteps) &&
-              std::uint32_t{world::Reach::kEndless} == gpu::kEndlessReach);
+              std::uint32_t{world::LevelRange::kEndless} == gpu::kEndlessRange);
 
 // An instance begins as its record (RecordArray).
 static_assert(offsetof(world::Instance, linear) == offsetof(gpu::Instance, pose0) &&
@@ -22,11 +22,11 @@ static_assert(offsetof(world::Instance, linear) == offsetof(gpu::Instance, pose0
               offsetof(world::Instance, placedIn) == offsetof(gpu::Instance, firstMember) &&
               offsetof(world::Instance, memberCount) == offsetof(gpu::Instance, membersAndKind) &&
               offsetof(world::Instance, kind) == offsetof(gpu::Instance, membersAndKind) + 2 &&
-              sizeof(world::Kind) == 2 && world::Instance::kMostMembers == gpu::kMostMembers &&
+              sizeof(world::InstanceKind) == 2 && world::Instance::kMostMembers == gpu::kMostMembers &&
               offsetof(world::Instance, reach) == offsetof(gpu::Instance, reach) &&
               offsetof(world::Instance, opacity) == offsetof(gpu::Instance, opacity));
-static_assert(sizeof(world::Reach) == sizeof(gpu::Instance::reach) && offsetof(world::Reach, beyond) == 0 &&
-              std::endian::native == std::endian::little);
+static_assert(sizeof(world::LevelRange) == sizeof(gpu::Instance::reach) &&
+              offsetof(world::LevelRange, beyond) == 0 && std::endian::native == std::endian::little);
 
 std::vector<gpu::Member> membersOfSpaces(const world::World& world) {
     std::vector<gpu::Member> members;

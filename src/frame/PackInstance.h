@@ -27,7 +27,7 @@ struct MemberRun {
                                     const OwnMembers& own);
 
 /// As the device has it: its members, and in the high half its kind.
-[[nodiscard]] inline std::uint32_t membersAndKind(std::uint32_t members, world::Kind kind) {
+[[nodiscard]] inline std::uint32_t membersAndKind(std::uint32_t members, world::InstanceKind kind) {
     return members | static_cast<std::uint32_t>(kind) << 16;
 }
 

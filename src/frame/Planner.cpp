@@ -28,9 +28,9 @@ bool seesOutside(const visibility::VisibleSet& set) {
 }
 
 /// From the eye to the nearest point of a ball, metres; negative within it.
-double nearestOf(const Sphere& ball, const Vec3& eye) {
-    const Vec3 offset = ball.centre - eye;
-    return std::sqrt(glm::dot(offset, offset)) - ball.radius;
+double nearestOf(const Sphere& sphere, const Vec3& eye) {
+    const Vec3 offset = sphere.centre - eye;
+    return std::sqrt(glm::dot(offset, offset)) - sphere.radius;
 }
 
 Program programOf(DrawClass drawn) {
@@ -71,13 +71,13 @@ Planner::Planner(const world::World& world)
     staticMembers_ = static_cast<std::uint32_t>(members.size());
 }
 
-void Planner::plan(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set,
-                   FramePlan& plan) {
+void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
+                   const visibility::VisibleSet& set, FramePlan& plan) {
     LIMEN_ASSERT(!set.visits.empty(), "a flood yields at least the root");
     plan.clear();
     fillConstants(frame, set, plan);
     beginStage(plan, StageKind::Ownership);
-    planOwnership(world_, moment, frame, set, plan);
+    planOwnership(world_, dynamics, frame, set, plan);
     const bool several = set.visits.size() > 1;
     if (several) {
         const auto vertices = static_cast<std::uint32_t>(plan.ownershipVertices.size());
@@ -85,8 +85,8 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
     }
     endStage(plan);
     rects_.find(frame, set, plan);
-    selection_.select(frame, moment, set);
-    planMovers(frame, moment, plan);
+    selection_.select(frame, dynamics, set);
+    planMovers(frame, dynamics, plan);
     highlights_.replace(frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
     planSolid(several, plan);
@@ -94,8 +94,8 @@ void Planner::plan(const FrameView& frame, const world::Moment& moment, const vi
     beginStage(plan, StageKind::Sky);
     planSky(frame, set, plan);
     endStage(plan);
-    beginStage(plan, StageKind::Late);
-    planLate(frame.view.eye, several, moment, plan);
+    beginStage(plan, StageKind::Transparent);
+    planTransparent(frame.view.eye, several, dynamics, plan);
     endStage(plan);
     beginStage(plan, StageKind::Overlay);
     endStage(plan);
@@ -123,7 +123,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.clipFromEye = clipFromEye(frame);
     c.eyeHigh = {high, 0.0f};
     c.eyeLow = {Vec3f(local - Vec3(high)), 0.0f};
-    c.eyeSteps = {Vec3f(glm::floor(local * double{world::kReachSteps})), 0.0f};
+    c.eyeSteps = {Vec3f(glm::floor(local * double{world::kRangeSteps})), 0.0f};
     for (const world::Block& block : world_.blocks) {
         plan.blocks.emplace_back(static_cast<float>((block.coord.x - eyeBlock.x) * world::kBlockSize),
                                  static_cast<float>((block.coord.y - eyeBlock.y) * world::kBlockSize), 0.0f,
@@ -143,14 +143,14 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.nearPlane = static_cast<float>(frame.nearPlane);
 }
 
-void Planner::planMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan) {
+void Planner::planMovers(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan) {
     moverPieces_.begin(plan);
     const auto standing = static_cast<std::uint32_t>(world_.instances.size());
     plan.constants.staticInstances = standing;
     plan.constants.staticMembers = staticMembers_;
     plan.constants.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
-    plan.moving = recordsOf(moment.instances);
-    const world::ListedInstances& listed = moment.listed;
+    plan.moving = recordsOf(dynamics.instances);
+    const world::ListedInstances& listed = dynamics.listed;
     const std::span<const SelectedMover> movers = selection_.movers();
     plan.movers.resize(movers.size());
     for (std::size_t i = 0; i < movers.size(); ++i) {
@@ -162,16 +162,16 @@ void Planner::planMovers(const FrameView& frame, const world::Moment& moment, Fr
                          (movers[i] & gpu::kGated) != 0);
         plan.movers[i] = listed.instance[at];
         if (listed.isListedAgain[at] != 0 || !frame.highlights.empty()) {
-            changeMover(frame, moment, static_cast<std::uint32_t>(i), plan);
+            changeMover(frame, dynamics, static_cast<std::uint32_t>(i), plan);
         }
     }
 }
 
-void Planner::changeMover(const FrameView& frame, const world::Moment& moment, std::uint32_t mover,
+void Planner::changeMover(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t mover,
                           FramePlan& plan) const {
-    const world::Instance& instance = moment.instances[plan.movers[mover]];
+    const world::Instance& instance = dynamics.instances[plan.movers[mover]];
     const MemberRun run =
-        packMembers(world_, std::span(moment.members).subspan(instance.firstMember, instance.memberCount),
+        packMembers(world_, std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount),
                     {plan.moverMembers, staticMembers_});
     plan.moverChanges.push_back({mover, run.first, membersAndKind(run.count, instance.kind),
                                  colourOf(frame.highlights, instance.object)});
@@ -232,39 +232,41 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
 }
 
 template <class BoundsOf>
-void Planner::gatherLate(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
-                         const BoundsOf& boundsOf) {
+void Planner::gatherTransparent(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
+                                const BoundsOf& boundsOf) {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
         const gpu::DrawPiece& piece = pieces[i];
-        if (late_.empty() || late_.back().instance != piece.instance) {
-            late_.push_back({nearestOf(boundsOf(piece.instance), eye),
-                             piece.instance,
-                             {first + i, 0, piece.indicesBefore, 0, false}});
+        if (transparent_.empty() || transparent_.back().instance != piece.instance) {
+            transparent_.push_back({nearestOf(boundsOf(piece.instance), eye),
+                                    piece.instance,
+                                    {first + i, 0, piece.indicesBefore, 0, false}});
         }
-        ++late_.back().run.pieceCount;
-        late_.back().run.indexCount += 3 * piece.triangles;
+        ++transparent_.back().run.pieceCount;
+        transparent_.back().run.indexCount += 3 * piece.triangles;
     }
 }
 
-void Planner::planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan) {
-    late_.clear();
+void Planner::planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics,
+                              FramePlan& plan) {
+    transparent_.clear();
     for (const SelectedRange& range : selection_.ranges()) {
         const PieceRun all = pieces_.run(range.first, range.end, DrawClass::Blended);
-        gatherLate(eye, std::span(pieces_.pieces).subspan(all.firstPiece, all.pieceCount), all.firstPiece,
-                   [&](std::uint32_t instance) { return world_.instances[instance].bounds; });
+        gatherTransparent(eye, std::span(pieces_.pieces).subspan(all.firstPiece, all.pieceCount),
+                          all.firstPiece,
+                          [&](std::uint32_t instance) { return world_.instances[instance].bounds; });
     }
     const auto firstMoving = plan.constants.staticPieces + static_cast<std::uint32_t>(plan.pieces.size());
-    gatherLate(eye, moverPieces_.movePieces(DrawClass::Blended, plan), firstMoving,
-               [&](std::uint32_t instance) {
-                   return moment.instances[plan.movers[instance - plan.constants.staticInstances]].bounds;
-               });
-    std::sort(late_.begin(), late_.end(), [](const Late& a, const Late& b) {
+    gatherTransparent(
+        eye, moverPieces_.movePieces(DrawClass::Blended, plan), firstMoving, [&](std::uint32_t instance) {
+            return dynamics.instances[plan.movers[instance - plan.constants.staticInstances]].bounds;
+        });
+    std::sort(transparent_.begin(), transparent_.end(), [](const TransparentRun& a, const TransparentRun& b) {
         return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
     });
     // Gated for every draw as soon as a frame has several visits: few are drawn, and longer runs are fewer.
     beginBatch(Program::Blended, several, plan);
-    for (const Late& late : late_) {
-        addRun(gatedIf(several, late.run), plan);
+    for (const TransparentRun& transparent : transparent_) {
+        addRun(gatedIf(several, transparent.run), plan);
     }
     countTriangles(plan);
 }

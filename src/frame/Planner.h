@@ -9,7 +9,7 @@
 #include "frame/Selection.h"
 #include "frame/VisitRects.h"
 #include "visibility/VisibleSet.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 namespace limen::frame {
@@ -24,7 +24,7 @@ public:
 
     /// Plans one frame; `plan` is overwritten. `set` must be the flood of the same world and moment from
     /// `frame.view`.
-    void plan(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set,
+    void plan(const FrameView& frame, const world::DynamicState& dynamics, const visibility::VisibleSet& set,
               FramePlan& plan);
     /// The same where nothing moves.
     void plan(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
@@ -36,7 +36,7 @@ public:
 
 private:
     /// The blended pieces of one instance.
-    struct Late {
+    struct TransparentRun {
         double distance = 0.0; ///< from the eye to the nearest point of its bounds, metres
         std::uint32_t instance = 0;
         PieceRun run;
@@ -44,18 +44,18 @@ private:
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
-    void planMovers(const FrameView& frame, const world::Moment& moment, FramePlan& plan);
+    void planMovers(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan);
     /// For what its record does not say.
-    void changeMover(const FrameView& frame, const world::Moment& moment, std::uint32_t mover,
+    void changeMover(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t mover,
                      FramePlan& plan) const;
     void planSolid(bool several, FramePlan& plan);
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
-    void planLate(const Vec3& eye, bool several, const world::Moment& moment, FramePlan& plan);
+    void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
     /// From pieces of one class, each instance's together. `first`: number of the first; `boundsOf(instance)`: its ball.
     template <class BoundsOf>
-    void gatherLate(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
-                    const BoundsOf& boundsOf);
+    void gatherTransparent(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
+                           const BoundsOf& boundsOf);
 
     const world::World& world_;
     const Clusters clusters_;
@@ -65,7 +65,7 @@ private:
     VisitRects rects_;
     std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
     MoverPieces moverPieces_;         ///< of the frame
-    std::vector<Late> late_;
+    std::vector<TransparentRun> transparent_;
     std::vector<world::SkyPlacement> sky_;
 };
 

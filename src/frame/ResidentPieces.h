@@ -20,17 +20,17 @@ enum class DrawClass : std::uint8_t {
 inline constexpr std::size_t kDrawClasses = 5;
 
 /// What draws the opaque part of an instance's mesh.
-[[nodiscard]] constexpr DrawClass solidClassOf(world::Kind kind) {
-    const bool isBuilt = kind == world::Kind::Shell || kind == world::Kind::Exterior;
-    return kind == world::Kind::Terrain ? DrawClass::Terrain
-                                        : (isBuilt ? DrawClass::Wall : DrawClass::Opaque);
+[[nodiscard]] constexpr DrawClass solidClassOf(world::InstanceKind kind) {
+    const bool isBuilt = kind == world::InstanceKind::Shell || kind == world::InstanceKind::Exterior;
+    return kind == world::InstanceKind::Terrain ? DrawClass::Terrain
+                                                : (isBuilt ? DrawClass::Wall : DrawClass::Opaque);
 }
 /// Calls `draw(class, range)` for each class that may draw a part of an instance's mesh; parts may be empty. Surfaces that are split are
 /// of two classes: as cut-outs they show where they are nearly opaque, blended where they are not.
 template <class Draw>
-void eachRangeOf(const world::Mesh& mesh, world::Kind kind, const Draw& draw) {
+void eachRangeOf(const world::Mesh& mesh, world::InstanceKind kind, const Draw& draw) {
     draw(solidClassOf(kind), mesh.ranges[0]);
-    if (kind != world::Kind::Terrain) {
+    if (kind != world::InstanceKind::Terrain) {
         draw(DrawClass::CutOut,
              world::Mesh::Range{mesh.ranges[1].firstIndex, mesh.ranges[1].indexCount + mesh.splitIndexCount});
     }

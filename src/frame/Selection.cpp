@@ -10,11 +10,11 @@ namespace {
 
 using visibility::Containment;
 using visibility::FourEdges;
-using visibility::SeenBall;
+using visibility::SeenSphere;
 
-constexpr std::uint32_t kAtOnce = visibility::BallBlock::kCount;
+constexpr std::uint32_t kAtOnce = visibility::SphereBatch::kCount;
 static_assert(kAtOnce <= world::ListedInstances::kSpare, "every block of what is listed can be read");
-static_assert(world::ListedInstances::kMostOffset <= visibility::BallBlock::kMostOffset);
+static_assert(world::ListedInstances::kMostOffset <= visibility::SphereBatch::kMostOffset);
 
 bool isInOneZone(const world::World& world, const world::Instance& instance,
                  std::span<const world::SpaceIndex> members) {
@@ -40,13 +40,13 @@ Selection::Selection(const world::World& world, const Clusters& clusters)
     sharedMarks_.resize(sharedInOneZone_.size());
 }
 
-void Selection::select(const FrameView& frame, const world::Moment& moment,
+void Selection::select(const FrameView& frame, const world::DynamicState& dynamics,
                        const visibility::VisibleSet& set) {
     ++frameNumber_;
     counts_ = {};
     ranges_.clear();
     moverCount_ = 0;
-    movers_.resize(std::max(movers_.size(), moment.instances.size() + kAtOnce));
+    movers_.resize(std::max(movers_.size(), dynamics.instances.size() + kAtOnce));
     sharedMet_.clear();
     moversMet_.clear();
     eye_ = frame.view.eye;
@@ -54,7 +54,7 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     nearPlane_ = frame.nearPlane;
     several_ = set.visits.size() > 1;
     everyAsk_ = frame.rules.viewcone;
-    moverMarks_.resize(moment.instances.size());
+    moverMarks_.resize(dynamics.instances.size());
     const double pixel =
         2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height);
     cones_.prepare(frame.view, set, pixel);
@@ -67,9 +67,9 @@ void Selection::select(const FrameView& frame, const world::Moment& moment,
     }
     zone_ = world::kNone;
     for (const Ask& ask : asks_) {
-        selectListed(ask, moment);
+        selectListed(ask, dynamics);
     }
-    finishListed(moment);
+    finishListed(dynamics);
 }
 
 void Selection::selectStanding(const Asked& asked, std::uint32_t root) {
@@ -110,31 +110,31 @@ void Selection::gatherAsks(const visibility::VisibleSet& set) {
     std::sort(asked_.begin(), asked_.end(), [](const Asked& a, const Asked& b) { return a.space < b.space; });
 }
 
-Containment Selection::askCluster(const Ask& ask, const SeenBall& ball) {
+Containment Selection::askCluster(const Ask& ask, const SeenSphere& sphere) {
     ++counts_.boundsTested;
-    const Containment inVisit = cones_.classify(ask.visit, ball);
+    const Containment inVisit = cones_.classify(ask.visit, sphere);
     if (inVisit == Containment::Outside || !ask.narrow) {
         return inVisit;
     }
-    const Containment inRect = visibility::Viewcones::classify(ask.rect, ball);
+    const Containment inRect = visibility::Viewcones::classify(ask.rect, sphere);
     return inRect == Containment::Inside ? inVisit : inRect;
 }
 
-Containment Selection::askInstance(const Ask& ask, const SeenBall& ball) {
+Containment Selection::askInstance(const Ask& ask, const SeenSphere& sphere) {
     ++counts_.boundsTested;
-    const Containment inVisit = cones_.classify(ask.visit, ball);
+    const Containment inVisit = cones_.classify(ask.visit, sphere);
     if (inVisit == Containment::Outside || !ask.narrow ||
-        visibility::Viewcones::classify(ask.rect, ball) != Containment::Outside) {
+        visibility::Viewcones::classify(ask.rect, sphere) != Containment::Outside) {
         return inVisit;
     }
     return Containment::Outside;
 }
 
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
-    const SeenBall ball = ballOf(cluster.bounds);
+    const SeenSphere sphere = sphereOf(cluster.bounds);
     const std::size_t endActive = active_.size();
     for (std::size_t i = firstActive; i < endActive; ++i) {
-        const Containment here = askCluster(asks_[active_[i]], ball);
+        const Containment here = askCluster(asks_[active_[i]], sphere);
         if (here == Containment::Inside) {
             draw(cluster.first, cluster.end, true);
             active_.resize(endActive);
@@ -164,10 +164,10 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
 
 void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
-        const SeenBall ball = ballOf(clusters_.bounds[position]);
+        const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;
         for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i) {
-            best = std::max(best, askInstance(asks_[active_[i]], ball));
+            best = std::max(best, askInstance(asks_[active_[i]], sphere));
         }
         if (best != Containment::Outside) {
             draw(position, position + 1, best == Containment::Inside);
@@ -193,12 +193,12 @@ bool Selection::meet(const Ask& ask, const Sphere& bounds, Mark& mark) {
         mark = {frameNumber_, Containment::Outside};
     }
     if (mark.seen != Containment::Inside && (isFirst || everyAsk_)) {
-        mark.seen = std::max(mark.seen, askInstance(ask, ballOf(bounds)));
+        mark.seen = std::max(mark.seen, askInstance(ask, sphereOf(bounds)));
     }
     return isFirst;
 }
 
-void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
+void Selection::selectListed(const Ask& ask, const world::DynamicState& dynamics) {
     for (const std::uint32_t position : clusters_.sharedIn(ask.space)) {
         const std::uint32_t number = position - clusters_.firstShared;
         if (meet(ask, clusters_.bounds[position], sharedMarks_[number])) {
@@ -206,26 +206,26 @@ void Selection::selectListed(const Ask& ask, const world::Moment& moment) {
         }
     }
     if (!several_) {
-        selectMoversOf(ask, moment);
+        selectMoversOf(ask, dynamics);
         return;
     }
-    const world::Moment::Run run = moment.listedIn(ask.space);
-    selectOneByOne(ask, moment, run.first, run.end);
+    const world::DynamicState::Run run = dynamics.listedIn(ask.space);
+    selectOneByOne(ask, dynamics, run.first, run.end);
 }
 
-void Selection::selectOneByOne(const Ask& ask, const world::Moment& moment, std::uint32_t first,
+void Selection::selectOneByOne(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t first,
                                std::uint32_t end) {
-    const world::ListedInstances& listed = moment.listed;
+    const world::ListedInstances& listed = dynamics.listed;
     for (std::uint32_t at = first; at < end; ++at) {
         if (listed.isListedAgain[at] != 0) {
-            meetListed(ask, moment, at);
+            meetListed(ask, dynamics, at);
         } else if (ask.first) {
             ++counts_.met;
-            const SeenBall ball = ballOf(moment.instances[listed.instance[at]].bounds);
-            Containment best = askInstance(ask, ball);
+            const SeenSphere sphere = sphereOf(dynamics.instances[listed.instance[at]].bounds);
+            Containment best = askInstance(ask, sphere);
             for (std::uint32_t i = ask.next; i != world::kNone && best != Containment::Inside;
                  i = asks_[i].next) {
-                best = std::max(best, askInstance(asks_[i], ball));
+                best = std::max(best, askInstance(asks_[i], sphere));
             }
             if (best != Containment::Outside) {
                 drawMover(at, best == Containment::Inside);
@@ -235,11 +235,11 @@ void Selection::selectOneByOne(const Ask& ask, const world::Moment& moment, std:
 }
 
 // With a single visit a space is asked about once.
-void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
-    const world::ListedInstances& listed = moment.listed;
-    const auto [first, end] = moment.listedIn(ask.space);
+void Selection::selectMoversOf(const Ask& ask, const world::DynamicState& dynamics) {
+    const world::ListedInstances& listed = dynamics.listed;
+    const auto [first, end] = dynamics.listedIn(ask.space);
     const Vec3 eye = eye_ - listed.origin;
-    const bool areFar = listed.areFar || glm::length(eye) > visibility::BallBlock::kMostOffset;
+    const bool areFar = listed.areFar || glm::length(eye) > visibility::SphereBatch::kMostOffset;
     for (std::uint32_t at = first; at < end; at += kAtOnce) {
         const std::uint32_t next = std::min(at + kAtOnce, end);
         const bool areAlone =
@@ -252,7 +252,7 @@ void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
                 : cones_.listWithin({&listed.x[at], &listed.y[at], &listed.z[at], &listed.radius[at]}, eye,
                                     ask.narrow ? &ask.rect : nullptr, at, next - at, &movers_[moverCount_]);
         if (found == visibility::Viewcones::kCannotTell) {
-            selectOneByOne(ask, moment, at, next);
+            selectOneByOne(ask, dynamics, at, next);
         } else {
             moverCount_ += found;
             counts_.met += next - at;
@@ -262,9 +262,9 @@ void Selection::selectMoversOf(const Ask& ask, const world::Moment& moment) {
         }
     }
 }
-void Selection::meetListed(const Ask& ask, const world::Moment& moment, std::uint32_t at) {
-    const world::InstanceIndex number = moment.listed.instance[at];
-    if (meet(ask, moment.instances[number].bounds, moverMarks_[number])) {
+void Selection::meetListed(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t at) {
+    const world::InstanceIndex number = dynamics.listed.instance[at];
+    if (meet(ask, dynamics.instances[number].bounds, moverMarks_[number])) {
         moversMet_.push_back(at);
     }
 }
@@ -276,7 +276,7 @@ void Selection::drawMover(std::uint32_t at, bool inside) {
     movers_[moverCount_++] = at | (gated ? gpu::kGated : 0);
 }
 
-void Selection::finishListed(const world::Moment& moment) {
+void Selection::finishListed(const world::DynamicState& dynamics) {
     counts_.met += static_cast<std::uint32_t>(sharedMet_.size() + moversMet_.size());
     std::sort(sharedMet_.begin(), sharedMet_.end());
     for (const std::uint32_t number : sharedMet_) {
@@ -286,12 +286,12 @@ void Selection::finishListed(const world::Moment& moment) {
             draw(position, position + 1, seen == Containment::Inside && sharedInOneZone_[number] != 0);
         }
     }
-    const std::vector<world::InstanceIndex>& instance = moment.listed.instance;
+    const std::vector<world::InstanceIndex>& instance = dynamics.listed.instance;
     for (const std::uint32_t at : moversMet_) {
         const world::InstanceIndex number = instance[at];
         if (const Containment seen = moverMarks_[number].seen; seen != Containment::Outside) {
             drawMover(at, seen == Containment::Inside &&
-                              isInOneZone(world_, moment.instances[number], moment.members));
+                              isInOneZone(world_, dynamics.instances[number], dynamics.members));
         }
     }
     const auto before = [&instance](SelectedMover a, SelectedMover b) {

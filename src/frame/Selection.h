@@ -6,7 +6,7 @@
 #include "frame/LevelSelection.h"
 #include "visibility/Viewcone.h"
 #include "visibility/VisibleSet.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 
 namespace limen::frame {
 
@@ -32,7 +32,8 @@ class Selection {
 public:
     Selection(const world::World& world, const Clusters& clusters);
 
-    void select(const FrameView& frame, const world::Moment& moment, const visibility::VisibleSet& set);
+    void select(const FrameView& frame, const world::DynamicState& dynamics,
+                const visibility::VisibleSet& set);
 
     [[nodiscard]] std::span<const SelectedRange> ranges() const { return ranges_; } ///< in order, apart
     [[nodiscard]] std::span<const SelectedMover> movers() const {
@@ -69,23 +70,24 @@ private:
 
     void selectStanding(const Asked& asked, std::uint32_t root);
     void gatherAsks(const visibility::VisibleSet& set);
-    [[nodiscard]] visibility::SeenBall ballOf(const Sphere& global) const {
-        return cones_.ballOf({global.centre - eye_, global.radius});
+    [[nodiscard]] visibility::SeenSphere sphereOf(const Sphere& global) const {
+        return cones_.sphereOf({global.centre - eye_, global.radius});
     }
     /// Inside: so are all balls within this one.
-    [[nodiscard]] Containment askCluster(const Ask& ask, const visibility::SeenBall& ball);
+    [[nodiscard]] Containment askCluster(const Ask& ask, const visibility::SeenSphere& sphere);
     /// Of a single instance, which may reach out of the rectangle.
-    [[nodiscard]] Containment askInstance(const Ask& ask, const visibility::SeenBall& ball);
+    [[nodiscard]] Containment askInstance(const Ask& ask, const visibility::SeenSphere& sphere);
     void descend(const Cluster& cluster, std::size_t firstActive);
     void selectLeaf(const Cluster& leaf, std::size_t firstActive);
     /// What moves, and what several spaces list.
-    void selectListed(const Ask& ask, const world::Moment& moment);
-    void selectMoversOf(const Ask& ask, const world::Moment& moment);
+    void selectListed(const Ask& ask, const world::DynamicState& dynamics);
+    void selectMoversOf(const Ask& ask, const world::DynamicState& dynamics);
     /// Yields whether it is the first time in this frame.
     bool meet(const Ask& ask, const Sphere& bounds, Mark& mark);
-    void selectOneByOne(const Ask& ask, const world::Moment& moment, std::uint32_t first, std::uint32_t end);
-    void meetListed(const Ask& ask, const world::Moment& moment, std::uint32_t at);
-    void finishListed(const world::Moment& moment);
+    void selectOneByOne(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t first,
+                        std::uint32_t end);
+    void meetListed(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t at);
+    void finishListed(const world::DynamicState& dynamics);
     void draw(std::uint32_t first, std::uint32_t end, bool inside);
     void drawMover(std::uint32_t at, bool inside);
 

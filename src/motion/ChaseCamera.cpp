@@ -8,19 +8,19 @@
 namespace limen::motion {
 namespace {
 
-constexpr double kBesideBall = 0.005; // metres beside the ball: two sweeps of one way differ by less
+constexpr double kBesideSphere = 0.005; // metres beside the ball: two sweeps of one way differ by less
 
 /// A ball that goes where nothing is in its way.
-class Ball {
+class Sphere_ {
 public:
-    Ball(double radius, const Standing& start, const Collisions& around, std::span<const double> doors)
+    Sphere_(double radius, const Standing& start, const Collisions& around, std::span<const double> doors)
         : shape_{radius, 2.0 * radius}, at_(start), around_(around), doors_(doors) {}
 
     /// Metres of a straight way, along a unit vector, that are free, of at most so many.
     [[nodiscard]] double freeAlong(const Vec3& direction, double most) const {
         const std::optional<Bump> bump =
-            around_.sweep(shape_, at_, at_.feet + direction * (most + kBesideBall), doors_);
-        return bump ? std::clamp(bump->share * (most + kBesideBall) - kBesideBall, 0.0, most) : most;
+            around_.sweep(shape_, at_, at_.feet + direction * (most + kBesideSphere), doors_);
+        return bump ? std::clamp(bump->share * (most + kBesideSphere) - kBesideSphere, 0.0, most) : most;
     }
 
     void go(const Vec3& way) {
@@ -56,15 +56,15 @@ ChaseState chased(const ChaseState& before, const BodyState& body, const Vec3& f
     const Capsule& capsule = bodyShape.capsule;
     const double radius = std::min(shape.radius, capsule.radius);
     const Vec3 middle = capsule.middle(body.standing.feet);
-    Ball ball(radius, {middle - up * radius, body.standing.space}, around, doors);
+    Sphere_ sphere(radius, {middle - up * radius, body.standing.space}, around, doors);
     const double head = bodyShape.eyeHeight - 0.5 * capsule.height + headRise;
-    ball.go(up * std::copysign(ball.freeAlong(up * std::copysign(1.0, head), std::abs(head)), head));
+    sphere.go(up * std::copysign(sphere.freeAlong(up * std::copysign(1.0, head), std::abs(head)), head));
     ChaseState now;
-    now.arm = after(before.arm, ball.freeAlong(-forward, shape.distance), seconds, shape);
-    ball.go(-forward * now.arm);
-    now.lift = after(before.lift, ball.freeAlong(up, shape.rise), seconds, shape);
-    ball.go(up * now.lift);
-    now.eye = {ball.middle(), ball.space()};
+    now.arm = after(before.arm, sphere.freeAlong(-forward, shape.distance), seconds, shape);
+    sphere.go(-forward * now.arm);
+    now.lift = after(before.lift, sphere.freeAlong(up, shape.rise), seconds, shape);
+    sphere.go(up * now.lift);
+    now.eye = {sphere.middle(), sphere.space()};
     return now;
 }
 

@@ -23,7 +23,7 @@ public:
     void pass(double seconds);
     /// The same beside a body, which gives way or holds them up (motion::swing).
     void pass(double seconds, const Collisions& around, BodyState& body, const BodyShape& shape = {});
-    /// How far each door of a world stands open, for MomentInput::doors.
+    /// How far each door of a world stands open, for DynamicStateInput::doors.
     void write(const world::World& world, std::vector<double>& openness) const;
     /// Whether a door stands open, or is opening.
     [[nodiscard]] bool opens(const world::Door& door) const;

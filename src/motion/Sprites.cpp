@@ -6,15 +6,15 @@
 namespace limen::motion {
 namespace {
 
-enum BallUse : std::uint32_t { kBallAround, kBallOut, kBallUp, kSpreadX, kSpreadY, kSpreadZ };
+enum SphereUse : std::uint32_t { kSphereAround, kSphereOut, kSphereUp, kSpreadX, kSpreadY, kSpreadZ };
 
 /// A point of the ball of radius 1.
-Vec3 inUnitBall(std::uint32_t seed, std::int64_t number) {
-    const double around = 2.0 * std::numbers::pi * hashedUnit(seed, number, kBallAround);
-    const double z = 2.0 * hashedUnit(seed, number, kBallUp) - 1.0;
+Vec3 inUnitSphere(std::uint32_t seed, std::int64_t number) {
+    const double around = 2.0 * std::numbers::pi * hashedUnit(seed, number, kSphereAround);
+    const double z = 2.0 * hashedUnit(seed, number, kSphereUp) - 1.0;
     const double flat = std::sqrt(1.0 - z * z);
     return Vec3(flat * std::cos(around), flat * std::sin(around), z) *
-           std::cbrt(hashedUnit(seed, number, kBallOut));
+           std::cbrt(hashedUnit(seed, number, kSphereOut));
 }
 
 } // namespace
@@ -45,7 +45,7 @@ SpriteState spriteAt(const world::Emitter& emitter, std::int64_t number, double 
          1.0) *
         emitter.spread;
     SpriteState state;
-    state.offset = inUnitBall(emitter.seed, number) * emitter.radius + (emitter.velocity + spread) * age +
+    state.offset = inUnitSphere(emitter.seed, number) * emitter.radius + (emitter.velocity + spread) * age +
                    emitter.acceleration * (0.5 * age * age);
     state.size = emitter.size[0] + (emitter.size[1] - emitter.size[0]) * share;
     state.opacity = emitter.alpha[0] + (emitter.alpha[1] - emitter.alpha[0]) * share;

@@ -29,12 +29,12 @@ public:
     [[nodiscard]] bool hasSolid(std::uint32_t body) const;
     [[nodiscard]] bool hasBlended(std::uint32_t body) const;
     [[nodiscard]] bool isFilling(std::uint32_t body) const {
-        return instances_[body].kind == world::Kind::Filling;
+        return instances_[body].kind == world::InstanceKind::Filling;
     }
 
     /// Whether an eye there sees it at all: one level of detail of several.
-    [[nodiscard]] bool isInReach(std::uint32_t body, const world::ReachSteps& eye) const {
-        return world::isInReach(world_, instances_[body], eye);
+    [[nodiscard]] bool isInLevelRange(std::uint32_t body, const world::RangeSteps& eye) const {
+        return world::isInLevelRange(world_, instances_[body], eye);
     }
 
     /// Any thread may ask. Cost: that of placing it, once.

@@ -12,10 +12,10 @@ namespace limen::reference {
 class Candidates {
 public:
     /// For a ray by itself from an eye. `ray` must stay.
-    Candidates(const SceneData& scene, const RayFrame& ray, const world::ReachSteps& eye)
+    Candidates(const SceneData& scene, const RayFrame& ray, const world::RangeSteps& eye)
         : scene_(scene), ray_(ray), eye_(eye) {}
     /// For the ray of a tile's pixel (column + 8 · row).
-    Candidates(const SceneData& scene, const RayFrame& ray, const world::ReachSteps& eye,
+    Candidates(const SceneData& scene, const RayFrame& ray, const world::RangeSteps& eye,
                TileCandidates& tile, std::uint32_t pixel)
         : scene_(scene), ray_(ray), eye_(eye), tile_(&tile), pixel_(pixel) {}
 
@@ -40,7 +40,7 @@ public:
         }
         scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
             place.solid.walk(boxRay(), after, farthest, [&](std::uint32_t body) {
-                if (bodies.isInReach(body, eye_))
+                if (bodies.isInLevelRange(body, eye_))
                     visitAll(bodies.surfacesOf(body).solid);
             });
         });
@@ -63,7 +63,7 @@ public:
         }
         scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
             place.blended.walk(boxRay(), after, most, [&](std::uint32_t body) {
-                if (bodies.isInReach(body, eye_))
+                if (bodies.isInLevelRange(body, eye_))
                     visitAll(bodies.surfacesOf(body).blended, bodies.isFilling(body));
             });
         });
@@ -78,7 +78,7 @@ private:
 
     const SceneData& scene_;
     const RayFrame& ray_;
-    const world::ReachSteps eye_;
+    const world::RangeSteps eye_;
     std::optional<BoxRay> boxRay_; ///< many a tile's ray needs none
     TileCandidates* tile_ = nullptr;
     std::uint32_t pixel_ = 0;

@@ -13,11 +13,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 } // namespace
 
 Follower::Follower(const SceneData& scene, const Ray& ray)
-    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), eye_(world::reachStepsOf(ray.eye)),
+    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), eye_(world::rangeStepsOf(ray.eye)),
       candidates_(scene, ray_, eye_), nearPlane_(ray.nearPlane) {}
 
 Follower::Follower(const SceneData& scene, const Ray& ray, TileCandidates& tile, std::uint32_t pixel)
-    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), eye_(world::reachStepsOf(ray.eye)),
+    : scene_(scene), ray_(ray.eye - scene.origin, ray.direction), eye_(world::rangeStepsOf(ray.eye)),
       candidates_(scene, ray_, eye_, tile, pixel), nearPlane_(ray.nearPlane) {}
 
 Leaving Follower::leavingFrom(const Visit& visit) const {
@@ -98,7 +98,7 @@ bool Follower::closeGap(const Visit& visit, Exit& exit) {
     double farthest = stretch.most;
     scene_.forPlaces(visit.space, [&](const Bodies& bodies, const BodyLists::Place& place) {
         place.solid.walk(wide, stretch.after, farthest, [&](std::uint32_t body) {
-            if (!bodies.isInReach(body, eye_))
+            if (!bodies.isInLevelRange(body, eye_))
                 return;
             const TriangleSet& solid = bodies.surfacesOf(body).solid;
             solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);

@@ -41,7 +41,7 @@ private:
 
     const SceneData& scene_;
     RayFrame ray_;
-    const world::ReachSteps eye_;
+    const world::RangeSteps eye_;
     Candidates candidates_;
     double nearPlane_;
     Nearest nearest_;

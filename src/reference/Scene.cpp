@@ -11,8 +11,8 @@ Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
-void Scene::setMoment(const world::Moment& moment) {
-    data_->takeMoment(moment);
+void Scene::setDynamics(const world::DynamicState& dynamics) {
+    data_->takeDynamics(dynamics);
 }
 
 Answer Scene::trace(world::SpaceIndex root, const Ray& ray) const {

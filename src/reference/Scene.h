@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 #include <cstdint>
@@ -63,7 +63,7 @@ public:
 
     /// Takes over what moves; costs a build of the hierarchies of what moves, triangles apart. `moment` must be of the
     /// same world; it is copied. Without a call nothing moves and all openings are open.
-    void setMoment(const world::Moment& moment);
+    void setDynamics(const world::DynamicState& dynamics);
 
     /// Follows one ray from the root space. Pure.
     [[nodiscard]] Answer trace(world::SpaceIndex root, const Ray& ray) const;

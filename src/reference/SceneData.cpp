@@ -44,8 +44,9 @@ void SceneData::listFixed() {
 }
 
 bool SceneData::goesByZone(const world::Instance& instance) const {
-    const bool ofOneSpace = instance.kind == world::Kind::Shell || instance.kind == world::Kind::Terrain ||
-                            instance.kind == world::Kind::Exterior;
+    const bool ofOneSpace = instance.kind == world::InstanceKind::Shell ||
+                            instance.kind == world::InstanceKind::Terrain ||
+                            instance.kind == world::InstanceKind::Exterior;
     return options.objectsByZone && !ofOneSpace;
 }
 
@@ -68,29 +69,29 @@ void SceneData::addByZone(const Bodies& bodies, const world::Instance& instance,
         byZone.add(bodies, zone, body);
 }
 
-void SceneData::takeMoment(const world::Moment& moment) {
-    LIMEN_ASSERT(moment.firstInSpace.empty() || moment.firstInSpace.size() == world.spaces.size() + 1,
+void SceneData::takeDynamics(const world::DynamicState& dynamics) {
+    LIMEN_ASSERT(dynamics.firstInSpace.empty() || dynamics.firstInSpace.size() == world.spaces.size() + 1,
                  "a moment is of the scene's world");
-    LIMEN_ASSERT(moment.closed.empty() || moment.closed.size() == world.portals.size(),
+    LIMEN_ASSERT(dynamics.closed.empty() || dynamics.closed.size() == world.portals.size(),
                  "a moment is of the scene's world");
-    movingInstances_.assign(moment.instances.begin(), moment.instances.end());
+    movingInstances_.assign(dynamics.instances.begin(), dynamics.instances.end());
     moving.assign(movingInstances_);
     movingBySpace.clear();
     movingByZone.clear();
-    if (!moment.firstInSpace.empty()) {
+    if (!dynamics.firstInSpace.empty()) {
         for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s) {
-            for (const world::InstanceIndex i : moment.instancesIn(s))
-                addBySpace(moving, moment.instances[i], i, s, movingBySpace);
+            for (const world::InstanceIndex i : dynamics.instancesIn(s))
+                addBySpace(moving, dynamics.instances[i], i, s, movingBySpace);
         }
     }
-    for (world::InstanceIndex i = 0; i < moment.instances.size(); ++i)
-        addByZone(moving, moment.instances[i], i, moment.members, movingByZone);
+    for (world::InstanceIndex i = 0; i < dynamics.instances.size(); ++i)
+        addByZone(moving, dynamics.instances[i], i, dynamics.members, movingByZone);
     movingBySpace.build(moving);
     movingByZone.build(moving);
-    shut = moment.closed;
-    fillings = moment.fillings;
+    shut = dynamics.closed;
+    fillings = dynamics.fillings;
     for (const world::InstanceIndex filling : fillings)
-        LIMEN_ASSERT(filling == world::kNone || filling < moment.instances.size(),
+        LIMEN_ASSERT(filling == world::kNone || filling < dynamics.instances.size(),
                      "a filling is one of the moment's instances");
 }
 

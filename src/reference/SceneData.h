@@ -11,7 +11,7 @@ namespace limen::reference {
 /// What a Scene has made of its world and moment.
 struct SceneData {
     SceneData(const world::World& of, const RuleOptions& with);
-    void takeMoment(const world::Moment& moment);
+    void takeDynamics(const world::DynamicState& dynamics);
 
     /// Calls act(bodies, place) for all that a ray can meet in the space.
     template <class Do>

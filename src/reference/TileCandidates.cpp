@@ -17,7 +17,7 @@ constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b
 
 } // namespace
 
-void TileSurfaces::begin(const SceneData& scene, const Pyramid& pyramid, const world::ReachSteps& eye,
+void TileSurfaces::begin(const SceneData& scene, const Pyramid& pyramid, const world::RangeSteps& eye,
                          world::SpaceIndex space, Kind kind) {
     pyramid_ = &pyramid;
     eye_ = eye;
@@ -73,7 +73,7 @@ void TileSurfaces::open(const Hierarchy& tree, const Pending& node) {
 
 void TileSurfaces::openBody(const Pending& leaf, std::uint32_t body) {
     const Bodies& bodies = *places_[leaf.place].bodies;
-    if (!bodies.isInReach(body, eye_))
+    if (!bodies.isInLevelRange(body, eye_))
         return;
     const Surfaces& surfaces = bodies.surfacesOf(body);
     Pending root;
@@ -114,7 +114,7 @@ void TileSurfaces::add(const Found& found, PixelMask pixels) {
 
 void TileCandidates::begin(const Tile& tile) {
     pyramid_.emplace(tile, scene_.origin);
-    eye_ = world::reachStepsOf(tile.camera.eye);
+    eye_ = world::rangeStepsOf(tile.camera.eye);
     used_ = 0;
 }
 

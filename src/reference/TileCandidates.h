@@ -17,7 +17,7 @@ public:
     enum class Kind : std::uint8_t { Solid, Blended };
 
     /// Begins anew; keeps its capacity. `pyramid` must stay as it is.
-    void begin(const SceneData& scene, const Pyramid& pyramid, const world::ReachSteps& eye,
+    void begin(const SceneData& scene, const Pyramid& pyramid, const world::RangeSteps& eye,
                world::SpaceIndex space, Kind kind);
 
     /// A triangle, or a whole body's whose triangles are so small that each ray had better find its own.
@@ -58,7 +58,7 @@ private:
     void add(const Found& found, PixelMask pixels);
 
     const Pyramid* pyramid_ = nullptr;
-    world::ReachSteps eye_;
+    world::RangeSteps eye_;
     Kind kind_ = Kind::Solid;
     std::vector<Place> places_;
     std::vector<Pending> pending_; ///< a heap, the nearest first
@@ -85,7 +85,7 @@ public:
 private:
     const SceneData& scene_;
     std::optional<Pyramid> pyramid_;
-    world::ReachSteps eye_;
+    world::RangeSteps eye_;
     std::vector<std::unique_ptr<Space>> spaces_; ///< the first used_ of them are the tile's
     std::size_t used_ = 0;
 };

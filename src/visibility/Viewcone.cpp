@@ -35,13 +35,13 @@ bool Viewcones::descends(std::uint32_t visit, std::uint32_t ancestor) const {
     return visit == ancestor;
 }
 
-bool Viewcones::isHidden(std::uint32_t visit, const SeenBall& ball) const {
+bool Viewcones::isHidden(std::uint32_t visit, const SeenSphere& sphere) const {
     for (std::uint32_t later = visit + 1; later < cones_.size(); ++later) {
         const Cone& cone = cones_[later];
-        if (classifyOnScreen(cone, ball) == Containment::Outside) {
+        if (classifyOnScreen(cone, sphere) == Containment::Outside) {
             continue;
         }
-        const bool before = cone.entry.signedDistance(ball.centre) < -ball.radius - ball.slack;
+        const bool before = cone.entry.signedDistance(sphere.centre) < -sphere.radius - sphere.slack;
         if (!before || !descends(later, visit)) {
             return true;
         }

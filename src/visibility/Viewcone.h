@@ -12,7 +12,7 @@ namespace limen::visibility {
 enum class Containment : std::uint8_t { Outside, Partial, Inside };
 
 /// A ball, eye-relative, with how far it is taken to reach beyond its surface; made by Viewcones::ballOf.
-struct SeenBall {
+struct SeenSphere {
     Vec3 centre{0.0};
     double radius = 0.0;
     double slack = 0.0; ///< metres, at entry planes
@@ -20,7 +20,7 @@ struct SeenBall {
 };
 
 /// So many balls side by side, global: where they begin in arrays.
-struct FewBalls {
+struct FewSpheres {
     static constexpr std::size_t kCount = 4;
     const double* x = nullptr;
     const double* y = nullptr;
@@ -30,7 +30,7 @@ struct FewBalls {
 
 /// More, in floats, each no farther along any axis than kMostOffset from a place that they are told from (world::ListedInstances): to the
 /// nearest float, so that centres are off by 0.2 mm at most along each axis.
-struct BallBlock {
+struct SphereBatch {
     static constexpr std::size_t kCount = 16;
     static constexpr double kMostOffset = 4096.0; ///< metres; of radii, too
     const float* x = nullptr;
@@ -73,7 +73,7 @@ private:
     Floats floats_;
 };
 
-/// What balls are asked about side by side are for (BallBlock.cpp): each is the same code, told that processors have it.
+/// What balls are asked about side by side are for (SphereBatch.cpp): each is the same code, told that processors have it.
 enum class Vectors : std::uint8_t {
     Any,   ///< what every processor has
     Avx2,  ///< eight floats
@@ -96,37 +96,37 @@ public:
     /// shows in a pixel of another owner in front of it, i.e. it lies wholly within the visit, before the
     /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
     /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
-    [[nodiscard]] Containment classify(std::uint32_t visit, const SeenBall& ball) const {
+    [[nodiscard]] Containment classify(std::uint32_t visit, const SeenSphere& sphere) const {
         // The root's alone: everything is beyond where the eye is, and nothing is drawn later.
         if (cones_.size() == 1) {
-            return classifyOnScreen(cones_.front(), ball);
+            return classifyOnScreen(cones_.front(), sphere);
         }
-        const Containment alone = classifyAlone(cones_[visit], ball);
-        return alone == Containment::Inside && isHidden(visit, ball) ? Containment::Partial : alone;
+        const Containment alone = classifyAlone(cones_[visit], sphere);
+        return alone == Containment::Inside && isHidden(visit, sphere) ? Containment::Partial : alone;
     }
     /// Which of a block's balls do not lie outside of the root's region, nor of a rectangle if there is one: just what `classify` tells of each.
     /// For many balls, of which nobody can foretell how they lie: they are asked side by side, in floats. Writes `first + i` for each of
     /// them, in order; `out` has room for a whole block. Yields how many they are, or kCannotTell where floats cannot. `count`: of balls,
     /// though as many as a block has are read. `eye`: from where the balls are told from. Requires a single visit.
     static constexpr std::uint32_t kCannotTell = 0xFFFFFFFFu;
-    [[nodiscard]] std::uint32_t listWithin(const BallBlock& balls, const Vec3& eye, const FourEdges* rect,
+    [[nodiscard]] std::uint32_t listWithin(const SphereBatch& spheres, const Vec3& eye, const FourEdges* rect,
                                            std::uint32_t first, std::uint32_t count,
                                            std::uint32_t* out) const;
     /// Of so many, and whether they lie inside. Requires a single visit.
-    static constexpr std::size_t kFew = FewBalls::kCount;
-    [[nodiscard]] std::array<Containment, kFew> classifyFew(const FewBalls& balls, const Vec3& eye) const;
+    static constexpr std::size_t kFew = FewSpheres::kCount;
+    [[nodiscard]] std::array<Containment, kFew> classifyFew(const FewSpheres& spheres, const Vec3& eye) const;
     /// Of a ball, eye-relative.
-    [[nodiscard]] SeenBall ballOf(const Sphere& ball) const {
-        const double distance = std::sqrt(glm::dot(ball.centre, ball.centre)) + ball.radius;
+    [[nodiscard]] SeenSphere sphereOf(const Sphere& sphere) const {
+        const double distance = std::sqrt(glm::dot(sphere.centre, sphere.centre)) + sphere.radius;
         const double slack = kSlack + kSlackShare * distance;
-        return {ball.centre, ball.radius, slack, slack + 2.0 * pixel_ * distance};
+        return {sphere.centre, sphere.radius, slack, slack + 2.0 * pixel_ * distance};
     }
 
     /// A rectangle (a SeenSpace's) of the screen.
     [[nodiscard]] FourEdges edgesOf(const Rect& rect) const;
     /// How the ball lies to it. Outside: nothing of the ball shows within the rectangle.
-    [[nodiscard]] static Containment classify(const FourEdges& rect, const SeenBall& ball) {
-        const double far = ball.radius + ball.reach, least = rect.least(ball.centre);
+    [[nodiscard]] static Containment classify(const FourEdges& rect, const SeenSphere& sphere) {
+        const double far = sphere.radius + sphere.reach, least = rect.least(sphere.centre);
         return least < -far ? Containment::Outside : least > far ? Containment::Inside : Containment::Partial;
     }
 
@@ -141,29 +141,30 @@ private:
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;
     };
     /// Where on the screen, however far.
-    [[nodiscard]] Containment classifyOnScreen(const Cone& cone, const SeenBall& ball) const {
+    [[nodiscard]] Containment classifyOnScreen(const Cone& cone, const SeenSphere& sphere) const {
         Containment found = Containment::Inside;
         for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
-            found = std::min(found, classify(edges_[e], ball));
+            found = std::min(found, classify(edges_[e], sphere));
             if (found == Containment::Outside) {
                 break;
             }
         }
         return found;
     }
-    [[nodiscard]] Containment classifyAlone(const Cone& cone, const SeenBall& ball) const {
-        const double beyond = cone.entry.signedDistance(ball.centre);
-        if (beyond < -ball.radius - ball.slack) {
+    [[nodiscard]] Containment classifyAlone(const Cone& cone, const SeenSphere& sphere) const {
+        const double beyond = cone.entry.signedDistance(sphere.centre);
+        if (beyond < -sphere.radius - sphere.slack) {
             return Containment::Outside;
         }
-        const Containment onScreen = classifyOnScreen(cone, ball);
-        return onScreen == Containment::Inside && beyond <= ball.radius + ball.slack ? Containment::Partial
-                                                                                     : onScreen;
+        const Containment onScreen = classifyOnScreen(cone, sphere);
+        return onScreen == Containment::Inside && beyond <= sphere.radius + sphere.slack
+                   ? Containment::Partial
+                   : onScreen;
     }
-    [[nodiscard]] std::array<Containment, kFew> classifyOneByOne(const FewBalls& balls,
+    [[nodiscard]] std::array<Containment, kFew> classifyOneByOne(const FewSpheres& spheres,
                                                                  const Vec3& eye) const;
     /// Of a ball that lies within a visit: whether a part of it may show in another's pixels.
-    [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenBall& ball) const;
+    [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenSphere& sphere) const;
     [[nodiscard]] bool descends(std::uint32_t visit, std::uint32_t ancestor) const;
     std::vector<Cone> cones_;
     std::vector<FourEdges> edges_; ///< of regions; what is left of the last four repeats the last edge

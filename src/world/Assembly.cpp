@@ -170,7 +170,7 @@ void Assembly::listInstances() {
             continue;
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
             std::vector<InstanceIndex>& list = bySpace[world_.members[instance.firstMember + m]];
-            if (instance.kind == Kind::Shell)
+            if (instance.kind == InstanceKind::Shell)
                 list.insert(list.begin(), i);
             else
                 list.push_back(i);

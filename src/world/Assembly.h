@@ -62,7 +62,7 @@ private:
     [[nodiscard]] std::uint32_t particlePart(const dat::ParticleEmitter& record, ParticleStyle& style);
     [[nodiscard]] std::uint32_t particleSprite(const PartMesh& mesh, const Material& material);
     void findAloneness();
-    Instance& addBaked(Kind kind, const MeshData& data, std::uint64_t key, std::uint64_t object,
+    Instance& addBaked(InstanceKind kind, const MeshData& data, std::uint64_t key, std::uint64_t object,
                        dat::RecordId record);
     std::uint32_t materialRun(std::span<const dat::RecordId> surfaces, const std::vector<bool>& clamp);
     std::uint32_t partMaterials(const PartMesh& part);
@@ -80,7 +80,7 @@ private:
     void addPlayer(dat::RecordId model, const Dress& dress);
     [[nodiscard]] MovingBody addGhost(const MovingBody& solid);
     [[nodiscard]] std::uint32_t ghostMaterials(std::uint32_t firstMaterial, std::size_t count);
-    [[nodiscard]] MovingBody addBody(dat::RecordId model, Kind kind, std::uint64_t object,
+    [[nodiscard]] MovingBody addBody(dat::RecordId model, InstanceKind kind, std::uint64_t object,
                                      const Dress& dress = {});
     /// Gives a body, whose parts were just added, what its model does.
     void addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body);

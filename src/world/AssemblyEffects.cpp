@@ -41,7 +41,7 @@ Vec3 spreadOf(const VectorRange& offset) {
 }
 
 /// particleReach on the level alone.
-double levelReach(ParticleStyle style, const Vec3& offset) {
+double levelRange(ParticleStyle style, const Vec3& offset) {
     for (VectorRange* range : {&style.a, &style.b, &style.c})
         range->vector.z = 0.0;
     return particleReach(style, {offset.x, offset.y, 0.0});
@@ -203,7 +203,7 @@ void Assembly::addWeather(std::uint32_t dayGroup, std::uint32_t number, const da
         style.offset = {};
         made->style = static_cast<std::uint32_t>(world_.particleStyles.size());
         world_.particleStyles.push_back(style);
-        world_.sky.weather.push_back({dayGroup, object, *made, spread, levelReach(style, made->offset)});
+        world_.sky.weather.push_back({dayGroup, object, *made, spread, levelRange(style, made->offset)});
     }
 }
 
@@ -234,7 +234,7 @@ std::uint32_t Assembly::particlePart(const dat::ParticleEmitter& record, Particl
     const auto key = static_cast<std::uint32_t>(world_.particleStyles.size());
     const bool blends = fades(style.translucency);
     Instance part;
-    part.kind = Kind::Dynamic;
+    part.kind = InstanceKind::Dynamic;
     part.firstMaterial = partMaterials(*mesh);
     if (blends)
         part.firstMaterial = ghostMaterials(part.firstMaterial, mesh->surfaces.size());
@@ -269,14 +269,14 @@ std::uint32_t Assembly::particleSprite(const PartMesh& mesh, const Material& mat
 void Assembly::findAloneness() {
     const Membership membership(world_);
     std::vector<SpaceIndex> reached;
-    const auto isAlone = [&](SpaceIndex space, const Sphere& ball) {
-        membership.reach(space, ball, {}, reached);
+    const auto isAlone = [&](SpaceIndex space, const Sphere& sphere) {
+        membership.reach(space, sphere, {}, reached);
         return reached.size() == 1;
     };
     for (IdleObject& idle : world_.idleObjects) {
-        const Sphere& ball = idle.body.bounds;
-        const Vec3 centre = idle.origin + idle.orientation * ball.centre * idle.scale;
-        idle.isAlone = isAlone(idle.space, {centre, ball.radius * idle.scale});
+        const Sphere& sphere = idle.body.bounds;
+        const Vec3 centre = idle.origin + idle.orientation * sphere.centre * idle.scale;
+        idle.isAlone = isAlone(idle.space, {centre, sphere.radius * idle.scale});
     }
     for (ParticleSource& source : world_.particleSources) {
         if (source.villager == kNone && source.idle == kNone)

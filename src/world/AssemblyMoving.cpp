@@ -65,13 +65,14 @@ MeshData spriteMesh(SurfaceList surfaces, const Vec2f& low, const Vec2f& high) {
     return mesh;
 }
 
-MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t object, const Dress& dress) {
+MovingBody Assembly::addBody(dat::RecordId modelId, InstanceKind kind, std::uint64_t object,
+                             const Dress& dress) {
     const Model model = dress.parts.empty() ? models_.model(modelId) : models_.dressed(modelId, dress);
     MovingBody body;
     body.firstPart = static_cast<std::uint32_t>(world_.movingParts.size());
     body.bounds = model.bounds;
     std::vector<ModelPart> parts = model.parts;
-    if (kind != Kind::Filling) // what shuts an opening is the same from everywhere
+    if (kind != InstanceKind::Filling) // what shuts an opening is the same from everywhere
         parts.insert(parts.end(), model.farther.begin(), model.farther.end());
     std::vector<PosedPart> posed;
     for (const ModelPart& part : parts) {
@@ -87,13 +88,13 @@ MovingBody Assembly::addBody(dat::RecordId modelId, Kind kind, std::uint64_t obj
         instance.object = object;
         instance.record = part.gfxObj;
         instance.firstMaterial = dressedMaterials(*mesh, part.part, dress);
-        if (kind != Kind::Filling)
+        if (kind != InstanceKind::Filling)
             instance.reach = part.reach;
         world_.movingParts.push_back(instance);
         posed.push_back({part.part, part.scale});
     }
     body.partCount = static_cast<std::uint32_t>(world_.movingParts.size()) - body.firstPart;
-    if (kind != Kind::Filling) // doors are moved by their hinges alone
+    if (kind != InstanceKind::Filling) // doors are moved by their hinges alone
         addCycles(modelId, posed, body);
     return body;
 }
@@ -125,12 +126,13 @@ void Assembly::addDoor(const DoorEntry& entry, std::size_t index) {
     door.reciprocal = portal.reciprocal;
     door.firstLeaf = static_cast<std::uint32_t>(world_.leaves.size());
     for (const LeafEntry& leaf : entry.leaves) {
-        world_.leaves.push_back({leaf.model,
-                                 addBody(leaf.model, Kind::Filling, movingObject(MovingThing::Door, index)),
-                                 leaf.position,
-                                 leaf.yaw,
-                                 leaf.swing,
-                                 {}});
+        world_.leaves.push_back(
+            {leaf.model,
+             addBody(leaf.model, InstanceKind::Filling, movingObject(MovingThing::Door, index)),
+             leaf.position,
+             leaf.yaw,
+             leaf.swing,
+             {}});
         if (!door.opaque && portal.vertexCount >= 3)
             world_.leaves.back().shut = addShutBody(world_.leaves.back(), portal);
     }
@@ -165,7 +167,7 @@ MovingBody Assembly::addShutBody(const Leaf& leaf, const Portal& portal) {
 std::uint32_t Assembly::addFilling(const Door& door, std::uint64_t object) {
     const Portal& portal = world_.portals[door.portal];
     Instance filling;
-    filling.kind = Kind::Filling;
+    filling.kind = InstanceKind::Filling;
     filling.mesh =
         arena_.add(fillingMesh(world_, portal, world_.blocks[portal.block].origin()),
                    contentKey(MeshSource::Filling, world_.spaces[portal.space].cellId, portal.recordIndex));
@@ -211,7 +213,7 @@ void Assembly::addVillagers(const MovingEntries& moving) {
         villager.route = addRoute(*route);
         if (villager.route == kNone)
             continue;
-        villager.body = addBody(entry.model, Kind::Dynamic, movingObject(MovingThing::Villager, i),
+        villager.body = addBody(entry.model, InstanceKind::Dynamic, movingObject(MovingThing::Villager, i),
                                 dressOf(entry.model, entry.clothing, records_));
         world_.villagers.push_back(std::move(villager));
         addSources(static_cast<std::uint32_t>(world_.villagers.size() - 1), entry.model, entry.play);
@@ -246,7 +248,7 @@ std::uint32_t Assembly::addSprite(std::uint32_t firstMaterial, std::uint32_t key
     const Material& material = world_.materials[world_.materialRefs[firstMaterial]];
     const SurfaceList surfaces = listOf(material.surfaceClass, (material.flags & Material::kSplit) != 0);
     Instance sprite;
-    sprite.kind = Kind::Dynamic;
+    sprite.kind = InstanceKind::Dynamic;
     sprite.mesh =
         arena_.add(spriteMesh(surfaces, Vec2f(-0.5f), Vec2f(0.5f)), contentKey(MeshSource::Sprite, key));
     sprite.bounds = world_.meshes[sprite.mesh].bounds;

@@ -49,7 +49,7 @@ MeshData posed(const MeshData& mesh, const ModelPart& part) {
 
 } // namespace
 
-Instance& Assembly::addBaked(Kind kind, const MeshData& data, std::uint64_t key, std::uint64_t object,
+Instance& Assembly::addBaked(InstanceKind kind, const MeshData& data, std::uint64_t key, std::uint64_t object,
                              dat::RecordId record) {
     Instance instance;
     instance.kind = kind;
@@ -69,7 +69,7 @@ void Assembly::addTerrain(const BlockContent& block) {
         return;
     const dat::RecordId id = dat::landBlockId(block.coord);
     const std::uint32_t cells = terrainRun(*block.ground);
-    addBaked(Kind::Terrain, block.terrain, contentKey(MeshSource::Terrain, id), wholeObject(id), id)
+    addBaked(InstanceKind::Terrain, block.terrain, contentKey(MeshSource::Terrain, id), wholeObject(id), id)
         .firstMaterial = cells;
 }
 
@@ -79,7 +79,7 @@ void Assembly::addExteriors(const BlockContent& block) {
         const std::uint32_t materials = materialRun(exterior.surfaces, {});
         const std::uint64_t key =
             contentKey(MeshSource::Exterior, dat::landBlockInfoId(block.coord), index++);
-        addBaked(Kind::Exterior, exterior.mesh, key, exterior.object, exterior.gfxObj).firstMaterial =
+        addBaked(InstanceKind::Exterior, exterior.mesh, key, exterior.object, exterior.gfxObj).firstMaterial =
             materials;
     }
 }
@@ -88,7 +88,7 @@ void Assembly::addShells(const BlockContent& block) {
     for (std::uint32_t i = 0; i < block.cells.size(); ++i) {
         const CellContent& cell = block.cells[i];
         const std::uint32_t materials = materialRun(cell.surfaces, {});
-        Instance& shell = addBaked(Kind::Shell, cell.shell, contentKey(MeshSource::Shell, cell.id),
+        Instance& shell = addBaked(InstanceKind::Shell, cell.shell, contentKey(MeshSource::Shell, cell.id),
                                    wholeObject(cell.id), cell.id);
         shell.firstMaterial = materials;
         shell.placedIn = spaceOf(i);

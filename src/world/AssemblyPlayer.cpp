@@ -15,7 +15,7 @@ MeshData asGlass(const MeshData& solid) {
 }
 
 void Assembly::addPlayer(dat::RecordId model, const Dress& dress) {
-    world_.player.solid = addBody(model, Kind::Dynamic, movingObject(MovingThing::Player, 0), dress);
+    world_.player.solid = addBody(model, InstanceKind::Dynamic, movingObject(MovingThing::Player, 0), dress);
     world_.player.ghost = addGhost(world_.player.solid);
 }
 

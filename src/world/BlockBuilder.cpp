@@ -42,7 +42,7 @@ std::set<int> builtCells(const dat::LandBlockInfo* info) {
     return cells;
 }
 
-PlacedModel placed(Kind kind, const dat::Stab& stab, std::uint64_t object, std::uint32_t cell) {
+PlacedModel placed(InstanceKind kind, const dat::Stab& stab, std::uint64_t object, std::uint32_t cell) {
     const Pose pose = poseOf(stab.frame);
     return {kind, stab.model, object, pose.origin, pose.orientation, 1.0, cell};
 }
@@ -148,7 +148,8 @@ void BlockBuilder::buildCells(const dat::LandBlockInfo& info, BlockContent& bloc
     for (std::uint32_t cell = 0; cell < drafts.size(); ++cell) {
         const dat::EnvCell& record = drafts[cell].record;
         for (std::size_t i = 0; i < record.statics.size(); ++i)
-            block.objects.push_back(placed(Kind::Static, record.statics[i], objectId(record.id, i), cell));
+            block.objects.push_back(
+                placed(InstanceKind::Static, record.statics[i], objectId(record.id, i), cell));
     }
 }
 
@@ -158,8 +159,8 @@ void BlockBuilder::buildGround(const dat::LandBlock& record, const dat::LandBloc
     const std::vector<SceneryObject> scenery =
         growScenery(*block.ground, *region_, builtCells(info), records_);
     for (std::size_t i = 0; i < scenery.size(); ++i) {
-        block.objects.push_back({Kind::Scenery, scenery[i].model, objectId(record.id, i), scenery[i].origin,
-                                 scenery[i].orientation, scenery[i].scale, kOutdoorSpace});
+        block.objects.push_back({InstanceKind::Scenery, scenery[i].model, objectId(record.id, i),
+                                 scenery[i].origin, scenery[i].orientation, scenery[i].scale, kOutdoorSpace});
     }
 }
 
@@ -172,7 +173,8 @@ void BlockBuilder::addTerrain(const dat::LandBlock& record, BlockContent& block)
 
 void BlockBuilder::placeObjects(const dat::LandBlockInfo& info, BlockContent& block) {
     for (std::size_t i = 0; i < info.objects.size(); ++i)
-        block.objects.push_back(placed(Kind::Static, info.objects[i], objectId(info.id, i), kOutdoorSpace));
+        block.objects.push_back(
+            placed(InstanceKind::Static, info.objects[i], objectId(info.id, i), kOutdoorSpace));
 }
 
 std::optional<float> BlockBuilder::heightAt(int globalX, int globalY) {

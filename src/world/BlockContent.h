@@ -50,7 +50,7 @@ struct ExteriorContent {
 
 /// A model standing in the block.
 struct PlacedModel {
-    Kind kind = Kind::Static;
+    InstanceKind kind = InstanceKind::Static;
     dat::RecordId model = 0;
     std::uint64_t object = 0;
     Vec3 origin{0.0}; ///< block-local

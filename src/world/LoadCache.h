@@ -1,7 +1,7 @@
 #pragma once
 
 #include "world/BlockContent.h"
-#include "world/KeptByUse.h"
+#include "world/LruCache.h"
 #include "world/Materials.h"
 
 #include <compare>
@@ -31,10 +31,10 @@ public:
     explicit LoadCache(std::size_t mostBytes = std::size_t{112} << 20)
         : blocks(mostBytes / 2), models(mostBytes / 16), parts(mostBytes / 4), pictures(mostBytes / 4) {}
 
-    KeptByUse<BlockKey, BlockContent> blocks;
-    KeptByUse<std::pair<dat::RecordId, double>, Found<Model>> models;     ///< with Models' `detail`
-    KeptByUse<dat::RecordId, Found<std::optional<PartMesh>>> parts;       ///< none: damaged
-    KeptByUse<KeptPicture, Found<std::shared_ptr<const Image>>> pictures; ///< those that can be decoded
+    LruCache<BlockKey, BlockContent> blocks;
+    LruCache<std::pair<dat::RecordId, double>, Found<Model>> models;     ///< with Models' `detail`
+    LruCache<dat::RecordId, Found<std::optional<PartMesh>>> parts;       ///< none: damaged
+    LruCache<KeptPicture, Found<std::shared_ptr<const Image>>> pictures; ///< those that can be decoded
 };
 
 /// Bytes that something takes up, about.

@@ -12,30 +12,30 @@ Membership::Membership(const World& world) : world_(world) {
         bounds_.push_back(boundingSphere(cornersOf(world, portal)));
 }
 
-bool Membership::reaches(PortalIndex portal, const Sphere& ball) const {
-    const Vec3 offset = bounds_[portal].centre - ball.centre;
-    const double reach = bounds_[portal].radius + ball.radius;
+bool Membership::reaches(PortalIndex portal, const Sphere& sphere) const {
+    const Vec3 offset = bounds_[portal].centre - sphere.centre;
+    const double reach = bounds_[portal].radius + sphere.radius;
     if (bounds_[portal].radius < 0.0 || glm::dot(offset, offset) > reach * reach)
         return false;
     const Portal& p = world_.portals[portal];
-    return distanceToPolygon(cornersOf(world_, p), p.plane, ball.centre) <= ball.radius;
+    return distanceToPolygon(cornersOf(world_, p), p.plane, sphere.centre) <= sphere.radius;
 }
 
-void Membership::reach(SpaceIndex start, const Sphere& ball, std::span<const std::uint8_t> closed,
+void Membership::reach(SpaceIndex start, const Sphere& sphere, std::span<const std::uint8_t> closed,
                        std::vector<SpaceIndex>& out) const {
     out.assign(1, start);
-    extend(ball, closed, out);
+    extend(sphere, closed, out);
 }
 
-void Membership::extend(const Sphere& ball, std::span<const std::uint8_t> closed,
+void Membership::extend(const Sphere& sphere, std::span<const std::uint8_t> closed,
                         std::vector<SpaceIndex>& out) const {
-    if (ball.radius < 0.0)
+    if (sphere.radius < 0.0)
         return;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const Space& space = world_.spaces[out[i]];
         for (PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
             const SpaceIndex next = world_.portals[p].destination;
-            if (next == kNone || (!closed.empty() && closed[p] != 0) || !reaches(p, ball))
+            if (next == kNone || (!closed.empty() && closed[p] != 0) || !reaches(p, sphere))
                 continue;
             if (std::find(out.begin(), out.end(), next) == out.end())
                 out.push_back(next);

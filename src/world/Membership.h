@@ -12,13 +12,14 @@ public:
 
     /// The spaces reached from `start`, which comes first, in the order they are reached. `out` is
     /// overwritten. `closed`: by portal, nonzero stops the ball; empty: all are open.
-    void reach(SpaceIndex start, const Sphere& ball, std::span<const std::uint8_t> closed,
+    void reach(SpaceIndex start, const Sphere& sphere, std::span<const std::uint8_t> closed,
                std::vector<SpaceIndex>& out) const;
     /// Goes on from all that `out` holds.
-    void extend(const Sphere& ball, std::span<const std::uint8_t> closed, std::vector<SpaceIndex>& out) const;
+    void extend(const Sphere& sphere, std::span<const std::uint8_t> closed,
+                std::vector<SpaceIndex>& out) const;
 
 private:
-    [[nodiscard]] bool reaches(PortalIndex portal, const Sphere& ball) const;
+    [[nodiscard]] bool reaches(PortalIndex portal, const Sphere& sphere) const;
 
     const World& world_;
     std::vector<Sphere> bounds_; ///< by portal

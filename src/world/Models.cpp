@@ -112,7 +112,7 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
     std::vector<Level> levels;
     std::uint16_t beyond = 0;
     for (const dat::DegradeLevel& level : info->levels) {
-        const std::uint16_t upTo = std::max(reachLimit(level.maxDistance * detail_), beyond);
+        const std::uint16_t upTo = std::max(levelRangeLimit(level.maxDistance * detail_), beyond);
         // What would turn to the eye is not drawn in the place of what does not: that reaches on.
         const bool turns = level.mode != dat::DegradeLevel::kMesh && !levels.empty();
         if (turns)
@@ -120,7 +120,7 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
         else if (upTo > beyond || levels.empty())
             levels.push_back({level.gfxObj, {beyond, upTo}});
         beyond = upTo;
-        if (upTo == Reach::kEndless)
+        if (upTo == LevelRange::kEndless)
             break;
     }
     return levels;

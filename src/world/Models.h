@@ -22,7 +22,7 @@ struct ModelPart {
     dat::RecordId gfxObj = 0;
     Mat3 linear{1.0}; ///< rotation and scale
     Vec3 origin{0.0};
-    Reach reach;
+    LevelRange reach;
     std::uint32_t part = 0; ///< index in the Setup; levels of detail of one part share it
     Vec3 scale{1.0};        ///< what `linear` has of it
 };
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] Model read(dat::RecordId id, const Dress* dress);
     struct Level {
         dat::RecordId gfxObj = 0;
-        Reach reach;
+        LevelRange reach;
     };
     /// What of a GfxObj is seen, the nearest first: itself, others, or nothing, as of marks that only editors show.
     [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-// What can move, as a World describes it (docs/world-file.md); where it is at a moment is in world/Moment.h.
+// What can move, as a World describes it (docs/world-file.md); where it is at a moment is in world/DynamicState.h.
 // Lengths in metres, angles in degrees, compass directions (0 north, 90 east).
 namespace limen::world {
 

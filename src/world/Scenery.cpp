@@ -9,19 +9,19 @@ namespace {
 constexpr double kRoadHalfWidth = 5.0;
 
 /// The draws of one entry of a scene at one vertex.
-struct Dice {
+struct RandomGenerator {
     std::uint32_t x, y, k;
     [[nodiscard]] double roll(std::uint32_t seed) const { return landRandom(x, y, seed + k); }
 };
 
 /// Offset from the vertex: displaced by chance, then turned into one of four quadrants.
-Vec2 displacement(const dat::SceneObject& object, const Dice& dice) {
+Vec2 displacement(const dat::SceneObject& object, const RandomGenerator& random) {
     double dx = object.baseLoc.origin.x, dy = object.baseLoc.origin.y;
     if (object.displaceX > 0.0f)
-        dx += dice.roll(seed::kDisplaceX) * static_cast<double>(object.displaceX);
+        dx += random.roll(seed::kDisplaceX) * static_cast<double>(object.displaceX);
     if (object.displaceY > 0.0f)
-        dy += dice.roll(seed::kDisplaceY) * static_cast<double>(object.displaceY);
-    const double quadrant = landRandom(dice.x, dice.y, seed::kQuadrant);
+        dy += random.roll(seed::kDisplaceY) * static_cast<double>(object.displaceY);
+    const double quadrant = landRandom(random.x, random.y, seed::kQuadrant);
     if (quadrant >= 0.75)
         return {dy, -dx};
     if (quadrant >= 0.5)
@@ -38,12 +38,12 @@ double headingOf(double x, double y) {
     return std::fmod(450.0 - std::atan2(y, x) / kDegree, 360.0);
 }
 
-Quat orientationOf(const dat::SceneObject& object, const Dice& dice, const Vec3& normal) {
+Quat orientationOf(const dat::SceneObject& object, const RandomGenerator& random, const Vec3& normal) {
     double heading = 0.0;
     if (object.align != 0) {
         heading = headingOf(-normal.x, -normal.y);
     } else if (object.maxRotation > 0.0f) {
-        heading = dice.roll(seed::kRotation) * static_cast<double>(object.maxRotation);
+        heading = random.roll(seed::kRotation) * static_cast<double>(object.maxRotation);
     } else {
         const Quat q(object.baseLoc.orientation);
         const double length = glm::length(q);
@@ -53,19 +53,19 @@ Quat orientationOf(const dat::SceneObject& object, const Dice& dice, const Vec3&
     return {std::cos(half), 0.0, 0.0, std::sin(half)};
 }
 
-double scaleOf(const dat::SceneObject& object, const Dice& dice) {
+double scaleOf(const dat::SceneObject& object, const RandomGenerator& random) {
     const double low = object.minScale, high = object.maxScale;
-    const double scale = low == high ? high : low * std::pow(high / low, dice.roll(seed::kScale));
+    const double scale = low == high ? high : low * std::pow(high / low, random.roll(seed::kScale));
     return std::isfinite(scale) && scale > 0.0 && scale < 1000.0 ? scale : 1.0;
 }
 
 /// Grows one entry at a vertex, if chance and the ground allow it.
-std::optional<SceneryObject> grow(const dat::SceneObject& object, const Dice& dice, const Ground& ground,
-                                  int vertex, const std::set<int>& builtCells) {
+std::optional<SceneryObject> grow(const dat::SceneObject& object, const RandomGenerator& random,
+                                  const Ground& ground, int vertex, const std::set<int>& builtCells) {
     if (object.object == 0 || object.weenieObj != 0 ||
-        !(dice.roll(seed::kFrequency) < static_cast<double>(object.frequency)))
+        !(random.roll(seed::kFrequency) < static_cast<double>(object.frequency)))
         return std::nullopt;
-    const Vec2 offset = displacement(object, dice);
+    const Vec2 offset = displacement(object, random);
     const double x = vertex / 9 * kLandcellSize + offset.x, y = vertex % 9 * kLandcellSize + offset.y;
     if (!(x >= 0.0 && y >= 0.0 && x < kBlockSize && y < kBlockSize) || isOnRoad(ground, x, y))
         return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<SceneryObject> grow(const dat::SceneObject& object, const Dice& di
         point.normal.z > static_cast<double>(object.maxSlope))
         return std::nullopt;
     return SceneryObject{
-        object.object, {x, y, point.z}, orientationOf(object, dice, point.normal), scaleOf(object, dice)};
+        object.object, {x, y, point.z}, orientationOf(object, random, point.normal), scaleOf(object, random)};
 }
 
 /// The scene that grows at a vertex, or null.
@@ -150,12 +150,12 @@ std::vector<SceneryObject> growScenery(const Ground& ground, const dat::Region& 
         const dat::Scene* scene = sceneAt(ground, region, vertex, records);
         if (scene == nullptr)
             continue;
-        Dice dice{static_cast<std::uint32_t>(ground.coord.x * 8 + vertex / 9),
-                  static_cast<std::uint32_t>(ground.coord.y * 8 + vertex % 9), 0};
+        RandomGenerator random{static_cast<std::uint32_t>(ground.coord.x * 8 + vertex / 9),
+                               static_cast<std::uint32_t>(ground.coord.y * 8 + vertex % 9), 0};
         for (const dat::SceneObject& object : scene->objects) {
-            if (std::optional<SceneryObject> one = grow(object, dice, ground, vertex, builtCells))
+            if (std::optional<SceneryObject> one = grow(object, random, ground, vertex, builtCells))
                 grown.push_back(*one);
-            ++dice.k;
+            ++random.k;
         }
     }
     return grown;

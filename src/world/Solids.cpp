@@ -39,7 +39,7 @@ public:
         offset_ = block.origin() - out_.origin;
         const SpaceIndex outside[] = {kOutside};
         if (block.hasTerrain)
-            add(Kind::Terrain, outside, [&] { addGround(block); });
+            add(InstanceKind::Terrain, outside, [&] { addGround(block); });
         if (const std::optional<BlockContent> content = builder_.build(block.coord)) {
             for (const CellContent& cell : content->cells)
                 addCell(cell.id);
@@ -50,7 +50,7 @@ public:
             archive_.load<dat::LandBlockInfo>(dat::landBlockInfoId(block.coord));
         for (std::size_t i = 0; info && i < info->buildings.size(); ++i) {
             const Pose pose = poseOf(info->buildings[i].frame);
-            add(Kind::Exterior, outside, [&] {
+            add(InstanceKind::Exterior, outside, [&] {
                 addModel(info->buildings[i].model, {glm::mat3_cast(pose.orientation), pose.origin});
             });
         }
@@ -72,7 +72,7 @@ public:
 private:
     /// A solid of what `fill` adds; none if that is nothing.
     template <class Fill>
-    void add(Kind kind, std::span<const SpaceIndex> members, Fill&& fill) {
+    void add(InstanceKind kind, std::span<const SpaceIndex> members, Fill&& fill) {
         const auto first = static_cast<std::uint32_t>(out_.corners.size() / 3);
         fill();
         const auto count = static_cast<std::uint32_t>(out_.corners.size() / 3) - first;
@@ -87,7 +87,7 @@ private:
         const SpaceIndex sides[] = {portal.space, portal.destination};
         const std::size_t before = out_.solids.size();
         offset_ = -out_.origin;
-        add(Kind::Filling, sides, [&] { addFan(polygonOf(world_, portal), Placement()); });
+        add(InstanceKind::Filling, sides, [&] { addFan(polygonOf(world_, portal), Placement()); });
         for (std::size_t i = before; i < out_.solids.size(); ++i)
             out_.solids[i].door = door;
     }
@@ -105,7 +105,7 @@ private:
                           members);
         const std::size_t before = out_.solids.size();
         offset_ = Vec3(0.0);
-        add(Kind::Filling, members, [&] { addModel(leaf.model, Placement()); });
+        add(InstanceKind::Filling, members, [&] { addModel(leaf.model, Placement()); });
         for (std::size_t i = before; i < out_.solids.size(); ++i) {
             out_.solids[i].door = door;
             out_.solids[i].leaf = index;
@@ -152,7 +152,7 @@ private:
         if (space[0] == kNone || shape == nullptr)
             return;
         const Pose pose = poseOf(cell->position);
-        add(Kind::Shell, space, [&] {
+        add(InstanceKind::Shell, space, [&] {
             addPolygons(shape->vertexArray, shape->physicsPolygons,
                         {glm::mat3_cast(pose.orientation), pose.origin});
         });

@@ -8,7 +8,7 @@ namespace limen::world {
 
 /// One thing that bodies bump into: a cell's walls, a block's ground, a building's exterior, an object, what shuts a door, or a leaf.
 struct Solid {
-    Kind kind = Kind::Static;
+    InstanceKind kind = InstanceKind::Static;
     std::uint32_t firstTriangle = 0, triangleCount = 0; ///< Solids::corners, three each
     std::uint32_t firstMember = 0, memberCount = 0;     ///< Solids::members: the spaces it is met in
     std::uint32_t door = kNone; ///< World::doors, of a filling: it is there while this is shut

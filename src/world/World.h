@@ -6,9 +6,9 @@
 #include "geometry/TwoFloats.h"
 #include "world/Image.h"
 #include "world/Index.h"
+#include "world/LevelRange.h"
 #include "world/Moving.h"
 #include "world/Particles.h"
-#include "world/Reach.h"
 #include "world/Sky.h"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ struct Zone {
     friend bool operator==(const Zone&, const Zone&) = default;
 };
 
-enum class Kind : std::uint16_t { Shell, Terrain, Exterior, Scenery, Static, Dynamic, Filling, Sky };
+enum class InstanceKind : std::uint16_t { Shell, Terrain, Exterior, Scenery, Static, Dynamic, Filling, Sky };
 
 /// How a surface takes part in a frame.
 enum class SurfaceClass : std::uint8_t { Opaque, CutOut, Blended };
@@ -161,8 +161,8 @@ struct Instance {
         0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
     SpaceIndex placedIn = kNone;
     std::uint16_t memberCount = 0;
-    Kind kind = Kind::Static;
-    Reach reach; ///< from where it is drawn: one level of detail of several
+    InstanceKind kind = InstanceKind::Static;
+    LevelRange reach; ///< from where it is drawn: one level of detail of several
     std::uint32_t mesh = kNone;
     float opacity = 1.0f; ///< times its blended surfaces' own
     // What follows is of no interest to the device.
@@ -264,7 +264,7 @@ struct World {
     Sky sky;
 
     // What moves. Parts are instances in the frame of the thing they are part of; block, members and placedIn are the
-    // moment's (world/Moment.h).
+    // moment's (world/DynamicState.h).
     std::vector<Instance> movingParts;
     std::vector<PosedPart> posedParts;
     std::vector<Cycle> cycles;

@@ -5,7 +5,7 @@
 
 namespace limen::test {
 
-inline world::Instance instanceOf(world::Kind kind, std::uint32_t mesh, world::SpaceIndex placedIn,
+inline world::Instance instanceOf(world::InstanceKind kind, std::uint32_t mesh, world::SpaceIndex placedIn,
                                   std::uint64_t object, dat::RecordId record, std::uint32_t idBase) {
     world::Instance instance;
     instance.kind = kind;
@@ -34,8 +34,8 @@ inline world::World smallWorld() {
     world.meshes[1].firstPolygonInfo = 2;
     world.polygonIds = {0, 1, 10, 20, 30};
     // Out of order on purpose: the table sorts by id.
-    world.instances = {instanceOf(world::Kind::Shell, 1, 1, 0x1122, 0xA9B40105, 4),
-                       instanceOf(world::Kind::Terrain, 0, 0, 0x33, 0xA9B4FFFF, 2)};
+    world.instances = {instanceOf(world::InstanceKind::Shell, 1, 1, 0x1122, 0xA9B40105, 4),
+                       instanceOf(world::InstanceKind::Terrain, 0, 0, 0x33, 0xA9B4FFFF, 2)};
     world.idEnd = 7;
     return world;
 }

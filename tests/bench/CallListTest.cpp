@@ -30,7 +30,7 @@ TEST(CallList, framesOfOtherListsMayDiffer) {
     calls.add(planOf({{frame::Program::CutOut, false, 0, 1}}), 22);
     calls.add(planOf({{frame::Program::Opaque, false, 0, 1}, {frame::Program::Opaque, false, 0, 1}}), 23);
     frame::FramePlan other = planOf({{frame::Program::Opaque, false, 0, 1}});
-    other.stages[0].kind = frame::StageKind::Late;
+    other.stages[0].kind = frame::StageKind::Transparent;
     calls.add(other, 24);
     EXPECT_TRUE(calls.isOneForEachList());
     EXPECT_EQ(calls.lists(), 5u);

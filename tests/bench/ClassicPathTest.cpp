@@ -13,11 +13,11 @@ namespace {
 using Kind = gpu::NullDevice::Command::Kind;
 
 /// Whether a ball reaches into the frustum's four sides, told by how far its centre is to the right and up of the gaze.
-bool isSeen(const visibility::View& view, const Sphere& ball) {
-    const Vec3 centre = ball.centre - view.eye;
+bool isSeen(const visibility::View& view, const Sphere& sphere) {
+    const Vec3 centre = sphere.centre - view.eye;
     const double ahead = glm::dot(centre, view.forward);
     const auto within = [&](const Vec3& axis, double tangent) {
-        return std::abs(glm::dot(centre, axis)) <= ahead * tangent + ball.radius * std::hypot(1.0, tangent);
+        return std::abs(glm::dot(centre, axis)) <= ahead * tangent + sphere.radius * std::hypot(1.0, tangent);
     };
     return within(view.right, view.tanHalfX) && within(view.up, view.tanHalfY);
 }
@@ -36,7 +36,7 @@ Expected expectedFrom(const ObjectField& field, const visibility::View& view) {
     };
     for (const world::Instance& instance : field.world.instances)
         add(instance);
-    for (const world::Instance& instance : field.moment.instances)
+    for (const world::Instance& instance : field.dynamics.instances)
         add(instance);
     return expected;
 }
@@ -99,7 +99,7 @@ TEST(ClassicPath, givesBackWhatItTook) {
     const ObjectField field = makeField(smallField(0.5));
     gpu::NullDevice device;
     {
-        const auto path = ClassicPath::create(device, field.world, field.moment);
+        const auto path = ClassicPath::create(device, field.world, field.dynamics);
         ASSERT_TRUE(path);
         EXPECT_GT(device.liveObjects(), 10u);
     }

@@ -13,10 +13,10 @@ inline FieldSpec smallField(double movingShare = 0.0) {
 inline std::vector<world::Instance> boxesOf(const ObjectField& field) {
     std::vector<world::Instance> boxes;
     for (const world::Instance& instance : field.world.instances) {
-        if (instance.kind == world::Kind::Scenery)
+        if (instance.kind == world::InstanceKind::Scenery)
             boxes.push_back(instance);
     }
-    boxes.insert(boxes.end(), field.moment.instances.begin(), field.moment.instances.end());
+    boxes.insert(boxes.end(), field.dynamics.instances.begin(), field.dynamics.instances.end());
     return boxes;
 }
 

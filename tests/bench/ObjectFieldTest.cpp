@@ -25,7 +25,7 @@ TEST(ObjectField, hasTheObjectsAndGroupsAskedFor) {
     }
     EXPECT_EQ(boxes.size(), 200u);
     EXPECT_EQ(meshes.size(), 20u);
-    EXPECT_TRUE(field.moment.instances.empty());
+    EXPECT_TRUE(field.dynamics.instances.empty());
 }
 
 TEST(ObjectField, objectsHaveTheSameIdsWhetherTheyMoveOrNot) {
@@ -40,11 +40,11 @@ TEST(ObjectField, objectsHaveTheSameIdsWhetherTheyMoveOrNot) {
 }
 
 TEST(ObjectField, asManyMoveAsAskedFor) {
-    EXPECT_EQ(makeField(smallField(1.0)).moment.instances.size(), 200u);
-    const std::size_t half = makeField(smallField(0.5)).moment.instances.size();
+    EXPECT_EQ(makeField(smallField(1.0)).dynamics.instances.size(), 200u);
+    const std::size_t half = makeField(smallField(0.5)).dynamics.instances.size();
     EXPECT_GT(half, 75u);
     EXPECT_LT(half, 125u);
-    const std::size_t few = makeField({10'000, 1662, 400.0, 0.01}).moment.instances.size();
+    const std::size_t few = makeField({10'000, 1662, 400.0, 0.01}).dynamics.instances.size();
     EXPECT_GT(few, 75u);
     EXPECT_LT(few, 125u);
 }
@@ -55,12 +55,12 @@ TEST(ObjectField, boxesNeverTouch_howeverTheyMove) {
         field.moveTo(frame);
         const std::vector<world::Instance> boxes = boxesOf(field);
         for (std::size_t a = 0; a < boxes.size(); ++a) {
-            const Sphere& ball = boxes[a].bounds;
+            const Sphere& sphere = boxes[a].bounds;
             const double height = field.world.meshes[boxes[a].mesh].bounds.centre.z;
-            EXPECT_GT(ball.centre.z, height) << "above the ground";
-            EXPECT_LT(ball.centre.z + height, field.eye.z) << "the eye is in no box";
+            EXPECT_GT(sphere.centre.z, height) << "above the ground";
+            EXPECT_LT(sphere.centre.z + height, field.eye.z) << "the eye is in no box";
             for (std::size_t b = 0; b < a; ++b) {
-                const Vec3 apart = ball.centre - boxes[b].bounds.centre;
+                const Vec3 apart = sphere.centre - boxes[b].bounds.centre;
                 // Half widths are at most 0.6 m.
                 EXPECT_GT(std::hypot(apart.x, apart.y), 2.0 * std::hypot(0.6, 0.6) - 1e-6);
             }
@@ -71,10 +71,10 @@ TEST(ObjectField, boxesNeverTouch_howeverTheyMove) {
 TEST(ObjectField, whatMovesMovesALittle_withItsBounds) {
     ObjectField field = makeField(smallField(1.0));
     field.moveTo(0);
-    const std::vector<world::Instance> before = field.moment.instances;
+    const std::vector<world::Instance> before = field.dynamics.instances;
     field.moveTo(1);
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const world::Instance& after = field.moment.instances[i];
+        const world::Instance& after = field.dynamics.instances[i];
         const double moved = glm::length(after.bounds.centre - before[i].bounds.centre);
         EXPECT_GT(moved, 0.001);
         EXPECT_LT(moved, 0.1);

@@ -7,7 +7,7 @@ namespace {
 
 struct Contacts {
     test::House house;
-    world::Moment still;
+    world::DynamicState still;
     PolygonTable polygons{house.world, still};
     [[nodiscard]] EyeContact at(const Vec3& local, world::SpaceIndex root) const {
         return EyeContact(house.world, polygons, root, house.at(local));

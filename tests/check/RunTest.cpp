@@ -23,7 +23,7 @@ struct TracingDrawer final : Drawer {
 
     explicit TracingDrawer(const House& h) : house(h) {}
 
-    world::Moment still;
+    world::DynamicState still;
     std::vector<std::weak_ptr<const world::World>> given;
     std::vector<dat::BlockCoord> expected;
     Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override {
@@ -35,7 +35,7 @@ struct TracingDrawer final : Drawer {
         return loaded;
     }
     void expect(dat::BlockCoord block) override { expected.push_back(block); }
-    const world::Moment& moment() const override { return still; }
+    const world::DynamicState& dynamics() const override { return still; }
     reference::Camera cameraOf(const View& view, world::SpaceIndex root) override {
         const app::CameraBasis axes = app::basisOf({view.yaw, view.pitch});
         reference::Camera camera{view.eye, axes.right, axes.up, axes.forward};

@@ -82,8 +82,8 @@ TEST(Standing, randomPlacesKeepClearOfWallsAndOpenings) {
     const Surroundings around{world, scene, source.home(), 1, 32, 18, {}};
     const world::SpaceIndex cell = world::findCell(world, source.id(flat));
     for (std::uint64_t i = 0; i < 50; ++i) {
-        Dice dice(1, {i});
-        const auto eye = placeInCell(around, cell, dice);
+        RandomGenerator random(1, {i});
+        const auto eye = placeInCell(around, cell, random);
         ASSERT_TRUE(eye.has_value());
         EXPECT_GE(eye->z, 0.0017);
         EXPECT_LE(eye->z, 0.0043);
@@ -110,12 +110,12 @@ TEST(Standing, anEyeWithinSomethingSolidDoesNotStandFree) {
     const world::World world = limen::test::loadTestWorld(house.source);
     const reference::Scene scene(world);
     const Surroundings around{world, scene, house.source.home()};
-    Dice dice(1, {});
-    EXPECT_FALSE(standsFree(around, world::kOutside, house.at({110.2, 90.1, 12.3}), dice)) << "in the box";
-    EXPECT_TRUE(standsFree(around, world::kOutside, house.at({113, 90, 12}), dice));
-    EXPECT_FALSE(standsFree(around, world::kOutside, house.at({93, 83, 11}), dice))
+    RandomGenerator random(1, {});
+    EXPECT_FALSE(standsFree(around, world::kOutside, house.at({110.2, 90.1, 12.3}), random)) << "in the box";
+    EXPECT_TRUE(standsFree(around, world::kOutside, house.at({113, 90, 12}), random));
+    EXPECT_FALSE(standsFree(around, world::kOutside, house.at({93, 83, 11}), random))
         << "in the house, said outside";
-    EXPECT_TRUE(standsFree(around, house.space(house.front), house.at({93, 83, 11}), dice));
+    EXPECT_TRUE(standsFree(around, house.space(house.front), house.at({93, 83, 11}), random));
 }
 
 TEST(Standing, aWalkEndsAtAWallAndGoesThroughADoor) {

@@ -1,6 +1,6 @@
 #include "demo/BuiltIn.h"
 #include "demo/Loaded.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -59,15 +59,15 @@ TEST(Effects, areAllPlayed) {
         types.insert(style.type);
     EXPECT_GE(types.size(), 8u) << "most ways of moving";
     EXPECT_EQ(loaded().idleObjects.size(), 2u) << "the whirligig and the vane";
-    motion::Moments moments(loaded());
-    world::Moment moment;
+    motion::DynamicStateBuilder dynamicsBuilder(loaded());
+    world::DynamicState dynamics;
     std::set<std::uint64_t> objects; // that are seen at some moment
     for (double seconds = 10.0; seconds < 24.0; seconds += 0.21) {
-        motion::MomentInput input;
+        motion::DynamicStateInput input;
         input.seconds = seconds;
         input.weather = world::SkyHour{1, 0.5}; // snow
-        moments.at(input, moment);
-        for (const world::Instance& instance : moment.instances)
+        dynamicsBuilder.at(input, dynamics);
+        for (const world::Instance& instance : dynamics.instances)
             objects.insert(instance.object);
     }
     for (const world::ParticleStyle& style : loaded().particleStyles)

@@ -1,4 +1,4 @@
-#include "BallsInTwoSpaces.h"
+#include "SpheresInTwoSpaces.h"
 
 #include "frame/Clusters.h"
 
@@ -16,7 +16,7 @@ using frame::Clusters;
 TEST(Clusters, listEachInstanceOfASpaceOnceAndInItsPlace) {
     for (const std::uint32_t count : {0u, 1u, 16u, 17u, 40u, 3000u}) {
         SCOPED_TRACE(count);
-        const world::World world = ballsInTwoSpaces(count, count + 1);
+        const world::World world = spheresInTwoSpaces(count, count + 1);
         const Clusters clusters = frame::buildClusters(world);
         std::vector<int> seen(world.instances.size(), 0);
         for (const world::InstanceIndex instance : clusters.order)
@@ -46,15 +46,15 @@ TEST(Clusters, listEachInstanceOfASpaceOnceAndInItsPlace) {
 }
 
 TEST(Clusters, holdTheBallsOfTheirInstances_andChildrenPartThem) {
-    const world::World world = ballsInTwoSpaces(5000, 4);
+    const world::World world = spheresInTwoSpaces(5000, 4);
     const Clusters clusters = frame::buildClusters(world);
     std::size_t leaves = 0;
     for (const Cluster& cluster : clusters.clusters) {
         ASSERT_LT(cluster.first, cluster.end);
         for (std::uint32_t p = cluster.first; p < cluster.end; ++p) {
-            const Sphere& ball = clusters.bounds[p];
-            EXPECT_EQ(ball.radius, world.instances[clusters.order[p]].bounds.radius);
-            EXPECT_LE(glm::distance(ball.centre, cluster.bounds.centre) + ball.radius,
+            const Sphere& sphere = clusters.bounds[p];
+            EXPECT_EQ(sphere.radius, world.instances[clusters.order[p]].bounds.radius);
+            EXPECT_LE(glm::distance(sphere.centre, cluster.bounds.centre) + sphere.radius,
                       cluster.bounds.radius * (1 + 1e-12));
         }
         std::uint32_t next = cluster.first;
@@ -72,7 +72,7 @@ TEST(Clusters, holdTheBallsOfTheirInstances_andChildrenPartThem) {
 
 // However the world lists them: what is drawn later hides what is equally deep.
 TEST(Clusters, doNotDependOnTheOrderOfTheLists) {
-    world::World world = ballsInTwoSpaces(3000, 9);
+    world::World world = spheresInTwoSpaces(3000, 9);
     const Clusters before = frame::buildClusters(world);
     const auto second = world.spaceInstances.begin() + world.spaces[1].firstInstance;
     std::reverse(world.spaceInstances.begin(), second);

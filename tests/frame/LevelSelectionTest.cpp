@@ -1,4 +1,4 @@
-#include "BallsInTwoSpaces.h"
+#include "SpheresInTwoSpaces.h"
 
 #include "frame/LevelSelection.h"
 #include "visibility/GraphBuilder.h"
@@ -23,8 +23,8 @@ struct OneVisit {
         view = visibility::viewFrom(eye, yaw, pitch, 0);
         cones.prepare(view, visibility::floodOnce(world.build(), view), 0.002);
     }
-    [[nodiscard]] Containment lies(const Sphere& ball) const {
-        return cones.classify(0, cones.ballOf({ball.centre - eye, ball.radius}));
+    [[nodiscard]] Containment lies(const Sphere& sphere) const {
+        return cones.classify(0, cones.sphereOf({sphere.centre - eye, sphere.radius}));
     }
     Vec3 eye;
     visibility::View view;
@@ -55,7 +55,7 @@ TEST(LevelSelection, choosesWhatGoingDownTheTreeChooses) {
     };
     std::size_t drawn = 0, left = 0, ranges = 0;
     for (const std::uint32_t count : {1u, 16u, 17u, 64u, 130u, 700u, 3000u}) {
-        const world::World world = ballsInTwoSpaces(count, count);
+        const world::World world = spheresInTwoSpaces(count, count);
         const Clusters clusters = frame::buildClusters(world);
         frame::LevelSelection levels(clusters);
         for (int i = 0; i < 200; ++i) {

@@ -2,7 +2,7 @@
 
 #include "frame/FrameView.h"
 #include "visibility/Viewcone.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,8 @@ namespace limen::test {
 
 /// Instances that are drawn, by number (a moment's are numbered on), and whether they are gated: each asked for by itself in every
 /// visit that lists one of its spaces. What frame::Selection must choose, the obvious way.
-inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world, const world::Moment& moment,
+inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world,
+                                                    const world::DynamicState& dynamics,
                                                     const frame::FrameView& frame,
                                                     const visibility::VisibleSet& set) {
     using visibility::Containment;
@@ -21,10 +22,10 @@ inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world, c
     std::map<std::uint32_t, Containment> best;
     const auto meet = [&](const visibility::SeenSpace& seen, const world::Instance& instance,
                           std::uint32_t number) {
-        const auto ball = cones.ballOf({instance.bounds.centre - frame.view.eye, instance.bounds.radius});
-        const Containment inVisit = cones.classify(seen.visit, ball);
+        const auto sphere = cones.sphereOf({instance.bounds.centre - frame.view.eye, instance.bounds.radius});
+        const Containment inVisit = cones.classify(seen.visit, sphere);
         if (inVisit != Containment::Outside &&
-            visibility::Viewcones::classify(cones.edgesOf(seen.rect), ball) != Containment::Outside) {
+            visibility::Viewcones::classify(cones.edgesOf(seen.rect), sphere) != Containment::Outside) {
             best[number] = std::max(best[number], inVisit);
         }
     };
@@ -33,16 +34,16 @@ inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world, c
         for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
             meet(seen, world.instances[world.spaceInstances[i]], world.spaceInstances[i]);
         }
-        for (const world::InstanceIndex i : moment.instancesIn(seen.space)) {
-            meet(seen, moment.instances[i], static_cast<std::uint32_t>(world.instances.size()) + i);
+        for (const world::InstanceIndex i : dynamics.instancesIn(seen.space)) {
+            meet(seen, dynamics.instances[i], static_cast<std::uint32_t>(world.instances.size()) + i);
         }
     }
     std::map<std::uint32_t, bool> drawn;
     for (const auto& [number, seen] : best) {
         const bool moves = number >= world.instances.size();
         const world::Instance& instance =
-            moves ? moment.instances[number - world.instances.size()] : world.instances[number];
-        const auto& members = moves ? moment.members : world.members;
+            moves ? dynamics.instances[number - world.instances.size()] : world.instances[number];
+        const auto& members = moves ? dynamics.members : world.members;
         bool oneZone = true;
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
             oneZone = oneZone && world.spaces[members[instance.firstMember + m]].zone ==

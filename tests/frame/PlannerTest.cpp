@@ -98,9 +98,10 @@ TEST_F(PlannerTest, wallsAndGroundComeBeforeAllElse) {
             batch.program == Program::SkyObjects)
             continue;
         for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
-            const world::Kind kind = planned.world.instances[piece.instance].kind;
-            const bool isFirst =
-                kind == world::Kind::Shell || kind == world::Kind::Exterior || kind == world::Kind::Terrain;
+            const world::InstanceKind kind = planned.world.instances[piece.instance].kind;
+            const bool isFirst = kind == world::InstanceKind::Shell ||
+                                 kind == world::InstanceKind::Exterior ||
+                                 kind == world::InstanceKind::Terrain;
             const bool isSolid = batch.program == Program::Opaque || batch.program == Program::Terrain;
             EXPECT_EQ(b < plan.firstHideable, isFirst && isSolid);
             walls += b < plan.firstHideable ? 1 : 0;

@@ -16,23 +16,23 @@ namespace {
 using demo::GeneratedKind;
 
 /// Things that move: copies of what stands still, elsewhere, each a member of one to three spaces that follow one another.
-world::Moment movedCopies(const world::World& world, std::uint32_t count, std::mt19937& random) {
-    world::Moment moment;
+world::DynamicState movedCopies(const world::World& world, std::uint32_t count, std::mt19937& random) {
+    world::DynamicState dynamics;
     std::uniform_real_distribution<double> offset(-3.0, 3.0);
     for (std::uint32_t i = 0; i < count; ++i) {
         world::Instance instance = world.instances[random() % world.instances.size()];
         instance.bounds.centre += Vec3(offset(random), offset(random), offset(random));
-        instance.setMembers(static_cast<std::uint32_t>(moment.members.size()),
+        instance.setMembers(static_cast<std::uint32_t>(dynamics.members.size()),
                             std::min<std::size_t>(1 + random() % 3, world.spaces.size()));
         auto space = static_cast<world::SpaceIndex>(random() % world.spaces.size());
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
-            moment.members.push_back(space);
+            dynamics.members.push_back(space);
             space = static_cast<world::SpaceIndex>((space + 1) % world.spaces.size());
         }
-        moment.instances.push_back(instance);
+        dynamics.instances.push_back(instance);
     }
-    world::listBySpace(world.spaces.size(), moment);
-    return moment;
+    world::listBySpace(world.spaces.size(), dynamics);
+    return dynamics;
 }
 
 /// A view from some point near something, in its space or outside.
@@ -46,7 +46,7 @@ frame::FrameView anyView(const world::World& world, std::mt19937& random) {
 }
 
 std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clusters& clusters,
-                                     const world::Moment& moment, const frame::Selection& selection) {
+                                     const world::DynamicState& dynamics, const frame::Selection& selection) {
     std::map<std::uint32_t, bool> drawn;
     std::uint32_t end = 0;
     for (const frame::SelectedRange& range : selection.ranges()) {
@@ -58,7 +58,7 @@ std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clu
     }
     std::uint32_t next = 0;
     for (const frame::SelectedMover mover : selection.movers()) {
-        const world::InstanceIndex index = moment.listed.instance[mover & ~frame::gpu::kGated];
+        const world::InstanceIndex index = dynamics.listed.instance[mover & ~frame::gpu::kGated];
         EXPECT_GE(index, next) << "in order, once";
         next = index + 1;
         drawn[static_cast<std::uint32_t>(world.instances.size()) + index] = (mover & frame::gpu::kGated) != 0;
@@ -80,12 +80,12 @@ void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
     visibility::VisibleSet set;
     std::mt19937 random(seed);
     for (int view = 0; view < 40; ++view) {
-        const world::Moment moment = movedCopies(world, view % 2 * 50u, random);
+        const world::DynamicState dynamics = movedCopies(world, view % 2 * 50u, random);
         const frame::FrameView frame = anyView(world, random);
         visibility::flood(*graph, {}, frame.view, {}, scratch, set);
-        selection.select(frame, moment, set);
-        const auto drawn = chosen(world, clusters, moment, selection);
-        const auto expected = selectOneByOne(world, moment, frame, set);
+        selection.select(frame, dynamics, set);
+        const auto drawn = chosen(world, clusters, dynamics, selection);
+        const auto expected = selectOneByOne(world, dynamics, frame, set);
         if (set.visits.size() > 1) {
             ASSERT_EQ(drawn, expected) << "seed " << seed << ", view " << view;
         } else { // clusters that reach out of the picture are drawn whole

@@ -37,9 +37,9 @@ constexpr std::array<frame::Program, 3> kPrograms{frame::Program::Opaque, frame:
 SceneBuilder anyQuads(std::uint32_t seed, std::uint32_t count) {
     SceneBuilder scene;
     scene.root(0);
-    std::mt19937 dice(seed);
+    std::mt19937 random(seed);
     const auto between = [&](float low, float high) {
-        return std::uniform_real_distribution<float>(low, high)(dice);
+        return std::uniform_real_distribution<float>(low, high)(random);
     };
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 middle(between(-4, 4), between(-1, 6), between(-4, 4));

@@ -238,7 +238,7 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     stage(frame::StageKind::Sky, first);
     first = plan.batches.size();
     addBatch(Program::Blended, allBatches);
-    stage(frame::StageKind::Late, first);
+    stage(frame::StageKind::Transparent, first);
     stage(frame::StageKind::Overlay, plan.batches.size());
     return plan;
 }

@@ -300,13 +300,13 @@ TEST(Body, neverLeavesTheWorld) {
     hut.source.addStatic(hut.rear, table, frameAt({16, 12.5, 2}, 30));
     Walker walker(hut.source);
     std::mt19937 random(7);
-    const auto dice = [&](double least, double most) {
+    const auto random = [&](double least, double most) {
         return std::uniform_real_distribution<>(least, most)(random);
     };
     for (int life = 0; life < 12; ++life) {
-        walker.put({dice(10.4, 13.6), dice(10.4, 11.5), 2.05}, walker.space(hut.front));
+        walker.put({random(10.4, 13.6), random(10.4, 11.5), 2.05}, walker.space(hut.front));
         for (int i = 0; i < 40; ++i) {
-            walker.go(dice(0, 360), dice(0.1, 0.9), i % 2 == 0, i % 5 == 0);
+            walker.go(random(0, 360), random(0.1, 0.9), i % 2 == 0, i % 5 == 0);
             if (std::min(walker.feet().x, walker.feet().y) < 2.0)
                 break; // the land ends there
             const Vec3 middle = Capsule().middle(walker.body.standing.feet);

@@ -49,9 +49,9 @@ struct Chase {
     [[nodiscard]] Vec3 head() const { return walker.feet() + Vec3(0.0, 0.0, BodyShape().eyeHeight); }
     /// Whether what a ball around it touches stays out of it, but for what Bullet rounds.
     [[nodiscard]] bool isInNothing() const {
-        const Capsule ball{kCameraRadius, 2.0 * kCameraRadius};
+        const Capsule sphere{kCameraRadius, 2.0 * kCameraRadius};
         const Standing at{camera.eye.position - Vec3(0.0, 0.0, kCameraRadius), camera.eye.space};
-        return glm::length(walker.collisions().wayOut(ball, at, walker.doors)) < 0.002;
+        return glm::length(walker.collisions().wayOut(sphere, at, walker.doors)) < 0.002;
     }
     [[nodiscard]] bool isWhereItSays() const {
         return camera.eye.space == locate(walker.world(), camera.eye.position).space;
@@ -210,15 +210,15 @@ TEST(ChaseCamera, isNeverInAnything) {
     hut.source.addStatic(hut.rear, table, frameAt({16, 12.5, 2}, 30));
     Chase chase(hut);
     std::mt19937 random(11);
-    const auto dice = [&](double least, double most) {
+    const auto random = [&](double least, double most) {
         return std::uniform_real_distribution<>(least, most)(random);
     };
     int apart = 0;
     for (int life = 0; life < 8; ++life) {
-        chase.put({dice(10.4, 13.6), dice(10.4, 11.5), 2.05}, chase.walker.space(hut.front));
+        chase.put({random(10.4, 13.6), random(10.4, 11.5), 2.05}, chase.walker.space(hut.front));
         for (int i = 0; i < 25 && std::min(chase.walker.feet().x, chase.walker.feet().y) > 4.0; ++i) {
-            const double yaw = dice(0, 360), pitch = dice(-60, 60);
-            const int frames = static_cast<int>(dice(3, 30));
+            const double yaw = random(0, 360), pitch = random(-60, 60);
+            const int frames = static_cast<int>(random(3, 30));
             for (int f = 0; f < frames; ++f) {
                 chase.frame(yaw, pitch, 1.0);
                 ASSERT_TRUE(chase.isInNothing())

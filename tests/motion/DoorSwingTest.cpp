@@ -220,15 +220,15 @@ TEST(DoorSwing, neverPushesABodyIntoAnything) {
         hut.source.addStatic(hut.front, table, frameAt({10.8, 10.6, 2}, 20));
         Swung s(hut);
         std::mt19937 random(5);
-        const auto dice = [&](double least, double most) {
+        const auto random = [&](double least, double most) {
             return std::uniform_real_distribution<>(least, most)(random);
         };
         for (int life = 0; life < 10; ++life) {
             s.walker.doors = {0.0};
-            s.put({dice(8.0, 9.5), dice(10.8, 12.5), 2.05}, kOutside);
+            s.put({random(8.0, 9.5), random(10.8, 12.5), 2.05}, kOutside);
             for (int i = 0; i < 30; ++i) {
-                const BodyInput input{.forward = 1.0, .yaw = dice(60, 120) + (i % 2 == 0 ? 0.0 : 180.0)};
-                const double to = dice(0, 1) < 0.5 ? 0.0 : 1.0;
+                const BodyInput input{.forward = 1.0, .yaw = random(60, 120) + (i % 2 == 0 ? 0.0 : 180.0)};
+                const double to = random(0, 1) < 0.5 ? 0.0 : 1.0;
                 for (int f = 0; f < 15; ++f) {
                     const double way = std::clamp(to - s.walker.doors[0], -kSwingFrame, kSwingFrame);
                     swing(0, s.walker.doors[0] + way, s.walker.doors, s.walker.body, s.walker.collisions());

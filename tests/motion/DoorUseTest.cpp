@@ -1,5 +1,5 @@
 #include "motion/DoorUse.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "support/MovingHut.h"
 
 #include <gmock/gmock.h>
@@ -82,15 +82,15 @@ TEST(DoorUse, doorsAreKnownByNameWhenAnotherPartOfTheWorldIsLoaded) {
 
 TEST(DoorUse, theMomentFollows) {
     HutDoors f;
-    Moments moments(f.world);
-    world::Moment moment;
-    MomentInput input;
+    DynamicStateBuilder dynamicsBuilder(f.world);
+    world::DynamicState dynamics;
+    DynamicStateInput input;
     std::vector<double> open;
     const auto isShut = [&] {
         f.use.write(f.world, open);
         input.doors = open;
-        moments.at(input, moment);
-        return moment.closed[f.door(0).portal] != 0;
+        dynamicsBuilder.at(input, dynamics);
+        return dynamics.closed[f.door(0).portal] != 0;
     };
     EXPECT_TRUE(isShut());
     f.use.use(f.door(0));

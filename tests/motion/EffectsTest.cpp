@@ -1,4 +1,4 @@
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include "support/Effects.h"
 #include "support/Puppet.h"
@@ -22,23 +22,23 @@ using world::kOutside;
 struct Loaded {
     world::World world;
     Vec3 home{0.0};
-    Moments moments{world};
-    world::Moment moment;
+    DynamicStateBuilder dynamicsBuilder{world};
+    world::DynamicState dynamics;
 
     explicit Loaded(test::MovingHut& hut) : world(hut.load()), home(hut.at(Vec3(0.0))) {
         EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
     }
     void at(double seconds, std::optional<double> doors = 1.0) {
-        MomentInput input;
+        DynamicStateInput input;
         input.seconds = seconds;
         input.allDoors = doors;
         input.right = {0, 1, 0};
         input.forward = {-1, 0, 0};
-        moments.at(input, moment);
+        dynamicsBuilder.at(input, dynamics);
     }
     [[nodiscard]] std::vector<world::Instance> of(std::uint32_t record) const {
         std::vector<world::Instance> found;
-        std::copy_if(moment.instances.begin(), moment.instances.end(), std::back_inserter(found),
+        std::copy_if(dynamics.instances.begin(), dynamics.instances.end(), std::back_inserter(found),
                      [&](const auto& i) { return i.record == record; });
         return found;
     }
@@ -46,7 +46,7 @@ struct Loaded {
         return world.blocks[i.block].origin() + Vec3(i.origin) - home;
     }
     [[nodiscard]] std::vector<world::SpaceIndex> membersOf(const world::Instance& i) const {
-        const auto begin = moment.members.begin() + i.firstMember;
+        const auto begin = dynamics.members.begin() + i.firstMember;
         return {begin, begin + i.memberCount};
     }
     [[nodiscard]] const world::Mesh& mesh(const world::Instance& i) const { return world.meshes[i.mesh]; }
@@ -135,7 +135,7 @@ TEST(Effects, spritesOfTheNearestLevelFaceTheEyeAndFadingOnesAreBlended) {
     expectAt(Vec3(flakes[0].linear[2]), {0, 0, 2});
     const Sphere& bounds = loaded.mesh(flakes[0]).bounds;
     EXPECT_NEAR(bounds.radius, std::hypot(0.1, 0.2), 1e-5) << "as wide and high as the mesh";
-    EXPECT_EQ(flakes[0].reach.upTo, 500 * world::kReachSteps) << "of its levels of detail";
+    EXPECT_EQ(flakes[0].reach.upTo, 500 * world::kRangeSteps) << "of its levels of detail";
 }
 
 TEST(Effects, particlesStayBehindOrComeAlong) {
@@ -180,7 +180,7 @@ TEST(Effects, particlesAreMembersOfWhatTheyReach) {
         EXPECT_THAT(loaded.membersOf(spark), SizeIs(1)) << "shut: on one side or the other";
     loaded.at(99.95, 1.0); // one is 0.95 s old, and 0.1 m wide each way
     EXPECT_TRUE(std::any_of(
-        loaded.moment.instances.begin(), loaded.moment.instances.end(),
+        loaded.dynamics.instances.begin(), loaded.dynamics.instances.end(),
         [&](const auto& i) { return i.record == effects.spark && loaded.membersOf(i).size() == 2; }))
         << "in the doorway";
 }
@@ -278,14 +278,14 @@ TEST(Effects, areAPureFunctionOfTheTime) {
     effects.hut.source.addObject(effects.addScripted(script), frameAt({5, 5, 2}));
     Loaded loaded(effects.hut);
     loaded.at(7.3);
-    const world::Moment first = loaded.moment;
+    const world::DynamicState first = loaded.dynamics;
     for (const double other : {0.0, 7.29, 7.31, 1e6})
         loaded.at(other);
     loaded.at(7.3);
-    ASSERT_EQ(first.instances.size(), loaded.moment.instances.size());
+    ASSERT_EQ(first.instances.size(), loaded.dynamics.instances.size());
     for (std::size_t i = 0; i < first.instances.size(); ++i) {
-        EXPECT_EQ(first.instances[i].origin, loaded.moment.instances[i].origin);
-        EXPECT_EQ(first.instances[i].idBase, loaded.moment.instances[i].idBase);
+        EXPECT_EQ(first.instances[i].origin, loaded.dynamics.instances[i].origin);
+        EXPECT_EQ(first.instances[i].idBase, loaded.dynamics.instances[i].idBase);
     }
 }
 
@@ -335,11 +335,11 @@ TEST(IdleObjects, moveTheirPartsWhereTheyStand) {
         const std::vector<world::Instance> found = loaded.of(mill.rim);
         ASSERT_THAT(found, SizeIs(1));
         expectAt(found[0].bounds.centre - loaded.home, rims[k % 4]);
-        const Sphere& ball = loaded.world.idleObjects[0].body.bounds;
+        const Sphere& sphere = loaded.world.idleObjects[0].body.bounds;
         EXPECT_LE(glm::length(found[0].bounds.centre - loaded.home - Vec3(5, 5, 2) -
-                              Vec3(-ball.centre.y, ball.centre.x, ball.centre.z)) +
+                              Vec3(-sphere.centre.y, sphere.centre.x, sphere.centre.z)) +
                       found[0].bounds.radius,
-                  ball.radius + 1e-6);
+                  sphere.radius + 1e-6);
     }
 }
 

@@ -1,6 +1,6 @@
 // Bodies that stand, walk and run, in a moment of a loaded world.
 #include "geometry/Compass.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "support/Puppet.h"
 
 #include <gmock/gmock.h>
@@ -32,18 +32,18 @@ void addSwing(Puppet& puppet) {
 struct Stage {
     Puppet& puppet;
     world::World world = puppet.load();
-    Moments moments{world};
-    world::Moment moment;
+    DynamicStateBuilder dynamicsBuilder{world};
+    world::DynamicState dynamics;
 
     explicit Stage(Puppet& p) : puppet(p) {}
     void at(double seconds, double doors = 1.0) {
-        MomentInput input;
+        DynamicStateInput input;
         input.seconds = seconds;
         input.allDoors = doors;
-        moments.at(input, moment);
+        dynamicsBuilder.at(input, dynamics);
     }
     [[nodiscard]] const world::Instance& part(std::uint32_t record) const {
-        for (const world::Instance& instance : moment.instances) {
+        for (const world::Instance& instance : dynamics.instances) {
             if (instance.record == record)
                 return instance;
         }
@@ -57,13 +57,14 @@ struct Stage {
         at(seconds);
         const world::Instance& leg = part(puppet.leg);
         const Vec3 offset = globalOf(leg, {0, 0, -0.9}) - globalOf(leg, {0, 0, 0});
-        return glm::dot(offset, turnedTo(moments.standing(world.villagers[0], seconds).yaw) * Vec3(0, 1, 0));
+        return glm::dot(offset,
+                        turnedTo(dynamicsBuilder.standing(world.villagers[0], seconds).yaw) * Vec3(0, 1, 0));
     }
     /// The farthest that a corner of a body's part lies outside its own ball, and outside the body's; negative: inside.
     [[nodiscard]] double outside(double seconds) {
         at(seconds);
         const world::Villager& villager = world.villagers[0];
-        const Moments::Standing standing = moments.standing(villager, seconds);
+        const DynamicStateBuilder::Standing standing = dynamicsBuilder.standing(villager, seconds);
         const Vec3 centre = standing.position + turnedTo(standing.yaw) * villager.body.bounds.centre;
         double worst = -1e300;
         for (const std::uint32_t record : puppet.setup.parts) {
@@ -194,17 +195,17 @@ TEST(Gaits, areAPureFunctionOfTheMomentsInput) {
     addSwing(puppet);
     Stage stage(puppet);
     stage.at(3.377);
-    const world::Moment first = stage.moment;
+    const world::DynamicState first = stage.dynamics;
     stage.at(77.1);
     stage.at(3.377);
-    ASSERT_EQ(first.instances.size(), stage.moment.instances.size());
+    ASSERT_EQ(first.instances.size(), stage.dynamics.instances.size());
     for (std::size_t i = 0; i < first.instances.size(); ++i) {
-        EXPECT_EQ(first.instances[i].linear, stage.moment.instances[i].linear);
-        EXPECT_EQ(first.instances[i].origin, stage.moment.instances[i].origin);
-        EXPECT_EQ(first.instances[i].bounds.centre, stage.moment.instances[i].bounds.centre);
-        EXPECT_EQ(first.instances[i].bounds.radius, stage.moment.instances[i].bounds.radius);
+        EXPECT_EQ(first.instances[i].linear, stage.dynamics.instances[i].linear);
+        EXPECT_EQ(first.instances[i].origin, stage.dynamics.instances[i].origin);
+        EXPECT_EQ(first.instances[i].bounds.centre, stage.dynamics.instances[i].bounds.centre);
+        EXPECT_EQ(first.instances[i].bounds.radius, stage.dynamics.instances[i].bounds.radius);
     }
-    EXPECT_EQ(first.members, stage.moment.members);
+    EXPECT_EQ(first.members, stage.dynamics.members);
 }
 
 TEST(Gaits, membershipFollowsTheBallOfAllPoses) {
@@ -222,7 +223,7 @@ TEST(Gaits, membershipFollowsTheBallOfAllPoses) {
         Stage stage(puppet);
         stage.at(0.0);
         const world::Instance& trunk = stage.part(puppet.trunk);
-        const auto begin = stage.moment.members.begin() + trunk.firstMember;
+        const auto begin = stage.dynamics.members.begin() + trunk.firstMember;
         const std::vector<world::SpaceIndex> members(begin, begin + trunk.memberCount);
         const world::SpaceIndex front = world::findCell(stage.world, puppet.hut.source.id(puppet.hut.front));
         EXPECT_THAT(members, Contains(world::kOutside));

@@ -45,7 +45,7 @@ public:
 
     /// False: no place was found for it.
     [[nodiscard]] bool begin() {
-        if (dice() < 0.3)
+        if (random() < 0.3)
             use_.putAll(part_.world, 1.0);
         use_.write(part_.world, doors_);
         for (int i = 0; i < 400; ++i) {
@@ -75,7 +75,7 @@ public:
     [[nodiscard]] const BodyState& body() const { return body_; }
 
 private:
-    double dice(double least = 0.0, double most = 1.0) {
+    double random(double least = 0.0, double most = 1.0) {
         return std::uniform_real_distribution<>(least, most)(random_);
     }
     std::size_t below(std::size_t count) {
@@ -87,7 +87,7 @@ private:
     }
 
     std::optional<Standing> somewhere() {
-        const double what = dice();
+        const double what = random();
         if (what < 0.4)
             return atAPlace();
         return what < 0.8 && part_.world.spaces.size() > 1 ? inACell() : fromTheSky();
@@ -113,7 +113,7 @@ private:
             world::cornersOf(part_.world, part_.world.portals[cell.firstPortal + below(cell.portalCount)]);
         if (door.empty())
             return {};
-        const Vec3 at = door[below(door.size())] + Vec3(dice(-6, 6), dice(-6, 6), dice(-3, 3));
+        const Vec3 at = door[below(door.size())] + Vec3(random(-6, 6), random(-6, 6), random(-3, 3));
         // Where the hulls of two cells overlap only one of them need have a floor.
         for (world::SpaceIndex s = 1; s < part_.world.spaces.size(); ++s) {
             if (cellContains(part_.world, s, at) != (s == space))
@@ -123,7 +123,7 @@ private:
     }
     std::optional<Standing> fromTheSky() {
         const Vec3 corner = Vec3(part_.centre.x, part_.centre.y, 0.0) * world::kBlockSize;
-        const Vec3 at = corner + Vec3(dice(0, world::kBlockSize), dice(0, world::kBlockSize), 0.0);
+        const Vec3 at = corner + Vec3(random(0, world::kBlockSize), random(0, world::kBlockSize), 0.0);
         if (!isLand(at))
             return {};
         return Standing{{at.x, at.y, world::terrainHeight(part_.world, at.x, at.y) + 40.0}, kOutside};
@@ -141,12 +141,12 @@ private:
     }
 
     void choose() {
-        input_.forward = dice() < 0.85 ? 1.0 : std::floor(dice(-1.0, 2.0));
-        input_.right = dice() < 0.2 ? std::floor(dice(-1.0, 2.0)) : 0.0;
-        input_.yaw = dice() < 0.4 ? 360.0 * dice() : input_.yaw;
-        input_.run = dice() < 0.5;
-        input_.jump = dice() < 0.15;
-        const bool uses = dice() < 0.2;
+        input_.forward = random() < 0.85 ? 1.0 : std::floor(random(-1.0, 2.0));
+        input_.right = random() < 0.2 ? std::floor(random(-1.0, 2.0)) : 0.0;
+        input_.yaw = random() < 0.4 ? 360.0 * random() : input_.yaw;
+        input_.run = random() < 0.5;
+        input_.jump = random() < 0.15;
+        const bool uses = random() < 0.2;
         if (body_.standing.space == kOutside && !isLand(body_.standing.feet)) {
             const Vec3 home =
                 (Vec3(part_.centre.x, part_.centre.y, 0.0) + 0.5) * world::kBlockSize - body_.standing.feet;

@@ -1,6 +1,6 @@
 #include "support/LoadTestWorld.h"
 
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include <gtest/gtest.h>
 
@@ -80,12 +80,12 @@ TEST(ShutPanes, standWhereTheyAreWhenTheyAreNoNeighboursOfWalls) {
 
 TEST(ShutPanes, turnAboutTheirHingeOnceTheyOpen) {
     const AskewWindow scene;
-    Moments moments(scene.world);
-    world::Moment shut, open;
-    moments.at({}, shut);
-    MomentInput input;
+    DynamicStateBuilder dynamicsBuilder(scene.world);
+    world::DynamicState shut, open;
+    dynamicsBuilder.at({}, shut);
+    DynamicStateInput input;
     input.allDoors = 0.5;
-    moments.at(input, open);
+    dynamicsBuilder.at(input, open);
     ASSERT_EQ(shut.instances.size(), 1u);
     ASSERT_EQ(open.instances.size(), 1u);
     EXPECT_EQ(shut.instances[0].linear, glm::mat3(1.0f));

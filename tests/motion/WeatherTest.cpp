@@ -1,4 +1,4 @@
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include "support/Effects.h"
 #include "world/Loader.h"
@@ -48,18 +48,18 @@ struct Falling {
 
     /// Where its particles are around an eye, block-local.
     std::vector<Vec3> around(const Vec3& eye, std::optional<world::SkyHour> hour = world::SkyHour{1, 0.5}) {
-        MomentInput input;
+        DynamicStateInput input;
         input.seconds = 100.0;
         input.eye = home + eye;
         input.weather = hour;
-        moments.at(input, moment);
+        dynamicsBuilder.at(input, dynamics);
         std::vector<Vec3> places;
-        for (const world::Instance& i : moment.instances) {
+        for (const world::Instance& i : dynamics.instances) {
             if (i.record != record)
                 continue;
             places.push_back(world.blocks[i.block].origin() + Vec3(i.origin) - home);
-            EXPECT_THAT(std::vector(moment.members.begin() + i.firstMember,
-                                    moment.members.begin() + i.firstMember + i.memberCount),
+            EXPECT_THAT(std::vector(dynamics.members.begin() + i.firstMember,
+                                    dynamics.members.begin() + i.firstMember + i.memberCount),
                         ElementsAre(kOutside));
         }
         return places;
@@ -68,8 +68,8 @@ struct Falling {
     std::uint32_t record;
     world::World world;
     Vec3 home;
-    Moments moments{world};
-    world::Moment moment;
+    DynamicStateBuilder dynamicsBuilder{world};
+    world::DynamicState dynamics;
 };
 
 double level(const Vec3& way) {

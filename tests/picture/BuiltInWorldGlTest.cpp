@@ -49,15 +49,15 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
                                                    PictureOptions{GetParam(), 2, places().moving, {}});
             world->width = kWidth;
             world->height = kHeight;
-            world->setMoment(moment());
+            world->setDynamics(dynamics());
         }
         return *world;
     }
-    [[nodiscard]] static motion::MomentInput moment() {
-        motion::MomentInput moment;
-        moment.seconds = 30.0;
-        moment.eye = places().places[0].eye;
-        return moment;
+    [[nodiscard]] static motion::DynamicStateInput dynamics() {
+        motion::DynamicStateInput dynamics;
+        dynamics.seconds = 30.0;
+        dynamics.eye = places().places[0].eye;
+        return dynamics;
     }
     [[nodiscard]] frame::FrameView look(const Vec3& eye, double yaw, double pitch,
                                         world::SpaceIndex root) const {
@@ -172,7 +172,7 @@ public:
         double yaw = 0.0, pitch = 0.0; // degrees
     };
 
-    RandomEyes(const world::World& world, unsigned seed) : world_(world), dice_(seed) {}
+    RandomEyes(const world::World& world, unsigned seed) : world_(world), random_(seed) {}
 
     Eye next() {
         Eye eye;
@@ -186,7 +186,7 @@ public:
     }
 
 private:
-    double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(dice_); }
+    double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
     template <class T>
     const T& anyOf(const std::vector<T>& values, std::size_t from) {
         return values[from + static_cast<std::size_t>(unit() * static_cast<double>(values.size() - from))];
@@ -209,7 +209,7 @@ private:
     }
 
     const world::World& world_;
-    std::mt19937 dice_;
+    std::mt19937 random_;
     unsigned number_ = 0;
 };
 
@@ -310,10 +310,10 @@ TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {
         pictures.width = view.width;
         pictures.height = view.height;
         pictures.fov = view.fov;
-        motion::MomentInput moment;
-        moment.seconds = view.seconds;
-        moment.eye = view.eye;
-        pictures.setMoment(moment);
+        motion::DynamicStateInput dynamics;
+        dynamics.seconds = view.seconds;
+        dynamics.eye = view.eye;
+        pictures.setDynamics(dynamics);
         const world::SpaceIndex root =
             view.cell == 0 ? world::kOutside : world::findCell(pictures.world(), view.cell);
         pictures.expectClean(pictures.look(view.eye - pictures.homeOrigin(), view.yaw, view.pitch, root));
@@ -326,7 +326,7 @@ TEST_P(BuiltInWorld, cullingTrianglesChangesNoPicture) {
     PictureWorld whole(directory(), world::blockAt(places().places[0].eye), options);
     whole.width = kWidth;
     whole.height = kHeight;
-    whole.setMoment(moment());
+    whole.setDynamics(dynamics());
     RandomEyes eyes(pictures().world(), fromEnvironment("LIMEN_TEST_SEED", 11) + 2);
     for (unsigned view = 0; view < fromEnvironment("LIMEN_TEST_VIEWS", 60); ++view) {
         SCOPED_TRACE(::testing::Message() << "view " << view);
@@ -410,10 +410,10 @@ TEST(FarAway, aLeafSeenEdgeOnStaysBehindTheOneBeforeIt) {
     pictures.height = 90;
     pictures.fov = 75.0;
     for (const View& view : views) {
-        motion::MomentInput input;
+        motion::DynamicStateInput input;
         input.seconds = view.seconds;
         input.eye = view.eye;
-        pictures.setMoment(input);
+        pictures.setDynamics(input);
         pictures.expectClean(
             pictures.look(view.eye - pictures.homeOrigin(), view.yaw, view.pitch, world::kOutside));
     }

@@ -58,9 +58,9 @@ struct ZoneCases : ::testing::TestWithParam<bool> {
 }
 
 /// The moment in which `frame` is drawn.
-[[nodiscard]] inline motion::MomentInput momentFor(const frame::FrameView& frame, double seconds,
-                                                   std::optional<double> doors, bool rain = false) {
-    motion::MomentInput input;
+[[nodiscard]] inline motion::DynamicStateInput dynamicsFor(const frame::FrameView& frame, double seconds,
+                                                           std::optional<double> doors, bool rain = false) {
+    motion::DynamicStateInput input;
     input.seconds = seconds;
     input.allDoors = doors;
     input.rain = rain;

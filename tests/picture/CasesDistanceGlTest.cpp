@@ -180,7 +180,7 @@ TEST_P(CasesDistance, case15_aTallVillagerSeenByTheHeadAlone) {
     for (double seconds = 0; seconds < 32; seconds += 2.9) {
         SCOPED_TRACE(seconds);
         const frame::FrameView frame = pictures.look({96, 92, 2.6}, 0, -4, world::kOutside);
-        pictures.setMoment(momentFor(frame, seconds, {}));
+        pictures.setDynamics(dynamicsFor(frame, seconds, {}));
         seen += pixelsOfRecord(pictures, pictures.expectClean(frame), giant);
     }
     EXPECT_GT(seen, 300u);

@@ -124,7 +124,8 @@ TEST_P(Cases, case08_someoneInADoorwaySeenFromOutside) {
     std::size_t seen = 0;
     for (const std::uint32_t id : picture.ids) {
         const std::uint32_t i = instanceOfId(pictures.world(), id);
-        seen += i != world::kNone && pictures.world().instances[i].kind == world::Kind::Static ? 1 : 0;
+        seen +=
+            i != world::kNone && pictures.world().instances[i].kind == world::InstanceKind::Static ? 1 : 0;
     }
     const double pixelsPerMetre = pictures.height / 2.0 / picture.frame.view.tanHalfY / 5.7;
     EXPECT_NEAR(static_cast<double>(seen), 0.6 * 1.8 * pixelsPerMetre * pixelsPerMetre, 20.0);
@@ -249,7 +250,7 @@ TEST_P(Cases, case25_theFarCornerOfTheMap) {
                  picture.ids) { // which way a landcell is split depends on its place on the map
                 const auto i = instanceOfId(pictures.world(), id);
                 const bool ground =
-                    i != world::kNone && pictures.world().instances[i].kind == world::Kind::Terrain;
+                    i != world::kNone && pictures.world().instances[i].kind == world::InstanceKind::Terrain;
                 ids.back().push_back(ground ? world::kNone : id);
             }
         }
@@ -350,7 +351,7 @@ TEST_P(Cases, case29_aShelfThatPokesThroughAFacade) {
     const auto shelfPixels = [&](const Picture& picture) {
         return std::count_if(picture.ids.begin(), picture.ids.end(), [&](std::uint32_t id) {
             const auto i = instanceOfId(pictures.world(), id);
-            return i != world::kNone && pictures.world().instances[i].kind == world::Kind::Static;
+            return i != world::kNone && pictures.world().instances[i].kind == world::InstanceKind::Static;
         });
     };
     EXPECT_GT(shelfPixels(inside), 10);

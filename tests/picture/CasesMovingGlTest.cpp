@@ -59,7 +59,7 @@ TEST_P(CasesMoving, case09_aCharacterWalksOutWhileTheEyeStaysInside) {
         const frame::FrameView frame = pictures.look(eye, 270, -12, pictures.space(hut.source.id(hut.front)));
         for (double seconds = 16.5; seconds < 20.0;
              seconds += 0.125) { // from x = 11.5 through x = 10 to x = 8
-            pictures.setMoment(momentFor(frame, seconds, 1.0));
+            pictures.setDynamics(dynamicsFor(frame, seconds, 1.0));
             SCOPED_TRACE(::testing::Message() << "eye x " << eye.x << ", " << seconds << " s");
             const Picture picture = pictures.expectClean(frame);
             const Traced traced = tracedPixels(pictures, frame, hut.body);
@@ -92,7 +92,7 @@ TEST_P(CasesMoving, case19_fillingsAreDrawnByTheirStateAndStopTheFloodWhenShut) 
         SCOPED_TRACE(doors);
         const auto shoot = [&](const View& view) {
             const frame::FrameView frame = pictures.look(view.eye, view.yaw, -4, view.root);
-            pictures.setMoment(momentFor(frame, 1.0, doors));
+            pictures.setDynamics(dynamicsFor(frame, 1.0, doors));
             return pictures.expectClean(frame, kCountLayers);
         };
         const Picture outside = shoot(towardsFrontDoor), inside = shoot(fromFront),
@@ -126,7 +126,7 @@ TEST_P(CasesMoving, case19_aMissingDoorIsAnOpeningAndNoFillingIsPartOfTheShell) 
         EXPECT_EQ(filled.world().meshes[a.mesh].polygonCount, open.world().meshes[b.mesh].polygonCount);
     }
     const frame::FrameView frame = open.look({6.5, 11.4, 3.4}, 90, -4, world::kOutside);
-    open.setMoment(momentFor(frame, 1.0, 0.0));
+    open.setDynamics(dynamicsFor(frame, 1.0, 0.0));
     const Picture picture = open.expectClean(frame);
     EXPECT_TRUE(visitsSpace(picture, open.space(without.source.id(without.front))));
     EXPECT_EQ(pixelsOfRecord(open, picture, without.leaf), 0u);
@@ -142,7 +142,7 @@ TEST_P(CasesMoving, case19_aDoorThatOpensIsCleanAtEveryStep) {
         for (int step = 0; step <= 20; ++step) {
             const auto root = motion::locate(pictures.world(), hut.at(eye)).space;
             const frame::FrameView frame = pictures.look(eye, eye.x < 10 ? 100 : 250, -5, root);
-            pictures.setMoment(momentFor(frame, 5.0 + step * 0.1, step / 20.0));
+            pictures.setDynamics(dynamicsFor(frame, 5.0 + step * 0.1, step / 20.0));
             SCOPED_TRACE(::testing::Message() << "eye x " << eye.x << ", step " << step);
             pictures.expectClean(frame, kCountLayers);
         }
@@ -192,7 +192,7 @@ TEST_P(CasesMoving, case17_particlesOfRecordsAndTurningThingsObeyTheRuleThroughD
                                              {Vec3(13, 12.5, 3.6), 250.0, front},
                                              {Vec3(16, 11.6, 3.5), 270.0, rear}}) {
             const frame::FrameView frame = pictures.look(eye, yaw, -6, root);
-            pictures.setMoment(momentFor(frame, seconds, doors));
+            pictures.setDynamics(dynamicsFor(frame, seconds, doors));
             SCOPED_TRACE(::testing::Message() << "eye x " << eye.x << ", step " << step);
             const Picture picture = pictures.expectClean(frame, kCountLayers);
             sparks +=
@@ -265,7 +265,7 @@ TEST_P(CasesMoving, case17_everyLayerOnceWhateverItIsAttachedTo) {
         const double turn = eye.x > 15 ? 270 : 88;
         const frame::FrameView frame =
             pictures.look(eye, turn + (step % 2 == 0 ? 0.0 : 180.0 * (eye.x > 11 && eye.x < 12)), -6, root);
-        pictures.setMoment(momentFor(frame, 4.0 + step * 0.47, doors));
+        pictures.setDynamics(dynamicsFor(frame, 4.0 + step * 0.47, doors));
         SCOPED_TRACE(::testing::Message() << "step " << step);
         const Picture picture = pictures.expectClean(frame, kCountLayers);
         for (const gpu::LayerSum& layers : picture.layers) {
@@ -321,7 +321,7 @@ TEST_P(CasesMoving, case17_noLayerBeforeItsOpeningIsTakenForOneBehind) {
     const auto layered = [&](const Vec3& eye, double yaw, double doors) {
         const frame::FrameView frame =
             pictures.look(eye, yaw, -5, motion::locate(pictures.world(), hut.at(eye)).space);
-        pictures.setMoment(momentFor(frame, 3.3, doors));
+        pictures.setDynamics(dynamicsFor(frame, 3.3, doors));
         const Picture picture = pictures.expectClean(frame, kCountLayers);
         return std::count_if(picture.layers.begin(), picture.layers.end(),
                              [](const auto& l) { return l.count > 0; });
@@ -338,20 +338,20 @@ TEST_P(CasesMoving, case27_aStandingEyeAndAFrozenMomentGiveTheSameBits) {
     for (const Vec3& eye : eyes) {
         const auto root = motion::locate(pictures.world(), hut.at(eye)).space;
         const frame::FrameView frame = pictures.look(eye, 93, -6, root);
-        const motion::MomentInput still = momentFor(frame, 6.1, 0.5, root == world::kOutside);
-        pictures.setMoment(still);
+        const motion::DynamicStateInput still = dynamicsFor(frame, 6.1, 0.5, root == world::kOutside);
+        pictures.setDynamics(still);
         const Picture first = pictures.expectClean(frame);
         // Another moment and another view in between must leave nothing behind.
         const frame::FrameView away = pictures.look(eye, 270, 0, root);
-        pictures.setMoment(momentFor(away, 9.7, 1.0));
+        pictures.setDynamics(dynamicsFor(away, 9.7, 1.0));
         const Picture other = pictures.shoot(away);
         EXPECT_FALSE(other.ids == first.ids);
-        pictures.setMoment(still);
+        pictures.setDynamics(still);
         for (int i = 0; i < 3; ++i) {
             const Picture next = pictures.shoot(frame);
             EXPECT_TRUE(next.ids == first.ids && next.depth == first.depth && next.colour == first.colour);
         }
-        pictures.setMoment(momentFor(frame, 6.2, 0.5, root == world::kOutside));
+        pictures.setDynamics(dynamicsFor(frame, 6.2, 0.5, root == world::kOutside));
         EXPECT_FALSE(pictures.shoot(frame).colour == first.colour) << "a moment later something has moved";
     }
 }

@@ -1,5 +1,5 @@
 // Hard cases 18, 23 and 30 of docs/cases.md: rain and smoke at an open door, and the eye on another side than the player.
-// Whether it rains at all follows from where the player is: tests/app/MomentInputTest.cpp.
+// Whether it rains at all follows from where the player is: tests/app/DynamicStateInputTest.cpp.
 #include "picture/CaseHelp.h"
 #include "support/MovingHut.h"
 
@@ -42,11 +42,11 @@ Sum sumOf(const Picture& picture) {
 }
 
 /// Drops of the moment that hang where the hut's rooms are: those that a picture must not show there.
-std::size_t dropsInRooms(const PictureWorld& pictures, const motion::MomentInput& input) {
-    world::Moment moment;
-    motion::Moments(pictures.world()).at(input, moment);
+std::size_t dropsInRooms(const PictureWorld& pictures, const motion::DynamicStateInput& input) {
+    world::DynamicState dynamics;
+    motion::DynamicStateBuilder(pictures.world()).at(input, dynamics);
     return static_cast<std::size_t>(
-        std::count_if(moment.instances.begin(), moment.instances.end(), [&](const world::Instance& in) {
+        std::count_if(dynamics.instances.begin(), dynamics.instances.end(), [&](const world::Instance& in) {
             const Vec3 p = in.bounds.centre - pictures.homeOrigin();
             return in.record == 0 && p.x > 10.3 && p.x < 17.7 && p.y > 10.3 && p.y < 13.7 && p.z > 2.3 &&
                    p.z < 4.7;
@@ -84,17 +84,17 @@ TEST_P(CasesWeather, case18_rainFallsOutsideOnlyWhicheverSideTheEyeIsOn) {
         SCOPED_TRACE(::testing::Message() << stand.eye.x << " yaw " << stand.yaw);
         const auto root = motion::locate(pictures.world(), hut.at(stand.eye)).space;
         const frame::FrameView frame = pictures.look(stand.eye, stand.yaw, -3, root);
-        const motion::MomentInput wet = momentFor(frame, 2.3, 0.0, true);
+        const motion::DynamicStateInput wet = dynamicsFor(frame, 2.3, 0.0, true);
         EXPECT_GE(dropsInRooms(pictures, wet), 5u);
         for (const double doors : {0.0, 1.0}) {
-            motion::MomentInput input = wet;
+            motion::DynamicStateInput input = wet;
             input.allDoors = doors;
-            pictures.setMoment(input);
+            pictures.setDynamics(input);
             const Picture rain = pictures.expectClean(frame, kCountRain);
             const bool toBeSeen = stand.out && (doors > 0.0 || root == world::kOutside || stand.eye.x > 14);
             EXPECT_EQ(sumOf(rain).pixels > 0, toBeSeen) << "doors " << doors;
             input.rain = false; // the player is inside
-            pictures.setMoment(input);
+            pictures.setDynamics(input);
             EXPECT_EQ(sumOf(pictures.expectClean(frame, kCountRain)).layers, 0u);
         }
     }
@@ -111,9 +111,9 @@ TEST_P(CasesWeather, case30_rainAndSmokeAtAnOpenDoorWithTheEyeOnEitherSide) {
         for (const double yaw : {88.0, 272.0}) {
             SCOPED_TRACE(::testing::Message() << "x " << x << " yaw " << yaw);
             const frame::FrameView frame = pictures.look(eye, yaw, -8, root);
-            pictures.setMoment(momentFor(frame, 3.0 + 0.21 * step, 1.0, true));
+            pictures.setDynamics(dynamicsFor(frame, 3.0 + 0.21 * step, 1.0, true));
             const Picture both = pictures.expectClean(frame, kCountRain);
-            pictures.setMoment(momentFor(frame, 3.0 + 0.21 * step, 1.0, false));
+            pictures.setDynamics(dynamicsFor(frame, 3.0 + 0.21 * step, 1.0, false));
             const Picture smoke = pictures.expectClean(frame, kCountRain);
             // A pixel whose ray never gets outside has the smoke's layers and no more.
             for (std::uint32_t i = 0; i < both.layers.size(); ++i) {
@@ -143,7 +143,7 @@ TEST_P(CasesWeather, case23_aChaseCameraPulledThroughTheDoorSeesWhatRaysSeeAndRu
     RainyHut hut;
     PictureWorld pictures(hut.source, options(hut.moving));
     const std::vector<frame::StageKind> order{frame::StageKind::Ownership, frame::StageKind::Solid,
-                                              frame::StageKind::Sky, frame::StageKind::Late,
+                                              frame::StageKind::Sky, frame::StageKind::Transparent,
                                               frame::StageKind::Overlay};
     world::SpaceIndex space = pictures.space(hut.source.id(hut.front));
     Vec3 last(10.3, 11.06, 3.3); // 6 cm beside the frame
@@ -156,7 +156,7 @@ TEST_P(CasesWeather, case23_aChaseCameraPulledThroughTheDoorSeesWhatRaysSeeAndRu
         roots.insert(space);
         SCOPED_TRACE(::testing::Message() << "step " << step);
         const frame::FrameView frame = pictures.look(eye, 80 + step % 3 * 15, -4, space);
-        pictures.setMoment(momentFor(frame, 4.0, 1.0, false));
+        pictures.setDynamics(dynamicsFor(frame, 4.0, 1.0, false));
         visibility::VisibleSet set;
         frame::FramePlan plan;
         pictures.plan(frame, set, plan);
@@ -172,7 +172,7 @@ TEST_P(CasesWeather, case23_aChaseCameraPulledThroughTheDoorSeesWhatRaysSeeAndRu
             for (std::uint32_t x = 0; x < frame.width; ++x) {
                 const auto traced = pictures.tracer().trace(space, rayThrough(frame, x, y));
                 if (const world::Instance* in = shownAs(pictures.world(), traced.id);
-                    in != nullptr && in->kind == world::Kind::Shell) {
+                    in != nullptr && in->kind == world::InstanceKind::Shell) {
                     shown.insert(in->placedIn);
                     zones.insert(pictures.world().spaces[in->placedIn].zone);
                 }
@@ -201,7 +201,7 @@ TEST_P(CasesWeather, case23_thePicturesStagesDoNotDependOnTheRoot) {
     const auto shoot = [&](const Vec3& eye, double yaw) {
         const frame::FrameView frame =
             pictures.look(eye, yaw, 0, motion::locate(pictures.world(), hut.at(eye)).space);
-        pictures.setMoment(momentFor(frame, 4.0, 1.0, true));
+        pictures.setDynamics(dynamicsFor(frame, 4.0, 1.0, true));
         return pictures.expectClean(frame);
     };
     const Picture in = shoot({12, 11.5, 3.5}, 270), out = shoot({8, 11.5, 3.5}, 90);

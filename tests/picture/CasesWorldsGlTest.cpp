@@ -51,7 +51,7 @@ TEST_P(CasesWorlds, case20_equalLowIdsInTwoLandblocksShareNothing) {
         ids.emplace_back(in.idBase, in.idBase + mesh.polygonCount);
         ++byObject[in.object];
         const auto [known, isNew] = byKey.emplace(mesh.contentKey, std::pair{in.record, in.mesh});
-        if (!isNew && in.kind != world::Kind::Terrain) {
+        if (!isNew && in.kind != world::InstanceKind::Terrain) {
             EXPECT_EQ(known->second.second, in.mesh) << "one key, one mesh";
             EXPECT_EQ(known->second.first, in.record) << "one mesh, one record";
         }
@@ -106,8 +106,8 @@ TEST_P(CasesWorlds, case22_aSealedDungeonIsAloneAndDoesNoLandscapeWork) {
     EXPECT_EQ(loaded.blocks.size(), 1u) << "no neighbour is resident";
     EXPECT_EQ(loaded.spaces.size(), 1 + dungeon.rooms.size());
     EXPECT_TRUE(std::none_of(loaded.instances.begin(), loaded.instances.end(), [](const world::Instance& in) {
-        return in.kind == world::Kind::Terrain || in.kind == world::Kind::Exterior ||
-               in.kind == world::Kind::Scenery;
+        return in.kind == world::InstanceKind::Terrain || in.kind == world::InstanceKind::Exterior ||
+               in.kind == world::InstanceKind::Scenery;
     }));
     EXPECT_TRUE(loaded.terrainCells.empty());
     for (std::size_t i = 0; i < dungeon.rooms.size(); ++i) {

@@ -34,7 +34,7 @@ TEST_P(Highlight, coloursAnObjectAndNothingElse) {
     PictureWorld pictures(hut.source, {.moving = hut.moving, .culling = GetParam()});
     frame::FrameView frame =
         pictures.look({13.5, 13.0, 3.6}, 255, -20, pictures.space(hut.source.id(hut.front)));
-    pictures.setMoment(momentFor(frame, 17.5, 1.0)); // the villager leaves by the open door
+    pictures.setDynamics(dynamicsFor(frame, 17.5, 1.0)); // the villager leaves by the open door
     const Picture plain = pictures.shoot(frame);
     const std::vector<std::uint64_t> shown = objectsOf(pictures, plain);
     std::set<std::uint64_t> objects(shown.begin(), shown.end());

@@ -76,14 +76,14 @@ TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
             const world::SpaceIndex root = motion::locate(pictures.world(), hut.at(eye)).space;
             // Towards the lantern's way, so that sprites are in the picture.
             const frame::FrameView frame = pictures.look(eye, eye.x > 12 ? 270 : 95, -5, root);
-            motion::MomentInput input;
+            motion::DynamicStateInput input;
             input.seconds = 3.0 + step * 0.83;
             input.allDoors = doors;
             input.eye = frame.view.eye;
             input.right = frame.view.right;
             input.up = frame.view.up;
             input.forward = frame.view.forward;
-            pictures.setMoment(input);
+            pictures.setDynamics(input);
             SCOPED_TRACE(::testing::Message() << "step " << step << " doors " << doors);
             const Picture picture =
                 pictures.shoot(frame, {.shading = gpu::Shading::IdsOnly, .wantLayers = true});
@@ -106,7 +106,7 @@ TEST_P(Layers, ofAPaneIsMetBeforeTheBarThatTouchesIt) {
                          hut.source.addModel(boxExterior({-0.0001, 0, 0}, {-0.00005, 0.3, 0.8}, "oak")),
                          frameAt({18, 12, 3.1}));
     PictureWorld pictures(hut.source, {GetParam(), 1, hut.moving});
-    pictures.setMoment({});
+    pictures.setDynamics({});
     const world::SpaceIndex root = pictures.space(hut.source.id(hut.rear));
     Tally sum;
     std::size_t bars = 0;
@@ -118,7 +118,7 @@ TEST_P(Layers, ofAPaneIsMetBeforeTheBarThatTouchesIt) {
         for (std::size_t i = 0; i < picture.ids.size(); ++i) {
             const std::uint32_t instance = instanceOfId(pictures.world(), picture.ids[i]);
             if (instance != world::kNone &&
-                pictures.world().instances[instance].kind == world::Kind::Static) {
+                pictures.world().instances[instance].kind == world::InstanceKind::Static) {
                 bars += picture.layers[i].count == 1 ? 1 : 0;
             }
         }

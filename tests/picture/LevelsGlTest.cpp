@@ -53,7 +53,7 @@ TEST_P(LevelsGl, changeAtTheirDistances) {
     for (const double metres : {10.0, 11.5, 12.5, 20.0, 29.5, 30.5, 50.0}) {
         SCOPED_TRACE(metres);
         frame::FrameView frame = pictures.look(southOf(stoneAt, metres), 0, 0, world::kOutside);
-        pictures.setMoment(momentFor(frame, 0.0, 0.0));
+        pictures.setDynamics(dynamicsFor(frame, 0.0, 0.0));
         const Picture picture = pictures.expectClean(frame, {.wantLayers = true});
         EXPECT_EQ(pixelsOfRecord(pictures, picture, stone) > 0, metres < kNear);
         EXPECT_EQ(pixelsOfRecord(pictures, picture, pebble) > 0, metres > kNear && metres < kFar);

@@ -36,9 +36,9 @@ Judged judge(NamedView view, const Off& off) {
     pictures.fov = view.fov;
     pictures.floodRules = off.flood;
     if (view.doors) {
-        motion::MomentInput input;
+        motion::DynamicStateInput input;
         input.allDoors = view.doors;
-        pictures.setMoment(input);
+        pictures.setDynamics(input);
     }
     const world::SpaceIndex root = view.root ? pictures.space(view.world.id(*view.root)) : world::kOutside;
     frame::FrameView frame = pictures.look(view.eye, view.yaw, view.pitch, root);

@@ -21,12 +21,12 @@ constexpr double kEdge = 1e-9;
 
 } // namespace
 
-NaiveTracer::NaiveTracer(const world::World& world, world::Moment moment)
-    : world_(world), moment_(std::move(moment)) {
+NaiveTracer::NaiveTracer(const world::World& world, world::DynamicState dynamics)
+    : world_(world), dynamics_(std::move(dynamics)) {
     for (const world::Instance& instance : world.instances) {
         addTriangles(instance);
     }
-    for (const world::Instance& instance : moment_.instances) {
+    for (const world::Instance& instance : dynamics_.instances) {
         addTriangles(instance);
     }
     for (world::SpaceIndex space = 0; space < world.spaces.size(); ++space) {
@@ -41,7 +41,7 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
     std::vector<world::InstanceIndex> members(world_.spaceInstances.begin() + space.firstInstance,
                                               world_.spaceInstances.begin() + space.firstInstance +
                                                   space.instanceCount);
-    for (const world::InstanceIndex moving : moment_.instancesIn(index)) {
+    for (const world::InstanceIndex moving : dynamics_.instancesIn(index)) {
         members.push_back(static_cast<world::InstanceIndex>(world_.instances.size()) + moving);
     }
     for (const world::InstanceIndex instance : members) {
@@ -52,21 +52,21 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
     for (auto& [key, cluster] : grid) {
         Aabb box;
         for (const world::InstanceIndex i : cluster.bodies) {
-            const Sphere& ball = bodies_[i].bounds;
-            box.include(ball.centre - ball.radius);
-            box.include(ball.centre + ball.radius);
+            const Sphere& sphere = bodies_[i].bounds;
+            box.include(sphere.centre - sphere.radius);
+            box.include(sphere.centre + sphere.radius);
         }
         cluster.bounds = {box.centre(), glm::length(box.max - box.min) * 0.5};
         clusters_.back().push_back(std::move(cluster));
     }
 }
 
-bool NaiveTracer::isInReach(const Body& body, const Vec3& eye) {
+bool NaiveTracer::isInLevelRange(const Body& body, const Vec3& eye) {
     const Vec3 steps = glm::floor(body.origin * 16.0) - glm::floor(eye * 16.0);
     const double away = glm::dot(steps, steps); // whole, and exact
     const double beyond = body.reach.beyond, upTo = body.reach.upTo;
     return (beyond == 0.0 || away > beyond * beyond) &&
-           (body.reach.upTo == world::Reach::kEndless || away <= upTo * upTo);
+           (body.reach.upTo == world::LevelRange::kEndless || away <= upTo * upTo);
 }
 
 bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
@@ -81,7 +81,7 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
     Body body{instance.bounds,
               triangles_.size(),
               0,
-              instance.kind == world::Kind::Filling,
+              instance.kind == world::InstanceKind::Filling,
               world_.blocks[instance.block].origin() + Vec3(instance.origin),
               instance.reach};
     const Vec3 origin = body.origin;
@@ -169,7 +169,7 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
     for (const Cluster& cluster : clusters_[space]) {
         for (const world::InstanceIndex index : cluster.bodies) {
             const Body& body = bodies_[index];
-            if (!isInReach(body, ray.eye)) {
+            if (!isInLevelRange(body, ray.eye)) {
                 continue;
             }
             for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
@@ -197,7 +197,7 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
     for (std::uint32_t i = from.firstPortal; i < from.firstPortal + from.portalCount; ++i) {
         const world::Portal& portal = world_.portals[i];
         const double speed = glm::dot(portal.plane.n, ray.direction);
-        if (moment_.isClosed(i) || speed >= 0.0 ||
+        if (dynamics_.isClosed(i) || speed >= 0.0 ||
             (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i)) {
             continue;
         }
@@ -250,7 +250,7 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
                 continue;
             }
             for (const world::InstanceIndex i : cluster.bodies) {
-                if (isInReach(bodies_[i], ray.eye) && mayMeet(bodies_[i].bounds, ray)) {
+                if (isInLevelRange(bodies_[i], ray.eye) && mayMeet(bodies_[i].bounds, ray)) {
                     nearestIn(bodies_[i], ray, t0 - slack, answer);
                 }
             }

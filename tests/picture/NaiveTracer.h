@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 #include <vector>
@@ -14,7 +14,7 @@ class NaiveTracer {
 public:
     /// Keeps a copy of every triangle in global coordinates; `world` must outlive it.
     /// `moment`: what moves, and what is shut; a copy is kept.
-    explicit NaiveTracer(const world::World& world, world::Moment moment = {});
+    explicit NaiveTracer(const world::World& world, world::DynamicState dynamics = {});
 
     struct Ray {
         Vec3 eye{0.0};
@@ -43,7 +43,7 @@ private:
         std::size_t firstTriangle = 0, triangleCount = 0;
         bool filling = false;
         Vec3 origin{0.0}; ///< its instance's, global
-        world::Reach reach;
+        world::LevelRange reach;
     };
     /// Neighbouring bodies of one space, so that a ray need not ask each of thousands.
     struct Cluster {
@@ -53,7 +53,7 @@ private:
     void addTriangles(const world::Instance& instance);
     void addClusters(world::SpaceIndex index);
     /// Whether it is drawn for an eye there: both in sixteenths of a metre, rounded down.
-    [[nodiscard]] static bool isInReach(const Body& body, const Vec3& eye);
+    [[nodiscard]] static bool isInLevelRange(const Body& body, const Vec3& eye);
     [[nodiscard]] static bool mayMeet(const Sphere& bounds, const Ray& ray);
     /// Where the ray meets a triangle's front; infinite if it does not.
     [[nodiscard]] static double meets(const Triangle& triangle, const Ray& ray, double& v, double& w);
@@ -69,7 +69,7 @@ private:
     [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;
 
     const world::World& world_;
-    world::Moment moment_;
+    world::DynamicState dynamics_;
     std::vector<Triangle> triangles_;
     std::vector<Body> bodies_;                   ///< by instance, the moment's numbered on
     std::vector<std::vector<Cluster>> clusters_; ///< by space

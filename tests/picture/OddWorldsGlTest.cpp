@@ -206,7 +206,7 @@ TEST(OddWorlds, aWholePictureOfGroundAndSkyStatedByHand) {
             } else {
                 const auto i = instanceOfId(pictures.world(), picture.id(x, y));
                 ASSERT_NE(i, world::kNone);
-                EXPECT_EQ(pictures.world().instances[i].kind, world::Kind::Terrain);
+                EXPECT_EQ(pictures.world().instances[i].kind, world::InstanceKind::Terrain);
             }
         }
     }

@@ -51,8 +51,9 @@ world::World withoutMembership(const world::World& world) {
     return less;
 }
 
-world::Moment without(const Omissions& omissions, const world::World& world, const world::Moment& moment) {
-    world::Moment less = moment;
+world::DynamicState without(const Omissions& omissions, const world::World& world,
+                            const world::DynamicState& dynamics) {
+    world::DynamicState less = dynamics;
     if (omissions.membership) {
         for (world::Instance& instance : less.instances) {
             leaveOneMember(instance);
@@ -62,7 +63,7 @@ world::Moment without(const Omissions& omissions, const world::World& world, con
         less.closed.clear();
         less.fillings.clear();
         for (world::Instance& instance : less.instances) { // which are then in no space
-            if (instance.kind == world::Kind::Filling) {
+            if (instance.kind == world::InstanceKind::Filling) {
                 instance.memberCount = 0;
             }
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 #include "world/World.h"
 
 namespace limen::test {
@@ -16,7 +16,7 @@ struct Omissions {
 [[nodiscard]] world::World withoutMembership(const world::World& world);
 
 /// The moment less what is omitted; instances keep their numbers. `world` is the one that it is a moment of.
-[[nodiscard]] world::Moment without(const Omissions& omissions, const world::World& world,
-                                    const world::Moment& moment);
+[[nodiscard]] world::DynamicState without(const Omissions& omissions, const world::World& world,
+                                          const world::DynamicState& dynamics);
 
 } // namespace limen::test

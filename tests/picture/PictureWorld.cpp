@@ -125,23 +125,23 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
 
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    visibility::flood(*graph_, drawnMoment_.closed, frame.view, {.rules = floodRules}, scratch_, visible);
-    planner_->plan(frame, drawnMoment_, visible, plan);
+    visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_, visible);
+    planner_->plan(frame, drawnDynamics_, visible, plan);
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
     if (!tracer_) {
-        tracer_ = std::make_unique<NaiveTracer>(world_, moment_);
+        tracer_ = std::make_unique<NaiveTracer>(world_, dynamics_);
     }
     return *tracer_;
 }
 
-void PictureWorld::setMoment(const motion::MomentInput& input) {
-    motion::Moments(world_).at(input, moment_);
-    drawnMoment_ = without(options_.omissions, world_, moment_);
+void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
+    motion::DynamicStateBuilder(world_).at(input, dynamics_);
+    drawnDynamics_ = without(options_.omissions, world_, dynamics_);
     tracer_.reset();
     if (traced_) {
-        traced_->setMoment(moment_);
+        traced_->setDynamics(dynamics_);
     }
 }
 
@@ -188,7 +188,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
 check::Comparison PictureWorld::judge(const Picture& picture) {
     if (!traced_) {
         traced_ = std::make_unique<check::TracedWorld>(world_);
-        traced_->setMoment(moment_);
+        traced_->setDynamics(dynamics_);
     }
     const frame::FrameView& frame = picture.frame;
     reference::Camera camera{frame.view.eye,     frame.view.right,    frame.view.up,

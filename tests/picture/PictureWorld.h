@@ -10,7 +10,7 @@
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 #include "visibility/Flood.h"
 #include "world/MovingEntries.h"
 
@@ -42,10 +42,10 @@ struct PictureOptions {
     bool mergeZones = true;
     int radius = 1;
     world::MovingEntries moving{};
-    std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
-    bool exactOutlines = true;                ///< gpu::RendererOptions
+    std::vector<std::string> shaderDefines{};    ///< gpu::RendererOptions
+    bool exactOutlines = true;                   ///< gpu::RendererOptions
     gpu::Culling culling = gpu::Culling::Hidden; ///< gpu::RendererOptions
-    Omissions omissions{};                    ///< in what is drawn; what it is held against stays whole
+    Omissions omissions{};                       ///< in what is drawn; what it is held against stays whole
 };
 
 /// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
@@ -74,7 +74,7 @@ public:
     [[nodiscard]] Picture shootSampled(const frame::FrameView& frame,
                                        gpu::Shading shading = gpu::Shading::FlatIds);
     /// Lets what moves be where it is then; before, nothing moves and nothing is shut.
-    void setMoment(const motion::MomentInput& input);
+    void setDynamics(const motion::DynamicStateInput& input);
     /// Only up to the plan: no driver.
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
@@ -98,7 +98,7 @@ private:
     world::World world_;
     std::unique_ptr<world::World> lessWorld_; ///< with omissions: what is drawn
     Vec3 origin_{0.0};
-    world::Moment moment_, drawnMoment_;
+    world::DynamicState dynamics_, drawnDynamics_;
     Options options_;
     mutable std::unique_ptr<NaiveTracer> tracer_;
     std::unique_ptr<check::TracedWorld> traced_;

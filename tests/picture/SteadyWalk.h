@@ -8,8 +8,8 @@
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
 #include "gpu/Renderer.h"
+#include "motion/DynamicStateBuilder.h"
 #include "motion/Locate.h"
-#include "motion/Moments.h"
 #include "visibility/Flood.h"
 #include "world/Loader.h"
 #include "world/Places.h"
@@ -45,7 +45,7 @@ class SteadyWalk {
 public:
     /// Pictures of `width` × `height` pixels.
     SteadyWalk(world::World world, gpu::Device& device, std::uint32_t width, std::uint32_t height)
-        : world_(std::move(world)), graph_(*frame::visibilityGraph(world_)), moments_(world_),
+        : world_(std::move(world)), graph_(*frame::visibilityGraph(world_)), dynamicsBuilder_(world_),
           planner_(world_), renderer_(device), target_(*gpu::RenderTarget::create(device, width, height)) {
         EXPECT_TRUE(renderer_.upload(frame::buildScene(world_, planner_.pieces())));
     }
@@ -71,7 +71,7 @@ public:
 
 private:
     void draw(const frame::FrameView& view, double seconds) {
-        motion::MomentInput input;
+        motion::DynamicStateInput input;
         input.seconds = seconds;
         input.allDoors = 0.5 + 0.5 * std::sin(seconds);
         input.rain = view.view.root == world::kOutside;
@@ -79,17 +79,17 @@ private:
         input.right = view.view.right;
         input.up = view.view.up;
         input.forward = view.view.forward;
-        moments_.at(input, moment_);
-        visibility::flood(graph_, moment_.closed, view.view, {}, scratch_, visible_);
-        planner_.plan(view, moment_, visible_, plan_);
+        dynamicsBuilder_.at(input, dynamics_);
+        visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_);
+        planner_.plan(view, dynamics_, visible_, plan_);
         for (const bool ids : {false, true})
             EXPECT_TRUE(renderer_.render(plan_, target_, {.wantIds = ids}));
     }
 
     const world::World world_;
     const visibility::Graph graph_;
-    motion::Moments moments_;
-    world::Moment moment_;
+    motion::DynamicStateBuilder dynamicsBuilder_;
+    world::DynamicState dynamics_;
     visibility::FloodScratch scratch_;
     visibility::VisibleSet visible_;
     frame::Planner planner_;

@@ -1,5 +1,5 @@
 // What must hold for any ray.
-#include "reference/MomentBuilder.h"
+#include "reference/DynamicStateMaker.h"
 
 #include <random>
 #include <rapidcheck/gtest.h>
@@ -63,8 +63,8 @@ RC_GTEST_PROP(ReferenceProperty, wholeLandblocksAwayTheAnswersAreTheSame, (unsig
         const Answer x = a.trace(ray.root, ray.eye, ray.direction),
                      y = b.trace(ray.root, ray.eye, ray.direction);
         // How the ground is cut into triangles depends on the block; what it is does not.
-        const bool ground = x.id > 1 && a.kindOf(x.id) == world::Kind::Terrain;
-        const bool agree = ground ? y.id > 1 && b.kindOf(y.id) == world::Kind::Terrain : x.id == y.id;
+        const bool ground = x.id > 1 && a.kindOf(x.id) == world::InstanceKind::Terrain;
+        const bool agree = ground ? y.id > 1 && b.kindOf(y.id) == world::InstanceKind::Terrain : x.id == y.id;
         RC_ASSERT(agree);
         RC_ASSERT(x.space == y.space);
         RC_ASSERT(x.spacesVisited == y.spacesVisited);

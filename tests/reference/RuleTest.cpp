@@ -111,7 +111,7 @@ TEST(Rule, terrainRunsThroughACellarUnseen) {
     EXPECT_NEAR(down.t, 5.5, kExact) << "the cellar's floor, not the ground";
     const Answer outside = traced.trace(world::kOutside, {93, 83, 2.5}, {0, 0, -1});
     EXPECT_NEAR(outside.t, 0.5, kExact);
-    EXPECT_EQ(traced.kindOf(outside.id), world::Kind::Terrain);
+    EXPECT_EQ(traced.kindOf(outside.id), world::InstanceKind::Terrain);
 }
 
 TEST(Rule, terrainIsMetFromAboveOnly) {
@@ -137,7 +137,7 @@ TEST(Rule, backFacesAreNotMetAndTwoSidedOnesAreFromBothSides) {
     const world::SpaceIndex room = traced.space(source.id(cell));
     const Answer front = traced.trace(room, {0.5, 2, 12}, {1, 0, 0});
     EXPECT_NEAR(front.t, 2.5, kExact);
-    EXPECT_EQ(traced.kindOf(front.id), world::Kind::Static);
+    EXPECT_EQ(traced.kindOf(front.id), world::InstanceKind::Static);
     const Answer fromWithin = traced.trace(room, {4, 2, 12}, {1, 0, 0});
     EXPECT_NEAR(fromWithin.t, 3.0, 1e-6) << "out through the block's back face to the leaf";
     const Answer otherSide = traced.trace(room, {7.5, 2, 12}, {-1, 0, 0});
@@ -162,7 +162,7 @@ TEST(Rule, aRayThatComesBackOutsideMeetsWhatIsBeyondTheLastPortal) {
         EXPECT_TRUE(answer.reachedOutside);
         if (north) {
             EXPECT_NEAR(answer.t, 26.0, 1e-6) << "the red panel beyond the door";
-            EXPECT_EQ(traced.kindOf(answer.id), world::Kind::Static);
+            EXPECT_EQ(traced.kindOf(answer.id), world::InstanceKind::Static);
         } else {
             EXPECT_EQ(answer.id, 1u) << "nothing stands in the south";
         }
@@ -172,7 +172,7 @@ TEST(Rule, aRayThatComesBackOutsideMeetsWhatIsBeyondTheLastPortal) {
     EXPECT_TRUE(within.reachedOutside);
     const Answer wall = traced.trace(world::kOutside, {91, 70, 1.5}, {0, 1, 0});
     EXPECT_NEAR(wall.t, 10.0, kExact);
-    EXPECT_EQ(traced.kindOf(wall.id), world::Kind::Exterior);
+    EXPECT_EQ(traced.kindOf(wall.id), world::InstanceKind::Exterior);
 }
 
 TEST(Rule, nothingIsAHoleInACellAndTheSkyOutside) {

@@ -4,8 +4,8 @@
 #include "reference/Picture.h"
 
 #include "demo/Demo.h"
-#include "motion/Moments.h"
-#include "reference/MomentBuilder.h"
+#include "motion/DynamicStateBuilder.h"
+#include "reference/DynamicStateMaker.h"
 #include "reference/TracedWorld.h"
 #include "world/Places.h"
 
@@ -31,7 +31,7 @@ bool isOf(const world::World& world, std::span<const world::Instance> instances,
     });
 }
 
-void compare(const reference::Scene& scene, const world::World& world, const world::Moment& moment,
+void compare(const reference::Scene& scene, const world::World& world, const world::DynamicState& dynamics,
              const Camera& camera, Seen& seen) {
     reference::Picture picture;
     reference::tracePicture(scene, camera, 1, picture);
@@ -42,7 +42,7 @@ void compare(const reference::Scene& scene, const world::World& world, const wor
             ++seen.rays;
             seen.deep += alone.spacesVisited > 2 ? 1 : 0;
             seen.layered += alone.layers.count > 0 ? 1 : 0;
-            seen.moving += isOf(world, moment.instances, alone.id) ? 1 : 0;
+            seen.moving += isOf(world, dynamics.instances, alone.id) ? 1 : 0;
             seen.sky += alone.id == 1 ? 1 : 0;
             if (same(alone, shared) || seen.wrong++ > 0)
                 continue;
@@ -124,25 +124,25 @@ Vec2 randomPlace(std::mt19937& random) {
                         : Vec2(randomBetween(random, -0.5, 0.5), randomBetween(random, -0.5, 0.5));
 }
 
-Seen compareAllOver(const world::World& world, int views, unsigned seed, bool withMoments) {
+Seen compareAllOver(const world::World& world, int views, unsigned seed, bool withDynamics) {
     reference::Scene scene(world);
-    motion::Moments moments(world);
+    motion::DynamicStateBuilder dynamicsBuilder(world);
     std::mt19937 random(seed);
     Seen seen;
     for (int i = 0; i < views; ++i) {
         Camera camera = randomCamera(world, random);
-        world::Moment moment;
-        if (withMoments) {
-            motion::MomentInput input;
+        world::DynamicState dynamics;
+        if (withDynamics) {
+            motion::DynamicStateInput input;
             input.seconds = randomBetween(random, 0, 100);
             input.allDoors = random() % 2 ? 0.0 : randomBetween(random, 0, 1);
             input.rain = random() % 2 == 0;
             input.eye = camera.eye;
-            moments.at(input, moment);
-            scene.setMoment(moment);
+            dynamicsBuilder.at(input, dynamics);
+            scene.setDynamics(dynamics);
         }
         camera.place = randomPlace(random);
-        compare(scene, world, moment, camera, seen);
+        compare(scene, world, dynamics, camera, seen);
     }
     return seen;
 }
@@ -206,11 +206,11 @@ TEST(Tile, aPaneInAShutOpeningCountsThoughABoardLiesATenthOfAMillimetreBeforeIt)
     TracedWorld traced(rooms.world);
     const world::SpaceIndex west = traced.space(rooms.world.id(rooms.west)),
                             east = traced.space(rooms.world.id(rooms.east));
-    MomentBuilder moment(traced.world());
-    moment.add(staticOf(traced.world(), pane), {4, 2, 11}, {west, east}, world::Kind::Filling);
-    moment.shut(traced.world().spaces[west].firstPortal);
-    const world::Moment shut = moment.build();
-    traced.scene().setMoment(shut);
+    DynamicStateMaker dynamics(traced.world());
+    dynamics.add(staticOf(traced.world(), pane), {4, 2, 11}, {west, east}, world::InstanceKind::Filling);
+    dynamics.shut(traced.world().spaces[west].firstPortal);
+    const world::DynamicState shut = dynamics.build();
+    traced.scene().setDynamics(shut);
     Seen seen;
     const Camera camera = looking(traced.origin() + Vec3(1, 2, 11), {1, 0, 0}, 0.0, 0.1, west);
     compare(traced.scene(), traced.world(), shut, camera, seen);

@@ -1,5 +1,5 @@
 // The tolerances that are part of the rule (docs/ray-rule.md), each from both sides of its bound.
-#include "reference/MomentBuilder.h"
+#include "reference/DynamicStateMaker.h"
 
 namespace limen::test {
 namespace {
@@ -21,9 +21,9 @@ struct Doorway : ::testing::Test {
     }
     /// What a ray along ±x meets with a panel at x that is a member of one room only.
     Answer withPanel(double x, world::SpaceIndex member, world::SpaceIndex root, std::uint32_t& panelId) {
-        MomentBuilder moment(traced->world());
-        panelId = moment.add(staticOf(traced->world(), model), {x, 2, 11}, {member});
-        traced->scene().setMoment(moment.build());
+        DynamicStateMaker dynamics(traced->world());
+        panelId = dynamics.add(staticOf(traced->world(), model), {x, 2, 11}, {member});
+        traced->scene().setDynamics(dynamics.build());
         return root == west ? traced->trace(west, {1, 2, 11}, {1, 0, 0})
                             : traced->trace(east, {7, 2, 11}, {-1, 0, 0});
     }
@@ -127,9 +127,9 @@ TEST_F(Doorway, farFromThePlaneASurfaceIsMetInItsOwnSpaceOnly) {
 }
 
 TEST_F(Doorway, theToleranceIsMeasuredAcrossThePlaneNotAlongTheRay) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t id = moment.add(staticOf(traced->world(), model), {4.0001, 2, 11}, {west});
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t id = dynamics.add(staticOf(traced->world(), model), {4.0001, 2, 11}, {west});
+    traced->scene().setDynamics(dynamics.build());
     // Slanting by 0.02, the ray is 5 mm beyond the plane, counted along itself, when it meets the panel.
     const Answer answer = traced->trace(west, {3.99, 1.6, 11}, {0.02, 1, 0});
     EXPECT_EQ(answer.id, id);
@@ -138,10 +138,11 @@ TEST_F(Doorway, theToleranceIsMeasuredAcrossThePlaneNotAlongTheRay) {
 
 TEST_F(Doorway, ofTwoSurfacesInThePlaneTheNearerIsMet) {
     for (const double first : {-0.0001, 0.0001}) {
-        MomentBuilder moment(traced->world());
-        const std::uint32_t mine = moment.add(staticOf(traced->world(), model), {4 + first, 2, 11}, {west});
-        const std::uint32_t theirs = moment.add(staticOf(traced->world(), model), {4 - first, 2, 11}, {east});
-        traced->scene().setMoment(moment.build());
+        DynamicStateMaker dynamics(traced->world());
+        const std::uint32_t mine = dynamics.add(staticOf(traced->world(), model), {4 + first, 2, 11}, {west});
+        const std::uint32_t theirs =
+            dynamics.add(staticOf(traced->world(), model), {4 - first, 2, 11}, {east});
+        traced->scene().setDynamics(dynamics.build());
         EXPECT_EQ(traced->trace(west, {1, 2, 11}, {1, 0, 0}).id, first < 0 ? mine : theirs);
     }
 }

@@ -50,10 +50,10 @@ public:
         }
         return world::kNone;
     }
-    [[nodiscard]] world::Kind kindOf(std::uint32_t id) const {
+    [[nodiscard]] world::InstanceKind kindOf(std::uint32_t id) const {
         const world::InstanceIndex i = instanceOf(id);
         EXPECT_NE(i, world::kNone) << "id " << id << " is nobody's";
-        return i == world::kNone ? world::Kind::Sky : world_.instances[i].kind;
+        return i == world::kNone ? world::InstanceKind::Sky : world_.instances[i].kind;
     }
     /// True if the id is of the shell of that cell.
     [[nodiscard]] bool isShell(std::uint32_t id, world::SpaceIndex cell) const {

@@ -23,8 +23,8 @@ struct DoorView : ::testing::Test {
         set = floodOnce(world.build(), view);
         cones.prepare(view, set, kPixel);
     }
-    [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& ball) const {
-        const SeenBall seen = cones.ballOf(ball);
+    [[nodiscard]] Containment classify(std::uint32_t visit, const Sphere& sphere) const {
+        const SeenSphere seen = cones.sphereOf(sphere);
         return cones.classify(visit, seen);
     }
     View view;
@@ -57,7 +57,7 @@ TEST_F(DoorView, ABallBehindTheDoorIsInsideTheSecondVisitOnlyIfWhollyFramed) {
 TEST_F(DoorView, ABallLiesToARectangleAsToARegion) {
     const FourEdges left = cones.edgesOf({-1, -1, 0, 1});
     const auto at = [&](const Vec3& centre) {
-        return Viewcones::classify(left, cones.ballOf({centre, 0.5}));
+        return Viewcones::classify(left, cones.sphereOf({centre, 0.5}));
     };
     EXPECT_EQ(at({-4, 10, 0}), Containment::Inside);
     EXPECT_EQ(at({-0.4, 10, 0}), Containment::Partial);
@@ -69,18 +69,18 @@ TEST_F(DoorView, ABallLiesToARectangleAsToARegion) {
 /// Balls in arrays, as many as a block has, told from `origin`.
 struct Block {
     explicit Block(const Vec3& from) : origin(from) {}
-    void set(std::size_t i, const Sphere& ball) {
-        balls[i] = ball;
-        const Vec3f offset(ball.centre - origin);
+    void set(std::size_t i, const Sphere& sphere) {
+        spheres[i] = sphere;
+        const Vec3f offset(sphere.centre - origin);
         x[i] = offset.x;
         y[i] = offset.y;
         z[i] = offset.z;
-        radius[i] = static_cast<float>(ball.radius);
+        radius[i] = static_cast<float>(sphere.radius);
     }
-    [[nodiscard]] BallBlock view() const { return {x.data(), y.data(), z.data(), radius.data()}; }
+    [[nodiscard]] SphereBatch view() const { return {x.data(), y.data(), z.data(), radius.data()}; }
     Vec3 origin;
-    std::array<Sphere, BallBlock::kCount> balls; ///< global
-    std::array<float, BallBlock::kCount> x{}, y{}, z{}, radius{};
+    std::array<Sphere, SphereBatch::kCount> spheres; ///< global
+    std::array<float, SphereBatch::kCount> x{}, y{}, z{}, radius{};
 };
 
 /// Looking somewhere from a place whose coordinates floats would round, at balls all around: every fourth just touches an edge
@@ -94,20 +94,20 @@ struct Crowd : ::testing::Test {
         cones.prepare(view, set, kPixel);
         rect = cones.edgesOf({-0.4, -0.9, 0.3, 0.2});
     }
-    double between(double low, double high) { return std::uniform_real_distribution(low, high)(dice); }
-    Sphere ball() { return {{between(-1, 1), between(-1, 1), between(-1, 1)}, between(0.0, 2.0)}; }
+    double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
+    Sphere sphere() { return {{between(-1, 1), between(-1, 1), between(-1, 1)}, between(0.0, 2.0)}; }
     /// Moves it so that, up to roundings, it reaches one of the rectangle's edges and no farther.
-    Sphere atAnEdge(Sphere ball) {
-        const Vec3 edge = rect.edge(std::uniform_int_distribution<std::size_t>(0, 3)(dice));
+    Sphere atAnEdge(Sphere sphere) {
+        const Vec3 edge = rect.edge(std::uniform_int_distribution<std::size_t>(0, 3)(random));
         for (int i = 0; i < 20; ++i) {
-            const SeenBall seen = cones.ballOf(ball);
-            ball.centre -= edge * (glm::dot(edge, ball.centre) + seen.radius + seen.reach);
+            const SeenSphere seen = cones.sphereOf(sphere);
+            sphere.centre -= edge * (glm::dot(edge, sphere.centre) + seen.radius + seen.reach);
         }
-        ball.centre += edge * between(-1e-9, 1e-9);
-        return ball;
+        sphere.centre += edge * between(-1e-9, 1e-9);
+        return sphere;
     }
     const Vec3 eye{19200.1, 7300.7, 84.3};
-    std::mt19937 dice{7};
+    std::mt19937 random{7};
     View view;
     VisibleSet set;
     Viewcones cones;
@@ -125,18 +125,18 @@ TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
     std::size_t seen = 0, within = 0, told = 0, notTold = 0;
     for (std::uint32_t round = 0; round < 5000; ++round) {
         Block block(origin);
-        for (std::size_t i = 0; i < BallBlock::kCount; ++i) {
-            Sphere one = ball();
+        for (std::size_t i = 0; i < SphereBatch::kCount; ++i) {
+            Sphere one = sphere();
             one.centre *= std::pow(10.0, between(0.0, 3.3));
             if (i % 4 == 0 && round % 2 == 0) {
                 one = atAnEdge(one);
             }
             block.set(i, {eye + one.centre, one.radius});
         }
-        const std::uint32_t count = 1 + round % BallBlock::kCount, first = 100 * round;
+        const std::uint32_t count = 1 + round % SphereBatch::kCount, first = 100 * round;
         std::vector<std::uint32_t> expected, expectedWithin;
         for (std::uint32_t i = 0; i < count; ++i) {
-            const SeenBall one = cones.ballOf({block.balls[i].centre - eye, block.balls[i].radius});
+            const SeenSphere one = cones.sphereOf({block.spheres[i].centre - eye, block.spheres[i].radius});
             if (cones.classify(0, one) != Containment::Outside) {
                 expected.push_back(first + i);
                 if (Viewcones::classify(rect, one) != Containment::Outside) {
@@ -148,7 +148,7 @@ TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
         within += expectedWithin.size();
         for (const Viewcones& wide : widths) {
             for (const FourEdges* edges : {static_cast<const FourEdges*>(nullptr), &std::as_const(rect)}) {
-                std::array<std::uint32_t, BallBlock::kCount> found{};
+                std::array<std::uint32_t, SphereBatch::kCount> found{};
                 const std::uint32_t foundCount =
                     wide.listWithin(block.view(), eye - origin, edges, first, count, found.data());
                 if (foundCount == Viewcones::kCannotTell) {

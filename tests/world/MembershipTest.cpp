@@ -13,7 +13,7 @@ using testing::ElementsAre;
 struct Row {
     TestWorld source;
     std::vector<TestWorld::Cell> rooms;
-    std::uint32_t ball = 0;
+    std::uint32_t sphere = 0;
     Row() {
         for (int i = 0; i < 3; ++i)
             rooms.push_back(source.addBox({10.0 + 4 * i, 10, 2}, {14.0 + 4 * i, 14, 5}));
@@ -24,7 +24,7 @@ struct Row {
         const auto door = source.openOutside(rooms[0], rectangle({10, 11.5, 2}, {10, 12.5, 4}));
         source.addBuilding(test::boxExterior({10, 10, 2}, {22, 14, 5}), {door});
         source.setFlatTerrain(source.home(), 1);
-        ball = source.addModel(test::boxExterior({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+        sphere = source.addModel(test::boxExterior({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
     }
 };
 
@@ -39,19 +39,19 @@ std::vector<SpaceIndex> membersOf(const World& world, Kind kind) {
 
 TEST(Membership, anObjectAwayFromPortalsIsInItsSpaceAlone) {
     Row row;
-    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({16, 12, 3}));
+    row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({16, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u));
 }
 
 TEST(Membership, anObjectInADoorwayIsInBothSpacesPlacedFirst) {
     Row row;
-    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({14.1, 12, 3}));
+    row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u, 1u));
 }
 
 TEST(Membership, aWallStopsAnObjectThatPokesThroughIt) {
     Row row;
-    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({14.1, 13.5, 3}));
+    row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 13.5, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(2u));
 }
 
@@ -64,14 +64,14 @@ TEST(Membership, reachesAreFollowedTransitively) {
 
 TEST(Membership, outdoorObjectsReachIn) {
     Row row;
-    row.source.addObject(row.ball, test::frameAt({9.9, 12, 3}));
+    row.source.addObject(row.sphere, test::frameAt({9.9, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(0u, 1u));
 }
 
 TEST(Membership, partsOfOneObjectShareTheWholesReach) {
     Row row;
     dat::Setup setup;
-    setup.parts = {row.ball, row.ball};
+    setup.parts = {row.sphere, row.sphere};
     dat::AnimationFrame pose;
     pose.parts = {test::frameAt({0, 0, 0}), test::frameAt({1.5, 0, 0})};
     setup.placementFrames = {{0x65, pose}};
@@ -98,7 +98,7 @@ TEST(Membership, shellsTerrainAndExteriorsAreNeverMembersElsewhere) {
 
 TEST(Membership, everySpaceListsItsMembersShellFirst) {
     Row row;
-    row.source.addStatic(row.rooms[1], row.ball, test::frameAt({14.1, 12, 3}));
+    row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 12, 3}));
     const World world = test::loadTestWorld(row.source);
     std::size_t listed = 0;
     for (SpaceIndex s = 0; s < world.spaces.size(); ++s) {
@@ -128,7 +128,7 @@ std::uint32_t addLamp(TestWorld& source, std::uint32_t model, float range, std::
 
 TEST(Lights, lightTheRoomsTheyReachThroughDoors) {
     Row row;
-    row.source.addStatic(row.rooms[1], addLamp(row.source, row.ball, 3.0f), test::frameAt({15, 12, 3}));
+    row.source.addStatic(row.rooms[1], addLamp(row.source, row.sphere, 3.0f), test::frameAt({15, 12, 3}));
     const World world = test::loadTestWorld(row.source);
     const auto count = [&](SpaceIndex s) { return world.lightSets[world.spaces[s].lightSet].lightCount; };
     EXPECT_EQ(count(1), 1u) << "one metre from the door";
@@ -143,8 +143,8 @@ TEST(Lights, lightTheRoomsTheyReachThroughDoors) {
 
 TEST(Lights, shineThroughDoorsInStraightLinesOnly) {
     Row row;
-    row.source.addStatic(row.rooms[0], addLamp(row.source, row.ball, 6.0f), test::frameAt({13, 12, 3}));
-    row.source.addStatic(row.rooms[0], addLamp(row.source, row.ball, 6.0f), test::frameAt({13, 13.5, 3}));
+    row.source.addStatic(row.rooms[0], addLamp(row.source, row.sphere, 6.0f), test::frameAt({13, 12, 3}));
+    row.source.addStatic(row.rooms[0], addLamp(row.source, row.sphere, 6.0f), test::frameAt({13, 13.5, 3}));
     const World world = test::loadTestWorld(row.source);
     const auto count = [&](SpaceIndex s) { return world.lightSets[world.spaces[s].lightSet].lightCount; };
     EXPECT_EQ(count(1), 2u);
@@ -157,7 +157,7 @@ TEST(Lights, shineThroughDoorsInStraightLinesOnly) {
 
 TEST(Lights, inADoorwayLightBothRooms) {
     Row row;
-    row.source.addStatic(row.rooms[1], addLamp(row.source, row.ball, 3.0f), test::frameAt({14, 12, 3}));
+    row.source.addStatic(row.rooms[1], addLamp(row.source, row.sphere, 3.0f), test::frameAt({14, 12, 3}));
     const World world = test::loadTestWorld(row.source);
     EXPECT_EQ(world.lightSets[world.spaces[1].lightSet].lightCount, 1u);
     EXPECT_EQ(world.lightSets[world.spaces[2].lightSet].lightCount, 1u);
@@ -166,7 +166,7 @@ TEST(Lights, inADoorwayLightBothRooms) {
 TEST(Lights, theEightStrongestAreKeptBrightestFirst) {
     Row row;
     for (std::uint32_t i = 0; i < 12; ++i)
-        row.source.addStatic(row.rooms[1], addLamp(row.source, row.ball, 3.0f, 0xFF000000u | (i * 20)),
+        row.source.addStatic(row.rooms[1], addLamp(row.source, row.sphere, 3.0f, 0xFF000000u | (i * 20)),
                              test::frameAt({16, 13, 3}));
     const World world = test::loadTestWorld(row.source);
     const LightSet& set = world.lightSets[world.spaces[2].lightSet];

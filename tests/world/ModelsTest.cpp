@@ -44,8 +44,8 @@ Ids idsOf(const std::vector<ModelPart>& parts) {
     return ids;
 }
 
-std::vector<Reach> reachesOf(const std::vector<ModelPart>& parts) {
-    std::vector<Reach> reaches;
+std::vector<LevelRange> levelRangesOf(const std::vector<ModelPart>& parts) {
+    std::vector<LevelRange> reaches;
     for (const ModelPart& part : parts)
         reaches.push_back(part.reach);
     return reaches;
@@ -55,9 +55,9 @@ TEST(Models, takeEachLevelOfDetailUpToItsGreatestDistance) {
     Levels levels({{kSecond, kMesh, 0, 10, 20}, {kThird, kMesh, 20, 30, 40.03f}, {0, kMesh, 40, 50, 60}});
     const Model model = levels.model(levels.setup);
     EXPECT_EQ(idsOf(model.parts), (Ids{kSecond, kSecond})) << "the first part from nearby, and the second";
-    EXPECT_EQ(reachesOf(model.parts), (std::vector<Reach>{{0, 20 * 16}, {}}));
+    EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 20 * 16}, {}}));
     EXPECT_EQ(idsOf(model.farther), Ids{kThird});
-    EXPECT_EQ(reachesOf(model.farther), (std::vector<Reach>{{20 * 16, 40 * 16}}))
+    EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{20 * 16, 40 * 16}}))
         << "to the nearest sixteenth";
 }
 
@@ -69,10 +69,10 @@ TEST(Models, boundWhatIsSeenFromFarAwayToo) {
 TEST(Models, changeLevelsSoMuchFartherAwayAsDetailSays) {
     Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kMesh, 0, 0, 9}});
     const Model finer = levels.model(levels.first, 2.5);
-    EXPECT_EQ(reachesOf(finer.parts), (std::vector<Reach>{{0, 200}}));
-    EXPECT_EQ(reachesOf(finer.farther), (std::vector<Reach>{{200, 360}}));
+    EXPECT_EQ(levelRangesOf(finer.parts), (std::vector<LevelRange>{{0, 200}}));
+    EXPECT_EQ(levelRangesOf(finer.farther), (std::vector<LevelRange>{{200, 360}}));
     const Model finest = levels.model(levels.first, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(reachesOf(finest.parts), std::vector<Reach>(1));
+    EXPECT_EQ(levelRangesOf(finest.parts), std::vector<LevelRange>(1));
     EXPECT_EQ(idsOf(finest.farther), Ids{});
 }
 
@@ -80,8 +80,8 @@ TEST(Models, keepAMeshWhereASpriteWouldTakeItsPlace) {
     Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kSprite, 0, 0, 9}, {kSecond, kMesh, 0, 0, 11}});
     const Model model = levels.model(levels.first);
     EXPECT_EQ(idsOf(model.parts), Ids{levels.first});
-    EXPECT_EQ(reachesOf(model.parts), (std::vector<Reach>{{0, 9 * 16}}));
-    EXPECT_EQ(reachesOf(model.farther), (std::vector<Reach>{{9 * 16, 11 * 16}}));
+    EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 9 * 16}}));
+    EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{9 * 16, 11 * 16}}));
 }
 
 TEST(Models, leaveOutPartsThatShowNothingFromNearby) {
@@ -103,9 +103,9 @@ TEST(Models, copeWithDistancesThatAreNone) {
                    {kThird, kMesh, 0, 0, none},
                    {kSecond, kMesh, 0, 0, 90}});
     const Model model = levels.model(levels.first);
-    EXPECT_EQ(reachesOf(model.parts), (std::vector<Reach>{{0, 160}}));
+    EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 160}}));
     EXPECT_EQ(idsOf(model.farther), Ids{kThird});
-    EXPECT_EQ(reachesOf(model.farther), (std::vector<Reach>{{160, Reach::kEndless}}));
+    EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{160, LevelRange::kEndless}}));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // Hard cases 18 and 23 of docs/cases.md: weather follows the player; all else follows the eye.
-#include "app/MomentInput.h"
+#include "app/DynamicStateInput.h"
 #include "motion/Locate.h"
 #include "support/MovingHut.h"
 
@@ -23,53 +23,53 @@ struct HutWorld {
     }
 };
 
-TEST(MomentInput, case18_itRainsExactlyWhileThePlayerIsOutside) {
+TEST(DynamicStateInput, case18_itRainsExactlyWhileThePlayerIsOutside) {
     const HutWorld f;
     ASSERT_NE(f.eye(f.inside, f.inside).root, world::kOutside);
     for (const Vec3& eye : {f.inside, f.outside}) {
-        EXPECT_TRUE(momentInput(f.world, f.eye(eye, f.outside)).rain);
-        EXPECT_FALSE(momentInput(f.world, f.eye(eye, f.inside)).rain);
-        EXPECT_FALSE(momentInput(f.world, f.eye(eye, f.outside, Weather::Clear)).rain);
+        EXPECT_TRUE(dynamicsInput(f.world, f.eye(eye, f.outside)).rain);
+        EXPECT_FALSE(dynamicsInput(f.world, f.eye(eye, f.inside)).rain);
+        EXPECT_FALSE(dynamicsInput(f.world, f.eye(eye, f.outside, Weather::Clear)).rain);
     }
 }
 
-TEST(MomentInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOutside) {
+TEST(DynamicStateInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOutside) {
     HutWorld f;
-    EXPECT_FALSE(momentInput(f.world, f.eye(f.outside, f.outside)).weather) << "there is none";
+    EXPECT_FALSE(dynamicsInput(f.world, f.eye(f.outside, f.outside)).weather) << "there is none";
     f.world.sky.weather.resize(1);
     for (const Vec3& at : {f.inside, f.outside}) {
         FrameEye eye = f.eye(at, f.outside, Weather::Clear);
         eye.dayGroup = 2;
         eye.time = 0.25;
-        const auto hour = momentInput(f.world, eye).weather;
+        const auto hour = dynamicsInput(f.world, eye).weather;
         ASSERT_TRUE(hour);
         EXPECT_EQ(hour->dayGroup, 2u);
         EXPECT_EQ(hour->time, 0.25);
-        EXPECT_FALSE(momentInput(f.world, f.eye(at, f.inside)).weather);
+        EXPECT_FALSE(dynamicsInput(f.world, f.eye(at, f.inside)).weather);
     }
 }
 
-TEST(MomentInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
+TEST(DynamicStateInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
     const HutWorld f;
     FrameEye eye = f.eye(f.inside, f.inside);
     eye.root = world::kOutside; // as an explicit root says, whatever the position says
-    EXPECT_TRUE(momentInput(f.world, eye).rain);
+    EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
 }
 
-TEST(MomentInput, case18_aBodyIsInTheSpaceItSays) {
+TEST(DynamicStateInput, case18_aBodyIsInTheSpaceItSays) {
     const HutWorld f;
     FrameEye eye = f.eye(f.outside, f.outside);
     eye.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
-    EXPECT_FALSE(momentInput(f.world, eye).rain) << "the body is inside, whatever else is said";
-    EXPECT_EQ(momentInput(f.world, eye).player, eye.body);
+    EXPECT_FALSE(dynamicsInput(f.world, eye).rain) << "the body is inside, whatever else is said";
+    EXPECT_EQ(dynamicsInput(f.world, eye).player, eye.body);
     eye.body->space = world::kOutside; // as in a cave whose cells are nowhere by their place
-    EXPECT_TRUE(momentInput(f.world, eye).rain);
+    EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
 }
 
-TEST(MomentInput, case23_nothingButTheWeatherDependsOnThePlayer) {
+TEST(DynamicStateInput, case23_nothingButTheWeatherDependsOnThePlayer) {
     const HutWorld f;
-    const motion::MomentInput in = momentInput(f.world, f.eye(f.outside, f.inside, Weather::Clear)),
-                              out = momentInput(f.world, f.eye(f.outside, f.outside, Weather::Clear));
+    const motion::DynamicStateInput in = dynamicsInput(f.world, f.eye(f.outside, f.inside, Weather::Clear)),
+                                    out = dynamicsInput(f.world, f.eye(f.outside, f.outside, Weather::Clear));
     EXPECT_EQ(in.seconds, out.seconds);
     EXPECT_EQ(in.eye, out.eye);
     EXPECT_EQ(in.right, out.right);

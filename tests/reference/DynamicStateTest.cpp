@@ -1,5 +1,5 @@
 // What changes from moment to moment: shut openings and their fillings, moving things, and what is translucent.
-#include "reference/MomentBuilder.h"
+#include "reference/DynamicStateMaker.h"
 
 #include <set>
 
@@ -47,9 +47,10 @@ struct Door : ::testing::Test {
         return staticOf(traced->world(), model);
     }
     /// Shuts the door; yields the leaf's idBase.
-    std::uint32_t shutDoor(MomentBuilder& moment) const {
-        const std::uint32_t leaf = moment.add(like(leafModel), Vec3(0.0), {west, east}, world::Kind::Filling);
-        moment.shut(portal);
+    std::uint32_t shutDoor(DynamicStateMaker& dynamics) const {
+        const std::uint32_t leaf =
+            dynamics.add(like(leafModel), Vec3(0.0), {west, east}, world::InstanceKind::Filling);
+        dynamics.shut(portal);
         return leaf;
     }
     [[nodiscard]] Answer eastward(double y = 2, double z = 11) const {
@@ -59,24 +60,24 @@ struct Door : ::testing::Test {
 };
 
 TEST_F(Door, aShutOpeningShowsItsFillingFromBothSidesAndOpensAgain) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t leaf = shutDoor(moment);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t leaf = shutDoor(dynamics);
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().id, leaf) << "the side that looks west";
     EXPECT_NEAR(eastward().t, 3.0, 1e-9);
     EXPECT_EQ(eastward().space, west);
     EXPECT_EQ(eastward().spacesVisited, 1u);
     EXPECT_EQ(westward().id, leaf + 1) << "the side that looks east";
     EXPECT_NEAR(westward().t, 3.0, 1e-9);
-    traced->scene().setMoment({});
+    traced->scene().setDynamics({});
     EXPECT_EQ(eastward().space, east);
     EXPECT_EQ(westward().space, west);
 }
 
 TEST_F(Door, theWholeOpeningIsShutRimIncluded) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t leaf = shutDoor(moment);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t leaf = shutDoor(dynamics);
+    traced->scene().setDynamics(dynamics.build());
     for (const double inward : {0.0, 1e-12, 1e-9, 1e-6, 1e-3}) {
         for (const Vec2& at : {Vec2(1.5 + inward, 11), Vec2(2.5 - inward, 11), Vec2(2, 12 - inward)}) {
             const Answer answer = eastward(at.x, at.y);
@@ -88,20 +89,22 @@ TEST_F(Door, theWholeOpeningIsShutRimIncluded) {
 }
 
 TEST_F(Door, aLeafSmallerThanItsOpeningLeavesNoGap) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t small = moment.add(like(panelModel), {4, 2, 11}, {west, east}, world::Kind::Filling);
-    moment.shut(portal);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t small =
+        dynamics.add(like(panelModel), {4, 2, 11}, {west, east}, world::InstanceKind::Filling);
+    dynamics.shut(portal);
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward(1.6, 10.1).id, small) << "where the leaf has no triangle";
     EXPECT_EQ(eastward(2, 11).id, small);
     EXPECT_EQ(westward().id, small + 1);
 }
 
 TEST_F(Door, ofALeafOfSeveralPolygonsTheOneThatTheRayMeetsIsShown) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t boards = moment.add(like(boardsModel), Vec3(0.0), {west, east}, world::Kind::Filling);
-    moment.shut(portal);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t boards =
+        dynamics.add(like(boardsModel), Vec3(0.0), {west, east}, world::InstanceKind::Filling);
+    dynamics.shut(portal);
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward(2, 10.2).id, boards);
     EXPECT_EQ(eastward(2, 11).id, boards + 1);
     EXPECT_TRUE(westward().id == boards || westward().id == boards + 1)
@@ -112,26 +115,26 @@ TEST_F(Door, theFillingComesFirstOfWhatLiesInItsPlane) {
     for (const auto& [off, wins] :
          {std::pair(-0.00015, true), {0.0, true}, {0.00015, true}, {-0.0005, false}}) {
         SCOPED_TRACE(off);
-        MomentBuilder moment(traced->world());
-        const std::uint32_t other = moment.add(like(panelModel), {4 + off, 2, 11}, {west});
-        const std::uint32_t leaf = shutDoor(moment);
-        traced->scene().setMoment(moment.build());
+        DynamicStateMaker dynamics(traced->world());
+        const std::uint32_t other = dynamics.add(like(panelModel), {4 + off, 2, 11}, {west});
+        const std::uint32_t leaf = shutDoor(dynamics);
+        traced->scene().setDynamics(dynamics.build());
         EXPECT_EQ(eastward().id, wins ? leaf : other);
     }
 }
 
 TEST_F(Door, aShutOpeningWithoutASurfaceIsAHole) {
-    MomentBuilder moment(traced->world());
-    moment.shut(portal, false);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    dynamics.shut(portal, false);
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().id, 0u);
     EXPECT_TRUE(std::isnan(eastward().t));
 }
 
 TEST_F(Door, aShutOpeningNearerThanTheNearPlaneLetsNothingThrough) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t leaf = shutDoor(moment);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t leaf = shutDoor(dynamics);
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(traced->trace(west, {3.979, 2, 11}, {1, 0, 0}).id, leaf);
     for (const double x : {3.99, 3.9999, 4.0, 4.0001}) {
         const Answer answer = traced->trace(west, {x, 2, 11}, {1, 0, 0});
@@ -143,29 +146,29 @@ TEST_F(Door, aShutOpeningNearerThanTheNearPlaneLetsNothingThrough) {
 }
 
 TEST_F(Door, movingThingsAreMetInEverySpaceTheyAreMembersOfAndInNoOther) {
-    MomentBuilder moment(traced->world());
+    DynamicStateMaker dynamics(traced->world());
     const world::SpaceIndex store_ = traced->space(rooms.world.id(store));
-    const std::uint32_t both = moment.add(like(panelModel), {3, 2, 11}, {west, east});
-    const std::uint32_t westOnly = moment.add(like(panelModel), {5, 2, 11}, {west});
-    moment.add(like(panelModel), {2, 2, 11}, {store_});
-    traced->scene().setMoment(moment.build());
+    const std::uint32_t both = dynamics.add(like(panelModel), {3, 2, 11}, {west, east});
+    const std::uint32_t westOnly = dynamics.add(like(panelModel), {5, 2, 11}, {west});
+    dynamics.add(like(panelModel), {2, 2, 11}, {store_});
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().id, both);
     EXPECT_NEAR(eastward().t, 2.0, 1e-6);
     // From the east: through the door and then the panel that is both rooms'; the one at 5 m is the west's alone.
     EXPECT_EQ(westward().id, both + 1);
     EXPECT_NEAR(westward().t, 4.0, 1e-6);
     EXPECT_NE(westward().id, westOnly + 1);
-    traced->scene().setMoment({});
+    traced->scene().setDynamics({});
     EXPECT_NEAR(westward().t, 7.0, 1e-9) << "gone with its moment";
 }
 
 TEST_F(Door, ofTwoSurfacesInOnePlaceTheLowerIdIsMetWhateverTheirOrder) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t lower = moment.add(like(panelModel), {3, 2, 11}, {west});
-    moment.add(like(panelModel), {3, 2, 11}, {west});
-    world::Moment both = moment.build();
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t lower = dynamics.add(like(panelModel), {3, 2, 11}, {west});
+    dynamics.add(like(panelModel), {3, 2, 11}, {west});
+    world::DynamicState both = dynamics.build();
     for (int order = 0; order < 2; ++order) {
-        traced->scene().setMoment(both);
+        traced->scene().setDynamics(both);
         EXPECT_EQ(eastward().id, lower);
         EXPECT_EQ(eastward(2.1, 10.9).id, lower);
         std::swap(both.instances[0].idBase, both.instances[1].idBase);
@@ -173,28 +176,28 @@ TEST_F(Door, ofTwoSurfacesInOnePlaceTheLowerIdIsMetWhateverTheirOrder) {
 }
 
 TEST_F(Door, movingThingsInASpaceButOutsideItsWallsAreMetWhereTheyAre) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t both = moment.add(like(panelModel), {5, 2, 11}, {west, east});
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t both = dynamics.add(like(panelModel), {5, 2, 11}, {west, east});
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().id, both);
     EXPECT_EQ(eastward().space, east) << "met beyond the door";
     EXPECT_EQ(eastward().spacesVisited, 2u);
 }
 
 TEST_F(Door, translucentPolygonsInFrontOfTheEndAreCountedOnceEach) {
-    MomentBuilder moment(traced->world());
+    DynamicStateMaker dynamics(traced->world());
     std::set<std::uint32_t> expected;
     for (const double x : {2.0, 2.5})
-        expected.insert(moment.add(like(paneModel), {x, 2, 11}, {west}));
-    expected.insert(moment.add(like(paneModel), {6, 2, 11}, {east}));
+        expected.insert(dynamics.add(like(paneModel), {x, 2, 11}, {west}));
+    expected.insert(dynamics.add(like(paneModel), {6, 2, 11}, {east}));
     expected.insert(
-        moment.add(like(paneModel), {4, 2, 11}, {west, east})); // in the plane: both rooms have it
-    moment.add(like(paneModel), {9, 2, 11}, {east});            // behind the end
-    moment.add(like(paneModel), {5, 2, 11}, {west});            // the ray is in the east by then
-    moment.add(like(paneModel), {3, 2, 11}, {east});            // and not there yet
-    moment.add(like(paneModel), {1.01, 2, 11}, {west});         // before the near plane
-    moment.add(like(paneModel), {3, 3.5, 11}, {west});          // beside the ray
-    traced->scene().setMoment(moment.build());
+        dynamics.add(like(paneModel), {4, 2, 11}, {west, east})); // in the plane: both rooms have it
+    dynamics.add(like(paneModel), {9, 2, 11}, {east});            // behind the end
+    dynamics.add(like(paneModel), {5, 2, 11}, {west});            // the ray is in the east by then
+    dynamics.add(like(paneModel), {3, 2, 11}, {east});            // and not there yet
+    dynamics.add(like(paneModel), {1.01, 2, 11}, {west});         // before the near plane
+    dynamics.add(like(paneModel), {3, 3.5, 11}, {west});          // beside the ray
+    traced->scene().setDynamics(dynamics.build());
     std::uint32_t hash = 0;
     for (const std::uint32_t id : expected)
         hash += layerHash(id);
@@ -207,21 +210,21 @@ TEST_F(Door, translucentPolygonsInFrontOfTheEndAreCountedOnceEach) {
 }
 
 TEST_F(Door, aShutOpeningHidesTheLayersBehindIt) {
-    MomentBuilder moment(traced->world());
-    const std::uint32_t before = moment.add(like(paneModel), {2, 2, 11}, {west});
-    moment.add(like(paneModel), {6, 2, 11}, {east});
-    moment.add(like(paneModel), {4, 2, 11}, {west, east}); // in its plane, where the filling comes first
-    shutDoor(moment);
-    traced->scene().setMoment(moment.build());
+    DynamicStateMaker dynamics(traced->world());
+    const std::uint32_t before = dynamics.add(like(paneModel), {2, 2, 11}, {west});
+    dynamics.add(like(paneModel), {6, 2, 11}, {east});
+    dynamics.add(like(paneModel), {4, 2, 11}, {west, east}); // in its plane, where the filling comes first
+    shutDoor(dynamics);
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().layers, (reference::Layers{1, layerHash(before)}));
 }
 
 TEST_F(Door, manyLayersAreAllCounted) {
-    MomentBuilder moment(traced->world());
+    DynamicStateMaker dynamics(traced->world());
     std::uint32_t hash = 0;
     for (int i = 0; i < 100; ++i)
-        hash += layerHash(moment.add(like(paneModel), {1.2 + i * 0.02, 2, 11}, {west}));
-    traced->scene().setMoment(moment.build());
+        hash += layerHash(dynamics.add(like(paneModel), {1.2 + i * 0.02, 2, 11}, {west}));
+    traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().layers, (reference::Layers{100, hash}));
 }
 
@@ -270,9 +273,9 @@ TEST(Zones, movingObjectsGoByZoneAsWell) {
         TracedWorld traced(rooms.world, {.radius = 1}, {.objectsByZone = byZone});
         const world::SpaceIndex west = traced.space(rooms.world.id(rooms.west)),
                                 east = traced.space(rooms.world.id(rooms.east));
-        MomentBuilder moment(traced.world());
-        const std::uint32_t id = moment.add(staticOf(traced.world(), model), {4.1, 0.4, 12.6}, {west});
-        traced.scene().setMoment(moment.build());
+        DynamicStateMaker dynamics(traced.world());
+        const std::uint32_t id = dynamics.add(staticOf(traced.world(), model), {4.1, 0.4, 12.6}, {west});
+        traced.scene().setDynamics(dynamics.build());
         const Answer answer = traced.trace(east, {7, 0.4, 12.6}, {-1, 0, 0});
         EXPECT_EQ(answer.id == id + 1, byZone);
         EXPECT_NEAR(answer.t, byZone ? 2.9 : 3.0, 1e-6);

@@ -18,7 +18,7 @@ using Values = std::array<float, Count>;
 
 /// What balls are asked.
 struct Question {
-    float slack, slackShare, pixels; ///< as SeenBall's slack and reach are made
+    float slack, slackShare, pixels; ///< as SeenSphere's slack and reach are made
     const FourEdges* edges;          ///< of the root's region
     std::uint32_t edgesCount;
     const FourEdges* rect; ///< null: none
@@ -30,38 +30,39 @@ struct Listing {
     std::uint32_t* out;
 };
 
-/// Of SeenBall; `far` is the radius and the reach.
+/// Of SeenSphere; `far` is the radius and the reach.
 template <std::size_t Count>
-struct Balls {
+struct Spheres {
     Values<Count> x, y, z, slack, far;
 };
 
-/// `Block`: FewBalls or BallBlock. `eye`: from where the balls are told from.
+/// `Block`: FewSpheres or SphereBatch. `eye`: from where the balls are told from.
 template <class Block, class Coordinate, std::size_t Count>
-[[gnu::always_inline]] inline void readBalls(const Question& asked, const Block& block,
-                                             const std::array<Coordinate, 3>& eye, Balls<Count>& balls) {
+[[gnu::always_inline]] inline void readSpheres(const Question& asked, const Block& block,
+                                               const std::array<Coordinate, 3>& eye,
+                                               Spheres<Count>& spheres) {
     for (std::size_t i = 0; i < Count; ++i) {
-        balls.x[i] = static_cast<float>(block.x[i] - eye[0]);
-        balls.y[i] = static_cast<float>(block.y[i] - eye[1]);
-        balls.z[i] = static_cast<float>(block.z[i] - eye[2]);
+        spheres.x[i] = static_cast<float>(block.x[i] - eye[0]);
+        spheres.y[i] = static_cast<float>(block.y[i] - eye[1]);
+        spheres.z[i] = static_cast<float>(block.z[i] - eye[2]);
     }
     // No array is copied as it is: that is done in other pieces than vectors, which then wait for it.
     for (std::size_t i = 0; i < Count; ++i) {
-        const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
+        const float x = spheres.x[i], y = spheres.y[i], z = spheres.z[i];
         const float radius = static_cast<float>(block.radius[i]);
         const float distance = std::sqrt(x * x + y * y + z * z) + radius;
         const float slack = asked.slack + asked.slackShare * distance;
-        balls.slack[i] = slack;
-        balls.far[i] = radius + (slack + asked.pixels * distance);
+        spheres.slack[i] = slack;
+        spheres.far[i] = radius + (slack + asked.pixels * distance);
     }
 }
 
 /// From each centre to the plane that it lies farthest outside of, or least far inside: what is less than it was.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void lessen(Values<Count>& least, const FourEdges::Floats& edges,
-                                          const Balls<Count>& balls) {
+                                          const Spheres<Count>& spheres) {
     for (std::size_t i = 0; i < Count; ++i) {
-        const float x = balls.x[i], y = balls.y[i], z = balls.z[i];
+        const float x = spheres.x[i], y = spheres.y[i], z = spheres.z[i];
         const float a = edges.x[0] * x + edges.y[0] * y + edges.z[0] * z;
         const float b = edges.x[1] * x + edges.y[1] * y + edges.z[1] * z;
         const float c = edges.x[2] * x + edges.y[2] * y + edges.z[2] * z;
@@ -73,21 +74,21 @@ template <std::size_t Count>
 }
 
 template <std::size_t Count>
-[[gnu::always_inline]] inline void leastOf(const Question& asked, const Balls<Count>& balls,
+[[gnu::always_inline]] inline void leastOf(const Question& asked, const Spheres<Count>& spheres,
                                            Values<Count>& least) {
     for (std::size_t i = 0; i < Count; ++i) {
         least[i] = std::numeric_limits<float>::infinity();
     }
     for (std::uint32_t e = 0; e < asked.edgesCount; ++e) {
-        lessen(least, asked.edges[e].floats(), balls);
+        lessen(least, asked.edges[e].floats(), spheres);
     }
     if (asked.rect != nullptr) {
-        lessen(least, asked.rect->floats(), balls);
+        lessen(least, asked.rect->floats(), spheres);
     }
 }
 
 /// Of a number that comes of a ball some fourteen roundings, each of 2^-24 of what is no more than its distance and reach, make less
-/// than half of its slack. What a BallBlock rounds before makes 0.2 mm along each axis for the ball and as much for the eye: no more than 0.7 mm,
+/// than half of its slack. What a SphereBatch rounds before makes 0.2 mm along each axis for the ball and as much for the eye: no more than 0.7 mm,
 /// of the other half, 2 mm and more. What is nearer to 0 than its slack floats cannot tell from it.
 template <std::size_t Count>
 [[gnu::always_inline]] inline int countDoubtful(const Values<Count>& values, const Values<Count>& slack) {
@@ -109,16 +110,17 @@ struct Sides {
 
 /// Of so many of a block, from one on. As many as a vector has, so that nothing need be put down in between.
 template <std::size_t Count>
-[[gnu::always_inline]] inline void tellSides(const Question& asked, const BallBlock& block, std::size_t at,
+[[gnu::always_inline]] inline void tellSides(const Question& asked, const SphereBatch& block, std::size_t at,
                                              const std::array<float, 3>& eye, Sides<Count>& sides) {
-    Balls<Count> balls;
+    Spheres<Count> spheres;
     Values<Count> least;
-    readBalls(asked, BallBlock{block.x + at, block.y + at, block.z + at, block.radius + at}, eye, balls);
-    leastOf(asked, balls, least);
+    readSpheres(asked, SphereBatch{block.x + at, block.y + at, block.z + at, block.radius + at}, eye,
+                spheres);
+    leastOf(asked, spheres, least);
     for (std::size_t i = 0; i < Count; ++i) {
-        const float within = least[i] + balls.far[i];
+        const float within = least[i] + spheres.far[i];
         sides.within[i] = within;
-        sides.doubt[i] = balls.slack[i] - std::abs(within);
+        sides.doubt[i] = spheres.slack[i] - std::abs(within);
     }
 }
 
@@ -126,12 +128,12 @@ Bits bitsOfThoseListed(const Listing& listing) {
     return ~Bits{0} >> (32 - listing.count);
 }
 
-std::uint32_t listByAny(const Question& asked, const BallBlock& block, const std::array<float, 3>& eye,
+std::uint32_t listByAny(const Question& asked, const SphereBatch& block, const std::array<float, 3>& eye,
                         const Listing& listing) {
-    Sides<BallBlock::kCount> sides;
+    Sides<SphereBatch::kCount> sides;
     tellSides(asked, block, 0, eye, sides);
     int doubtful = 0;
-    for (std::uint32_t i = 0; i < BallBlock::kCount; ++i) {
+    for (std::uint32_t i = 0; i < SphereBatch::kCount; ++i) {
         doubtful += sides.doubt[i] > 0.0f && i < listing.count ? 1 : 0;
     }
     // What is found is written either way, and counts or does not: nobody can foretell.
@@ -159,12 +161,12 @@ constexpr std::array<std::uint64_t, 256> numbersOfBits() {
 }
 constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
 
-[[gnu::target("avx2,popcnt")]] std::uint32_t listByAvx2(const Question& asked, const BallBlock& block,
+[[gnu::target("avx2,popcnt")]] std::uint32_t listByAvx2(const Question& asked, const SphereBatch& block,
                                                         const std::array<float, 3>& eye,
                                                         const Listing& listing) {
     constexpr std::uint32_t kLanes = 8;
     Bits doubtful = 0, outside = 0;
-    for (std::uint32_t at = 0; at < BallBlock::kCount; at += kLanes) {
+    for (std::uint32_t at = 0; at < SphereBatch::kCount; at += kLanes) {
         Sides<kLanes> sides;
         tellSides(asked, block, at, eye, sides);
         const __m256 isDoubtful =
@@ -179,7 +181,7 @@ constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
     }
     const Bits inside = ~outside & listed;
     std::uint32_t found = 0;
-    for (std::uint32_t at = 0; at < BallBlock::kCount; at += kLanes) {
+    for (std::uint32_t at = 0; at < SphereBatch::kCount; at += kLanes) {
         const Bits bits = inside >> at & 0xFF;
         const __m256i first = _mm256_set1_epi32(static_cast<int>(listing.first + at));
         const __m128i numbers = _mm_cvtsi64_si128(static_cast<long long>(kNumbersOfBits[bits]));
@@ -191,9 +193,9 @@ constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
 }
 
 [[gnu::target("avx512f,avx512vl,avx512dq,popcnt")]] std::uint32_t
-listByAvx512(const Question& asked, const BallBlock& block, const std::array<float, 3>& eye,
+listByAvx512(const Question& asked, const SphereBatch& block, const std::array<float, 3>& eye,
              const Listing& listing) {
-    Sides<BallBlock::kCount> sides;
+    Sides<SphereBatch::kCount> sides;
     tellSides(asked, block, 0, eye, sides);
     const auto listed = static_cast<__mmask16>(bitsOfThoseListed(listing));
     const __m512 within = _mm512_loadu_ps(sides.within.data());
@@ -225,7 +227,7 @@ Vectors widestVectors() {
     return Vectors::Any;
 }
 
-std::uint32_t Viewcones::listWithin(const BallBlock& block, const Vec3& eye, const FourEdges* rect,
+std::uint32_t Viewcones::listWithin(const SphereBatch& block, const Vec3& eye, const FourEdges* rect,
                                     std::uint32_t first, std::uint32_t count, std::uint32_t* out) const {
     const Question asked{static_cast<float>(kSlack),       static_cast<float>(kSlackShare),
                          static_cast<float>(2.0 * pixel_), edges_.data() + cones_.front().firstEdges,
@@ -245,20 +247,20 @@ std::uint32_t Viewcones::listWithin(const BallBlock& block, const Vec3& eye, con
     }
 }
 
-std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewBalls& block,
+std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewSpheres& block,
                                                                 const Vec3& eye) const {
     const Question asked{static_cast<float>(kSlack),       static_cast<float>(kSlackShare),
                          static_cast<float>(2.0 * pixel_), edges_.data() + cones_.front().firstEdges,
                          cones_.front().edgesCount,        nullptr};
-    Balls<kFew> balls;
+    Spheres<kFew> spheres;
     Values<kFew> least, within, beyond;
-    readBalls(asked, block, std::array{eye.x, eye.y, eye.z}, balls);
-    leastOf(asked, balls, least);
+    readSpheres(asked, block, std::array{eye.x, eye.y, eye.z}, spheres);
+    leastOf(asked, spheres, least);
     for (std::size_t i = 0; i < kFew; ++i) {
-        within[i] = least[i] + balls.far[i];
-        beyond[i] = least[i] - balls.far[i];
+        within[i] = least[i] + spheres.far[i];
+        beyond[i] = least[i] - spheres.far[i];
     }
-    if (countDoubtful(within, balls.slack) + countDoubtful(beyond, balls.slack) > 0) {
+    if (countDoubtful(within, spheres.slack) + countDoubtful(beyond, spheres.slack) > 0) {
         return classifyOneByOne(block, eye);
     }
     std::array<Containment, kFew> found;
@@ -268,12 +270,12 @@ std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewBalls& 
     return found;
 }
 
-std::array<Containment, Viewcones::kFew> Viewcones::classifyOneByOne(const FewBalls& block,
+std::array<Containment, Viewcones::kFew> Viewcones::classifyOneByOne(const FewSpheres& block,
                                                                      const Vec3& eye) const {
     std::array<Containment, kFew> found;
     for (std::size_t i = 0; i < kFew; ++i) {
-        const SeenBall ball = ballOf({Vec3(block.x[i], block.y[i], block.z[i]) - eye, block.radius[i]});
-        found[i] = classifyOnScreen(cones_.front(), ball);
+        const SeenSphere sphere = sphereOf({Vec3(block.x[i], block.y[i], block.z[i]) - eye, block.radius[i]});
+        found[i] = classifyOnScreen(cones_.front(), sphere);
     }
     return found;
 }

@@ -1,4 +1,4 @@
-#include "world/Reach.h"
+#include "world/LevelRange.h"
 
 #include "world/World.h"
 
@@ -9,34 +9,34 @@ namespace limen::world {
 namespace {
 
 std::int64_t stepsOf(double metres) {
-    return static_cast<std::int64_t>(std::floor(metres * kReachSteps));
+    return static_cast<std::int64_t>(std::floor(metres * kRangeSteps));
 }
 
 std::int64_t localSteps(float metres) {
-    constexpr double kMost = static_cast<double>(kMostLocalSteps) / kReachSteps;
+    constexpr double kMost = static_cast<double>(kMostLocalSteps) / kRangeSteps;
     return stepsOf(std::clamp(static_cast<double>(metres), -kMost, kMost));
 }
 
 std::uint32_t squareOf(std::int64_t steps) {
-    const auto most = static_cast<std::int64_t>(kMostReachSteps);
+    const auto most = static_cast<std::int64_t>(kMostRangeSteps);
     const auto away = static_cast<std::uint32_t>(std::min(std::abs(steps), most));
     return away * away;
 }
 
 } // namespace
 
-std::uint16_t reachLimit(double metres) {
-    const double steps = std::round(metres * kReachSteps);
-    if (!(steps <= kMostReachSteps)) // NaN, too
-        return Reach::kEndless;
+std::uint16_t levelRangeLimit(double metres) {
+    const double steps = std::round(metres * kRangeSteps);
+    if (!(steps <= kMostRangeSteps)) // NaN, too
+        return LevelRange::kEndless;
     return static_cast<std::uint16_t>(std::max(steps, 0.0));
 }
 
-ReachSteps reachStepsOf(const Vec3& global) {
+RangeSteps rangeStepsOf(const Vec3& global) {
     return {stepsOf(global.x), stepsOf(global.y), stepsOf(global.z)};
 }
 
-bool isInReach(const World& world, const Instance& instance, const ReachSteps& eye) {
+bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye) {
     if (instance.reach.isEndless())
         return true;
     const Vec3 block = world.blocks[instance.block].origin(); // whole metres

@@ -11,9 +11,9 @@ namespace limen::world {
 /// Things that were made, by what they were made from, up to a number of bytes: what was asked for longest ago goes first. Whoever
 /// has one keeps it, in here or not. Safe to use from several threads.
 template <class Key, class Value>
-class KeptByUse {
+class LruCache {
 public:
-    explicit KeptByUse(std::size_t mostBytes) : mostBytes_(mostBytes) {}
+    explicit LruCache(std::size_t mostBytes) : mostBytes_(mostBytes) {}
 
     /// Null if it is not here.
     [[nodiscard]] std::shared_ptr<const Value> find(const Key& key) {

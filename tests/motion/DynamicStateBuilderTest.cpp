@@ -1,4 +1,4 @@
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include "support/MovingHut.h"
 #include "world/Loader.h"
@@ -21,64 +21,64 @@ struct Fixture {
     world::World world = hut.load();
     SpaceIndex front = world::findCell(world, hut.source.id(hut.front)),
                rear = world::findCell(world, hut.source.id(hut.rear));
-    Moments moments{world};
-    world::Moment moment;
+    DynamicStateBuilder dynamicsBuilder{world};
+    world::DynamicState dynamics;
 
     void at(double seconds, std::optional<double> doors, bool rain = false) {
-        MomentInput input;
+        DynamicStateInput input;
         input.seconds = seconds;
         input.allDoors = doors;
         input.rain = rain;
         input.eye = hut.at({12, 12, 3.7});
-        moments.at(input, moment);
+        dynamicsBuilder.at(input, dynamics);
     }
     [[nodiscard]] std::vector<world::Instance> of(std::uint32_t record) const {
         std::vector<world::Instance> found;
-        for (const world::Instance& i : moment.instances) {
+        for (const world::Instance& i : dynamics.instances) {
             if (i.record == record)
                 found.push_back(i);
         }
         return found;
     }
     [[nodiscard]] std::vector<SpaceIndex> membersOf(const world::Instance& i) const {
-        const auto begin = moment.members.begin() + i.firstMember;
+        const auto begin = dynamics.members.begin() + i.firstMember;
         return {begin, begin + i.memberCount};
     }
     [[nodiscard]] Vec3 local(const Vec3& global) const { return global - hut.at(Vec3(0.0)); }
 };
 
-TEST(Moments, closedOpaqueDoorsShutBothWays) {
+TEST(DynamicStateBuilder, closedOpaqueDoorsShutBothWays) {
     Fixture f;
     f.at(0, 0.0);
     const auto& doors = f.world.doors;
     for (const std::size_t door : {0u, 1u}) {
-        EXPECT_TRUE(f.moment.isClosed(doors[door].portal));
-        EXPECT_TRUE(f.moment.isClosed(doors[door].reciprocal));
-        const world::InstanceIndex filling = f.moment.fillings[doors[door].portal];
+        EXPECT_TRUE(f.dynamics.isClosed(doors[door].portal));
+        EXPECT_TRUE(f.dynamics.isClosed(doors[door].reciprocal));
+        const world::InstanceIndex filling = f.dynamics.fillings[doors[door].portal];
         ASSERT_NE(filling, world::kNone);
-        EXPECT_EQ(f.moment.instances[filling].kind, world::Kind::Filling);
-        EXPECT_EQ(f.moment.fillings[doors[door].reciprocal], filling);
+        EXPECT_EQ(f.dynamics.instances[filling].kind, world::InstanceKind::Filling);
+        EXPECT_EQ(f.dynamics.fillings[doors[door].reciprocal], filling);
     }
-    EXPECT_FALSE(f.moment.isClosed(doors[2].portal)) << "glass";
+    EXPECT_FALSE(f.dynamics.isClosed(doors[2].portal)) << "glass";
     f.at(0, 0.001);
-    EXPECT_FALSE(f.moment.isClosed(doors[0].portal)) << "shut only when exactly closed";
-    EXPECT_EQ(f.moment.fillings[doors[0].portal], world::kNone);
+    EXPECT_FALSE(f.dynamics.isClosed(doors[0].portal)) << "shut only when exactly closed";
+    EXPECT_EQ(f.dynamics.fillings[doors[0].portal], world::kNone);
 }
 
-TEST(Moments, doorsRestAsTheWorldFileSaysUnlessTold) {
+TEST(DynamicStateBuilder, doorsRestAsTheWorldFileSaysUnlessTold) {
     Fixture f;
     f.at(0, std::nullopt);
-    EXPECT_TRUE(f.moment.isClosed(f.world.doors[0].portal)) << "open: 0";
-    EXPECT_FALSE(f.moment.isClosed(f.world.doors[1].portal)) << "open: 0.5";
-    MomentInput input;
+    EXPECT_TRUE(f.dynamics.isClosed(f.world.doors[0].portal)) << "open: 0";
+    EXPECT_FALSE(f.dynamics.isClosed(f.world.doors[1].portal)) << "open: 0.5";
+    DynamicStateInput input;
     const double told[] = {1.0, 0.0};
     input.doors = told;
-    f.moments.at(input, f.moment);
-    EXPECT_FALSE(f.moment.isClosed(f.world.doors[0].portal));
-    EXPECT_TRUE(f.moment.isClosed(f.world.doors[1].portal));
+    f.dynamicsBuilder.at(input, f.dynamics);
+    EXPECT_FALSE(f.dynamics.isClosed(f.world.doors[0].portal));
+    EXPECT_TRUE(f.dynamics.isClosed(f.world.doors[1].portal));
 }
 
-TEST(Moments, leavesTurnAboutTheirHingesAndBelongToBothSides) {
+TEST(DynamicStateBuilder, leavesTurnAboutTheirHingesAndBelongToBothSides) {
     Fixture f;
     f.at(0, 0.0);
     auto leaves = f.of(f.hut.leaf);
@@ -98,7 +98,7 @@ TEST(Moments, leavesTurnAboutTheirHingesAndBelongToBothSides) {
     EXPECT_NEAR(f.local(leaves[1].bounds.centre).x, 14.5, 1e-6);
 }
 
-TEST(Moments, aClosedDoorStopsMembership) {
+TEST(DynamicStateBuilder, aClosedDoorStopsMembership) {
     Fixture f;
     f.at(0, 1.0);
     ASSERT_EQ(f.of(f.hut.table).size(), 1u);
@@ -107,10 +107,10 @@ TEST(Moments, aClosedDoorStopsMembership) {
     EXPECT_THAT(f.membersOf(f.of(f.hut.table)[0]), ElementsAre(f.rear));
 }
 
-TEST(Moments, villagersWalkTheirWayThereAndBackThroughSpaces) {
+TEST(DynamicStateBuilder, villagersWalkTheirWayThereAndBackThroughSpaces) {
     Fixture f;
     const world::Villager& anna = f.world.villagers[0];
-    const auto at = [&](double seconds) { return f.moments.standing(anna, seconds); };
+    const auto at = [&](double seconds) { return f.dynamicsBuilder.standing(anna, seconds); };
     EXPECT_EQ(f.local(at(0).position), Vec3(4, 11.5, 2));
     EXPECT_EQ(at(0).space, kOutside);
     EXPECT_NEAR(at(0).yaw, 90.0, 1e-9);
@@ -124,7 +124,7 @@ TEST(Moments, villagersWalkTheirWayThereAndBackThroughSpaces) {
     EXPECT_NEAR(f.local(at(-1).position).x, 5.0, 1e-9) << "before time 0 too";
 }
 
-TEST(Moments, aVillagerInADoorwayBelongsToBothSidesWhileItIsOpen) {
+TEST(DynamicStateBuilder, aVillagerInADoorwayBelongsToBothSidesWhileItIsOpen) {
     Fixture f;
     f.at(6.0, 1.0);
     ASSERT_EQ(f.of(f.hut.body).size(), 1u);
@@ -135,26 +135,26 @@ TEST(Moments, aVillagerInADoorwayBelongsToBothSidesWhileItIsOpen) {
     EXPECT_THAT(f.membersOf(f.of(f.hut.body)[0]), ElementsAre(kOutside));
 }
 
-TEST(Moments, everyInstanceIsListedInAllItsSpacesAndNowhereElse) {
+TEST(DynamicStateBuilder, everyInstanceIsListedInAllItsSpacesAndNowhereElse) {
     Fixture f;
     f.at(6.0, 0.5, true);
-    ASSERT_GT(f.moment.instances.size(), 50u);
-    for (world::InstanceIndex i = 0; i < f.moment.instances.size(); ++i) {
-        const auto members = f.membersOf(f.moment.instances[i]);
-        EXPECT_EQ(members.front(), f.moment.instances[i].placedIn);
+    ASSERT_GT(f.dynamics.instances.size(), 50u);
+    for (world::InstanceIndex i = 0; i < f.dynamics.instances.size(); ++i) {
+        const auto members = f.membersOf(f.dynamics.instances[i]);
+        EXPECT_EQ(members.front(), f.dynamics.instances[i].placedIn);
         for (SpaceIndex s = 0; s < f.world.spaces.size(); ++s) {
-            const auto list = f.moment.instancesIn(s);
+            const auto list = f.dynamics.instancesIn(s);
             EXPECT_EQ(std::count(list.begin(), list.end(), i), std::count(members.begin(), members.end(), s));
         }
     }
 }
 
-TEST(Moments, whatIsListedIsListedWithItsBoundsAndWhetherOtherSpacesListIt) {
+TEST(DynamicStateBuilder, whatIsListedIsListedWithItsBoundsAndWhetherOtherSpacesListIt) {
     Fixture f;
     f.at(6.0, 0.5, true);
-    const world::ListedInstances& listed = f.moment.listed;
+    const world::ListedInstances& listed = f.dynamics.listed;
     for (std::size_t i = 0; i < listed.instance.size(); ++i) {
-        const world::Instance& instance = f.moment.instances[listed.instance[i]];
+        const world::Instance& instance = f.dynamics.instances[listed.instance[i]];
         const Vec3 centre = listed.origin + Vec3(listed.x[i], listed.y[i], listed.z[i]);
         EXPECT_LT(glm::length(centre - instance.bounds.centre), 2e-4);
         EXPECT_EQ(listed.radius[i], static_cast<float>(instance.bounds.radius));
@@ -165,17 +165,17 @@ TEST(Moments, whatIsListedIsListedWithItsBoundsAndWhetherOtherSpacesListIt) {
     EXPECT_EQ(listed.radius.size(), listed.instance.size() + world::ListedInstances::kSpare);
 }
 
-TEST(Moments, whatLiesTooFarFromTheRestToBeToldInFloatsIsSaid) {
+TEST(DynamicStateBuilder, whatLiesTooFarFromTheRestToBeToldInFloatsIsSaid) {
     const auto listedWith = [](const Vec3& centre, double radius) {
-        world::Moment moment;
+        world::DynamicState dynamics;
         world::Instance instance;
         instance.bounds = {{1e4, 2e4, 30.0}, 1.0};
         instance.setMembers(0, 1);
-        moment.members.push_back(world::kOutside);
-        moment.instances.assign(2, instance);
-        moment.instances[1].bounds = {centre, radius};
-        world::listBySpace(1, moment);
-        return moment.listed.areFar;
+        dynamics.members.push_back(world::kOutside);
+        dynamics.instances.assign(2, instance);
+        dynamics.instances[1].bounds = {centre, radius};
+        world::listBySpace(1, dynamics);
+        return dynamics.listed.areFar;
     };
     constexpr double kMost = world::ListedInstances::kMostOffset;
     EXPECT_FALSE(listedWith({1e4 + kMost - 1.0, 2e4, 30.0}, 1.0));
@@ -185,12 +185,12 @@ TEST(Moments, whatLiesTooFarFromTheRestToBeToldInFloatsIsSaid) {
     EXPECT_TRUE(listedWith({1e4, std::numeric_limits<double>::quiet_NaN(), 30.0}, 1.0));
 }
 
-TEST(Moments, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {
+TEST(DynamicStateBuilder, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {
     Fixture f;
     const auto spritesIn = [&](SpaceIndex space) {
-        const auto list = f.moment.instancesIn(space);
+        const auto list = f.dynamics.instancesIn(space);
         return std::count_if(list.begin(), list.end(),
-                             [&](auto i) { return f.moment.instances[i].record == 0; });
+                             [&](auto i) { return f.dynamics.instances[i].record == 0; });
     };
     f.at(5.7, 1.0); // the lantern is in the doorway
     EXPECT_GT(spritesIn(f.front), 0);
@@ -200,71 +200,71 @@ TEST(Moments, spritesDriftThroughOpenDoorsAndNotThroughClosedOnes) {
     EXPECT_EQ(spritesIn(kOutside), 20) << "two emitters, 5 a second for 2 seconds";
 }
 
-TEST(Moments, rainBelongsToTheOutsideAloneAndFallsAroundTheEye) {
+TEST(DynamicStateBuilder, rainBelongsToTheOutsideAloneAndFallsAroundTheEye) {
     Fixture f;
     f.at(0.0, 1.0);
-    const std::size_t dry = f.moment.instances.size();
+    const std::size_t dry = f.dynamics.instances.size();
     f.at(0.0, 1.0, true);
-    ASSERT_GT(f.moment.instances.size(), dry + 100);
+    ASSERT_GT(f.dynamics.instances.size(), dry + 100);
     double before = 0.0;
-    for (std::size_t i = dry; i < f.moment.instances.size(); ++i) {
-        EXPECT_THAT(f.membersOf(f.moment.instances[i]), ElementsAre(kOutside));
-        const Vec3 offset = f.moment.instances[i].bounds.centre - f.hut.at({12, 12, 3.7});
+    for (std::size_t i = dry; i < f.dynamics.instances.size(); ++i) {
+        EXPECT_THAT(f.membersOf(f.dynamics.instances[i]), ElementsAre(kOutside));
+        const Vec3 offset = f.dynamics.instances[i].bounds.centre - f.hut.at({12, 12, 3.7});
         EXPECT_LT(std::max(std::abs(offset.x), std::abs(offset.y)), 13.0);
         before += offset.z;
     }
     f.at(0.01, 1.0, true);
     double after = 0.0;
-    for (std::size_t i = dry; i < f.moment.instances.size(); ++i)
-        after += f.moment.instances[i].bounds.centre.z - f.hut.at({12, 12, 3.7}).z;
+    for (std::size_t i = dry; i < f.dynamics.instances.size(); ++i)
+        after += f.dynamics.instances[i].bounds.centre.z - f.hut.at({12, 12, 3.7}).z;
     EXPECT_NE(before, after);
 }
 
-TEST(Moments, areListedTheSameWhateverWasListedBefore) {
+TEST(DynamicStateBuilder, areListedTheSameWhateverWasListedBefore) {
     Fixture f;
     f.at(6.3, 0.5);
-    const world::ListedInstances first = f.moment.listed;
+    const world::ListedInstances first = f.dynamics.listed;
     f.at(6.3, 0.5, true); // many more
     f.at(6.3, 0.5);
-    EXPECT_EQ(first, f.moment.listed);
+    EXPECT_EQ(first, f.dynamics.listed);
 }
 
-TEST(Moments, areAPureFunctionOfTheirInput) {
+TEST(DynamicStateBuilder, areAPureFunctionOfTheirInput) {
     Fixture f;
     f.at(6.3, 0.5, true);
-    const world::Moment first = f.moment;
+    const world::DynamicState first = f.dynamics;
     f.at(100.0, 0.0);
     f.at(6.3, 0.5, true);
-    ASSERT_EQ(first.instances.size(), f.moment.instances.size());
+    ASSERT_EQ(first.instances.size(), f.dynamics.instances.size());
     for (std::size_t i = 0; i < first.instances.size(); ++i) {
-        EXPECT_EQ(first.instances[i].origin, f.moment.instances[i].origin);
-        EXPECT_EQ(first.instances[i].linear, f.moment.instances[i].linear);
-        EXPECT_EQ(first.instances[i].idBase, f.moment.instances[i].idBase);
+        EXPECT_EQ(first.instances[i].origin, f.dynamics.instances[i].origin);
+        EXPECT_EQ(first.instances[i].linear, f.dynamics.instances[i].linear);
+        EXPECT_EQ(first.instances[i].idBase, f.dynamics.instances[i].idBase);
     }
-    EXPECT_EQ(first.members, f.moment.members);
-    EXPECT_EQ(first.listed, f.moment.listed);
-    EXPECT_EQ(first.closed, f.moment.closed);
+    EXPECT_EQ(first.members, f.dynamics.members);
+    EXPECT_EQ(first.listed, f.dynamics.listed);
+    EXPECT_EQ(first.closed, f.dynamics.closed);
 }
 
-TEST(Moments, aWorldWithoutMovingThingsHasAnEmptyOne) {
+TEST(DynamicStateBuilder, aWorldWithoutMovingThingsHasAnEmptyOne) {
     test::MovingHut hut;
     hut.moving = {};
     hut.source.omitRegion();
     const world::World world = hut.load();
-    Moments moments(world);
-    world::Moment moment;
-    moments.at({}, moment);
-    EXPECT_TRUE(moment.instances.empty() && moment.closed.empty() && moment.firstInSpace.empty());
+    DynamicStateBuilder dynamicsBuilder(world);
+    world::DynamicState dynamics;
+    dynamicsBuilder.at({}, dynamics);
+    EXPECT_TRUE(dynamics.instances.empty() && dynamics.closed.empty() && dynamics.firstInSpace.empty());
 }
 
-TEST(Moments, thePlayersBodyIsThereWhenItIsSaidTo) {
+TEST(DynamicStateBuilder, thePlayersBodyIsThereWhenItIsSaidTo) {
     Fixture f;
-    MomentInput input;
+    DynamicStateInput input;
     input.allDoors = 1.0;
-    f.moments.at(input, f.moment);
+    f.dynamicsBuilder.at(input, f.dynamics);
     const std::size_t before = f.of(f.hut.body).size(); // the villager
     input.player = PlayerBody{f.hut.at({16, 12.5, 2}), 90.0, f.rear, 1.0};
-    f.moments.at(input, f.moment);
+    f.dynamicsBuilder.at(input, f.dynamics);
     const std::vector<world::Instance> bodies = f.of(f.hut.body);
     ASSERT_EQ(bodies.size(), before + 1);
     const world::Instance& player = bodies.back();
@@ -276,15 +276,15 @@ TEST(Moments, thePlayersBodyIsThereWhenItIsSaidTo) {
         0u);
     EXPECT_EQ(player.opacity, 1.0f);
     input.player->opacity = 0.0;
-    f.moments.at(input, f.moment);
+    f.dynamicsBuilder.at(input, f.dynamics);
     EXPECT_EQ(f.of(f.hut.body).size(), before) << "not seen";
 }
 
-TEST(Moments, aFadedBodyIsGlass) {
+TEST(DynamicStateBuilder, aFadedBodyIsGlass) {
     Fixture f;
-    MomentInput input;
+    DynamicStateInput input;
     input.player = PlayerBody{f.hut.at({16, 12.5, 2}), 0.0, f.rear, 0.25};
-    f.moments.at(input, f.moment);
+    f.dynamicsBuilder.at(input, f.dynamics);
     const world::Instance ghost = f.of(f.hut.body).back();
     const auto& ranges = f.world.meshes[ghost.mesh].ranges;
     EXPECT_EQ(ghost.opacity, 0.25f);
@@ -295,13 +295,13 @@ TEST(Moments, aFadedBodyIsGlass) {
     EXPECT_EQ(material.flags & world::Material::kSplit, 0u);
 }
 
-TEST(Moments, thePlayersBodyIsInEverySpaceItReaches) {
+TEST(DynamicStateBuilder, thePlayersBodyIsInEverySpaceItReaches) {
     Fixture f;
-    MomentInput input;
+    DynamicStateInput input;
     for (const double doors : {1.0, 0.0}) {
         input.allDoors = doors;
         input.player = PlayerBody{f.hut.at({10.2, 11.5, 2}), 0.0, f.front, 1.0};
-        f.moments.at(input, f.moment);
+        f.dynamicsBuilder.at(input, f.dynamics);
         if (doors > 0.0)
             EXPECT_THAT(f.membersOf(f.of(f.hut.body).back()), UnorderedElementsAre(f.front, kOutside));
         else

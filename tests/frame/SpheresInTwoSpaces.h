@@ -9,7 +9,7 @@
 namespace limen::test {
 
 /// Two spaces with balls of all sizes; every ninth is in both, every eleventh in none.
-inline world::World ballsInTwoSpaces(std::uint32_t count, std::uint32_t seed) {
+inline world::World spheresInTwoSpaces(std::uint32_t count, std::uint32_t seed) {
     world::World world;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "app/FrameReport.h"
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 namespace limen::app {
 
 /// What the world is like in a frame: a moment's input, which looks into `eye`. Weather falls while the player is outside.
-[[nodiscard]] motion::MomentInput momentInput(const world::World& world, const FrameEye& eye);
+[[nodiscard]] motion::DynamicStateInput dynamicsInput(const world::World& world, const FrameEye& eye);
 
 } // namespace limen::app

@@ -1,4 +1,4 @@
-#include "app/PortalSights.h"
+#include "app/PortalTraces.h"
 
 #include "app/IdTable.h"
 #include "app/Projection.h"
@@ -40,24 +40,24 @@ const FateFacts& factsOf(PortalFate fate) {
 
 } // namespace
 
-std::vector<PortalSight> portalSights(const visibility::FloodTrace& trace) {
-    std::vector<PortalSight> sights;
+std::vector<PortalTrace> portalTraces(const visibility::FloodTrace& trace) {
+    std::vector<PortalTrace> traces;
     for (const visibility::FloodTrace::Entry& entry : trace.entries)
-        sights.push_back({entry.portal, entry.fate, entry.visit});
-    std::sort(sights.begin(), sights.end(), [](const PortalSight& a, const PortalSight& b) {
+        traces.push_back({entry.portal, entry.fate, entry.visit});
+    std::sort(traces.begin(), traces.end(), [](const PortalTrace& a, const PortalTrace& b) {
         if (a.portal != b.portal)
             return a.portal < b.portal;
         return a.fate != b.fate ? a.fate > b.fate : a.visit < b.visit;
     });
-    const auto sameTwice = [](const PortalSight& a, const PortalSight& b) { return a.portal == b.portal; };
-    sights.erase(std::unique(sights.begin(), sights.end(), sameTwice), sights.end());
-    return sights;
+    const auto sameTwice = [](const PortalTrace& a, const PortalTrace& b) { return a.portal == b.portal; };
+    traces.erase(std::unique(traces.begin(), traces.end(), sameTwice), traces.end());
+    return traces;
 }
 
-std::array<std::size_t, visibility::kPortalFates> countFates(std::span<const PortalSight> sights) {
+std::array<std::size_t, visibility::kPortalFates> countFates(std::span<const PortalTrace> traces) {
     std::array<std::size_t, visibility::kPortalFates> counts{};
-    for (const PortalSight& sight : sights)
-        ++counts[static_cast<std::size_t>(sight.fate)];
+    for (const PortalTrace& trace : traces)
+        ++counts[static_cast<std::size_t>(trace.fate)];
     return counts;
 }
 
@@ -69,25 +69,25 @@ Rgb colourOf(PortalFate fate) {
     return factsOf(fate).colour;
 }
 
-std::string portalLabel(const world::World& world, const PortalSight& sight) {
-    const world::Portal& portal = world.portals[sight.portal];
+std::string portalLabel(const world::World& world, const PortalTrace& trace) {
+    const world::Portal& portal = world.portals[trace.portal];
     const std::string towards =
         portal.destination == world::kNone ? "nothing" : spaceName(world, portal.destination);
     return fmt::format("{} of {} to {}, visit {}", portal.recordIndex, spaceName(world, portal.space),
-                       towards, sight.visit);
+                       towards, trace.visit);
 }
 
-std::vector<PortalLine> portalLines(const world::World& world, std::span<const PortalSight> sights,
+std::vector<PortalLine> portalLines(const world::World& world, std::span<const PortalTrace> traces,
                                     const visibility::View& eye) {
-    std::vector<PortalSight> weakestFirst(sights.begin(), sights.end());
+    std::vector<PortalTrace> weakestFirst(traces.begin(), traces.end());
     std::stable_sort(weakestFirst.begin(), weakestFirst.end(),
-                     [](const PortalSight& a, const PortalSight& b) { return a.fate < b.fate; });
+                     [](const PortalTrace& a, const PortalTrace& b) { return a.fate < b.fate; });
     std::vector<PortalLine> lines;
-    for (const PortalSight& sight : weakestFirst) {
-        const auto corners = cornersOf(world, world.portals[sight.portal]);
+    for (const PortalTrace& trace : weakestFirst) {
+        const auto corners = cornersOf(world, world.portals[trace.portal]);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             if (const auto line = projectLine(corners[i], corners[(i + 1) % corners.size()], eye))
-                lines.push_back({line->first, line->second, sight.fate});
+                lines.push_back({line->first, line->second, trace.fate});
         }
     }
     return lines;

@@ -1,4 +1,4 @@
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include "geometry/Compass.h"
 #include "motion/Locate.h"
@@ -28,23 +28,24 @@ Quat orientationOf(const world::IdleObject& idle, double seconds) {
 
 } // namespace
 
-void Moments::addIdle(double seconds, world::Moment& out) {
+void DynamicStateBuilder::addIdle(double seconds, world::DynamicState& out) {
     for (const world::IdleObject& idle : world_.idleObjects) {
         const Pose pose{glm::mat3_cast(orientationOf(idle, seconds)) * idle.scale, idle.origin};
         const std::size_t first = out.instances.size();
         addBody(idle.body, pose, cyclePoint(world_, idle.body, world::Gait::Stand, 0.0, seconds), idle.space,
                 out);
-        const Sphere& ball = idle.body.bounds;
+        const Sphere& sphere = idle.body.bounds;
         if (idle.isAlone)
             reached_.assign(1, idle.space);
         else
-            membership_.reach(idle.space, {pose.origin + pose.linear * ball.centre, ball.radius * idle.scale},
+            membership_.reach(idle.space,
+                              {pose.origin + pose.linear * sphere.centre, sphere.radius * idle.scale},
                               out.closed, reached_);
         giveMembers(first, out);
     }
 }
 
-CyclePoint Moments::cyclePointOf(const world::ParticleSource& source, double seconds) const {
+CyclePoint DynamicStateBuilder::cyclePointOf(const world::ParticleSource& source, double seconds) const {
     if (source.villager == kNone) {
         if (source.idle == kNone)
             return {source.cycle, seconds}; // what does not move goes through its frames all the same
@@ -55,7 +56,8 @@ CyclePoint Moments::cyclePointOf(const world::ParticleSource& source, double sec
                       villager.start + villager.speed * seconds, seconds);
 }
 
-Moments::Carrier Moments::carrierOf(const world::ParticleSource& source, double seconds) const {
+DynamicStateBuilder::Carrier DynamicStateBuilder::carrierOf(const world::ParticleSource& source,
+                                                            double seconds) const {
     const bool walks = source.villager != kNone;
     if (!walks && source.idle == kNone)
         return {source.at.origin, source.at.orientation, source.space};
@@ -80,7 +82,7 @@ Moments::Carrier Moments::carrierOf(const world::ParticleSource& source, double 
             sweep(world_, carrier.space, carrier.origin, origin)};
 }
 
-std::optional<world::ParticleSource> Moments::timed(const world::ParticleSource& source) const {
+std::optional<world::ParticleSource> DynamicStateBuilder::timed(const world::ParticleSource& source) const {
     world::ParticleSource timed = source;
     if (source.cycle != kNone) {
         // A carrier comes through its cycle evenly.
@@ -98,8 +100,8 @@ std::optional<world::ParticleSource> Moments::timed(const world::ParticleSource&
     return timed;
 }
 
-void Moments::addParticles(const MomentInput& input, const world::ParticleSource& asRead,
-                           world::Moment& out) {
+void DynamicStateBuilder::addParticles(const DynamicStateInput& input, const world::ParticleSource& asRead,
+                                       world::DynamicState& out) {
     const std::optional<world::ParticleSource> source = timed(asRead);
     if (!source)
         return;
@@ -110,8 +112,8 @@ void Moments::addParticles(const MomentInput& input, const world::ParticleSource
         addStarted(input, *source, start, now, out);
 }
 
-void Moments::addStarted(const MomentInput& input, const world::ParticleSource& source, std::int64_t start,
-                         const Carrier& now, world::Moment& out) {
+void DynamicStateBuilder::addStarted(const DynamicStateInput& input, const world::ParticleSource& source,
+                                     std::int64_t start, const Carrier& now, world::DynamicState& out) {
     const world::ParticleStyle& style = world_.particleStyles[source.style];
     const bool isCarried = source.villager != kNone || source.idle != kNone;
     const std::uint32_t block = blockFor(now.origin);
@@ -124,8 +126,9 @@ void Moments::addStarted(const MomentInput& input, const world::ParticleSource& 
                });
 }
 
-void Moments::addParticle(const MomentInput& input, const world::ParticleSource& source, const Carrier& from,
-                          const ParticleState& state, std::uint32_t block, world::Moment& out) {
+void DynamicStateBuilder::addParticle(const DynamicStateInput& input, const world::ParticleSource& source,
+                                      const Carrier& from, const ParticleState& state, std::uint32_t block,
+                                      world::DynamicState& out) {
     const world::ParticleStyle& style = world_.particleStyles[source.style];
     const Vec3 at = from.origin + state.offset;
     world::Instance particle = world_.movingParts[style.part];

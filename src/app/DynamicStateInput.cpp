@@ -1,4 +1,4 @@
-#include "app/MomentInput.h"
+#include "app/DynamicStateInput.h"
 
 #include "motion/Locate.h"
 
@@ -13,9 +13,9 @@ world::SpaceIndex playerSpace(const world::World& world, const FrameEye& eye) {
 
 } // namespace
 
-motion::MomentInput momentInput(const world::World& world, const FrameEye& eye) {
+motion::DynamicStateInput dynamicsInput(const world::World& world, const FrameEye& eye) {
     const visibility::View view = viewOf(eye.camera, eye.size, eye.root);
-    motion::MomentInput input;
+    motion::DynamicStateInput input;
     input.seconds = eye.seconds;
     input.allDoors = eye.doors;
     input.doors = eye.eachDoor;

@@ -46,13 +46,13 @@ struct ListedInstances {
 };
 
 /// What of a world changes from moment to moment: where moving things stand, to which spaces they belong, which
-/// openings are shut. Plain data laid over a World, made by motion/Moments.h; visibility, frame and reference read
+/// openings are shut. Plain data laid over a World, made by motion/DynamicStateBuilder.h; visibility, frame and reference read
 /// the two side by side. A moment of a world in which nothing moves is empty.
 ///
 /// Its instances are complete: a villager's parts, door leaves, the surfaces that fill shut openings, sprites, and
 /// those statics whose membership depends on a door (World::looseInstances; they are in no space's static list).
 /// They are numbered on from World::instances.size(). Reuse it: steady frames allocate nothing.
-struct Moment {
+struct DynamicState {
     std::vector<Instance> instances; ///< firstMember: into `members` below; idBase as in the world: stable
     std::vector<SpaceIndex> members; ///< by instance a run, placedIn first
     std::vector<std::uint32_t> firstInSpace; ///< by space, and one more: runs of `listed`; empty: none
@@ -78,6 +78,6 @@ struct Moment {
 };
 
 /// Lists a moment's instances, as they are now, in the spaces that they are members of, in order. `spaceCount`: of the world.
-void listBySpace(std::size_t spaceCount, Moment& moment);
+void listBySpace(std::size_t spaceCount, DynamicState& dynamics);
 
 } // namespace limen::world

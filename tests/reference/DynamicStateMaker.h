@@ -1,51 +1,51 @@
 #pragma once
 
 #include "reference/TracedWorld.h"
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 
 namespace limen::test {
 
 /// Makes a moment by hand. Its instances borrow the meshes of a world's statics, so a test puts the models it needs into
 /// a closed room far away.
-class MomentBuilder {
+class DynamicStateMaker {
 public:
-    explicit MomentBuilder(const world::World& world) : world_(world), nextId_(world.idEnd) {}
+    explicit DynamicStateMaker(const world::World& world) : world_(world), nextId_(world.idEnd) {}
 
     /// An instance of the mesh of the static whose idBase shows as `like`, at `position` (local to its block), upright.
     /// Yields its idBase.
     std::uint32_t add(world::InstanceIndex like, const Vec3& position, std::vector<world::SpaceIndex> members,
-                      world::Kind kind = world::Kind::Dynamic) {
+                      world::InstanceKind kind = world::InstanceKind::Dynamic) {
         world::Instance instance = world_.instances[like];
         instance.kind = kind;
         instance.linear = glm::mat3(1.0f);
         instance.origin = Vec3f(position);
         instance.bounds = {world_.blocks[instance.block].origin() + position, 100.0};
         instance.placedIn = members.front();
-        instance.setMembers(static_cast<std::uint32_t>(moment_.members.size()), members.size());
+        instance.setMembers(static_cast<std::uint32_t>(dynamics_.members.size()), members.size());
         instance.idBase = nextId_;
         nextId_ += world_.meshes[instance.mesh].polygonCount;
-        moment_.members.insert(moment_.members.end(), members.begin(), members.end());
-        moment_.instances.push_back(instance);
+        dynamics_.members.insert(dynamics_.members.end(), members.begin(), members.end());
+        dynamics_.instances.push_back(instance);
         return instance.idBase;
     }
     /// Shuts both portals of a pair; the last instance added fills them.
     void shut(world::PortalIndex portal, bool filled = true) {
-        moment_.closed.resize(world_.portals.size(), 0);
-        moment_.fillings.resize(world_.portals.size(), world::kNone);
+        dynamics_.closed.resize(world_.portals.size(), 0);
+        dynamics_.fillings.resize(world_.portals.size(), world::kNone);
         for (const world::PortalIndex p : {portal, world_.portals[portal].reciprocal}) {
-            moment_.closed[p] = 1;
-            moment_.fillings[p] =
-                filled ? static_cast<world::InstanceIndex>(moment_.instances.size() - 1) : world::kNone;
+            dynamics_.closed[p] = 1;
+            dynamics_.fillings[p] =
+                filled ? static_cast<world::InstanceIndex>(dynamics_.instances.size() - 1) : world::kNone;
         }
     }
-    [[nodiscard]] world::Moment build() {
-        world::listBySpace(world_.spaces.size(), moment_);
-        return moment_;
+    [[nodiscard]] world::DynamicState build() {
+        world::listBySpace(world_.spaces.size(), dynamics_);
+        return dynamics_;
     }
 
 private:
     const world::World& world_;
-    world::Moment moment_;
+    world::DynamicState dynamics_;
     std::uint32_t nextId_;
 };
 
@@ -64,7 +64,7 @@ private:
 /// The static instance made from a model. One of them must be there.
 [[nodiscard]] inline world::InstanceIndex staticOf(const world::World& world, std::uint32_t model) {
     for (world::InstanceIndex i = 0; i < world.instances.size(); ++i) {
-        if (world.instances[i].record == model && world.instances[i].kind == world::Kind::Static)
+        if (world.instances[i].record == model && world.instances[i].kind == world::InstanceKind::Static)
             return i;
     }
     ADD_FAILURE() << "no static of this model";

@@ -1,4 +1,4 @@
-#include "app/PortalSights.h"
+#include "app/PortalTraces.h"
 
 #include "app/SmallWorld.h"
 #include "visibility/View.h"
@@ -11,22 +11,22 @@ namespace {
 
 using visibility::PortalFate;
 
-TEST(PortalSights, ofAPortalThatSeveralVisitsComeToTheMostCounts) {
+TEST(PortalTraces, ofAPortalThatSeveralVisitsComeToTheMostCounts) {
     visibility::FloodTrace trace;
     trace.entries = {{0, 7, PortalFate::OutsideRegion},
                      {1, 3, PortalFate::WayBack},
                      {2, 7, PortalFate::Admitted},
                      {3, 7, PortalFate::WrongSide},
                      {4, 7, PortalFate::Admitted}};
-    const std::vector<PortalSight> sights = portalSights(trace);
-    EXPECT_EQ(sights, (std::vector<PortalSight>{{3, PortalFate::WayBack, 1}, {7, PortalFate::Admitted, 2}}));
-    const auto counts = countFates(sights);
+    const std::vector<PortalTrace> traces = portalTraces(trace);
+    EXPECT_EQ(traces, (std::vector<PortalTrace>{{3, PortalFate::WayBack, 1}, {7, PortalFate::Admitted, 2}}));
+    const auto counts = countFates(traces);
     EXPECT_EQ(counts[static_cast<std::size_t>(PortalFate::Admitted)], 1u);
     EXPECT_EQ(counts[static_cast<std::size_t>(PortalFate::WayBack)], 1u);
     EXPECT_EQ(counts[static_cast<std::size_t>(PortalFate::OutsideRegion)], 0u);
 }
 
-TEST(PortalSights, everyFateHasANameAndAColourOfItsOwn) {
+TEST(PortalTraces, everyFateHasANameAndAColourOfItsOwn) {
     std::set<std::string_view> names;
     std::set<Rgb> colours;
     for (std::size_t i = 0; i < visibility::kPortalFates; ++i) {
@@ -38,27 +38,27 @@ TEST(PortalSights, everyFateHasANameAndAColourOfItsOwn) {
     EXPECT_FALSE(names.contains(""));
 }
 
-TEST(PortalSights, aPortalSaysWhichItIsAndWhereItLeads) {
+TEST(PortalTraces, aPortalSaysWhichItIsAndWhereItLeads) {
     world::World world = test::smallWorld();
     world.portals[0].destination = 1;
     EXPECT_EQ(portalLabel(world, {0, PortalFate::Admitted, 5}), "4 of outside to 0xA9B40105, visit 5");
     EXPECT_EQ(portalLabel(world, {1, PortalFate::LeadsNowhere, 0}), "2 of 0xA9B40105 to nothing, visit 0");
 }
 
-TEST(PortalSights, outlinesLieWhereTheEyeSeesThemAndThoseThatCameToMostOnTop) {
+TEST(PortalTraces, outlinesLieWhereTheEyeSeesThemAndThoseThatCameToMostOnTop) {
     world::World world = test::smallWorld();
     world.portalCorners = {{-1, 4, -1}, {1, 4, -1}, {0, 4, 1}, {0, -4, 1}, {1, -4, -1}, {-1, -4, -1}};
     world.portals[0].cornerCount = world.portals[1].cornerCount = world.portals[1].firstCorner = 3;
-    const std::vector<PortalSight> sights{{0, PortalFate::Admitted, 0}, {1, PortalFate::BehindEye, 0}};
+    const std::vector<PortalTrace> traces{{0, PortalFate::Admitted, 0}, {1, PortalFate::BehindEye, 0}};
     const visibility::View north; // from the origin, 90 degrees wide
-    const std::vector<PortalLine> lines = portalLines(world, sights, north);
+    const std::vector<PortalLine> lines = portalLines(world, traces, north);
     ASSERT_EQ(lines.size(), 3u) << "the other one is behind the eye";
     EXPECT_EQ(lines[0].from, Vec2(-0.25, -0.25));
     EXPECT_EQ(lines[0].to, Vec2(0.25, -0.25));
     EXPECT_EQ(lines[2].from, Vec2(0.0, 0.25));
     visibility::View aside = north;
     aside.eye = {0, -10, 0};
-    const std::vector<PortalLine> both = portalLines(world, sights, aside);
+    const std::vector<PortalLine> both = portalLines(world, traces, aside);
     ASSERT_EQ(both.size(), 6u);
     EXPECT_EQ(both.front().fate, PortalFate::BehindEye);
     EXPECT_EQ(both.back().fate, PortalFate::Admitted);

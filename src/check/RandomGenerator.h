@@ -12,9 +12,9 @@ namespace limen::check {
 
 /// Random numbers that follow from a seed and the numbers that name what they are for, and from nothing else: view 7 of
 /// a block is the same whatever was drawn before it. SplitMix64 (Steele, Lea, Flood 2014).
-class Dice {
+class RandomGenerator {
 public:
-    Dice(std::uint64_t seed, std::initializer_list<std::uint64_t> purpose) : state_(seed) {
+    RandomGenerator(std::uint64_t seed, std::initializer_list<std::uint64_t> purpose) : state_(seed) {
         for (const std::uint64_t number : purpose)
             state_ = next() ^ (number * 0x9E3779B97F4A7C15ull);
     }

@@ -1,4 +1,4 @@
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include "motion/Particles.h"
 #include "motion/Sprites.h"
@@ -34,9 +34,9 @@ double distanceTo(const Vec2& middle, double half, const Vec2& place) {
 
 } // namespace
 
-void Moments::addRain(const MomentInput& input, world::Moment& out) {
+void DynamicStateBuilder::addRain(const DynamicStateInput& input, world::DynamicState& out) {
     // Weather belongs to the outside alone, however near to a door a drop falls.
-    MomentInput facing = input;
+    DynamicStateInput facing = input;
     facing.up = Vec3(0.0, 0.0, 1.0);
     const auto reach = static_cast<int>(kRainRadius / kRainGrid);
     const auto middleX = static_cast<std::int64_t>(std::floor(input.eye.x / kRainGrid));
@@ -67,7 +67,7 @@ void Moments::addRain(const MomentInput& input, world::Moment& out) {
     }
 }
 
-void Moments::addWeather(const MomentInput& input, world::Moment& out) {
+void DynamicStateBuilder::addWeather(const DynamicStateInput& input, world::DynamicState& out) {
     for (const world::SkyWeather& weather : world_.sky.weather) {
         if (weather.dayGroup != input.weather->dayGroup ||
             !world::isShown(weather.object, input.weather->time))
@@ -96,8 +96,9 @@ void Moments::addWeather(const MomentInput& input, world::Moment& out) {
     }
 }
 
-void Moments::addFalling(const MomentInput& input, const world::SkyWeather& weather, const Vec3& middle,
-                         double side, std::uint64_t seed, world::Moment& out) {
+void DynamicStateBuilder::addFalling(const DynamicStateInput& input, const world::SkyWeather& weather,
+                                     const Vec3& middle, double side, std::uint64_t seed,
+                                     world::DynamicState& out) {
     const world::ParticleStyle& style = world_.particleStyles[weather.source.style];
     world::ParticleSource source = timed(weather.source).value_or(weather.source);
     source.seed = seed;

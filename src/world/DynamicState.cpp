@@ -1,4 +1,4 @@
-#include "world/Moment.h"
+#include "world/DynamicState.h"
 
 namespace limen::world {
 
@@ -15,13 +15,13 @@ void ListedInstances::resize(std::size_t count, const Vec3& around) {
     }
 }
 
-void listBySpace(std::size_t spaceCount, Moment& moment) {
-    std::vector<std::uint32_t>& ends = moment.firstInSpace;
-    ends.assign(moment.instances.empty() ? 0 : spaceCount + 1, 0);
+void listBySpace(std::size_t spaceCount, DynamicState& dynamics) {
+    std::vector<std::uint32_t>& ends = dynamics.firstInSpace;
+    ends.assign(dynamics.instances.empty() ? 0 : spaceCount + 1, 0);
     const auto membersOf = [&](const Instance& instance) {
-        return std::span(moment.members).subspan(instance.firstMember, instance.memberCount);
+        return std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
     };
-    for (const Instance& instance : moment.instances) {
+    for (const Instance& instance : dynamics.instances) {
         for (const SpaceIndex space : membersOf(instance))
             ++ends[space + 1];
     }
@@ -32,11 +32,11 @@ void listBySpace(std::size_t spaceCount, Moment& moment) {
         ends[space] = total;
         total += count;
     }
-    moment.listed.resize(total,
-                         moment.instances.empty() ? Vec3(0.0) : moment.instances.front().bounds.centre);
-    for (InstanceIndex i = 0; i < moment.instances.size(); ++i) {
-        for (const SpaceIndex space : membersOf(moment.instances[i]))
-            moment.listed.set(ends[space + 1]++, moment.instances[i], i);
+    dynamics.listed.resize(total,
+                           dynamics.instances.empty() ? Vec3(0.0) : dynamics.instances.front().bounds.centre);
+    for (InstanceIndex i = 0; i < dynamics.instances.size(); ++i) {
+        for (const SpaceIndex space : membersOf(dynamics.instances[i]))
+            dynamics.listed.set(ends[space + 1]++, dynamics.instances[i], i);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "motion/Moments.h"
+#include "motion/DynamicStateBuilder.h"
 
 #include "geometry/Compass.h"
 #include "motion/Locate.h"
@@ -19,9 +19,9 @@ double compass(const Vec3& direction) {
 
 } // namespace
 
-Moments::Moments(const world::World& world) : world_(world), membership_(world) {}
+DynamicStateBuilder::DynamicStateBuilder(const world::World& world) : world_(world), membership_(world) {}
 
-std::uint32_t Moments::blockFor(const Vec3& position) const {
+std::uint32_t DynamicStateBuilder::blockFor(const Vec3& position) const {
     std::uint32_t best = 0;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t b = 0; b < world_.blocks.size(); ++b) {
@@ -35,13 +35,13 @@ std::uint32_t Moments::blockFor(const Vec3& position) const {
     return best;
 }
 
-double Moments::openness(const MomentInput& input, std::size_t door) const {
+double DynamicStateBuilder::openness(const DynamicStateInput& input, std::size_t door) const {
     if (input.allDoors)
         return *input.allDoors;
     return door < input.doors.size() ? input.doors[door] : world_.doors[door].open;
 }
 
-void Moments::at(const MomentInput& input, world::Moment& out) {
+void DynamicStateBuilder::at(const DynamicStateInput& input, world::DynamicState& out) {
     out.instances.clear();
     out.members.clear();
     sprites_ = 0;
@@ -63,7 +63,7 @@ void Moments::at(const MomentInput& input, world::Moment& out) {
     world::listBySpace(world_.spaces.size(), out);
 }
 
-void Moments::shut(const MomentInput& input, world::Moment& out) {
+void DynamicStateBuilder::shut(const DynamicStateInput& input, world::DynamicState& out) {
     out.closed.assign(world_.doors.empty() ? 0 : world_.portals.size(), 0);
     out.fillings.assign(out.closed.size(), kNone);
     for (std::size_t i = 0; i < world_.doors.size(); ++i) {
@@ -76,7 +76,7 @@ void Moments::shut(const MomentInput& input, world::Moment& out) {
     }
 }
 
-void Moments::giveMembers(std::size_t firstInstance, world::Moment& out) const {
+void DynamicStateBuilder::giveMembers(std::size_t firstInstance, world::DynamicState& out) const {
     const auto first = static_cast<std::uint32_t>(out.members.size());
     out.members.insert(out.members.end(), reached_.begin(), reached_.end());
     for (std::size_t i = firstInstance; i < out.instances.size(); ++i) {
@@ -85,8 +85,8 @@ void Moments::giveMembers(std::size_t firstInstance, world::Moment& out) const {
     }
 }
 
-void Moments::addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
-                      world::SpaceIndex placedIn, world::Moment& out) {
+void DynamicStateBuilder::addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
+                                  world::SpaceIndex placedIn, world::DynamicState& out) {
     const PartPoses poses(world_, body, point);
     for (std::uint32_t p = 0; p < body.partCount; ++p) {
         world::Instance part = world_.movingParts[body.firstPart + p];
@@ -104,7 +104,7 @@ void Moments::addBody(const world::MovingBody& body, const Pose& pose, const Cyc
     }
 }
 
-void Moments::addInPlace(const world::MovingBody& body, world::Moment& out) const {
+void DynamicStateBuilder::addInPlace(const world::MovingBody& body, world::DynamicState& out) const {
     for (std::uint32_t p = body.firstPart; p < body.firstPart + body.partCount; ++p) {
         world::Instance part = world_.movingParts[p];
         part.bounds.centre += world_.blocks[part.block].origin();
@@ -112,7 +112,7 @@ void Moments::addInPlace(const world::MovingBody& body, world::Moment& out) cons
     }
 }
 
-void Moments::addDoors(const MomentInput& input, world::Moment& out) {
+void DynamicStateBuilder::addDoors(const DynamicStateInput& input, world::DynamicState& out) {
     for (std::size_t i = 0; i < world_.doors.size(); ++i) {
         const world::Door& door = world_.doors[i];
         const world::Portal& portal = world_.portals[door.portal];
@@ -147,7 +147,8 @@ void Moments::addDoors(const MomentInput& input, world::Moment& out) {
     }
 }
 
-Moments::Standing Moments::standing(const world::Villager& villager, double seconds) const {
+DynamicStateBuilder::Standing DynamicStateBuilder::standing(const world::Villager& villager,
+                                                            double seconds) const {
     const world::Route& route = world_.routes[villager.route];
     const auto points = std::span(world_.routePoints).subspan(route.firstPoint, route.pointCount);
     double along = std::fmod(villager.start + villager.speed * seconds, route.length);
@@ -168,7 +169,7 @@ Moments::Standing Moments::standing(const world::Villager& villager, double seco
     }
 }
 
-void Moments::addVillagers(double seconds, world::Moment& out) {
+void DynamicStateBuilder::addVillagers(double seconds, world::DynamicState& out) {
     for (const world::Villager& villager : world_.villagers) {
         const Standing standing = this->standing(villager, seconds);
         const Pose pose{turnedTo(standing.yaw), standing.position};
@@ -185,7 +186,7 @@ void Moments::addVillagers(double seconds, world::Moment& out) {
     }
 }
 
-void Moments::addPlayer(const PlayerBody& player, double seconds, world::Moment& out) {
+void DynamicStateBuilder::addPlayer(const PlayerBody& player, double seconds, world::DynamicState& out) {
     if (!(player.opacity > 0.0))
         return;
     const bool isSolid = player.opacity >= 1.0;
@@ -201,7 +202,7 @@ void Moments::addPlayer(const PlayerBody& player, double seconds, world::Moment&
     giveMembers(first, out);
 }
 
-void Moments::addLoose(world::Moment& out) {
+void DynamicStateBuilder::addLoose(world::DynamicState& out) {
     for (const world::LooseObject& object : world_.looseObjects) {
         const std::size_t first = out.instances.size();
         const auto begin = world_.instances.begin() + object.firstInstance;
@@ -211,8 +212,8 @@ void Moments::addLoose(world::Moment& out) {
     }
 }
 
-void Moments::addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size,
-                        double opacity, world::Moment& out) {
+void DynamicStateBuilder::addSprite(const DynamicStateInput& input, std::uint32_t part, const Vec3& at,
+                                    Vec2 size, double opacity, world::DynamicState& out) {
     world::Instance sprite = world_.movingParts[part];
     sprite.block = blockFor(at);
     sprite.linear =
@@ -224,7 +225,8 @@ void Moments::addSprite(const MomentInput& input, std::uint32_t part, const Vec3
     out.instances.push_back(sprite);
 }
 
-void Moments::addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out) {
+void DynamicStateBuilder::addSprites(const DynamicStateInput& input, const world::Emitter& emitter,
+                                     world::DynamicState& out) {
     Pose pose{Mat3(1.0), emitter.position};
     world::SpaceIndex space = emitter.space;
     if (emitter.villager != kNone) {

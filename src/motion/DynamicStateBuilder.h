@@ -2,8 +2,8 @@
 
 #include "motion/PartPoses.h"
 #include "motion/Particles.h"
+#include "world/DynamicState.h"
 #include "world/Membership.h"
-#include "world/Moment.h"
 #include "world/World.h"
 
 #include <optional>
@@ -24,7 +24,7 @@ struct PlayerBody {
 };
 
 /// What a moment depends on.
-struct MomentInput {
+struct DynamicStateInput {
     double seconds = 0.0; ///< since the world began; routes and sprites follow it
     /// How far the doors are open, 0..1, by World::doors; doors beyond its end stand as they rest.
     std::span<const double> doors;
@@ -39,12 +39,12 @@ struct MomentInput {
 
 /// Where everything that moves is, to which spaces it belongs, and what is shut. A pure function of world and input;
 /// keeps memory so that steady frames allocate nothing. The world must outlive it.
-class Moments {
+class DynamicStateBuilder {
 public:
-    explicit Moments(const world::World& world);
+    explicit DynamicStateBuilder(const world::World& world);
 
     /// `out` is overwritten.
-    void at(const MomentInput& input, world::Moment& out);
+    void at(const DynamicStateInput& input, world::DynamicState& out);
 
     /// Where a villager stands: feet, compass direction it faces, and the space its feet are in, found by walking the
     /// way from the last point of its route.
@@ -71,33 +71,34 @@ private:
     /// A source with the times of its cycle turned into the world's; nothing if its carrier does not play that.
     [[nodiscard]] std::optional<world::ParticleSource> timed(const world::ParticleSource& source) const;
     /// What is left of one start of a source; `now`: where its carrier is.
-    void addStarted(const MomentInput& input, const world::ParticleSource& source, std::int64_t start,
-                    const Carrier& now, world::Moment& out);
+    void addStarted(const DynamicStateInput& input, const world::ParticleSource& source, std::int64_t start,
+                    const Carrier& now, world::DynamicState& out);
     /// `from`: the frame that it is seen from; its parts are stored in a block's.
-    void addParticle(const MomentInput& input, const world::ParticleSource& source, const Carrier& from,
-                     const ParticleState& state, std::uint32_t block, world::Moment& out);
-    void shut(const MomentInput& input, world::Moment& out);
+    void addParticle(const DynamicStateInput& input, const world::ParticleSource& source, const Carrier& from,
+                     const ParticleState& state, std::uint32_t block, world::DynamicState& out);
+    void shut(const DynamicStateInput& input, world::DynamicState& out);
     /// What is block-local and stands as it is.
-    void addInPlace(const world::MovingBody& body, world::Moment& out) const;
-    void addDoors(const MomentInput& input, world::Moment& out);
-    void addVillagers(double seconds, world::Moment& out);
-    void addPlayer(const PlayerBody& player, double seconds, world::Moment& out);
-    void addLoose(world::Moment& out);
-    void addSprites(const MomentInput& input, const world::Emitter& emitter, world::Moment& out);
-    void addIdle(double seconds, world::Moment& out);
-    void addParticles(const MomentInput& input, const world::ParticleSource& source, world::Moment& out);
-    void addRain(const MomentInput& input, world::Moment& out);
-    void addWeather(const MomentInput& input, world::Moment& out);
+    void addInPlace(const world::MovingBody& body, world::DynamicState& out) const;
+    void addDoors(const DynamicStateInput& input, world::DynamicState& out);
+    void addVillagers(double seconds, world::DynamicState& out);
+    void addPlayer(const PlayerBody& player, double seconds, world::DynamicState& out);
+    void addLoose(world::DynamicState& out);
+    void addSprites(const DynamicStateInput& input, const world::Emitter& emitter, world::DynamicState& out);
+    void addIdle(double seconds, world::DynamicState& out);
+    void addParticles(const DynamicStateInput& input, const world::ParticleSource& source,
+                      world::DynamicState& out);
+    void addRain(const DynamicStateInput& input, world::DynamicState& out);
+    void addWeather(const DynamicStateInput& input, world::DynamicState& out);
     /// `side`: of the square around `middle` that it is born over, metres; 0: it goes with the eye, which is there.
-    void addFalling(const MomentInput& input, const world::SkyWeather& weather, const Vec3& middle,
-                    double side, std::uint64_t seed, world::Moment& out);
+    void addFalling(const DynamicStateInput& input, const world::SkyWeather& weather, const Vec3& middle,
+                    double side, std::uint64_t seed, world::DynamicState& out);
     /// `point`: what its parts are at; {}: as they rest.
     void addBody(const world::MovingBody& body, const Pose& pose, const CyclePoint& point,
-                 world::SpaceIndex placedIn, world::Moment& out);
-    void addSprite(const MomentInput& input, std::uint32_t part, const Vec3& at, Vec2 size, double opacity,
-                   world::Moment& out);
-    void giveMembers(std::size_t firstInstance, world::Moment& out) const;
-    [[nodiscard]] double openness(const MomentInput& input, std::size_t door) const;
+                 world::SpaceIndex placedIn, world::DynamicState& out);
+    void addSprite(const DynamicStateInput& input, std::uint32_t part, const Vec3& at, Vec2 size,
+                   double opacity, world::DynamicState& out);
+    void giveMembers(std::size_t firstInstance, world::DynamicState& out) const;
+    [[nodiscard]] double openness(const DynamicStateInput& input, std::size_t door) const;
     [[nodiscard]] std::uint32_t blockFor(const Vec3& position) const;
 
     const world::World& world_;
