@@ -10,10 +10,10 @@ namespace limen::bench {
 /// One line of `limen bench`. Whether the target is met, and the ratios to what it is measured against,
 /// follow from it.
 struct BenchRow {
-    std::string bench{};  ///< "dat/lookup"
-    std::string scene{};  ///< what it ran on
-    double value = 0.0; ///< median over the repeats
-    double p95 = 0.0;   ///< 95th percentile of the repeats, counted towards the worse side
+    std::string bench{}; ///< "dat/lookup"
+    std::string scene{}; ///< what it ran on
+    double value = 0.0;  ///< median over the repeats
+    double p95 = 0.0;    ///< 95th percentile of the repeats, counted towards the worse side
     std::string unit{};
     std::vector<std::pair<std::string, double>> against{}; ///< the same measure of something known
     double target = 0.0;

@@ -35,9 +35,8 @@ std::uint32_t CallList::most() const {
 
 std::uint64_t CallList::hash() const {
     Hash hash;
-    for (const std::uint32_t calls : frames_) {
+    for (const std::uint32_t calls : frames_)
         hash.add(calls);
-    }
     return hash.value();
 }
 

@@ -42,9 +42,8 @@ Result<void> addCalls(DrawnPart& part, const world::Place& place, CallList& call
             part.move(view, doors);
             part.flood(view);
             part.plan(view);
-            if (Result<void> drawn = part.submit(); !drawn) {
+            if (Result<void> drawn = part.submit(); !drawn)
                 return drawn;
-            }
             calls.add(part.plan(), part.renderer().report().glCalls);
         }
     }
@@ -60,9 +59,8 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
     for (const world::Place& place : places) {
         Result<void> added =
             part.at(place).and_then([&](DrawnPart* there) { return addCalls(*there, place, calls); });
-        if (!added) {
+        if (!added)
             return tl::unexpected(added.error());
-        }
     }
     return calls;
 }
@@ -70,13 +68,11 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
 BenchRow tourRow() {
     constexpr const char* kBench = "calls/tour";
     BuiltInFiles files;
-    if (Result<void> opened = files.open(); !opened) {
+    if (Result<void> opened = files.open(); !opened)
         return failedRow(kBench, opened.error());
-    }
     const Result<CallList> calls = tourCalls(*files.archive, files.world);
-    if (!calls) {
+    if (!calls)
         return failedRow(kBench, calls.error());
-    }
     return rowOf(kBench,
                  fmt::format("{} way points, {} places, {} frames", files.world.tour.size(),
                              files.world.places.size(), calls->frames().size()),
@@ -91,16 +87,14 @@ BenchRow objectsRow() {
         const ObjectField field = makeField({100'000, 5000, 1000.0, share});
         gpu::NullDevice device;
         const Result<std::unique_ptr<TwoWays>> ways = TwoWays::create(device, field, kWidth, kHeight);
-        if (!ways) {
+        if (!ways)
             return failedRow(kBench, ways.error());
-        }
         for (const FieldView& view : fieldViews(field, 16, kWidth, kHeight)) {
             const Result<void> drawn = (*ways)->drawReal(view);
             calls.add((*ways)->plan(), device.glCalls());
             const Result<void> drawnBoth = drawn.and_then([&] { return (*ways)->drawClassic(view); });
-            if (!drawnBoth) {
+            if (!drawnBoth)
                 return failedRow(kBench, drawnBoth.error());
-            }
             classic = std::max(classic, static_cast<double>(device.glCalls()));
         }
     }

@@ -12,14 +12,11 @@ namespace limen::bench {
 template <class Work>
 [[nodiscard]] Result<void> inChildProcess(Work&& work) {
     const ::pid_t child = ::fork();
-    if (child == 0) {
+    if (child == 0)
         ::_exit(work() ? 0 : 1); // destructors are the parent's
-    }
     int status = 0;
-    if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status) ||
-        WEXITSTATUS(status) != 0) {
+    if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
         return fail(ErrorCode::Unreadable, "bench", "what the benchmark runs on could not be made");
-    }
     return {};
 }
 

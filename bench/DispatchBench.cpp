@@ -73,9 +73,8 @@ void addDriver(const std::string& scene, const Result<DriverRun>& run, const std
     rows.push_back(rowOf("dispatch/driver", fmt::format("{}, {}, calls alone", scene, driver), run->calls));
     rows.push_back(
         rowOf("dispatch/driver", fmt::format("{}, {}, with glFinish", scene, driver), run->finished));
-    for (std::size_t i = rows.size() - 2; i < rows.size(); ++i) {
+    for (std::size_t i = rows.size() - 2; i < rows.size(); ++i)
         rows[i].hash = run->hash;
-    }
 }
 
 BenchRow measure(const Scene& scene, const Share& share, const std::optional<HeadlessDriver>& driver,
@@ -86,15 +85,13 @@ BenchRow measure(const Scene& scene, const Share& share, const std::optional<Hea
     const std::string name = fmt::format("{}, {}", scene.name, share.name);
     const Result<WayTimes> times =
         timeOnNullDevice(field, fieldViews(field, kHeadings, kWidth, kHeight), scene.repeats, counter);
-    if (!times) {
+    if (!times)
         return failedRow(name, times.error().message());
-    }
     BenchRow row = rowOf("dispatch/plan+submit", driver ? name : name + ", no GL", *times);
     row.hasTarget = true;
     row.target = row.against.front().second * share.part;
-    if (share.moving == 0.0) {
+    if (share.moving == 0.0)
         row.target = std::min(row.target, scene.mostAtRest);
-    }
     if (driver) {
         const std::vector<FieldView> views = fieldViews(field, kDriverHeadings, kDriverWidth, kDriverHeight);
         addDriver(name, runOnDriver(*driver->device, field, views, kDriverRepeats),
@@ -109,11 +106,9 @@ std::vector<BenchRow> benchDispatch(AllocationCounter counter) {
     settleAllocator();
     const std::optional<HeadlessDriver> driver = openDriver();
     std::vector<BenchRow> rows, driverRows;
-    for (const Scene& scene : kScenes) {
-        for (const Share& share : kShares) {
+    for (const Scene& scene : kScenes)
+        for (const Share& share : kShares)
             rows.push_back(measure(scene, share, driver, counter, driverRows));
-        }
-    }
     rows.insert(rows.end(), driverRows.begin(), driverRows.end());
     return rows;
 }

@@ -33,9 +33,8 @@ Result<Round> roundOnNull(TwoWays& ways, Draw draw, ObjectField& field, std::spa
         Result<void> drawn = (ways.*draw)(views[i]);
         round.thread += threadSeconds() - start;
         round.allocations += counter ? counter() - before : 0;
-        if (!drawn) {
+        if (!drawn)
             return tl::unexpected(drawn.error());
-        }
     }
     round.thread *= kMicroseconds / static_cast<double>(views.size());
     return round;
@@ -53,9 +52,8 @@ Result<Round> roundOnDriver(TwoWays& ways, Draw draw, ObjectField& field, std::s
             round.thread += threadSeconds() - start;
             glFinish();
         });
-        if (!drawn) {
+        if (!drawn)
             return tl::unexpected(drawn.error());
-        }
     }
     round.thread *= kMicroseconds / static_cast<double>(views.size());
     round.wall *= kMicroseconds / static_cast<double>(views.size());
@@ -66,17 +64,14 @@ Result<void> compareIds(TwoWays& ways, ObjectField& field, std::span<const Field
     Hash hash;
     for (std::uint32_t i = 0; i < views.size(); ++i) {
         field.moveTo(i);
-        if (Result<void> drawn = ways.drawReal(views[i]); !drawn) {
+        if (Result<void> drawn = ways.drawReal(views[i]); !drawn)
             return drawn;
-        }
         const std::vector<std::uint32_t> ids = ways.target().readIds();
-        if (Result<void> drawn = ways.drawClassic(views[i]); !drawn) {
+        if (Result<void> drawn = ways.drawClassic(views[i]); !drawn)
             return drawn;
-        }
         run.same = run.same && ids == ways.target().readIds();
-        for (const std::uint32_t id : ids) {
+        for (const std::uint32_t id : ids)
             hash.add(id);
-        }
     }
     run.hash = hash.value();
     return {};
@@ -89,16 +84,14 @@ Result<WayTimes> timeOnNullDevice(ObjectField& field, std::span<const FieldView>
     gpu::NullDevice device;
     const frame::FrameView& frame = views.front().frame;
     const Result<std::unique_ptr<TwoWays>> ways = TwoWays::create(device, field, frame.width, frame.height);
-    if (!ways) {
+    if (!ways)
         return tl::unexpected(ways.error());
-    }
     WayTimes times;
     for (int i = 0; i < kWarmUps + repeats; ++i) {
         const Result<Round> real = roundOnNull(**ways, kReal, field, views, counter);
         const Result<Round> classic = roundOnNull(**ways, kClassic, field, views, nullptr);
-        if (!real || !classic) {
+        if (!real || !classic)
             return tl::unexpected((real ? classic : real).error());
-        }
         if (i >= kWarmUps) {
             times.real.push_back(real->thread);
             times.classic.push_back(classic->thread);
@@ -112,19 +105,16 @@ Result<DriverRun> runOnDriver(gpu::Device& device, ObjectField& field, std::span
                               int repeats) {
     const frame::FrameView& frame = views.front().frame;
     const Result<std::unique_ptr<TwoWays>> ways = TwoWays::create(device, field, frame.width, frame.height);
-    if (!ways) {
+    if (!ways)
         return tl::unexpected(ways.error());
-    }
     DriverRun run;
-    if (Result<void> compared = compareIds(**ways, field, views, run); !compared) { // and warms up
+    if (Result<void> compared = compareIds(**ways, field, views, run); !compared) // and warms up
         return tl::unexpected(compared.error());
-    }
     for (int i = 0; i < repeats; ++i) {
         const Result<Round> real = roundOnDriver(**ways, kReal, field, views);
         const Result<Round> classic = roundOnDriver(**ways, kClassic, field, views);
-        if (!real || !classic) {
+        if (!real || !classic)
             return tl::unexpected((real ? classic : real).error());
-        }
         run.calls.real.push_back(real->thread);
         run.calls.classic.push_back(classic->thread);
         run.finished.real.push_back(real->wall);

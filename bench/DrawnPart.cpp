@@ -21,27 +21,22 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive
                                                      const world::LoadOptions& options) {
     const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
     Result<world::World> world = world::loadWorld(archive, centre, options, file.moving);
-    if (!world) {
+    if (!world)
         return tl::unexpected(world.error());
-    }
     Result<visibility::Graph> graph = frame::visibilityGraph(*world);
-    if (!graph) {
+    if (!graph)
         return tl::unexpected(graph.error());
-    }
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
-    if (!target) {
+    if (!target)
         return tl::unexpected(target.error());
-    }
     std::unique_ptr<DrawnPart> part(
         new DrawnPart(std::move(*world), std::move(*graph), device, std::move(*target)));
     if (Result<void> uploaded =
             part->renderer_.upload(frame::buildScene(part->world_, part->planner_.pieces()));
-        !uploaded) {
+        !uploaded)
         return tl::unexpected(uploaded.error());
-    }
-    if (!part->holds(place)) {
+    if (!part->holds(place))
         return fail(ErrorCode::NotFound, place.name, "is not where the world file says");
-    }
     return part;
 }
 
@@ -80,15 +75,13 @@ void DrawnPart::takeAll(const frame::FrameView& view) {
     root.vertexCount = 4;
     visible_.visits.push_back(root);
     visible_.regionVertices.assign({{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
-    for (std::uint32_t space = 0; space < world_.spaces.size(); ++space) {
+    for (std::uint32_t space = 0; space < world_.spaces.size(); ++space)
         visible_.seen.push_back({space, 0, {-1, -1, 1, 1}});
-    }
 }
 
 void DrawnPart::leaveOutOwnership() {
-    for (frame::Batch& batch : plan_.batches) {
+    for (frame::Batch& batch : plan_.batches)
         batch.gated = false;
-    }
     const auto end = std::remove_if(plan_.stages.begin(), plan_.stages.end(), [](const frame::Stage& stage) {
         return stage.kind == frame::StageKind::Ownership;
     });
@@ -100,9 +93,8 @@ Result<DrawnPart*> PartOfTour::at(const world::Place& place) {
         part_.reset(); // room for the next
         Result<std::unique_ptr<DrawnPart>> loaded =
             DrawnPart::around(archive_, file_, place, device_, width_, height_);
-        if (!loaded) {
+        if (!loaded)
             return tl::unexpected(loaded.error());
-        }
         part_ = std::move(*loaded);
     }
     return part_.get();

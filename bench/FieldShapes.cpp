@@ -26,9 +26,8 @@ double RandomGenerator::fraction(Draw draw, std::uint32_t number) const {
 std::vector<std::uint32_t> shuffled(std::uint32_t count, const RandomGenerator& random) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0u);
-    for (std::uint32_t i = count; i > 1; --i) {
+    for (std::uint32_t i = count; i > 1; --i)
         std::swap(numbers[i - 1], numbers[random.below(i, Draw::Place, i)]);
-    }
     return numbers;
 }
 
@@ -37,9 +36,8 @@ world::Image noisyPicture(std::uint32_t number, std::uint32_t size, const Random
     const std::uint32_t base = 97 * number;
     for (std::uint32_t i = 0; i < size * size; ++i) {
         const auto shade = static_cast<std::uint32_t>(64.0 * random.fraction(Draw::Texel, number << 16 | i));
-        for (const std::uint32_t channel : {base, base * 3, base * 7}) {
+        for (const std::uint32_t channel : {base, base * 3, base * 7})
             image.rgba.push_back(static_cast<std::uint8_t>(96 + (channel % 96) + shade));
-        }
         image.rgba.push_back(255);
     }
     return image;
@@ -62,10 +60,8 @@ world::MeshData boxMesh(const Vec3& half) {
             mesh.indices[0].push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
             mesh.vertices.push_back(vertex);
         };
-        for (const Vec2& at :
-             {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+        for (const Vec2& at : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, -1), Vec2(1, 1), Vec2(-1, 1)})
             corner(at.x, at.y);
-        }
         mesh.polygonIds.push_back(static_cast<std::uint16_t>(side));
     }
     return mesh;

@@ -30,15 +30,13 @@ BenchRow rowFor(const char* name, const FloodScene& scene, const Known& known, A
     visibility::FloodScratch scratch;
     visibility::VisibleSet set;
     const Samples ours = measure(kRepeats, counter, [&] {
-        for (const visibility::View& view : scene.views) {
+        for (const visibility::View& view : scene.views)
             visibility::flood(scene.graph, {}, view, {}, scratch, set);
-        }
     });
     PathFlood naive;
     const Samples plain = measure(kRepeats, nullptr, [&] {
-        for (const visibility::View& view : scene.views) {
+        for (const visibility::View& view : scene.views)
             naive.run(scene.graph, view);
-        }
     });
     const double perView = 1e6 / static_cast<double>(scene.views.size());
     BenchRow row{name, scene.name, ours.quantile(0.5) * perView, ours.quantile(0.95) * perView, "us"};
@@ -67,9 +65,8 @@ std::vector<BenchRow> benchFlood(AllocationCounter counter) {
         rows.push_back(rowFor("flood/rooms", roomGridApart(known.columns, known.rows, known.door, kSeed),
                               known, counter));
     }
-    for (const auto& more : {fineRows(counter), scaleRows(counter), townRows(counter)}) {
+    for (const auto& more : {fineRows(counter), scaleRows(counter), townRows(counter)})
         rows.insert(rows.end(), more.begin(), more.end());
-    }
     return rows;
 }
 

@@ -34,11 +34,9 @@ struct GridBuilder {
     void pairUp() {
         for (std::uint32_t p = 0; p < portals.size(); ++p) {
             const visibility::SpaceDesc& other = spaces[portals[p].destination];
-            for (std::uint32_t q = other.firstPortal; q < other.firstPortal + other.portalCount; ++q) {
-                if (portals[q].destination == portals[p].space) {
+            for (std::uint32_t q = other.firstPortal; q < other.firstPortal + other.portalCount; ++q)
+                if (portals[q].destination == portals[p].space)
                     portals[p].reciprocal = q;
-                }
-            }
         }
     }
 };

@@ -42,15 +42,13 @@ bool hidesNothing(Without without) {
 /// Everything up to the driver's calls.
 Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without without) {
     part.move(view);
-    if (seesAll(without)) {
+    if (seesAll(without))
         part.takeAll(view);
-    } else {
+    else
         part.flood(view);
-    }
     part.plan(view);
-    if (without == Without::Ownership) {
+    if (without == Without::Ownership)
         part.leaveOutOwnership();
-    }
     return part.submit({.wantIds = false, .occlusion = !hidesNothing(without)});
 }
 
@@ -73,14 +71,12 @@ Result<double> cpuMicroseconds(DrawnPart& part, const frame::FrameView& view, Wi
     for (int i = 0; i < 2 + kCpuRepeats; ++i) { // two to warm up
         const std::uint64_t before = counter ? counter() : 0;
         const double start = threadSeconds();
-        if (Result<void> drawn = drawFrame(part, view, without); !drawn) {
+        if (Result<void> drawn = drawFrame(part, view, without); !drawn)
             return tl::unexpected(drawn.error());
-        }
         const double seconds = threadSeconds() - start;
         allocations = counter ? counter() - before : 0;
-        if (i >= 2) {
+        if (i >= 2)
             repeats.push_back(seconds * 1e6);
-        }
     }
     return medianOf(repeats);
 }
@@ -91,16 +87,14 @@ Result<CpuTimes> timeOnNullDevice(const BuiltInFiles& files, AllocationCounter c
     PartOfTour tour(*files.archive, files.world, device, kWidth, kHeight);
     for (const world::Place& place : files.world.tour) {
         const Result<DrawnPart*> part = tour.at(place);
-        if (!part) {
+        if (!part)
             return tl::unexpected(part.error());
-        }
         const frame::FrameView view = (*part)->viewFrom(place);
         std::uint64_t allocations = 0, ignored = 0;
         const Result<double> all = cpuMicroseconds(**part, view, Without::Visibility, nullptr, ignored);
         const Result<double> flooded = cpuMicroseconds(**part, view, Without::Nothing, counter, allocations);
-        if (!all || !flooded) {
+        if (!all || !flooded)
             return tl::unexpected((all ? flooded : all).error());
-        }
         times.indoors.push_back(view.view.root != world::kOutside);
         times.all.push_back(*all);
         times.flooded.push_back(*flooded);
@@ -132,14 +126,11 @@ BenchRow cpuRow(const BuiltInFiles& files, const Result<CpuTimes>& times) {
 std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::vector<bool>& isIndoors,
                                  bool indoors) {
     std::vector<world::Place> all, some;
-    for (std::size_t i = 0; i < tour.size(); ++i) {
-        if (isIndoors[i] == indoors) {
+    for (std::size_t i = 0; i < tour.size(); ++i)
+        if (isIndoors[i] == indoors)
             all.push_back(tour[i]);
-        }
-    }
-    for (std::size_t i = 0; i < kDriverPlaces && !all.empty(); ++i) {
+    for (std::size_t i = 0; i < kDriverPlaces && !all.empty(); ++i)
         some.push_back(all[i * all.size() / kDriverPlaces]);
-    }
     return some;
 }
 
@@ -174,20 +165,16 @@ Result<void> timePlace(DrawnPart& part, const world::Place& place, DriverTimes& 
     for (int i = 0; i < 1 + kDriverRepeats; ++i) { // one to warm up
         for (const Without without : kKinds) {     // in turn
             const Result<double> taken = finishedMilliseconds(part, view, without);
-            if (!taken) {
+            if (!taken)
                 return tl::unexpected(taken.error());
-            }
-            if (i > 0) {
+            if (i > 0)
                 repeats[static_cast<std::size_t>(without)].push_back(*taken);
-            }
         }
     }
-    for (const Without without : kKinds) {
+    for (const Without without : kKinds)
         times.of(without).push_back(medianOf(repeats[static_cast<std::size_t>(without)]));
-    }
-    for (const std::uint8_t value : part.target().readColour()) {
+    for (const std::uint8_t value : part.target().readColour())
         times.hash.add(value);
-    }
     return {};
 }
 
@@ -198,9 +185,8 @@ Result<DriverTimes> timeOnDriver(const BuiltInFiles& files, gpu::Device& device,
     for (const world::Place& place : places) {
         Result<void> timed =
             tour.at(place).and_then([&](DrawnPart* part) { return timePlace(*part, place, times); });
-        if (!timed) {
+        if (!timed)
             return tl::unexpected(timed.error());
-        }
     }
     return times;
 }
@@ -231,9 +217,8 @@ BenchRow ownershipRow(const std::string& scene, std::span<const Result<DriverTim
     row.target = kMostForOwnership;
     double whole = 0.0, without = 0.0;
     for (const Result<DriverTimes>* times : kinds) {
-        if (!*times || (*times)->of(Without::Nothing).empty()) {
+        if (!*times || (*times)->of(Without::Nothing).empty())
             return row;
-        }
         whole += meanOf((*times)->of(Without::Nothing));
         without += meanOf((*times)->of(Without::Ownership));
     }
@@ -244,9 +229,8 @@ BenchRow ownershipRow(const std::string& scene, std::span<const Result<DriverTim
 void addDriverRows(const BuiltInFiles& files, const std::vector<bool>& isIndoors,
                    std::vector<BenchRow>& rows) {
     const std::optional<HeadlessDriver> driver = openDriver();
-    if (!driver) {
+    if (!driver)
         return;
-    }
     const std::string name = driver->device->capabilities().renderer;
     const std::vector<world::Place> rooms = someOf(files.world.tour, isIndoors, true),
                                     streets = someOf(files.world.tour, isIndoors, false);
@@ -272,9 +256,8 @@ std::vector<BenchRow> benchFrame(AllocationCounter counter) {
     }
     const Result<CpuTimes> cpu = timeOnNullDevice(files, counter);
     std::vector<BenchRow> rows{cpuRow(files, cpu)};
-    if (cpu) {
+    if (cpu)
         addDriverRows(files, cpu->indoors, rows);
-    }
     return rows;
 }
 

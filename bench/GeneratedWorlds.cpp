@@ -50,9 +50,8 @@ Vec3 anyDirection(RandomGenerator& random, double steepest) {
 
 Vec3 middleOf(const world::World& world, const world::Portal& portal) {
     Vec3 sum(0.0);
-    for (const Vec3& corner : cornersOf(world, portal)) {
+    for (const Vec3& corner : cornersOf(world, portal))
         sum += corner;
-    }
     return sum / static_cast<double>(portal.cornerCount);
 }
 
@@ -60,9 +59,8 @@ Vec3 middleOf(const world::World& world, const world::Portal& portal) {
 template <class Next>
 std::vector<visibility::View> collect(std::size_t count, Next next) {
     std::vector<visibility::View> views;
-    for (std::size_t tries = 0; views.size() < count && tries < count * kTries; ++tries) {
+    for (std::size_t tries = 0; views.size() < count && tries < count * kTries; ++tries)
         next(views);
-    }
     return views;
 }
 
@@ -75,20 +73,16 @@ const world::Portal& anyBuildingPortal(const world::World& world, RandomGenerato
 
 Result<world::World> generatedWorld(const demo::GeneratedSpec& spec) {
     const TemporaryDirectory directory("bench");
-    if (Result<void> written = demo::writeGeneratedWorld(spec, directory.path()); !written) {
+    if (Result<void> written = demo::writeGeneratedWorld(spec, directory.path()); !written)
         return tl::unexpected(written.error());
-    }
     const Result<dat::Archive> archive = dat::Archive::open(directory.path());
-    if (!archive) {
+    if (!archive)
         return tl::unexpected(archive.error());
-    }
     const Result<world::WorldFile> file = world::loadWorldFile(directory.path());
-    if (!file) {
+    if (!file)
         return tl::unexpected(file.error());
-    }
-    if (file->places.empty()) {
+    if (file->places.empty())
         return fail(ErrorCode::NotFound, "generated world", "names no place to load around");
-    }
     const world::Place& place = file->places.front();
     const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
     return world::loadWorld(*archive, centre, {});
@@ -129,9 +123,8 @@ std::vector<visibility::View> viewsOutdoors(const world::World& world, std::size
         Vec3 eye = middleOf(world, anyBuildingPortal(world, random)) +
                    Vec3(std::cos(turn), std::sin(turn), 0.0) * random.between(0.0, 25.0);
         eye.z = world::terrainHeight(world, eye.x, eye.y) + kEyeHeight;
-        if (isFinite(eye) && motion::locate(world, eye).space == world::kOutside) {
+        if (isFinite(eye) && motion::locate(world, eye).space == world::kOutside)
             views.push_back(lookAlong(eye, anyDirection(random, 0.2), world::kOutside));
-        }
     });
 }
 
@@ -142,9 +135,8 @@ std::vector<visibility::View> viewsAtWindows(const world::World& world, std::siz
         const world::Portal& portal = anyBuildingPortal(world, random);
         const Vec3 out = portal.plane.n;
         const Vec3 eye = middleOf(world, portal) - out * random.between(0.3, 1.0);
-        if (motion::cellContains(world, portal.destination, eye)) {
+        if (motion::cellContains(world, portal.destination, eye))
             views.push_back(lookAlong(eye, out + anyDirection(random, 0.2) * 0.3, portal.destination));
-        }
     });
 }
 

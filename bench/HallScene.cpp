@@ -21,9 +21,8 @@ constexpr std::int32_t kFirstCut = 6; ///< planes before it are the box's sides
 std::vector<demo::SharedFace> openFaces(const std::vector<demo::Solid>& solids, const HallSpec& spec,
                                         demo::Random& random) {
     std::vector<demo::SharedFace> faces = demo::sharedFaces(solids, kLeastRadius);
-    for (std::size_t i = faces.size(); i > 1; --i) {
+    for (std::size_t i = faces.size(); i > 1; --i)
         std::swap(faces[i - 1], faces[random.below(static_cast<std::uint32_t>(i))]);
-    }
     // The largest solid is always cut next, so the first cuts part the box into halls.
     const std::int32_t firstInside = kFirstCut + static_cast<std::int32_t>(spec.halls) - 1;
     const auto between = std::stable_partition(faces.begin(), faces.end(), [&](const demo::SharedFace& face) {
@@ -59,15 +58,13 @@ visibility::Graph graphOf(const std::vector<demo::SharedFace>& faces, const Hall
         for (const Side& side : sides[c]) {
             const auto index = static_cast<std::uint32_t>(portals.size());
             demo::Polygon points = faces[side.face].points;
-            if (!side.first) {
+            if (!side.first)
                 std::reverse(points.begin(), points.end());
-            }
             std::uint32_t& other = portalOfFace[side.face];
             portals.push_back({c, side.destination, other, static_cast<std::uint32_t>(vertices.size()),
                                static_cast<std::uint32_t>(points.size()), true});
-            if (other != visibility::kNone) {
+            if (other != visibility::kNone)
                 portals[other].reciprocal = index;
-            }
             other = index;
             vertices.insert(vertices.end(), points.begin(), points.end());
         }
@@ -104,9 +101,8 @@ FloodScene hallScene(const HallSpec& spec) {
         demo::cutBox(Vec3(0.0), Vec3(side * 1.5, side * 1.5, side / 2.25), spec.cells, random);
     const std::vector<demo::SharedFace> faces = openFaces(solids, spec, random);
     std::vector<visibility::View> views;
-    for (std::uint32_t i = 0; i < spec.views; ++i) {
+    for (std::uint32_t i = 0; i < spec.views; ++i)
         views.push_back(randomView(solids, random));
-    }
     return {fmt::format("{} halls of {} cells, {} openings{}", spec.halls, spec.cells, faces.size(),
                         spec.merged ? "" : ", every cell a zone"),
             graphOf(faces, spec), std::move(views)};

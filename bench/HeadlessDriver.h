@@ -17,13 +17,11 @@ struct HeadlessDriver {
 /// None where there is no driver that can do it.
 [[nodiscard]] inline std::optional<HeadlessDriver> openDriver() {
     Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
-    if (!context) {
+    if (!context)
         return {};
-    }
     Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
-    if (!device) {
+    if (!device)
         return {};
-    }
     return HeadlessDriver{std::move(*context), std::move(*device)};
 }
 

@@ -76,9 +76,8 @@ private:
         cell.base.texture = 0;
         cell.base.tiling = 4.0f;
         world_.terrainCells.assign(64, cell);
-        for (int i = 0; i < blocks_ * blocks_; ++i) {
+        for (int i = 0; i < blocks_ * blocks_; ++i)
             addBlock({kFirstBlock.x + i % blocks_, kFirstBlock.y + i / blocks_});
-        }
     }
 
     void addBlock(dat::BlockCoord coord) {
@@ -155,9 +154,8 @@ private:
         instance.firstMaterial = group;
         placeOutside(instance, moves ? field_.dynamics.members : world_.members);
         (moves ? field_.dynamics.instances : world_.instances).push_back(instance);
-        if (moves) {
+        if (moves)
             field_.homes.push_back(at - origin);
-        }
     }
 
     const FieldSpec& spec_;

@@ -22,45 +22,37 @@ void PathFlood::enter(std::uint32_t index, const Step* path, const std::vector<P
     const visibility::Graph::Space& space = graph_->spaces()[index];
     for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
         const visibility::Graph::Portal& portal = graph_->portals()[p];
-        if (portal.plane.signedDistance(eye_) <= 0.0) {
+        if (portal.plane.signedDistance(eye_) <= 0.0)
             continue;
-        }
         bool walked = false;
-        for (const Step* s = path; s != nullptr && !walked; s = s->previous) {
+        for (const Step* s = path; s != nullptr && !walked; s = s->previous)
             walked = s->portal == p;
-        }
-        if (walked) {
+        if (walked)
             continue;
-        }
         std::vector<Vec3> winding;
         std::vector<Vec3> clipped;
-        for (const Vec3& v : graph_->polygon(portal)) {
+        for (const Vec3& v : graph_->polygon(portal))
             winding.push_back(v - eye_);
-        }
         for (const Plane& plane : planes) {
             clipPolygon(winding, plane, 0.0, clipped);
             winding.swap(clipped);
         }
-        if (winding.size() < 3) {
+        if (winding.size() < 3)
             continue;
-        }
         ++admitted_;
         std::vector<Plane> next;
         for (std::size_t i = 0; i < winding.size(); ++i) {
             const Vec3 n = glm::cross(winding[(i + 1) % winding.size()], winding[i]);
             const double length = glm::length(n);
-            if (length > 1e-12) {
+            if (length > 1e-12)
                 next.push_back({n / length, 0.0});
-            }
         }
         // The edges run counter-clockwise seen from the eye: inside is where the middle of the opening lies.
         Vec3 middle(0.0);
-        for (const Vec3& v : winding) {
+        for (const Vec3& v : winding)
             middle += v;
-        }
-        for (Plane& plane : next) {
+        for (Plane& plane : next)
             plane = plane.signedDistance(middle) < 0.0 ? plane.flipped() : plane;
-        }
         const Step step{path, p};
         enter(portal.destination, &step, next);
     }

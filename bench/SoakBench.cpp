@@ -45,9 +45,8 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
         if (around != world::blockAt(place.eye)) {
             Result<std::unique_ptr<DrawnPart>> loaded =
                 DrawnPart::around(*files.archive, files.world, place, device, kWidth, kHeight, {.radius = 1});
-            if (!loaded) {
+            if (!loaded)
                 return tl::unexpected(loaded.error());
-            }
             part = std::move(*loaded); // the one before goes after the next has come, as in a session
             around = world::blockAt(place.eye);
             ++lap.loads;
@@ -56,9 +55,8 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
         part->move(view);
         part->flood(view);
         part->plan(view);
-        if (Result<void> drawn = part->submit(); !drawn) {
+        if (Result<void> drawn = part->submit(); !drawn)
             return tl::unexpected(drawn.error());
-        }
         ++lap.frames;
         lap.memory = std::max(lap.memory, residentBytes());
     }
@@ -68,9 +66,8 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
 
 BenchRow memoryRow(std::span<const Lap> laps, const std::string& driver) {
     std::vector<std::string> figures;
-    for (const Lap& lap : laps) {
+    for (const Lap& lap : laps)
         figures.push_back(fmt::format("{:.0f}", lap.memory / kMiB));
-    }
     BenchRow row{"soak/memory",
                  fmt::format("{} laps of {} frames and {} loads, MiB by lap: {}; {}", laps.size(),
                              laps[0].frames, laps[0].loads, fmt::join(figures, " "), driver),
@@ -108,19 +105,16 @@ BenchRow failedRow(const Error& error) {
 
 std::vector<BenchRow> benchSoak(AllocationCounter) {
     const std::optional<HeadlessDriver> driver = openDriver();
-    if (!driver) {
+    if (!driver)
         return {};
-    }
     BuiltInFiles files;
-    if (Result<void> opened = files.open(); !opened) {
+    if (Result<void> opened = files.open(); !opened)
         return {failedRow(opened.error())};
-    }
     std::vector<Lap> laps;
     for (std::size_t i = 0; i < kLaps; ++i) {
         const Result<Lap> lap = walkOnce(files, *driver->device);
-        if (!lap) {
+        if (!lap)
             return {failedRow(lap.error())};
-        }
         laps.push_back(*lap);
     }
     return {memoryRow(laps, driver->device->capabilities().renderer), objectsRow(laps)};

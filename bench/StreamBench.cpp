@@ -52,9 +52,8 @@ struct Land {
             for (int y = 0; y < world::kMapSize; ++y) {
                 const dat::BlockCoord block{x, y};
                 if (source.archive.contains<dat::LandBlock>(dat::landBlockId(block)) &&
-                    !world::isDungeon(source.archive, block)) {
+                    !world::isDungeon(source.archive, block))
                     blocks.push_back(block);
-                }
             }
         }
         const auto isBefore = [](dat::BlockCoord a, dat::BlockCoord b) { return a.x + a.y < b.x + b.y; };
@@ -98,9 +97,8 @@ double quantile(std::vector<double> values, double q) {
 
 bool isAllThere(const world::World& world, const Land& land, dat::BlockCoord eye) {
     return std::all_of(land.blocks.begin(), land.blocks.end(), [&](dat::BlockCoord block) {
-        if (std::max(std::abs(block.x - eye.x), std::abs(block.y - eye.y)) > kAlwaysNear) {
+        if (std::max(std::abs(block.x - eye.x), std::abs(block.y - eye.y)) > kAlwaysNear)
             return true;
-        }
         const world::Block* there = world::findBlock(world, block);
         return there != nullptr && !there->isFar;
     });
@@ -120,9 +118,8 @@ Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, const 
     options.load.radius = kNear;
     options.load.farRadius = kFar;
     app::Session session(source, options, device);
-    if (Result<void> loaded = session.load(world::blockAt(land.from)); !loaded) {
+    if (Result<void> loaded = session.load(world::blockAt(land.from)); !loaded)
         return tl::unexpected(loaded.error());
-    }
     app::SessionStream stream(session);
     app::FrameEye eye;
     eye.size = {64, 36};
@@ -141,13 +138,11 @@ Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, const 
         flight.wall.push_back(
             secondsOf([&] { flight.shown += stream.follow(at, eye.root, nullptr) ? 1 : 0; }));
         flight.cpu.push_back(threadSeconds() - cpu);
-        if (const std::string fault = stream.takeFault(); !fault.empty()) {
+        if (const std::string fault = stream.takeFault(); !fault.empty())
             return fail(ErrorCode::NotFound, "stream", fault);
-        }
         flight.missing += isAllThere(session.loaded().world, land, world::blockAt(at)) ? 0 : 1;
-        if (Result<void> drawn = session.draw(eye, {}); !drawn) {
+        if (Result<void> drawn = session.draw(eye, {}); !drawn)
             return tl::unexpected(drawn.error());
-        }
         flight.mostMiB = std::max(flight.mostMiB, i % 20 == 0 ? residentMiB() : 0.0);
         due = std::max(
             due + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(kFrame)),
@@ -194,9 +189,8 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
             return;
         }
         Land land(*source);
-        if (!whole) {
+        if (!whole)
             land.keepPart(source->file.places);
-        }
         addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
     };
     // The writers' memory is no part of a session's.
@@ -226,9 +220,8 @@ std::vector<BenchRow> benchStreamOver(const std::string& dat) {
         addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
     };
     measure(dat + ", null device", *std::make_unique<gpu::NullDevice>());
-    if (const std::optional<HeadlessDriver> driver = openDriver()) {
+    if (const std::optional<HeadlessDriver> driver = openDriver())
         measure(dat + ", " + driver->device->capabilities().renderer, *driver->device);
-    }
     return rows;
 }
 

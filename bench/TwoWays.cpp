@@ -7,17 +7,14 @@ namespace limen::bench {
 Result<std::unique_ptr<TwoWays>> TwoWays::create(gpu::Device& device, const ObjectField& field,
                                                  std::uint32_t width, std::uint32_t height) {
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
-    if (!target) {
+    if (!target)
         return tl::unexpected(target.error());
-    }
     std::unique_ptr<TwoWays> ways(new TwoWays(device, field, std::move(*target)));
-    if (Result<void> uploaded = ways->renderer_.upload(frame::buildScene(field.world)); !uploaded) {
+    if (Result<void> uploaded = ways->renderer_.upload(frame::buildScene(field.world)); !uploaded)
         return tl::unexpected(uploaded.error());
-    }
     Result<std::unique_ptr<ClassicPath>> classic = ClassicPath::create(device, field.world, field.dynamics);
-    if (!classic) {
+    if (!classic)
         return tl::unexpected(classic.error());
-    }
     ways->classic_ = std::move(*classic);
     return ways;
 }

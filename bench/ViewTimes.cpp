@@ -16,9 +16,8 @@ ViewTimes timeViews(const visibility::Graph& graph, std::span<const visibility::
     double seen = 0.0, visits = 0.0;
     for (const visibility::View& view : views) {
         const Samples samples = measure(effort.repeats, nullptr, [&] {
-            for (int i = 0; i < effort.floodsEach; ++i) {
+            for (int i = 0; i < effort.floodsEach; ++i)
                 visibility::flood(graph, {}, view, {}, scratch, set);
-            }
         });
         out.median.push_back(samples.quantile(0.5) * 1e6 / effort.floodsEach);
         out.p95.push_back(samples.quantile(0.95) * 1e6 / effort.floodsEach);
@@ -31,9 +30,8 @@ ViewTimes timeViews(const visibility::Graph& graph, std::span<const visibility::
     for (int pass = 0; pass < 2;
          ++pass) { // buffers that swap places take a pass more to be large enough, all of them
         const std::uint64_t before = counter ? counter() : 0;
-        for (const visibility::View& view : views) {
+        for (const visibility::View& view : views)
             visibility::flood(graph, {}, view, {}, scratch, set);
-        }
         out.allocations = counter ? counter() - before : 0;
     }
     return out;
@@ -54,12 +52,10 @@ std::uint64_t hashOf(const visibility::VisibleSet& set, std::uint64_t sofar) {
         hash.add(s.space);
         hash.add(s.visit);
     }
-    for (const visibility::Visit& v : set.visits) {
+    for (const visibility::Visit& v : set.visits)
         hash.add(v.portal);
-    }
-    for (const Vec3& v : set.regionVertices) {
+    for (const Vec3& v : set.regionVertices)
         hash.add(v);
-    }
     return hash.value();
 }
 

@@ -69,9 +69,8 @@ visibility::Graph graphOf(const world::World& world) {
 std::vector<double> pathTimes(const FloodScene& scene) {
     PathFlood naive;
     std::vector<double> times;
-    for (const View& view : scene.views) {
+    for (const View& view : scene.views)
         times.push_back(secondsOf([&] { naive.run(scene.graph, view); }) * 1e6);
-    }
     return times;
 }
 
@@ -98,9 +97,8 @@ SeenCounts countSeen(const visibility::Graph& graph, const std::vector<View>& vi
     visibility::FloodScratch scratch;
     visibility::VisibleSet set;
     SeenCounts counts;
-    for (const View& view : views) {
+    for (const View& view : views)
         ++counts[seenFrom(graph, view, scratch, set)];
-    }
     return counts;
 }
 
@@ -158,20 +156,18 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
         const visibility::Graph graph = graphOf(*world);
         const bool first = wanted.empty();
         std::vector<View> views = viewsInCells(*world, first ? kViews : 8 * kViews, kSeed);
-        if (first) {
+        if (first)
             wanted = countSeen(graph, views);
-        } else {
+        else
             views = viewsThatSee(graph, wanted, views);
-        }
         const ViewTimes times = timeViews(graph, views, {15, 16}, counter);
         const std::string scene =
             fmt::format("dungeon of {} cells, {} loaded, {} views that see {:.2f} cells", size,
                         world->spaces.size() - 1, views.size(), times.meanSeen);
         rows.push_back(meanRow("flood/scale", scene, times,
                                rows.empty() ? std::nullopt : std::optional(1.1 * rows.front().value)));
-        if (rows.size() > 1) {
+        if (rows.size() > 1)
             rows.back().against = {{"the smallest", rows.front().value}};
-        }
     }
     return rows;
 }
@@ -179,9 +175,8 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
 std::vector<BenchRow> townRows(AllocationCounter counter) {
     constexpr std::size_t kViews = 1000;
     const Result<world::World> world = generatedWorld({demo::GeneratedKind::Town, 64, kSeed, 0.0});
-    if (!world) {
+    if (!world)
         return {failedRow("flood/town", world.error())};
-    }
     const visibility::Graph graph = graphOf(*world);
     const std::string name =
         fmt::format("64 houses, {} building portals, ", world->spaces[world::kOutside].portalCount);

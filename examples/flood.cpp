@@ -73,9 +73,8 @@ int main(int argc, char** argv) {
     vis::flood(*graph, {}, view, {}, scratch, seen);
     for (const vis::Visit& visit : seen.visits) {
         std::printf("%*s%s:", static_cast<int>(2 * visit.depth), "", kNames[visit.space]);
-        for (const Vec3& corner : seen.region(visit)) {
+        for (const Vec3& corner : seen.region(visit))
             std::printf(" (%.2f, %.2f)", corner.x / corner.z, corner.y / corner.z);
-        }
         std::printf("\n");
     }
     return 0;

@@ -38,10 +38,9 @@ std::optional<RecordKind> askedKind() {
     const char* name = std::getenv("LIMEN_FUZZ_RECORD");
     if (name == nullptr)
         return std::nullopt;
-    for (std::size_t kind = 0; kind < RecordTypes::kSize; ++kind) {
+    for (std::size_t kind = 0; kind < RecordTypes::kSize; ++kind)
         if (std::strcmp(name, nameOf(static_cast<RecordKind>(kind))) == 0)
             return static_cast<RecordKind>(kind);
-    }
     std::fprintf(stderr, "LIMEN_FUZZ_RECORD=%s: there is no such kind of record\n", name);
     std::exit(2);
 }

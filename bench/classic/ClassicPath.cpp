@@ -40,9 +40,8 @@ Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, co
                                                          const world::DynamicState& dynamics) {
     LIMEN_ASSERT(world.spaces.size() == 1, "there are no cells");
     Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, dynamics);
-    if (!scene) {
+    if (!scene)
         return tl::unexpected(scene.error());
-    }
     std::unique_ptr<ClassicPath> path(new ClassicPath(device, world, std::move(*scene)));
     path->layOut(dynamics);
     return path;
@@ -73,9 +72,8 @@ void ClassicPath::layOut(const world::DynamicState& dynamics) {
 
 template <class T>
 void ClassicPath::write(std::size_t offset, std::span<const T> values) {
-    if (!values.empty()) {
+    if (!values.empty())
         std::memcpy(memory_.data() + offset, values.data(), values.size_bytes());
-    }
 }
 
 bool ClassicPath::Sides::sees(const Sphere& bounds) const {
@@ -96,9 +94,8 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Dyna
     LIMEN_ASSERT(visible.visits.size() == 1, "all there is to see is outside");
     LIMEN_ASSERT(dynamics.instances.size() == scene_->moving().size(), "as much moves as before");
     planner_.plan(view, visible, base_);
-    if (Result<void> reserved = device_.reserveRing(places_.size); !reserved) {
+    if (Result<void> reserved = device_.reserveRing(places_.size); !reserved)
         return reserved;
-    }
     begin(target);
     counts_ = {};
     zones_.clear();
@@ -153,16 +150,13 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
         std::memcpy(to, &packed, sizeof packed);
         to += sizeof packed;
     };
-    for (const ClassicObject& object : scene_->standing().subspan(group.firstStanding, group.standingCount)) {
-        if (sides.sees(object.bounds)) {
+    for (const ClassicObject& object : scene_->standing().subspan(group.firstStanding, group.standingCount))
+        if (sides.sees(object.bounds))
             copy(object.packed);
-        }
-    }
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
         const world::Instance& instance = dynamics.instances[index];
-        if (sides.sees(instance.bounds)) {
+        if (sides.sees(instance.bounds))
             copy(frame::packInstance(world_, instance, dynamics.members, {zones_, scene_->staticMembers()}));
-        }
     }
     return static_cast<std::uint32_t>(static_cast<std::size_t>(to - begin) / sizeof(layout::Instance));
 }

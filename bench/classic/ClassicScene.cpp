@@ -23,9 +23,8 @@ std::span<const std::byte> bytesOf(const std::vector<T>& array) {
 }
 
 std::uint32_t textureOf(const world::World& world, const world::Instance& instance) {
-    if (instance.kind == world::InstanceKind::Terrain) {
+    if (instance.kind == world::InstanceKind::Terrain)
         return world.terrainCells[instance.firstMaterial].base.texture;
-    }
     return world.materials[world.materialRefs[instance.firstMaterial]].texture;
 }
 
@@ -53,12 +52,10 @@ Sorted sortByGroup(const world::World& world, const world::DynamicState& dynamic
         }
         return entry->second;
     };
-    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i)
         sorted.standing[groupFor(world.instances[i])].push_back(i);
-    }
-    for (std::uint32_t i = 0; i < dynamics.instances.size(); ++i) {
+    for (std::uint32_t i = 0; i < dynamics.instances.size(); ++i)
         sorted.moving[groupFor(dynamics.instances[i])].push_back(i);
-    }
     return sorted;
 }
 
@@ -69,36 +66,29 @@ Result<std::unique_ptr<ClassicScene>> ClassicScene::create(gpu::Device& device, 
     std::unique_ptr<ClassicScene> scene(new ClassicScene(device));
     scene->programs_.fill(gpu::ProgramHandle::Invalid);
     Result<void> made = scene->upload(world).and_then([&] { return scene->addPrograms(); });
-    if (!made) {
+    if (!made)
         return tl::unexpected(made.error());
-    }
     scene->addGroups(world, dynamics);
     return scene;
 }
 
 ClassicScene::~ClassicScene() {
-    for (gpu::ProgramHandle program : programs_) {
-        if (program != gpu::ProgramHandle::Invalid) {
+    for (gpu::ProgramHandle program : programs_)
+        if (program != gpu::ProgramHandle::Invalid)
             device_.destroyProgram(program);
-        }
-    }
-    for (gpu::TextureHandle texels : texels_) {
+    for (gpu::TextureHandle texels : texels_)
         device_.destroyTexture(texels);
-    }
-    for (gpu::BufferHandle buffer : owned_) {
+    for (gpu::BufferHandle buffer : owned_)
         device_.destroyBuffer(buffer);
-    }
 }
 
 Result<void> ClassicScene::upload(const world::World& world) {
     const frame::SceneUpload scene = frame::buildScene(world);
-    if (Result<void> added = addPages(scene.textures); !added) {
+    if (Result<void> added = addPages(scene.textures); !added)
         return added;
-    }
     std::vector<layout::TextureRef> refs;
-    for (const gpu::TextureStore& page : pages_) {
+    for (const gpu::TextureStore& page : pages_)
         refs.push_back(page.refs().front());
-    }
     vertices_ = add("classic vertices", bytesOf(scene.vertices));
     indices_ = add("classic indices", bytesOf(scene.indices));
     storage_.fill({indices_, 0, kSmallestRange}); // what no shader of this path reads
@@ -111,9 +101,8 @@ Result<void> ClassicScene::upload(const world::World& world) {
     packed_ = scene.instances;
     staticMembers_ = static_cast<std::uint32_t>(scene.members.size());
     const gpu::BufferHandle members = add("classic members", bytesOf(scene.members));
-    if (missing_) {
+    if (missing_)
         return tl::unexpected(*missing_);
-    }
     // Instances are all in the frame's memory, and there are no pieces, so that nothing reads these arrays.
     return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
         .and_then([&] { return addTexels(layout::kUnitInstances, "classic instances", vertices_); })
@@ -125,9 +114,8 @@ Result<void> ClassicScene::addPages(std::span<const frame::TextureUpload> textur
     for (const frame::TextureUpload& texture : textures) {
         Result<gpu::TextureStore> page = gpu::TextureStore::create(device_, std::span(&texture, 1),
                                                                    {.mode = gpu::TextureMode::ArrayPages});
-        if (!page) {
+        if (!page)
             return tl::unexpected(page.error());
-        }
         pages_.push_back(std::move(*page));
     }
     return {};
@@ -143,9 +131,8 @@ Result<void> ClassicScene::addPrograms() {
         source.label = "classic " + source.label;
         source.defines.emplace_back("EXACT_OUTLINES");
         const Result<gpu::ProgramHandle> made = device_.createProgram(source);
-        if (!made) {
+        if (!made)
             return tl::unexpected(made.error());
-        }
         programs_[static_cast<std::size_t>(program)] = *made;
     }
     return {};
@@ -171,9 +158,8 @@ void ClassicScene::addGroups(const world::World& world, const world::DynamicStat
         ClassicGroup group = groupOf(world, sorted.examples[i]);
         group.firstStanding = static_cast<std::uint32_t>(standing_.size());
         group.standingCount = static_cast<std::uint32_t>(sorted.standing[i].size());
-        for (const std::uint32_t instance : sorted.standing[i]) {
+        for (const std::uint32_t instance : sorted.standing[i])
             standing_.push_back({world.instances[instance].bounds, packed_[instance]});
-        }
         group.firstMoving = static_cast<std::uint32_t>(moving_.size());
         group.movingCount = static_cast<std::uint32_t>(sorted.moving[i].size());
         moving_.insert(moving_.end(), sorted.moving[i].begin(), sorted.moving[i].end());
@@ -205,9 +191,8 @@ void ClassicScene::addStorage(std::uint32_t binding, std::string_view label,
 
 Result<void> ClassicScene::addTexels(std::uint32_t unit, std::string_view label, gpu::BufferHandle buffer) {
     const Result<gpu::TextureHandle> texels = device_.createTexels(label, buffer);
-    if (!texels) {
+    if (!texels)
         return tl::unexpected(texels.error());
-    }
     texels_.push_back(*texels);
     textures_[unit - layout::kUnitVertices] = *texels;
     return {};

@@ -172,7 +172,7 @@ LIMEN_STRUCT(Instance) {
     uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
     uint reach
         LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than the high half
-        // says; kFromAnywhere
+    // says; kFromAnywhere
     uint highlight LIMEN_ZERO; // RGBA8, alpha = strength; 0 none
     float opacity LIMEN_ZERO;  // times its blended surfaces' own
 };

@@ -16,10 +16,9 @@ bool isRecording(std::span<const world::Place> points) {
     constexpr double kLongestStep = 1.05; // metres
     if (points.size() < kFewest)
         return false;
-    for (std::size_t i = 1; i < points.size(); ++i) {
+    for (std::size_t i = 1; i < points.size(); ++i)
         if (glm::length(points[i].eye - points[i - 1].eye) > kLongestStep)
             return false;
-    }
     return true;
 }
 
@@ -69,10 +68,9 @@ Camera CameraPath::at(double time) const {
 
 void CameraPath::cornersBetween(double from, double to, std::vector<Vec3>& out) const {
     out.clear();
-    for (std::size_t i = 0; i < times_.size(); ++i) {
+    for (std::size_t i = 0; i < times_.size(); ++i)
         if (times_[i] > from && times_[i] < to)
             out.push_back(wayPoints_[i].eye);
-    }
 }
 
 double CameraPath::timeOfFrame(std::size_t frame, std::size_t count) const {

@@ -38,26 +38,23 @@ Rgb colourOf(check::Verdict verdict) {
 
 Picture enlarged(const Picture& picture, std::uint32_t factor) {
     Picture large(picture.width * factor, picture.height * factor);
-    for (std::uint32_t y = 0; y < large.height; ++y) {
+    for (std::uint32_t y = 0; y < large.height; ++y)
         for (std::uint32_t x = 0; x < large.width; ++x)
             large.set(x, y, picture.at(x / factor, y / factor));
-    }
     return large;
 }
 
 void paste(Picture& onto, const Picture& picture, std::uint32_t left) {
-    for (std::uint32_t y = 0; y < picture.height; ++y) {
+    for (std::uint32_t y = 0; y < picture.height; ++y)
         for (std::uint32_t x = 0; x < picture.width; ++x)
             onto.set(left + x, y, picture.at(x, y));
-    }
 }
 
 std::vector<std::uint32_t> tracedIds(const reference::Picture& traced) {
     std::vector<std::uint32_t> ids;
-    for (int y = 0; y < static_cast<int>(traced.height); ++y) {
+    for (int y = 0; y < static_cast<int>(traced.height); ++y)
         for (int x = 0; x < static_cast<int>(traced.width); ++x)
             ids.push_back(traced.at(x, y).id);
-    }
     return ids;
 }
 

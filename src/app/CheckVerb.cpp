@@ -42,10 +42,9 @@ Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
         kinds.push_back(*kind);
         begin = end + 1;
     }
-    if (kinds.empty()) {
+    if (kinds.empty())
         for (std::size_t i = 0; i < check::kKindCount; ++i)
             kinds.push_back(static_cast<check::Kind>(i));
-    }
     return kinds;
 }
 

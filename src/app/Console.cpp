@@ -23,10 +23,9 @@ void Console::note(std::string_view text) const {
 
 void Console::error(const Error& error) const {
     std::string line = fmt::format("limen: {}", error.message());
-    for (char& c : line) {
+    for (char& c : line)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
             c = ' ';
-    }
     note(line);
 }
 

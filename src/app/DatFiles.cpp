@@ -21,10 +21,9 @@ Result<DatFiles> openDatFiles(const std::string& path) {
         return tl::unexpected(source.error());
     files.source = std::make_unique<WorldSource>(std::move(*source));
     const dat::Archive& archive = files.source->archive;
-    for (const dat::File* file : {&archive.portal(), &archive.cell(), archive.highres(), archive.local()}) {
+    for (const dat::File* file : {&archive.portal(), &archive.cell(), archive.highres(), archive.local()})
         if (file != nullptr)
             files.list.push_back(file);
-    }
     return files;
 }
 

@@ -22,10 +22,9 @@ std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& vi
     hash.add(eye.root);
     hash.add(eye.dayGroup);
     hash.add(eye.weather);
-    for (const visibility::Visit& visit : visible.visits) {
+    for (const visibility::Visit& visit : visible.visits)
         for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})
             hash.add(value);
-    }
     for (const world::Instance& instance : dynamics.instances) {
         for (const std::uint32_t value : {instance.mesh, instance.block, std::uint32_t{instance.memberCount}})
             hash.add(value);

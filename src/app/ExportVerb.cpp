@@ -94,10 +94,9 @@ Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat
     if (kind == dat::RecordKind::EnvCell && cell == world::kNone)
         return fail(ErrorCode::NotFound, hexId(id), "the cell cannot be read");
     std::vector<world::InstanceIndex> instances;
-    for (world::InstanceIndex i = 0; i < world->instances.size(); ++i) {
+    for (world::InstanceIndex i = 0; i < world->instances.size(); ++i)
         if (cell == world::kNone || world->instances[i].placedIn == cell)
             instances.push_back(i);
-    }
     const Result<std::string> bytes = encodeGlb(*world, instances, world->blocks.front().origin());
     if (!bytes)
         return tl::unexpected(bytes.error());

@@ -100,19 +100,17 @@ Json residentJson(const gpu::DeviceObjects& resident) {
 std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible, const visibility::Visit& visit) {
     constexpr double kAtEye = 1e-12; // metres forward; nearer than any surface a file can hold
     std::vector<Vec2> corners;
-    for (const Vec3& corner : visible.region(visit)) {
+    for (const Vec3& corner : visible.region(visit))
         if (corner.z > kAtEye)
             corners.emplace_back(corner.x / corner.z, corner.y / corner.z);
-    }
     return corners;
 }
 
 std::vector<dat::RecordId> cellsSeen(const world::World& world, const visibility::VisibleSet& visible) {
     std::vector<dat::RecordId> cells;
-    for (const visibility::SeenSpace& seen : visible.seen) {
+    for (const visibility::SeenSpace& seen : visible.seen)
         if (seen.space != world::kOutside && seen.space < world.spaces.size())
             cells.push_back(world.spaces[seen.space].cellId);
-    }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;

@@ -25,10 +25,9 @@ std::string spaceName(const world::World& world, world::SpaceIndex space) {
 
 IdTable::IdTable(const world::World& world) : world_(world) {
     for (const auto* instances : {&world.instances, &world.movingParts}) {
-        for (const world::Instance& instance : *instances) {
+        for (const world::Instance& instance : *instances)
             if (polygonCount(world, instance) > 0)
                 byId_.push_back(&instance);
-        }
     }
     std::sort(byId_.begin(), byId_.end(), [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
 }

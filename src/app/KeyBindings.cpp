@@ -54,10 +54,9 @@ constexpr std::array<ActionFacts, kActions> kFacts{{
 }};
 
 constexpr bool areKeysKnown() {
-    for (const ActionFacts& facts : kFacts) {
+    for (const ActionFacts& facts : kFacts)
         if (!keyNamed(facts.keys[0]) || (!facts.keys[1].empty() && !keyNamed(facts.keys[1])))
             return false;
-    }
     return true;
 }
 static_assert(areKeysKnown());
@@ -76,10 +75,9 @@ bool has(std::span<const KeyCode> keys, KeyCode key) {
 
 /// Another action that the key does at the times of this one.
 std::optional<Action> rivalOf(const KeyBindings& bindings, Action action, KeyCode key) {
-    for (const Action other : bindings.actionsOf(key)) {
+    for (const Action other : bindings.actionsOf(key))
         if (other != action && meet(factsOf(other).when, factsOf(action).when))
             return other;
-    }
     return std::nullopt;
 }
 
@@ -132,19 +130,17 @@ std::optional<Action> actionNamed(std::string_view name) {
 
 KeyBindings::KeyBindings() {
     for (std::size_t i = 0; i < kActions; ++i) {
-        for (const std::string_view name : kFacts[i].keys) {
+        for (const std::string_view name : kFacts[i].keys)
             if (!name.empty())
                 keys_[i].push_back(*keyNamed(name));
-        }
     }
 }
 
 std::vector<Action> KeyBindings::actionsOf(KeyCode key) const {
     std::vector<Action> actions;
-    for (std::size_t i = 0; i < kActions; ++i) {
+    for (std::size_t i = 0; i < kActions; ++i)
         if (has(keys_[i], key))
             actions.push_back(actionAt(i));
-    }
     return actions;
 }
 

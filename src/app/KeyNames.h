@@ -141,10 +141,9 @@ inline constexpr std::array kKeyNames = [] {
 
 /// Empty: a key without a name, which cannot be bound.
 [[nodiscard]] constexpr std::string_view nameOf(KeyCode code) {
-    for (const KeyName& key : kKeyNames) {
+    for (const KeyName& key : kKeyNames)
         if (key.code == code)
             return key.name;
-    }
     return {};
 }
 

@@ -32,10 +32,9 @@ Result<Target> targetNamed(const std::string& role) {
     for (const Target& target : {Target{dat::FileRole::Portal, dat::FileTraits::portal()},
                                  Target{dat::FileRole::Cell, dat::FileTraits::cell()},
                                  Target{dat::FileRole::Highres, dat::FileTraits::highres()},
-                                 Target{dat::FileRole::Local, dat::FileTraits::local()}}) {
+                                 Target{dat::FileRole::Local, dat::FileTraits::local()}})
         if (role == nameOfRole(target.role))
             return target;
-    }
     return fail(ErrorCode::BadArgument, "--role",
                 "say what file it is to be, or which one it is based on (--base)");
 }
@@ -58,11 +57,9 @@ Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
             continue;
         }
         const std::size_t before = files.size();
-        for (fs::directory_iterator entry(input, error), end; !error && entry != end;
-             entry.increment(error)) {
+        for (fs::directory_iterator entry(input, error), end; !error && entry != end; entry.increment(error))
             if (entry->path().extension() == kExtension)
                 files.push_back(entry->path());
-        }
         if (error)
             return fail(ErrorCode::NotFound, input, error.message());
         if (files.size() == before)

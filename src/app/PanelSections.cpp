@@ -91,10 +91,9 @@ void drawQuality(PanelChoice& choice) {
     const char* name = choice.quality ? kQualities[*choice.quality].name : "as the options say";
     if (!ImGui::BeginCombo("quality", name))
         return;
-    for (std::size_t i = 0; i < kQualities.size(); ++i) {
+    for (std::size_t i = 0; i < kQualities.size(); ++i)
         if (ImGui::Selectable(kQualities[i].name, choice.quality == i))
             choice.quality = i;
-    }
     ImGui::EndCombo();
 }
 
@@ -195,10 +194,9 @@ void drawPortalList(const PanelFacts& facts) {
         ImGui::PopStyleColor();
         if (!isOpen)
             continue;
-        for (const PortalTrace& trace : facts.portals) {
+        for (const PortalTrace& trace : facts.portals)
             if (trace.fate == fate)
                 line(portalLabel(facts.world, trace));
-        }
         ImGui::TreePop();
     }
 }
@@ -267,10 +265,9 @@ void drawVerdict(const ViewVerdict* verdict) {
     const check::Comparison& comparison = verdict->comparison;
     line(fmt::format("{} wrong of {} pixels, {:.1f} s", comparison.findings(), comparison.verdicts.size(),
                      verdict->seconds));
-    for (std::size_t i = 1; i < check::kVerdictCount; ++i) { // what agrees is the rest
+    for (std::size_t i = 1; i < check::kVerdictCount; ++i) // what agrees is the rest
         if (comparison.counts[i] > 0)
             line(fmt::format("{} {}", comparison.counts[i], check::kVerdictNames[i]));
-    }
 }
 
 /// What was found wrong with the data.

@@ -9,10 +9,9 @@ namespace {
 tl::unexpected<Error> bad(std::string_view option, std::string_view text, std::string_view wanted) {
     constexpr std::size_t kShown = 60; // a message stays one readable line
     std::string shown(text.substr(0, kShown));
-    for (char& c : shown) {
+    for (char& c : shown)
         if (static_cast<unsigned char>(c) < 0x20)
             c = '?';
-    }
     if (text.size() > kShown)
         shown += "...";
     return fail(ErrorCode::BadArgument, std::string(option), fmt::format("'{}' is not {}", shown, wanted));

@@ -24,10 +24,9 @@ Play::Play(Session& session, FrameEye start, Residency* residency)
     : session_(session), residency_(residency != nullptr ? *residency : session), eye_(std::move(start)),
       tracker_(eye_.root) {
     const std::vector<world::Door>& doors = session_.loaded().world.doors;
-    for (std::size_t i = 0; i < std::min(doors.size(), eye_.eachDoor.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(doors.size(), eye_.eachDoor.size()); ++i)
         if (eye_.eachDoor[i] != doors[i].open)
             doors_.put(doors[i], eye_.eachDoor[i]);
-    }
 }
 
 Result<void> Play::step(const PlayInput& input) {

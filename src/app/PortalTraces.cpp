@@ -85,10 +85,9 @@ std::vector<PortalLine> portalLines(const world::World& world, std::span<const P
     std::vector<PortalLine> lines;
     for (const PortalTrace& trace : weakestFirst) {
         const auto corners = cornersOf(world, world.portals[trace.portal]);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (std::size_t i = 0; i < corners.size(); ++i)
             if (const auto line = projectLine(corners[i], corners[(i + 1) % corners.size()], eye))
                 lines.push_back({line->first, line->second, trace.fate});
-        }
     }
     return lines;
 }

@@ -25,10 +25,9 @@ inline constexpr std::array kQualities{
 
 /// Index into kQualities.
 [[nodiscard]] inline std::optional<std::size_t> qualityNamed(std::string_view name) {
-    for (std::size_t i = 0; i < kQualities.size(); ++i) {
+    for (std::size_t i = 0; i < kQualities.size(); ++i)
         if (kQualities[i].name == name)
             return i;
-    }
     return std::nullopt;
 }
 

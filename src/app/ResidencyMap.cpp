@@ -14,14 +14,12 @@ std::vector<ResidentBlock> factsOf(const world::World& world) {
     for (const world::Block& block : world.blocks)
         blocks.push_back(
             {.coord = block.coord, .state = ResidentBlock::State::Loaded, .hasTerrain = block.hasTerrain});
-    for (const world::Space& space : world.spaces) {
+    for (const world::Space& space : world.spaces)
         if (space.block < blocks.size())
             ++blocks[space.block].cells;
-    }
-    for (const world::Portal& portal : world.portals) {
+    for (const world::Portal& portal : world.portals)
         if (portal.space == world::kOutside && portal.block < blocks.size())
             ++blocks[portal.block].buildingPortals;
-    }
     return blocks;
 }
 

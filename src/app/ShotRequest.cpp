@@ -56,10 +56,9 @@ Result<void> checkPosition(const ViewArguments& a, ViewRequest& view) {
 
 std::vector<std::filesystem::path> OutputPaths::all() const {
     std::vector<std::filesystem::path> paths;
-    for (const std::filesystem::path& path : {frame, ids, depth, json, overlay}) {
+    for (const std::filesystem::path& path : {frame, ids, depth, json, overlay})
         if (!path.empty())
             paths.push_back(path);
-    }
     return paths;
 }
 

@@ -29,12 +29,11 @@ struct ShotOptions {
 /// Distances as depth.npy has them: infinite only for sky, NaN for holes.
 std::vector<float> depthOf(const Session& session, std::span<const std::uint32_t> ids) {
     std::vector<float> depth = session.target().readDistances(session.plan().constants);
-    for (std::size_t i = 0; i < depth.size(); ++i) {
+    for (std::size_t i = 0; i < depth.size(); ++i)
         if (ids[i] == kVoidPixel)
             depth[i] = std::numeric_limits<float>::quiet_NaN();
         else if (ids[i] == kSkyPixel)
             depth[i] = std::numeric_limits<float>::infinity();
-    }
     return depth;
 }
 

@@ -92,12 +92,11 @@ bool Streamer::step(const StreamTarget& shown, const StreamEye& eye, const world
     isOutdated_ = (isOutdated_ || isAnother) && phase_ == Phase::Reading;
     if (phase_ == Phase::Uploading)
         return goOnUploading(isStillWanted);
-    if (phase_ == Phase::Reading) {
+    if (phase_ == Phase::Reading)
         goOnReading(isStillWanted);
-    } else if (const StreamTarget target{eye.block, wanted};
-               !(shown.options == wanted && isAtHome(shown, eye)) && failed_ != target) {
+    else if (const StreamTarget target{eye.block, wanted};
+             !(shown.options == wanted && isAtHome(shown, eye)) && failed_ != target)
         begin(target);
-    }
     if (phase_ != Phase::Uploading)
         static_cast<void>(tasks_.advance()); // nothing comes; it frees what is shown no more
     return false;

@@ -112,10 +112,9 @@ nlohmann::ordered_json tracedJson(const world::World& world, const IdTable& tabl
     visibility::VisibleSet visible;
     std::vector<std::uint8_t> seen(world.spaces.size(), 0);
     forPixels(frame, [&](int, int, const reference::Answer& answer) { seen[answer.space] = 1; });
-    for (world::SpaceIndex s = 0; s < seen.size(); ++s) {
+    for (world::SpaceIndex s = 0; s < seen.size(); ++s)
         if (seen[s] != 0)
             visible.seen.push_back({s, 0, {}});
-    }
     FrameFigures figures;
     figures.driver = "reference";
     figures.textures = "none";

@@ -24,10 +24,9 @@ struct KindLine {
 };
 std::vector<KindLine> linesOf(const dat::VerifyReport& report) {
     std::vector<KindLine> lines;
-    for (std::size_t i = 0; i < report.byKind.size(); ++i) {
+    for (std::size_t i = 0; i < report.byKind.size(); ++i)
         if (report.byKind[i].records > 0)
             lines.push_back({dat::nameOf(static_cast<dat::RecordKind>(i)), report.byKind[i]});
-    }
     return lines;
 }
 
@@ -96,10 +95,9 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
     dat::VerifyReport report = dat::verify(files->list, options);
     progress.reset();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    for (const dat::File* file : files->list) {
+    for (const dat::File* file : files->list)
         for (const std::string& warning : file->warnings())
             report.warnings.push_back(fmt::format("{}: {}", file->name(), warning));
-    }
     console.data(arguments.json ? jsonOf(report, seconds) : textOf(report));
     for (const std::string& warning : report.warnings)
         console.note(fmt::format("limen: {}", warning));

@@ -59,10 +59,9 @@ check::View viewOf(const FrameEye& eye, const world::World& world) {
     view.time = eye.time;
     view.seconds = eye.seconds;
     view.doors = eye.doors;
-    for (std::size_t i = 0; i < std::min(eye.eachDoor.size(), world.doors.size()) && !eye.doors; ++i) {
+    for (std::size_t i = 0; i < std::min(eye.eachDoor.size(), world.doors.size()) && !eye.doors; ++i)
         if (eye.eachDoor[i] != world.doors[i].open)
             view.eachDoor.push_back({world.doors[i].name, eye.eachDoor[i]});
-    }
     view.dayGroup = eye.dayGroup;
     view.rain = eye.weather == Weather::Rain;
     return view;

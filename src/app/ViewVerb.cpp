@@ -142,10 +142,9 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     Result<Script> script = scriptOf(options);
     if (!script)
         return tl::unexpected(script.error());
-    for (const std::string& output : {options.screenshot, options.record}) {
+    for (const std::string& output : {options.screenshot, options.record})
         if (Result<void> writable = output.empty() ? Result<void>{} : checkWritable(output); !writable)
             return tl::unexpected(writable.error());
-    }
     if (Result<void> made = options.screenshots.empty() ? Result<void>{} : makeDirectory(options.screenshots);
         !made)
         return tl::unexpected(made.error());

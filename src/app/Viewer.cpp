@@ -105,10 +105,9 @@ std::string Viewer::noticeText() const {
 std::vector<std::string> Viewer::openDoors() const {
     std::vector<std::string> names;
     const std::vector<world::Door>& doors = session_.loaded().world.doors;
-    for (std::size_t i = 0; i < doors.size(); ++i) {
+    for (std::size_t i = 0; i < doors.size(); ++i)
         if (eye().doors.value_or(i < eye().eachDoor.size() ? eye().eachDoor[i] : doors[i].open) > 0.0)
             names.push_back(doors[i].name);
-    }
     return names;
 }
 

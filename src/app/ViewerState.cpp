@@ -23,10 +23,9 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
 nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     const auto counts = countFates(portals);
-    for (std::size_t i = counts.size(); i-- > 0;) {
+    for (std::size_t i = counts.size(); i-- > 0;)
         if (counts[i] > 0)
             json[std::string(nameOf(static_cast<visibility::PortalFate>(i)))] = counts[i];
-    }
     return json;
 }
 

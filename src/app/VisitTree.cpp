@@ -53,10 +53,9 @@ std::string visitLabel(const world::World& world, const visibility::VisibleSet& 
 std::vector<std::string> seenBesides(const world::World& world, const visibility::VisibleSet& visible,
                                      std::uint32_t visit) {
     std::vector<std::string> names;
-    for (const visibility::SeenSpace& seen : visible.seen) {
+    for (const visibility::SeenSpace& seen : visible.seen)
         if (seen.visit == visit && seen.space != visible.visits[visit].space)
             names.push_back(spaceName(world, seen.space));
-    }
     return names;
 }
 

@@ -217,10 +217,9 @@ void Window::pollKeys(bool keysAreTaken, const KeyBindings& bindings) {
     if (keysAreTaken)
         return;
     keys_ = pending_;
-    for (const KeyCode key : keys_) {
+    for (const KeyCode key : keys_)
         for (const Action action : bindings.actionsOf(key))
             pressed_.push_back(action);
-    }
 }
 
 void Window::pollMouse(bool mouseIsTaken) {
@@ -258,10 +257,9 @@ void Window::pollGamepad() {
     held_.jump |= isDown(GLFW_GAMEPAD_BUTTON_A);
     held_.up |= isDown(GLFW_GAMEPAD_BUTTON_A);
     held_.down |= isDown(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER);
-    for (const auto& [button, action] : kPadActions) {
+    for (const auto& [button, action] : kPadActions)
         if (isDown(button) && (padButtons_ >> button & 1u) == 0)
             pressed_.push_back(action);
-    }
     padButtons_ = down;
 }
 

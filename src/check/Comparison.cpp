@@ -59,10 +59,9 @@ private:
     template <class Test>
     [[nodiscard]] bool anyAround(int x, int y, Test test) const {
         for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
+            for (int dx = -1; dx <= 1; ++dx)
                 if (test(traced_.at(x + dx, y + dy)))
                     return true;
-            }
         }
         return false;
     }
@@ -90,10 +89,9 @@ private:
     /// True if the rule does not judge this pixel: one of the rays of the 3×3 pixels.
     [[nodiscard]] bool excused(int x, int y) {
         for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
+            for (int dx = -1; dx <= 1; ++dx)
                 if (isRayExcused(x + dx, y + dy))
                     return true;
-            }
         }
         return false;
     }

@@ -9,11 +9,10 @@ namespace limen::check {
 namespace {
 
 bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
         if (distanceToSegment(point, corners[i], corners[(i + 1) % corners.size()]).distance <=
             EyeContact::kReach)
             return true;
-    }
     return false;
 }
 

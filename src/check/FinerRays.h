@@ -23,10 +23,9 @@ inline constexpr int kMostBetween = 1024;
 template <class Trace, class Test>
 [[nodiscard]] bool anyFiner(int x, int y, double step, int reach, Trace trace, Test test) {
     for (int dy = -reach; dy <= reach; ++dy) {
-        for (int dx = -reach; dx <= reach; ++dx) {
+        for (int dx = -reach; dx <= reach; ++dx)
             if (test(trace(x + dx * step, y + dy * step)))
                 return true;
-        }
     }
     return false;
 }
@@ -41,10 +40,9 @@ public:
     template <class Trace>
     FinestGrid(int x, int y, Trace trace) : x_(x), y_(y) {
         answers_.reserve(kSide * kSide);
-        for (int j = 0; j < kSide; ++j) {
+        for (int j = 0; j < kSide; ++j)
             for (int i = 0; i < kSide; ++i)
                 answers_.push_back(trace(placeOf(i, j).x, placeOf(i, j).y));
-        }
     }
 
     template <class Test>
@@ -56,11 +54,10 @@ public:
     template <class Trace, class Test>
     [[nodiscard]] bool anyOnBoundaries(Trace trace, Test test) const {
         for (int j = 0; j < kSide; ++j) {
-            for (int i = 0; i < kSide; ++i) {
+            for (int i = 0; i < kSide; ++i)
                 if ((i + 1 < kSide && anyBetween({i, j}, {i + 1, j}, trace, test)) ||
                     (j + 1 < kSide && anyBetween({i, j}, {i, j + 1}, trace, test)))
                     return true;
-            }
         }
         return false;
     }

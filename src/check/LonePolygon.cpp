@@ -82,10 +82,9 @@ Range over(const Seen& seen, const std::array<Vec3, 4>& square) {
 Range overPicture(const Seen& seen, const reference::Camera& camera) {
     Range range;
     const double right = camera.width - 0.5, bottom = camera.height - 0.5;
-    for (const double x : {-0.5, right}) {
+    for (const double x : {-0.5, right})
         for (const double y : {-0.5, bottom})
             range.include(glm::dot(seen.n, reference::rayThrough(camera, x, y).direction));
-    }
     return range;
 }
 

@@ -46,10 +46,9 @@ void PolygonTable::forTriangles(const world::Instance& instance, bool blended, V
 }
 
 const world::Instance* PolygonTable::instanceOf(std::uint32_t id) const {
-    for (const world::Instance& moving : dynamics_.instances) {
+    for (const world::Instance& moving : dynamics_.instances)
         if (id >= moving.idBase && id - moving.idBase < world_.meshes[moving.mesh].polygonCount)
             return &moving;
-    }
     const auto after =
         std::upper_bound(byId_.begin(), byId_.end(), id,
                          [](std::uint32_t wanted, const auto* i) { return wanted < i->idBase; });
@@ -102,10 +101,9 @@ void PolygonTable::polygonsAlong(const Vec3& eye, const Vec3& direction,
             out.push_back(instance.idBase + p);
     };
     std::for_each(byId_.begin(), byId_.end(), [&](const world::Instance* instance) { add(*instance); });
-    for (const world::Instance& moving : dynamics_.instances) {
+    for (const world::Instance& moving : dynamics_.instances)
         if (moving.mesh != world::kNone)
             add(moving);
-    }
 }
 
 } // namespace limen::check

@@ -36,10 +36,9 @@ Json worstJson(const Totals& totals, const std::string& worldOptions) {
 /// "3 wrong_ids, 1 depth".
 std::string causesOf(const Finding& finding) {
     std::string text;
-    for (std::size_t i = 0; i < kVerdictCount; ++i) {
+    for (std::size_t i = 0; i < kVerdictCount; ++i)
         if (isFinding(static_cast<Verdict>(i)) && finding.counts[i] > 0)
             text += fmt::format("{}{} {}", text.empty() ? "" : ", ", finding.counts[i], kVerdictNames[i]);
-    }
     if (finding.moved > 0)
         text += fmt::format("{}{} moved", text.empty() ? "" : ", ", finding.moved);
     return text;
@@ -95,10 +94,9 @@ std::string reportText(const Totals& totals, const ReportContext& context) {
             text += fmt::format(" {:>9}", kind.counts[i]);
         text += fmt::format(" {:>9}\n", kind.moved);
     };
-    for (std::size_t i = 0; i < kKindCount; ++i) {
+    for (std::size_t i = 0; i < kKindCount; ++i)
         if (totals.kinds[i].views > 0)
             line(kKindNames[i], totals.kinds[i]);
-    }
     const KindTotals all = totals.sum();
     line("all", all);
     for (std::size_t i = 0; i < std::min(kWorstShown, totals.worst.size()); ++i) {

@@ -89,21 +89,19 @@ private:
     /// As for pictures of one sample: the rays of the 3×3 pixels.
     [[nodiscard]] bool isExcused() {
         for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
+            for (int dx = -1; dx <= 1; ++dx)
                 if (retracer_.isCutByNearPlane(x_ + dx, y_ + dy) ||
                     !retracer_.leadsIntoTheRoot(x_ + dx, y_ + dy))
                     return true;
-            }
         }
         return false;
     }
 
     template <class Trace>
     void lookAround(Trace trace) {
-        for (const double ring : kRings) {
+        for (const double ring : kRings)
             for (std::size_t s = 0; s < ids_.size(); ++s)
                 lookAround(s, ring, trace);
-        }
     }
 
     template <class Trace>
@@ -131,10 +129,9 @@ private:
     /// Polygons that are met nowhere near a sample, but may have been drawn there.
     void addTied(const Ids& candidates) {
         for (const std::uint32_t id : candidates) {
-            for (std::size_t s = 0; s < ids_.size(); ++s) {
+            for (std::size_t s = 0; s < ids_.size(); ++s)
                 if (retracer_.isEdgeOn(sampleX(s), sampleY(s), id, traced_[s].at(x_, y_).t))
                     addOnce(ids_[s], id);
-            }
         }
     }
 

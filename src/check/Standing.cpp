@@ -33,10 +33,9 @@ bool isWithin(const world::World& world, world::SpaceIndex cell, const Vec3& eye
 
 std::vector<world::SpaceIndex> cellsOf(const world::World& world, dat::BlockCoord block) {
     std::vector<world::SpaceIndex> cells;
-    for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s) {
+    for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s)
         if (dat::blockOf(world.spaces[s].cellId) == block)
             cells.push_back(s);
-    }
     return cells;
 }
 

@@ -25,10 +25,9 @@ constexpr std::size_t kLooks = 7;
 /// Distances from an opening's plane, positive before it; metres.
 std::vector<double> distances() {
     std::vector<double> all;
-    for (int cm = -30; cm <= 30; ++cm) {
+    for (int cm = -30; cm <= 30; ++cm)
         if (std::abs(cm) > 2)
             all.push_back(cm / 100.0);
-    }
     for (int mm = -20; mm <= 20; ++mm)
         all.push_back(mm / 1000.0);
     for (const double tiny : {0.0001, 0.00015, 0.00019, 0.00021, 0.00025, 0.0005}) {

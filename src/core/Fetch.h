@@ -10,9 +10,8 @@ template <class T>
 void fetch(const T& object) {
     constexpr std::size_t kLine = 64; // bytes, of a cache
     const auto* const bytes = reinterpret_cast<const std::byte*>(&object);
-    for (std::size_t at = 0; at < sizeof(T); at += kLine) {
+    for (std::size_t at = 0; at < sizeof(T); at += kLine)
         __builtin_prefetch(bytes + at);
-    }
     __builtin_prefetch(bytes + sizeof(T) - 1);
 }
 

@@ -122,20 +122,18 @@ bool Archive::contains(RecordId id) const {
 }
 
 Result<RecordId> Archive::imageOf(const SurfaceTexture& texture) const {
-    for (const RecordId id : texture.images) {
+    for (const RecordId id : texture.images)
         if (contains<RenderSurface>(id))
             return id;
-    }
     return fail(
         ErrorCode::NotFound, fmt::format("{}, record 0x{:08X}", portal_.name(), texture.id),
         fmt::format("none of its {} images is in the portal file or in highres", texture.images.size()));
 }
 
 void Archive::letPagesGo() const {
-    for (const File* file : {&portal_, &cell_, highres(), local()}) {
+    for (const File* file : {&portal_, &cell_, highres(), local()})
         if (file != nullptr)
             file->letPagesGo();
-    }
 }
 
 #define LIMEN_DAT_RECORD(Record)                                                                             \

@@ -57,10 +57,9 @@ void hooks(const std::vector<AnimationHook>& list, const ReferenceVisitor& visit
 }
 
 void motions(const MotionTable::Keyed<MotionData>& list, const ReferenceVisitor& visit) {
-    for (const auto& keyed : list) {
+    for (const auto& keyed : list)
         for (const AnimationRange& range : keyed.second.animations)
             named(range.animation, RecordKind::Animation, "an animation", visit);
-    }
 }
 
 void cellsOf(RecordId record, const std::vector<std::uint16_t>& cells, const char* as,
@@ -75,10 +74,9 @@ void sky(const SkyDesc& s, const ReferenceVisitor& visit) {
             model(object.object, "a sky object", visit);
             named(object.script, RecordKind::PhysicsScript, "a sky object's script", visit);
         }
-        for (const SkyTimeOfDay& time : group.times) {
+        for (const SkyTimeOfDay& time : group.times)
             for (const SkyObjectReplace& replace : time.replaces)
                 model(replace.gfxObj, "a sky object at another time", visit);
-        }
     }
 }
 
@@ -157,10 +155,9 @@ void forEachReference(const ClothingTable& t, const ReferenceVisitor& visit) {
     }
     for (const auto& keyed : t.palettes.entries) {
         named(keyed.second.icon, RecordKind::RenderSurface, "an icon", visit);
-        for (const PaletteChange& change : keyed.second.changes) {
+        for (const PaletteChange& change : keyed.second.changes)
             if (change.palettes != 0)
                 visit({change.palettes, RecordKind::PaletteSet, RecordKind::Palette, "palettes"});
-        }
     }
 }
 
@@ -179,14 +176,12 @@ void forEachReference(const Scene& s, const ReferenceVisitor& visit) {
 template <>
 void forEachReference(const Region& r, const ReferenceVisitor& visit) {
     sky(r.sky, visit);
-    for (const SceneType& type : r.sceneTypes) {
+    for (const SceneType& type : r.sceneTypes)
         for (const RecordId id : type.scenes)
             visit({id, RecordKind::Scene, "a scene"});
-    }
-    for (const auto* maps : {&r.texMerge.corners, &r.texMerge.sides, &r.texMerge.roads}) {
+    for (const auto* maps : {&r.texMerge.corners, &r.texMerge.sides, &r.texMerge.roads})
         for (const AlphaMap& map : *maps)
             visit({map.texture, RecordKind::SurfaceTexture, "a blend map"});
-    }
     for (const TerrainTexture& texture : r.texMerge.textures) {
         named(texture.texture, RecordKind::SurfaceTexture, "a ground texture", visit);
         named(texture.detailTexture, RecordKind::SurfaceTexture, "a detail texture", visit);
@@ -207,10 +202,9 @@ void forEachReference(const PhysicsScript& s, const ReferenceVisitor& visit) {
 
 template <>
 void forEachReference(const PhysicsScriptTable& t, const ReferenceVisitor& visit) {
-    for (const auto& keyed : t.scripts) {
+    for (const auto& keyed : t.scripts)
         for (const ScriptChoice& choice : keyed.second)
             named(choice.script, RecordKind::PhysicsScript, "a script", visit);
-    }
 }
 
 template <>

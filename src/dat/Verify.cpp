@@ -167,10 +167,9 @@ private:
         if (info.numCells > kLastCell - kFirstCell + 1u)
             fault(Fault::Kind::Unresolved,
                   fmt::format("{} cells are more than a landblock can have", info.numCells));
-        for (const Building& building : info.buildings) {
+        for (const Building& building : info.buildings)
             for (const BuildingPortal& portal : building.portals)
                 lookBehind(info.id, portal.otherCellId, portal.otherPortalId, "a building's portal");
-        }
     }
 
     /// A portal's other side, in a cell of this block.
@@ -193,10 +192,9 @@ private:
         block_ = block;
     }
     void finishBlock() {
-        for (const auto& [cell, portals] : cells_) {
+        for (const auto& [cell, portals] : cells_)
             for (const CellPortal& portal : portals)
                 lookBehind(block_ | cell, portal.otherCellId, portal.otherPortalId, "a portal");
-        }
         cells_.clear();
     }
 

@@ -21,12 +21,10 @@ double heightAt(const std::vector<Vec2>& line, double u) {
 /// Corners counter-clockwise in (y, z) seen with y to the right: as a room sees its west wall.
 Face onWall(Side side, double at, const std::vector<Vec2>& corners, Material material) {
     std::vector<Vec3> points;
-    for (const Vec2& c : corners) {
+    for (const Vec2& c : corners)
         points.emplace_back(at, c.x, c.y);
-    }
-    if (side == Side::East) {
+    if (side == Side::East)
         std::reverse(points.begin(), points.end());
-    }
     return planarFace(std::move(points), material);
 }
 
@@ -53,11 +51,9 @@ HoleTop archTop(double middle, double radius, double springing, int segments) {
 
 std::vector<Face> wallFaces(const ArchWall& wall) {
     std::vector<double> cuts;
-    for (const auto* line : {&wall.outline, &wall.hole}) {
-        for (const Vec2& p : *line) {
+    for (const auto* line : {&wall.outline, &wall.hole})
+        for (const Vec2& p : *line)
             cuts.push_back(p.x);
-        }
-    }
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     std::vector<Face> faces;

@@ -35,9 +35,8 @@ Where classify(const Fragment& f, const Plane& plane) {
 
 dat::SphereF sphereOf(const std::vector<Fragment>& fragments) {
     std::vector<Vec3> points;
-    for (const Fragment& f : fragments) {
+    for (const Fragment& f : fragments)
         points.insert(points.end(), f.points.begin(), f.points.end());
-    }
     const Sphere s = boundingSphere(points);
     return {Vec3f(s.centre), points.empty() ? 0.0f : static_cast<float>(s.radius)};
 }
@@ -49,11 +48,9 @@ dat::PlaneF toRecord(const Plane& plane) {
 /// Few cuts and an even share on both sides.
 std::size_t chooseSplitter(const std::vector<Fragment>& fragments) {
     std::vector<std::size_t> candidates;
-    for (std::size_t i = 0; i < fragments.size(); ++i) {
-        if (!fragments[i].attached) {
+    for (std::size_t i = 0; i < fragments.size(); ++i)
+        if (!fragments[i].attached)
             candidates.push_back(i);
-        }
-    }
     const std::size_t step = std::max<std::size_t>(1, candidates.size() / kCandidates);
     std::size_t best = candidates.front();
     long bestCost = -1;
@@ -103,12 +100,10 @@ Split splitBy(std::size_t splitter, std::vector<Fragment>&& fragments) {
             other.points = part;
             clipPolygon(f.points, plane.flipped(), 0.0, part);
             f.points = part;
-            if (other.points.size() >= 3) {
+            if (other.points.size() >= 3)
                 out.front.push_back(std::move(other));
-            }
-            if (f.points.size() >= 3) {
+            if (f.points.size() >= 3)
                 out.back.push_back(std::move(f));
-            }
         }
         }
     }
@@ -131,9 +126,8 @@ std::vector<Fragment> fragmentsOf(std::span<const Face> faces) {
 
 template <class Ids>
 void addOnce(Ids& ids, std::uint16_t id) {
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
+    if (std::find(ids.begin(), ids.end(), id) == ids.end())
         ids.push_back(id);
-    }
 }
 
 class DrawingBuilder {
@@ -165,9 +159,8 @@ private:
             n.tag = dat::BspTag::Port;
             const dat::PortalRef ref{f.polygon, static_cast<std::uint16_t>(f.portal)};
             if (std::none_of(n.portals.begin(), n.portals.end(),
-                             [&](const auto& p) { return p.polygonId == ref.polygonId; })) {
+                             [&](const auto& p) { return p.polygonId == ref.polygonId; }))
                 n.portals.push_back(ref);
-            }
         }
         n.positive = node(std::move(split.front));
         n.negative = node(std::move(split.back));
@@ -195,9 +188,8 @@ private:
         if (std::all_of(fragments.begin(), fragments.end(), [](const Fragment& f) { return f.attached; })) {
             n.leafIndex = leaves_++;
             n.solid = behind && fragments.empty() ? 1 : 0;
-            for (const Fragment& f : fragments) {
+            for (const Fragment& f : fragments)
                 addOnce(n.polygonIds, f.polygon);
-            }
         } else {
             const std::size_t splitter = chooseSplitter(fragments);
             const Plane plane = fragments[splitter].plane;
@@ -228,9 +220,8 @@ dat::BspTree buildDrawingBsp(std::span<const Face> faces) {
 dat::BspTree buildPhysicsBsp(std::span<const Face> faces, std::span<const std::uint16_t> ids) {
     LIMEN_ASSERT(faces.size() == ids.size(), "one id per face");
     std::vector<Fragment> fragments = fragmentsOf(faces);
-    for (Fragment& f : fragments) {
+    for (Fragment& f : fragments)
         f.polygon = ids[f.polygon];
-    }
     return PhysicsBuilder().build(std::move(fragments));
 }
 
@@ -246,9 +237,8 @@ dat::BspTree buildCellBsp(std::span<const Face> faces) {
             return std::all_of(other.points.begin(), other.points.end(),
                                [&](const Vec3& p) { return plane.signedDistance(p) > -kInPlane; });
         });
-        if (!known && outermost) {
+        if (!known && outermost)
             planes.push_back(plane);
-        }
     }
     dat::BspTree tree;
     for (const Plane& plane : planes) {

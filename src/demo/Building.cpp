@@ -16,19 +16,16 @@ constexpr std::uint16_t kNowhere = 0xFFFE; ///< no such cell
 using PointSet = std::set<std::array<double, 3>>;
 PointSet pointSet(const Face& face) {
     PointSet out;
-    for (const Vec3& p : face.points) {
+    for (const Vec3& p : face.points)
         out.insert({p.x, p.y, p.z});
-    }
     return out;
 }
 
 std::vector<const Face*> portalsOf(const std::vector<Face>& faces) {
     std::vector<const Face*> out;
-    for (const Face& face : faces) {
-        if (face.portal) {
+    for (const Face& face : faces)
+        if (face.portal)
             out.push_back(&face);
-        }
-    }
     return out;
 }
 
@@ -37,18 +34,16 @@ std::vector<std::vector<PortalLink>> linkCells(const std::vector<CellPlan>& cell
     std::map<PointSet, std::vector<PortalLink>> byPoints;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         std::uint16_t k = 0;
-        for (const Face* portal : portalsOf(cells[c].faces)) {
+        for (const Face* portal : portalsOf(cells[c].faces))
             byPoints[pointSet(*portal)].push_back({static_cast<std::uint16_t>(c), k++});
-        }
     }
     std::vector<std::vector<PortalLink>> links;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         std::vector<PortalLink> own;
         for (const Face* portal : portalsOf(cells[c].faces)) {
             PortalLink link{dat::kOutdoors, dat::kNoPortal};
-            for (const PortalLink& there : byPoints.at(pointSet(*portal))) {
+            for (const PortalLink& there : byPoints.at(pointSet(*portal)))
                 link = there.cell == c ? link : there;
-            }
             own.push_back(link);
         }
         links.push_back(std::move(own));
@@ -59,12 +54,10 @@ std::vector<std::vector<PortalLink>> linkCells(const std::vector<CellPlan>& cell
 std::vector<std::uint16_t> reachable(const std::vector<std::vector<PortalLink>>& links, std::uint16_t from) {
     std::vector<std::uint16_t> order{from};
     for (std::size_t i = 0; i < order.size(); ++i) {
-        for (const PortalLink& link : links[order[i]]) {
+        for (const PortalLink& link : links[order[i]])
             if (link.cell != dat::kOutdoors &&
-                std::find(order.begin(), order.end(), link.cell) == order.end()) {
+                std::find(order.begin(), order.end(), link.cell) == order.end())
                 order.push_back(link.cell);
-            }
-        }
     }
     std::sort(order.begin(), order.end());
     return order;
@@ -73,11 +66,9 @@ std::vector<std::uint16_t> reachable(const std::vector<std::vector<PortalLink>>&
 /// A cell's shape; polygon ids are face indices.
 dat::CellStruct shapeOf(const CellPlan& cell, EncodedMesh& mesh) {
     dat::CellStruct shape;
-    for (std::size_t i = 0; i < cell.faces.size(); ++i) {
-        if (cell.faces[i].portal) {
+    for (std::size_t i = 0; i < cell.faces.size(); ++i)
+        if (cell.faces[i].portal)
             shape.portalPolygons.push_back(static_cast<std::uint16_t>(i));
-        }
-    }
     shape.cellBsp = buildCellBsp(cell.faces);
     PhysicsMesh physics = physicsOf(cell.faces, mesh.polygons);
     shape.physicsPolygons = std::move(physics.polygons);
@@ -93,9 +84,8 @@ SightMap sightMapOf(const std::vector<CellPlan>& cells, const std::vector<std::v
     for (std::size_t c = 0; c < cells.size(); ++c) {
         SightMap::Cell cell;
         const std::vector<const Face*> portals = portalsOf(cells[c].faces);
-        for (const Face& face : cells[c].faces) {
+        for (const Face& face : cells[c].faces)
             cell.planes.push_back(planeOf(face.points));
-        }
         for (std::size_t k = 0; k < portals.size(); ++k) {
             const bool outside = links[c][k].cell == dat::kOutdoors;
             cell.portals.push_back({portals[k]->points, outside ? SightMap::kOutside : links[c][k].cell});
@@ -114,11 +104,9 @@ PortalLink exitBehind(const Face& opening, const std::vector<CellPlan>& cells,
                       const std::vector<std::vector<PortalLink>>& links) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const std::vector<const Face*> portals = portalsOf(cells[c].faces);
-        for (std::size_t k = 0; k < portals.size(); ++k) {
-            if (links[c][k].cell == dat::kOutdoors && pointSet(*portals[k]) == pointSet(opening)) {
+        for (std::size_t k = 0; k < portals.size(); ++k)
+            if (links[c][k].cell == dat::kOutdoors && pointSet(*portals[k]) == pointSet(opening))
                 return {static_cast<std::uint16_t>(c), static_cast<std::uint16_t>(k)};
-            }
-        }
     }
     return {kNowhere, dat::kNoPortal};
 }
@@ -135,12 +123,10 @@ std::size_t countExits(const std::vector<std::vector<PortalLink>>& links) {
 /// Exterior (if any) and cells get the same vertices along the openings they share.
 void joinAtPortals(std::vector<CellPlan>& cells, MeshBuilder* exterior) {
     std::vector<std::vector<Face>*> meshes;
-    if (exterior != nullptr) {
+    if (exterior != nullptr)
         meshes.push_back(&exterior->faces());
-    }
-    for (CellPlan& cell : cells) {
+    for (CellPlan& cell : cells)
         meshes.push_back(&cell.faces);
-    }
     closePortalSeams(meshes);
 }
 
@@ -165,14 +151,11 @@ CellPlan roomWithOpenings(const RoomSpec& room, const std::vector<Opening>& open
     cell.name = room.name;
     for (const Plane& plane : sides) {
         std::vector<Rect> holes;
-        for (const Opening& opening : openings) {
-            if (opening.side == plane.side) {
+        for (const Opening& opening : openings)
+            if (opening.side == plane.side)
                 holes.push_back(opening.rect);
-            }
-        }
-        for (const Rect& rect : withoutHoles(plane.rect, holes)) {
+        for (const Rect& rect : withoutHoles(plane.rect, holes))
             cell.faces.push_back(planarFace(rectOnSide(plane.side, plane.at, rect), plane.material));
-        }
     }
     for (const Opening& opening : openings) {
         const auto side = static_cast<std::size_t>(opening.side);
@@ -206,9 +189,8 @@ dat::EnvCell BlockBuilder::cellRecord(const CellPlan& cell, const std::vector<Po
         portal.otherPortalId = link.portal;
         record.portals.push_back(portal);
     }
-    for (const Furnishing& f : cell.statics) {
+    for (const Furnishing& f : cell.statics)
         record.statics.push_back({f.model, toFrame({place(at, f.at.origin), at.turn + f.at.turn})});
-    }
     record.flags = cell.statics.empty() ? 0u : dat::EnvCell::kHasStatics;
     return record;
 }
@@ -229,16 +211,13 @@ std::vector<dat::RecordId> BlockBuilder::addCells(const std::vector<CellPlan>& c
         record.environment = static_cast<std::uint16_t>(environment.id & 0xFFFF);
         record.cellStructure = static_cast<std::uint16_t>(c);
         record.flags |= trace[c] ? dat::EnvCell::kSeenOutside : 0u;
-        for (const dat::RecordId surface : mesh.surfaces) {
+        for (const dat::RecordId surface : mesh.surfaces)
             record.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
-        }
-        for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c))) {
+        for (const std::uint16_t other : reachable(links, static_cast<std::uint16_t>(c)))
             record.visibleCells.push_back(static_cast<std::uint16_t>(firstCell + other));
-        }
         dat::CellStruct shape = shapeOf(cells[c], mesh);
-        for (std::size_t k = 0; k < record.portals.size(); ++k) {
+        for (std::size_t k = 0; k < record.portals.size(); ++k)
             record.portals[k].polygonId = shape.portalPolygons[k];
-        }
         ids.push_back(record.id);
         environment.cells.emplace_back(static_cast<std::uint32_t>(c), std::move(shape));
         records.envCells.push_back(std::move(record));
@@ -264,9 +243,8 @@ std::vector<dat::RecordId> BlockBuilder::addBuilding(BuildingPlan plan, const Pl
         portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
         portal.otherCellId = static_cast<std::uint16_t>(firstCell + inside.cell);
         portal.otherPortalId = inside.portal;
-        for (const std::uint16_t other : reachable(links, inside.cell)) {
+        for (const std::uint16_t other : reachable(links, inside.cell))
             portal.stabs.push_back(static_cast<std::uint16_t>(firstCell + other));
-        }
         building.portals.push_back(std::move(portal));
     }
     LIMEN_ASSERT(countExits(links) == building.portals.size(),

@@ -6,9 +6,8 @@ namespace {
 
 void blendOver(Vec4f& under, const Vec4f& over, double coverage) {
     const float c = static_cast<float>(std::clamp(coverage, 0.0, 1.0)) * over.w;
-    if (c <= 0.0f) {
+    if (c <= 0.0f)
         return;
-    }
     const float alpha = under.w + c * (1.0f - under.w);
     // An empty texel takes the brush's colour whole; a painted one is mixed.
     const float mix = under.w <= 0.0f ? 1.0f : c;
@@ -47,16 +46,14 @@ void drawLeaf(Canvas& canvas, const Leaf& leaf, bool wrap) {
     const Vec2 axis{std::cos(leaf.angle), std::sin(leaf.angle)};
     for (int y = cy - reach; y <= cy + reach; ++y) {
         for (int x = cx - reach; x <= cx + reach; ++x) {
-            if (!wrap && (x < 0 || y < 0 || x >= canvas.width() || y >= canvas.height())) {
+            if (!wrap && (x < 0 || y < 0 || x >= canvas.width() || y >= canvas.height()))
                 continue;
-            }
             const Vec2 d = Vec2{x + 0.5, y + 0.5} - leaf.centre;
             const double along = glm::dot(d, axis) / (0.5 * leaf.length);
             const double across = (d.x * -axis.y + d.y * axis.x) / (0.5 * leaf.width);
             const double edge = (1.0 - along * along) - std::abs(across);
-            if (edge <= 0.0) {
+            if (edge <= 0.0)
                 continue;
-            }
             const float rib =
                 static_cast<float>(1.0 + 0.18 * std::exp(-across * across * 24.0) - 0.12 * (across > 0.0));
             const Vec4f colour{Vec3f(leaf.colour) * rib, leaf.colour.w};
@@ -70,9 +67,8 @@ void bleedColour(Canvas& canvas) {
         const Canvas before = canvas;
         for (int y = 0; y < canvas.height(); ++y) {
             for (int x = 0; x < canvas.width(); ++x) {
-                if (Vec3f(before.at(x, y)) != Vec3f(0.0f)) {
+                if (Vec3f(before.at(x, y)) != Vec3f(0.0f))
                     continue;
-                }
                 Vec3f sum(0.0f);
                 float count = 0.0f;
                 for (int k = 0; k < 9; ++k) {
@@ -83,9 +79,8 @@ void bleedColour(Canvas& canvas) {
                         count += 1.0f;
                     }
                 }
-                if (count > 0.0f) {
+                if (count > 0.0f)
                     canvas.at(x, y) = Vec4f(sum / count, before.at(x, y).w);
-                }
             }
         }
     }

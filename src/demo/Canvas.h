@@ -18,11 +18,9 @@ public:
     template <class Painter>
     [[nodiscard]] static Canvas paint(int width, int height, Painter colourAt) {
         Canvas canvas(width, height);
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
                 canvas.at(x, y) = colourAt((x + 0.5) / width, (y + 0.5) / height);
-            }
-        }
         return canvas;
     }
 

@@ -76,9 +76,8 @@ MeshBuilder outcrop() {
     faces.push_back(faceNormal(opening).y > 0.0 ? flipped(std::move(opening)) : std::move(opening));
     closeSeams(faces);
     MeshBuilder mesh;
-    for (Face& face : faces) {
+    for (Face& face : faces)
         mesh.add(std::move(face));
-    }
     return mesh;
 }
 
@@ -105,9 +104,8 @@ CavePlan planCave(ModelSink& sink, const DungeonProps& props) {
     const std::size_t second = complex.addSwept("cave.bend", bend, {-1.5, 8.0, -3.0}, kBareRock);
     complex.join(first, second, bend);
     Outline floor = levelOutline(octagon(6.0, 2.5), kChamberFloor);
-    for (Vec3& p : floor) {
+    for (Vec3& p : floor)
         p += Vec3(kChamberX, kChamberY, 0.0);
-    }
     plan.chamber = complex.addSwept("cave.chamber", floor, {0.0, 0.0, 5.5}, kBareRock);
     complex.join(second, plan.chamber, in);
     const std::size_t tunnel = complex.addRun("cave.tunnel", out, {0.25, 6.5, -3.0}, 4, kBareRock);

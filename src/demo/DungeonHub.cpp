@@ -32,9 +32,8 @@ Vec3 acrossOf(const Vec3& way) {
 std::size_t addOctagon(CellComplex& complex, const std::string& name, const Vec3& middle, double reach,
                        double half, double height, const ShellMaterials& materials) {
     Outline floor = levelOutline(octagon(reach, half), 0.0);
-    for (Vec3& p : floor) {
+    for (Vec3& p : floor)
         p += middle;
-    }
     return complex.addSwept(name, floor, {0.0, 0.0, height}, materials);
 }
 
@@ -47,9 +46,8 @@ std::size_t connect(CellComplex& complex, const std::string& name, std::size_t f
     const std::size_t first = complex.addRun(name, start, step, count, materials);
     complex.join(from, first, start);
     Outline end = start;
-    for (Vec3& p : end) {
+    for (Vec3& p : end)
         p += step * static_cast<double>(count);
-    }
     complex.join(first + count - 1, to, end);
     return first;
 }
@@ -59,9 +57,8 @@ std::size_t addAnteroom(CellComplex& complex, std::size_t hub, std::size_t north
     const double y = kHubY + kHubReach;
     const std::size_t anteroom =
         addBoxCell(complex, "anteroom", {-3.0, y, kDungeonFloor}, {3.0, y + 4.0, -12.0}, kMasonry);
-    for (const double x : {-1.5, 1.5}) {
+    for (const double x : {-1.5, 1.5})
         complex.join(hub, anteroom, corridorOutline({x, y, kDungeonFloor}, {1, 0, 0}, 0.875));
-    }
     connect(complex, "spoke.north", anteroom, northRoom, {0.0, y + 4.0, kDungeonFloor}, {0.0, kSpan, 0.0}, 2,
             1.25, kMasonry);
     return anteroom;
@@ -97,9 +94,8 @@ void addRingCorridors(CellComplex& complex, const DungeonProps& props, const Rin
 
 void furnishHub(CellComplex& complex, ModelSink& sink, const DungeonProps& props, std::size_t hub) {
     const dat::RecordId column = addColumn(sink, kHubHeight, 0.5);
-    for (const Vec2& p : octagon(5.25, 2.175)) {
+    for (const Vec2& p : octagon(5.25, 2.175))
         complex.furnish(hub, {column, {hubMiddle() + Vec3(p, 0.0), 0.0}});
-    }
     complex.furnish(hub, {props.brazier, {hubMiddle(), 0.0}});
     for (const double side : {-1.0, 1.0}) {
         hangTorch(complex, hub, props, hubMiddle() + Vec3(side * kHubReach, 2.1, 2.2), {side, 0.0, 0.0});

@@ -85,9 +85,8 @@ void addRamp(CellComplex& complex, const DungeonProps& props, const Gallery& upp
     const std::size_t ramp = complex.addRun("pit.ramp", section, step, 2, kBareRock);
     complex.join(top, ramp, section);
     Outline end = section;
-    for (Vec3& p : end) {
+    for (Vec3& p : end)
         p += step * 2.0;
-    }
     const double y = kPitShaft - 18.0;
     const double below = z - kStorey;
     const std::size_t bottom = box("pit.landing", kPitShaft, y - 4.0, kPitOuter + 4.0, y, below);

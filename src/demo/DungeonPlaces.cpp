@@ -35,9 +35,8 @@ public:
     /// Up the track, in by the door, up the stair to the roof, a look around.
     void toTheRoof() {
         const Vec3 door = inTower(map_, {0.0, -kTowerOuter, 2.0});
-        for (const auto& vertex : towerTrack()) {
+        for (const auto& vertex : towerTrack())
             path.ground(overVertex(vertex, 0.0), 13.0, inTower(map_, {0.0, 0.0, 9.0}));
-        }
         path.ground(inTower(map_, {0.0, -7.0, 0.0}), 8.0, door);
         tower({0.0, -5.5, kEyeHeight}, 2.0, {0.0, 4.0, 1.6});
         tower({0.0, -3.0, kEyeHeight}, 2.0, {3.0, 2.0, 2.2});

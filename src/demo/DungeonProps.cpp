@@ -10,9 +10,8 @@ constexpr std::uint32_t kEmberLight = 0xFFFF9040;
 /// Two crossing pictures of a flame.
 void addFlame(MeshBuilder& mesh, const Vec3& foot, double half, double high) {
     const Vec3 up{0.0, 0.0, high};
-    for (const Vec3& side : {Vec3(half, 0.0, 0.0), Vec3(0.0, half, 0.0)}) {
+    for (const Vec3& side : {Vec3(half, 0.0, 0.0), Vec3(0.0, half, 0.0)})
         mesh.card({foot - side, foot + side, foot + side + up, foot - side + up}, Material::Flame, true);
-    }
 }
 
 dat::RecordId addTorch(ModelSink& sink) {
@@ -56,9 +55,8 @@ dat::RecordId addBrazier(ModelSink& sink) {
                    .side = Material::Iron,
                    .cap = Material::Embers});
     MeshBuilder flames;
-    for (const Vec3& foot : {Vec3(0.0, 0.0, 0.80), Vec3(0.19, 0.08, 0.82), Vec3(-0.16, 0.13, 0.82)}) {
+    for (const Vec3& foot : {Vec3(0.0, 0.0, 0.80), Vec3(0.19, 0.08, 0.82), Vec3(-0.16, 0.13, 0.82)})
         addFlame(flames, foot, 0.22, foot.x == 0.0 ? 0.78 : 0.5);
-    }
     return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flames, false), {}}},
                          {{{0.0, 0.0, 1.7}, kEmberLight, 0.75, 14.0}});
 }

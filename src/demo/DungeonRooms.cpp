@@ -5,9 +5,8 @@ namespace limen::demo {
 namespace {
 
 Outline shifted(Outline outline, const Vec3& by) {
-    for (Vec3& p : outline) {
+    for (Vec3& p : outline)
         p += by;
-    }
     return outline;
 }
 
@@ -44,22 +43,18 @@ void addCrypt(CellComplex& complex, ModelSink& sink, const DungeonProps& props, 
     complex.join(parts.wrap + 4, parts.wrap + 5, rectOutline({{-10.5, y + 5.0, step}, {1, 0, 0}, 1.5}, 3.0));
     complex.join(parts.wrap + 5, parts.crypt, corridorOutline({-8.0, y + 3.0, step}, {0, 1, 0}));
     const dat::RecordId column = addColumn(sink, 6.0, 0.4);
-    for (const double x : {-5.0, 5.0}) {
-        for (const double along : {2.5, 9.5}) {
+    for (const double x : {-5.0, 5.0})
+        for (const double along : {2.5, 9.5})
             complex.furnish(parts.crypt, {column, {{x, y + along, z}, 0.0}});
-        }
-    }
     MeshBuilder tomb;
     tomb.box({-1.3, -0.7, 0.0}, {1.3, 0.7, 0.31}, Material::Flagstones);
     tomb.box({-1.1, -0.5, 0.31}, {1.1, 0.5, 0.85}, Material::StoneWall);
     tomb.box({-1.2, -0.6, 0.85}, {1.2, 0.6, 1.0}, Material::Flagstones);
     const dat::RecordId tombs = sink.addSetup({{sink.addMesh(tomb), {}}});
-    for (const double x : {-3.0, 0.0, 3.0}) {
+    for (const double x : {-3.0, 0.0, 3.0})
         complex.furnish(parts.crypt, {tombs, {{x, y + 7.0, z}, 90.0}});
-    }
-    for (const double x : {-3.0, 3.0}) {
+    for (const double x : {-3.0, 3.0})
         hangTorch(complex, parts.crypt, props, {x, y + 12.0, z + 2.1}, {0.0, 1.0, 0.0});
-    }
     for (const double side : {-1.0, 1.0}) {
         hangTorch(complex, parts.crypt, props, {side * 8.0, y + 6.5, z + 2.1}, {side, 0.0, 0.0});
         hangTorch(complex, parts.crypt, props, {side * 2.5, y, z + 2.1}, {0.0, -1.0, 0.0});
@@ -132,9 +127,8 @@ void addLongCorridor(CellComplex& complex, ModelSink& sink, const DungeonProps& 
     complex.join(parts.longCorridor + kCells - 1, shrine, corridorOutline(end, {0, 1, 0}, 1.5));
     complex.furnish(shrine, {props.brazier, {end + Vec3(4.5, 0.0, 0.0), 0.0}});
     const dat::RecordId column = addColumn(sink, 5.0, 0.35);
-    for (const double y : {-2.8, 2.8}) {
+    for (const double y : {-2.8, 2.8})
         complex.furnish(shrine, {column, {end + Vec3(3.0, y, 0.0), 0.0}});
-    }
 }
 
 Outline tunnelOutline(double x, double y, double z) {
@@ -142,9 +136,8 @@ Outline tunnelOutline(double x, double y, double z) {
     const std::vector<Vec2> around{{-1.25, 0.0}, {1.25, 0.0},   {1.75, 1.0},   {1.625, 2.0},  {1.25, 2.75},
                                    {0.5, 3.125}, {-0.5, 3.125}, {-1.25, 2.75}, {-1.625, 2.0}, {-1.75, 1.0}};
     Outline out;
-    for (const Vec2& p : around) {
+    for (const Vec2& p : around)
         out.emplace_back(x + p.x, y, z + p.y);
-    }
     return out;
 }
 
@@ -168,9 +161,8 @@ std::vector<CellPlan> planSealedDungeon(ModelSink& sink, const DungeonProps& pro
         complex.addSwept("hall", levelOutline(octagon(6.0, 2.5), 0.0), {0.0, 0.0, 6.0}, kMasonry);
     complex.furnish(hall, {props.brazier, {}});
     const dat::RecordId column = addColumn(sink, 6.0, 0.4);
-    for (const Vec2& p : octagon(4.25, 1.75)) {
+    for (const Vec2& p : octagon(4.25, 1.75))
         complex.furnish(hall, {column, {Vec3(p, 0.0), 0.0}});
-    }
     // Out to the east, round to the north, back in.
     const auto box = [&](const char* name, const Vec3& min, const Vec3& max) {
         return addBoxCell(complex, name, min, max, kBricks);

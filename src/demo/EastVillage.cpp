@@ -60,9 +60,8 @@ void plant(BlockBuilder& block, const Plants& plants) {
         const bool inInn = x > 101.4 && x < 119.6 && y > 101.6 && y < 116.2;
         const bool inHall = x > 104.2 && x < 116.8 && y < 91.4;
         const bool onLane = y > 90.0 && y < 102.0;
-        if (inInn || inHall || onLane) {
+        if (inInn || inHall || onLane)
             continue;
-        }
         const double pick = random01(k, 3, 5101);
         stand(block,
               pick < 0.08   ? plants.bush
@@ -71,9 +70,8 @@ void plant(BlockBuilder& block, const Plants& plants) {
                             : plants.tallGrass,
               x, y, 360.0 * random01(k, 4, 5101));
     }
-    for (const double x : {103.3, 104.7, 107.0, 113.4, 116.0}) {
+    for (const double x : {103.3, 104.7, 107.0, 113.4, 116.0})
         stand(block, plants.flowers, x, 103.4 + 0.12 * std::sin(7.0 * x), 50.0 * x);
-    }
 }
 
 } // namespace

@@ -282,12 +282,10 @@ dat::AnimationHook particleHook(dat::RecordId emitter, int part, const Vec3& at,
     dat::AnimationHook hook{kCreate, 0, {}};
     put(hook.payload, emitter);
     put(hook.payload, part);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis)
         put(hook.payload, static_cast<float>(at[axis]));
-    }
-    for (const float q : {1.0f, 0.0f, 0.0f, 0.0f}) {
+    for (const float q : {1.0f, 0.0f, 0.0f, 0.0f})
         put(hook.payload, q);
-    }
     put(hook.payload, name);
     return hook;
 }

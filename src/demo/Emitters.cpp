@@ -103,9 +103,8 @@ Json buildEmitters(const VillageMap& map, const DungeonMap& dungeons) {
     list.at("orchard.fireflies", kFireflies, overGround(97.0, 80.0, 2.4), 0);
     list.at("swirl", kSwirl, overGround(134.0, 100.0, 1.4), 0);
     list.on("watchman.lantern", kLanternGlow, "watchman", kLantern);
-    for (const Fire& fire : brazierFires(dungeons)) {
+    for (const Fire& fire : brazierFires(dungeons))
         list.at(fire.name, kBrazier, fire.position, fire.cell);
-    }
     return list.take();
 }
 

@@ -41,9 +41,8 @@ nlohmann::ordered_json toJson(const Eye& eye) {
     json["z"] = rounded(eye.position.z, 1.0 / 1024.0);
     json["yaw"] = rounded(eye.yaw, 1.0 / 64.0);
     json["pitch"] = rounded(eye.pitch, 1.0 / 64.0);
-    if (eye.cell != 0) {
+    if (eye.cell != 0)
         json["cell"] = fmt::format("0x{:08X}", eye.cell);
-    }
     return json;
 }
 

@@ -113,9 +113,8 @@ private:
 
 double cellFloor(const dat::CellStruct& shape) {
     double low = 1e300;
-    for (const auto& [key, vertex] : shape.vertexArray.vertices) {
+    for (const auto& [key, vertex] : shape.vertexArray.vertices)
         low = std::min(low, static_cast<double>(vertex.position.z));
-    }
     return low;
 }
 
@@ -123,11 +122,9 @@ OpeningView FillingList::viewOf(const dat::EnvCell& cell, std::size_t portal) co
     const dat::CellStruct& shape = shapeOf(cell);
     std::vector<Vec3> points;
     for (const auto& [id, polygon] : shape.polygons) {
-        if (id == cell.portals.at(portal).polygonId) {
-            for (const std::uint16_t key : polygon.vertexKeys) {
+        if (id == cell.portals.at(portal).polygonId)
+            for (const std::uint16_t key : polygon.vertexKeys)
                 points.emplace_back(shape.vertexArray.vertices.at(key).second.position);
-            }
-        }
     }
     OpeningView view;
     view.inward = planeOf(points).n;
@@ -135,9 +132,8 @@ OpeningView FillingList::viewOf(const dat::EnvCell& cell, std::size_t portal) co
     const Vec3 right = glm::cross(-view.inward, Vec3(0, 0, 1));
     const auto reach = [&](const Vec3& direction) {
         double most = -1e300;
-        for (const Vec3& p : points) {
+        for (const Vec3& p : points)
             most = std::max(most, glm::dot(p, direction));
-        }
         return most;
     };
     const double bottom = -reach({0, 0, -1});
@@ -155,20 +151,17 @@ bool FillingList::isWindow(const dat::EnvCell& cell, std::size_t portal) const {
 
 std::size_t FillingList::findPortal(const DoorSpec& spec) const {
     const dat::EnvCell& cell = cellOf(spec.cell);
-    for (std::size_t k = 0; k < cell.portals.size(); ++k) {
-        if (cell.portals[k].otherCellId == (spec.to & 0xFFFF) && !isWindow(cell, k)) {
+    for (std::size_t k = 0; k < cell.portals.size(); ++k)
+        if (cell.portals[k].otherCellId == (spec.to & 0xFFFF) && !isWindow(cell, k))
             return k;
-        }
-    }
     LIMEN_ASSERT(false, "the door's opening does not exist");
     return 0;
 }
 
 dat::RecordId FillingList::leafModel(double width, double height) {
     dat::RecordId& id = leaves_[sizeOf(width, height)];
-    if (id == 0) {
+    if (id == 0)
         id = sink_.addSetup({{sink_.addMesh(leafMesh(width, height)), {}}});
-    }
     return id;
 }
 
@@ -243,9 +236,8 @@ void FillingList::panes(const char* name, const Placement& building,
     int count = 0;
     for (const dat::RecordId id : cells) {
         for (std::size_t k = 0; k < cellOf(id).portals.size(); ++k) {
-            if (!isWindow(cellOf(id), k)) {
+            if (!isWindow(cellOf(id), k))
                 continue;
-            }
             const OpeningView view = viewOf(cellOf(id), k);
             const Vec3 across = view.right - view.left;
             Json json = entry(fmt::format("{}.window.{}", name, ++count), id, k, false, 0.0);

@@ -169,9 +169,8 @@ Json farmerRoute(const VillageMap& map) {
 /// Along the lane, over every vertex, where the ground bends.
 Json cartRoute(const VillageMap& map) {
     Route route(map, "cart", false);
-    for (int x = 24; x <= 144; x += 24) {
+    for (int x = 24; x <= 144; x += 24)
         route.ground(x, 96.0);
-    }
     return route.json();
 }
 

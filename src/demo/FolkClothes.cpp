@@ -53,9 +53,8 @@ dat::RecordId addCloak(ModelSink& sink, const std::vector<dat::RecordId>& setups
     const auto all = static_cast<std::uint32_t>(cloth.colours.size());
     dat::ClothingTable table;
     table.id = kCloak;
-    for (const dat::RecordId setup : setups) {
+    for (const dat::RecordId setup : setups)
         table.parts.entries.push_back({setup, {{0, cloaked, {}}}});
-    }
     table.palettes.entries = {{kUndyed, {}}, {kDyed, {0, {{{{0, all}}, kDyes}}}}};
     records.paletteSets.push_back(dyes);
     records.clothingTables.push_back(table);

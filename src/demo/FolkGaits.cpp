@@ -139,9 +139,8 @@ dat::Frame frameOf(const Posture& p, const SetupPart& part, Role role) {
 dat::AnimationFrame frameOf(const Posture& p, const std::vector<SetupPart>& parts,
                             const std::vector<Role>& roles) {
     dat::AnimationFrame frame;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (std::size_t k = 0; k < parts.size(); ++k)
         frame.parts.push_back(frameOf(p, parts[k], roles[k]));
-    }
     return frame;
 }
 
@@ -158,9 +157,8 @@ dat::MotionData addGoing(ModelSink& sink, const std::vector<SetupPart>& parts, c
     // Wheels stand as at first only after whole turns.
     const int rounds = std::count(roles.begin(), roles.end(), Role::Wheel) > 0 ? kSpokes : 1;
     std::vector<dat::AnimationFrame> frames;
-    for (int k = 0; k < rounds * stride.frames; ++k) {
+    for (int k = 0; k < rounds * stride.frames; ++k)
         frames.push_back(frameOf(going(stride, static_cast<double>(k) / stride.frames), parts, roles));
-    }
     for (std::size_t part = 0; part < parts.size() && dust != 0; ++part) {
         // A hook is played when its frame gives way to the next.
         const auto frame = [&](double phase) { return static_cast<std::size_t>(phase * stride.frames); };
@@ -202,9 +200,8 @@ Strides shortStrides() {
 dat::RecordId addGaits(ModelSink& sink, const std::vector<SetupPart>& parts, const std::vector<Role>& roles,
                        const Strides& strides, dat::RecordId dust) {
     std::vector<dat::AnimationFrame> still;
-    for (int k = 0; k < kStandingFrames; ++k) {
+    for (int k = 0; k < kStandingFrames; ++k)
         still.push_back(frameOf(standing(static_cast<double>(k) / kStandingFrames), parts, roles));
-    }
     dat::MotionTable table;
     table.defaultStyle = kNonCombat;
     table.styleDefaults = {{kNonCombat, kReady}};

@@ -31,12 +31,10 @@ constexpr double kWaist = 1.02, kHem = 0.10; ///< of a gown, metres
 /// Shoulders are wider than a body is deep.
 void flatten(MeshBuilder& mesh, double depth) {
     for (Face& face : mesh.faces()) {
-        for (Vec3& p : face.points) {
+        for (Vec3& p : face.points)
             p.y *= depth;
-        }
-        for (Vec3& n : face.normals) {
+        for (Vec3& n : face.normals)
             n = glm::normalize(Vec3(n.x, n.y / depth, n.z));
-        }
     }
 }
 
@@ -45,29 +43,25 @@ MeshBuilder skirtMesh(const Clothes& c) {
     MeshBuilder mesh;
     addRing(mesh, kHem, kWaist, 0.36, 0.15, c.coat, true);
     flatten(mesh, 0.9);
-    if (c.apron) {
+    if (c.apron)
         mesh.strut({0, 0.13, 1.03}, {0, 0.25, 0.45}, {1, 0, 0}, 0.28, 0.03, Material::Linen);
-    }
     return mesh;
 }
 
 MeshBuilder bodyMesh(const Clothes& c) {
     MeshBuilder mesh;
-    if (!c.gown) {
+    if (!c.gown)
         addRing(mesh, 0.74, kWaist, 0.235, 0.195, c.coat, true);
-    }
     addRing(mesh, kWaist, 1.07, 0.20, 0.20, Material::Hair, true);
     addRing(mesh, 1.07, 1.36, 0.19, 0.235, c.coat, true);
     addRing(mesh, 1.36, kNeck, 0.235, 0.10, c.coat, true);
     flatten(mesh, 0.68);
-    if (c.gown) {
+    if (c.gown)
         mesh.append(skirtMesh(c), {});
-    } else if (c.apron) {
+    else if (c.apron)
         mesh.box({-0.13, 0.12, 0.50}, {0.13, 0.215, 1.03}, Material::Linen);
-    }
-    if (c.apron) {
+    if (c.apron)
         mesh.box({-0.11, 0.10, 1.05}, {0.11, 0.17, 1.30}, Material::Linen);
-    }
     return mesh;
 }
 
@@ -78,16 +72,13 @@ MeshBuilder headMesh(const Clothes& c) {
     addRing(mesh, 0.10, 0.18, 0.098, 0.104, Material::Skin, true);
     addRing(mesh, 0.18, 0.26, 0.104, 0.06, Material::Skin, true);
     mesh.box({-0.016, 0.09, 0.10}, {0.016, 0.125, 0.15}, Material::Skin);
-    for (const double x : {-0.042, 0.042}) {
+    for (const double x : {-0.042, 0.042})
         mesh.box({x - 0.012, 0.088, 0.158}, {x + 0.012, 0.103, 0.176}, Material::Hair);
-    }
     MeshBuilder hair;
     addRing(hair, 0.07, 0.20, 0.10, 0.115, Material::Hair, true);
-    for (Face& face : hair.faces()) {
-        for (Vec3& p : face.points) {
+    for (Face& face : hair.faces())
+        for (Vec3& p : face.points)
             p.y = std::min(p.y - 0.028, 0.02);
-        }
-    }
     mesh.append(hair, {});
     addRing(mesh, 0.20, 0.28, 0.114, 0.055, Material::Hair, true);
     if (c.hat) {
@@ -135,11 +126,9 @@ MeshBuilder lanternMesh() {
     MeshBuilder mesh; // origin at the middle of its flame
     mesh.box({-0.07, -0.07, -0.13}, {0.07, 0.07, -0.10}, Material::Iron);
     mesh.box({-0.07, -0.07, 0.10}, {0.07, 0.07, 0.13}, Material::Iron);
-    for (const double x : {-0.06, 0.048}) {
-        for (const double y : {-0.06, 0.048}) {
+    for (const double x : {-0.06, 0.048})
+        for (const double y : {-0.06, 0.048})
             mesh.beam({x, y, -0.10}, {x + 0.012, y + 0.012, 0.10}, Material::Iron);
-        }
-    }
     mesh.beam({-0.006, -0.006, 0.13}, {0.006, 0.006, 0.24}, Material::Iron);
     mesh.box({-0.02, -0.02, -0.10}, {0.02, 0.02, -0.02}, Material::Wax);
     return mesh;

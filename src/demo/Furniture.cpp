@@ -14,11 +14,9 @@ dat::RecordId onLegs(ModelSink& sink, const MeshBuilder& top, double x, double y
     leg.beam({-thick / 2, -thick / 2, 0.0}, {thick / 2, thick / 2, height}, Material::Oak);
     const dat::RecordId legId = sink.addMesh(leg);
     std::vector<SetupPart> parts{{sink.addMesh(top), {}}};
-    for (const double sx : {-1.0, 1.0}) {
-        for (const double sy : {-1.0, 1.0}) {
+    for (const double sx : {-1.0, 1.0})
+        for (const double sy : {-1.0, 1.0})
             parts.push_back({legId, {{sx * x, sy * y, 0.0}, 0.0}});
-        }
-    }
     return sink.addSetup(parts);
 }
 
@@ -38,9 +36,8 @@ dat::RecordId addTable(ModelSink& sink) {
 dat::RecordId addChair(ModelSink& sink) {
     MeshBuilder seat;
     seat.beam({-0.22, -0.22, 0.42}, {0.22, 0.22, 0.46}, Material::Oak);
-    for (const double x : {-0.19, 0.19}) {
+    for (const double x : {-0.19, 0.19})
         seat.strut({x, 0.20, 0.46}, {x, 0.27, 1.02}, {1, 0, 0}, 0.045, 0.045, Material::Oak);
-    }
     seat.beam({-0.21, 0.235, 0.86}, {0.21, 0.265, 1.00}, Material::Oak);
     seat.beam({-0.17, 0.215, 0.62}, {0.17, 0.24, 0.70}, Material::Oak);
     return onLegs(sink, seat, 0.19, 0.19, 0.42, 0.045);
@@ -55,9 +52,8 @@ dat::RecordId addStool(ModelSink& sink) {
 dat::RecordId addBench(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-0.75, -0.16, 0.41}, {0.75, 0.16, 0.46}, Material::OldPlanks);
-    for (const double x : {-0.58, 0.58}) {
+    for (const double x : {-0.58, 0.58})
         mesh.beam({x - 0.03, -0.14, 0.0}, {x + 0.03, 0.14, 0.41}, Material::OldPlanks);
-    }
     mesh.beam({-0.55, -0.02, 0.14}, {0.55, 0.02, 0.20}, Material::OldPlanks);
     return sink.addSingle(mesh);
 }
@@ -82,21 +78,18 @@ dat::RecordId addChest(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-0.5, -0.27, 0.04}, {0.5, 0.27, 0.42}, Material::OldPlanks);
     mesh.beam({-0.53, -0.30, 0.42}, {0.53, 0.30, 0.52}, Material::Oak);
-    for (const double x : {-0.36, 0.36}) {
+    for (const double x : {-0.36, 0.36})
         mesh.box({x - 0.03, -0.31, 0.02}, {x + 0.03, 0.31, 0.53}, Material::Iron);
-    }
     mesh.box({-0.06, -0.325, 0.36}, {0.06, -0.27, 0.47}, Material::Iron);
     return sink.addSingle(mesh);
 }
 
 dat::RecordId addShelf(ModelSink& sink) {
     MeshBuilder mesh;
-    for (const double x : {-0.6, 0.57}) {
+    for (const double x : {-0.6, 0.57})
         mesh.beam({x, -0.32, 0.0}, {x + 0.03, 0.0, 1.95}, Material::Oak);
-    }
-    for (const double z : {0.08, 0.55, 1.02, 1.49, 1.92}) {
+    for (const double z : {0.08, 0.55, 1.02, 1.49, 1.92})
         mesh.beam({-0.57, -0.31, z}, {0.57, -0.02, z + 0.03}, Material::Oak);
-    }
     mesh.beam({-0.57, -0.02, 0.0}, {0.57, 0.0, 1.95}, Material::OldPlanks);
     for (const double z : {0.58, 1.05}) {
         mesh.card({Vec3(-0.52, -0.24, z), Vec3(0.28, -0.24, z), Vec3(0.28, -0.24, z + 0.33),
@@ -139,9 +132,8 @@ dat::RecordId addFireplace(ModelSink& sink) {
                  Material::Brick);
     mesh.box({-1.15, -1.05, 0.0}, {1.15, -0.62, 0.05}, Material::Flagstones);
     mesh.box({-0.62, -0.62, 0.0}, {0.62, -0.03, 0.05}, Material::Brick);
-    for (const double x : {-0.28, 0.28}) {
+    for (const double x : {-0.28, 0.28})
         mesh.box({x - 0.02, -0.46, 0.05}, {x + 0.02, -0.12, 0.12}, Material::Iron);
-    }
     mesh.box({-0.34, -0.42, 0.06}, {0.34, -0.14, 0.10}, Material::Embers);
     mesh.strut({-0.42, -0.30, 0.17}, {0.42, -0.26, 0.17}, {0, 1, 0}, 0.11, 0.11, Material::Bark);
     mesh.strut({-0.36, -0.20, 0.16}, {0.38, -0.36, 0.24}, {0, 1, 0}, 0.10, 0.10, Material::Bark);
@@ -175,9 +167,8 @@ dat::RecordId addBarrel(ModelSink& sink) {
                        .wrapOnce = true,
                        .caps = false});
         for (Face& face : ring.faces()) {
-            for (std::size_t i = 0; i < face.uvs.size(); ++i) {
+            for (std::size_t i = 0; i < face.uvs.size(); ++i)
                 face.uvs[i].y = 1.0 - face.points[i].z / 0.90;
-            }
             mesh.add(std::move(face));
         }
     }
@@ -196,11 +187,9 @@ dat::RecordId addBarrel(ModelSink& sink) {
 dat::RecordId addCrate(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-0.36, -0.28, 0.03}, {0.36, 0.28, 0.55}, Material::OldPlanks);
-    for (const double x : {-0.38, 0.31}) {
-        for (const double y : {-0.30, 0.23}) {
+    for (const double x : {-0.38, 0.31})
+        for (const double y : {-0.30, 0.23})
             mesh.beam({x, y, 0.0}, {x + 0.07, y + 0.07, 0.58}, Material::Oak);
-        }
-    }
     for (const double z : {0.02, 0.50}) {
         mesh.beam({-0.31, -0.295, z}, {0.31, -0.265, z + 0.07}, Material::Oak);
         mesh.beam({-0.31, 0.265, z}, {0.31, 0.295, z + 0.07}, Material::Oak);
@@ -270,11 +259,9 @@ dat::RecordId addLantern(ModelSink& sink) {
                    .side = Material::Iron,
                    .cap = Material::Iron});
     mesh.box({-0.10, -0.10, -0.58}, {0.10, 0.10, -0.55}, Material::Iron);
-    for (const double x : {-0.095, 0.075}) {
-        for (const double y : {-0.095, 0.075}) {
+    for (const double x : {-0.095, 0.075})
+        for (const double y : {-0.095, 0.075})
             mesh.beam({x, y, -0.55}, {x + 0.02, y + 0.02, -0.30}, Material::Iron);
-        }
-    }
     mesh.cylinder({.base = {0, 0, -0.55},
                    .lower = 0.025,
                    .upper = 0.022,
@@ -366,9 +353,8 @@ dat::RecordId addStairs(ModelSink& sink, const StairSpec& s) {
     }
     const double run = s.tread * (s.risers - 1);
     const double drop = s.rise * (s.risers - 1);
-    for (const double x : {-half + 0.03, half - 0.03}) {
+    for (const double x : {-half + 0.03, half - 0.03})
         mesh.strut({x, 0.12, -0.30}, {x, run, -drop - 0.08}, {1, 0, 0}, 0.05, 0.20, Material::Beam);
-    }
     return sink.addSingle(mesh);
 }
 

@@ -59,11 +59,9 @@ void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
     double along = 0.0;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
         Face strip = slopeStrip(r, outline[i], outline[i + 1], along, south);
-        if (!south) {
-            for (Vec3& n : strip.normals) {
+        if (!south)
+            for (Vec3& n : strip.normals)
                 n = -n; // flipped() turned them inwards: they were already the mirror's
-            }
-        }
         mesh.add(std::move(strip));
         along += glm::length(outline[i + 1].point - outline[i].point);
     }
@@ -87,12 +85,10 @@ void addSlope(MeshBuilder& mesh, const RoofSpec& r, bool south) {
             const auto onTop = [&](const OutlinePoint& o) { return Vec3(side * x, y(o.point.x), o.point.y); };
             std::vector<Vec3> piece{below(outline[i]), below(outline[i + 1]), onTop(outline[i + 1]),
                                     onTop(outline[i])};
-            if (glm::length(piece[0] - piece[1]) < 1e-6) {
+            if (glm::length(piece[0] - piece[1]) < 1e-6)
                 piece.erase(piece.begin());
-            }
-            if ((side > 0.0) != south) {
+            if ((side > 0.0) != south)
                 std::reverse(piece.begin(), piece.end());
-            }
             mesh.polygon(std::move(piece), Material::Thatch);
         }
     }
@@ -119,9 +115,8 @@ void addRidge(MeshBuilder& mesh, const RoofSpec& r) {
         for (const double end : {-1.0, 1.0}) {
             std::vector<Vec3> piece{at(end * x, {0.0, -0.1}), at(end * x, foot), at(end * x, edge),
                                     at(end * x, crest)};
-            if (end * side < 0.0) {
+            if (end * side < 0.0)
                 std::reverse(piece.begin(), piece.end());
-            }
             mesh.polygon(std::move(piece), Material::Thatch);
         }
     }

@@ -48,12 +48,10 @@ std::pair<Vec3, Vec3> boxOnWall(Side side, double at, const Rect& r, double from
     const double b = at + outward(side) * to;
     const double low = std::min(a, b);
     const double high = std::max(a, b);
-    if (side == Side::West || side == Side::East) {
+    if (side == Side::West || side == Side::East)
         return {{low, r.u0, r.v0}, {high, r.u1, r.v1}};
-    }
-    if (side == Side::South || side == Side::North) {
+    if (side == Side::South || side == Side::North)
         return {{r.u0, low, r.v0}, {r.u1, high, r.v1}};
-    }
     return {{r.u0, r.v0, low}, {r.u1, r.v1, high}};
 }
 
@@ -92,21 +90,18 @@ std::vector<Face> wallFaces(const HouseShell& h) {
     std::vector<Face> faces;
     for (const Side side : kWalls) {
         const auto [u0, u1] = wallSpan(h, side);
-        for (const Rect& r : withoutHoles({u0, h.base, u1, h.top}, holesOf(h, side, 0.0))) {
+        for (const Rect& r : withoutHoles({u0, h.base, u1, h.top}, holesOf(h, side, 0.0)))
             faces.push_back(flipped(planarFace(rectOnSide(side, outerPlane(h, side), r), h.walls)));
-        }
     }
     const double ridge = h.top + h.pitch * h.depth / 2.0;
     for (const double x : {-h.halfWidth, h.halfWidth}) {
         std::vector<Vec3> gable{{x, 0.0, h.top}, {x, h.depth, h.top}, {x, h.depth / 2.0, ridge}};
-        if (x < 0.0) {
+        if (x < 0.0)
             std::swap(gable[0], gable[1]);
-        }
         faces.push_back(planarFace(std::move(gable), h.walls));
     }
-    for (const HouseShell::Hole& hole : h.holes) {
+    for (const HouseShell::Hole& hole : h.holes)
         addReveals(faces, h, hole);
-    }
     closeSeams(faces);
     return faces;
 }
@@ -135,9 +130,8 @@ struct Band {
 };
 
 std::vector<Band> bandsOf(const HouseShell& h) {
-    if (h.upperFloor <= 0.0) {
+    if (h.upperFloor <= 0.0)
         return {{kPlinthTop, h.top, true}};
-    }
     return {{kPlinthTop, h.upperFloor, true}, {h.upperFloor, h.top, false}};
 }
 
@@ -168,9 +162,8 @@ void addBraces(MeshBuilder& mesh, const HouseShell& h, Side side, const Band& ba
     for (const bool left : {true, false}) {
         const double foot = left ? u0 + bay : u1 - bay;
         const double head = left ? u0 + 0.2 : u1 - 0.2;
-        if (!clearOf(h, side, band, 0.1, std::min(foot, head), std::max(foot, head))) {
+        if (!clearOf(h, side, band, 0.1, std::min(foot, head), std::max(foot, head)))
             continue;
-        }
         const bool alongY = side == Side::West || side == Side::East;
         const Vec3 a = alongY ? Vec3(at, foot, low) : Vec3(foot, at, low);
         const Vec3 b = alongY ? Vec3(at, head, band.to - 0.4) : Vec3(head, at, band.to - 0.4);
@@ -185,19 +178,16 @@ void addFraming(MeshBuilder& mesh, const HouseShell& h, Side side, const Band& b
     const double end = 0.5 * kCornerPost;
     const double low = band.sill ? band.from + kPost : band.from;
     if (band.sill) {
-        for (const Rect& r : withoutHoles({u0 + end, band.from, u1 - end, low}, holesOf(h, side, 0.02))) {
-            if (r.v1 > band.from + 0.9 * kPost) {
+        for (const Rect& r : withoutHoles({u0 + end, band.from, u1 - end, low}, holesOf(h, side, 0.02)))
+            if (r.v1 > band.from + 0.9 * kPost)
                 addTimber(mesh, h, side, r);
-            }
-        }
     }
     addTimber(mesh, h, side, {u0 + end, band.to - 0.22, u1 - end, band.to}, 0.01);
     const int bays = static_cast<int>(std::lround((u1 - u0) / 1.35));
     for (int k = 1; k < bays; ++k) {
         const double u = u0 + (u1 - u0) * k / bays;
-        if (clearOf(h, side, band, 0.16, u - kPost / 2, u + kPost / 2)) {
+        if (clearOf(h, side, band, 0.16, u - kPost / 2, u + kPost / 2))
             addTimber(mesh, h, side, {u - kPost / 2, low, u + kPost / 2, band.to - 0.22}, -0.01);
-        }
     }
     addBraces(mesh, h, side, band, (u1 - u0) / bays);
 }
@@ -223,11 +213,9 @@ void addGableFraming(MeshBuilder& mesh, const HouseShell& h) {
 
 void addTimbers(MeshBuilder& mesh, const HouseShell& h) {
     addCornerPosts(mesh, h);
-    for (const Side side : kWalls) {
-        for (const Band& band : bandsOf(h)) {
+    for (const Side side : kWalls)
+        for (const Band& band : bandsOf(h))
             addFraming(mesh, h, side, band);
-        }
-    }
     addGableFraming(mesh, h);
 }
 
@@ -244,12 +232,10 @@ void addWindowBars(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hol
     bar({middle - 0.03, r.v0 + joint, middle + 0.03, r.v1 - joint}, -0.17, -0.11);
     const double rail = r.v0 + 0.58 * (r.v1 - r.v0);
     bar({r.u0 + joint, rail - 0.025, r.u1 - joint, rail + 0.025}, -0.165, -0.115);
-    for (const double u : {r.u0, r.u1 - 0.05}) {
+    for (const double u : {r.u0, r.u1 - 0.05})
         bar({u, r.v0, u + 0.05, r.v1}, -0.18, -0.10);
-    }
-    for (const double v : {r.v0, r.v1 - 0.05}) {
+    for (const double v : {r.v0, r.v1 - 0.05})
         bar({r.u0 + 0.05, v, r.u1 - 0.05, v + 0.05}, -0.18, -0.10);
-    }
 }
 
 void addDoorSteps(MeshBuilder& mesh, const HouseShell& h, const HouseShell::Hole& hole) {
@@ -288,40 +274,34 @@ void addFrame(MeshBuilder& mesh, Side side, double at, const Rect& r, double wid
         const Vec3 back = outwardNormal(side) * (depth > 0.0 ? 1.0 : -1.0);
         for (Face& face : whole.faces()) {
             // None at the back: it would lie in the plane of the wall, and of the portal beside it.
-            if (glm::dot(faceNormal(face), back) < 0.5) {
+            if (glm::dot(faceNormal(face), back) < 0.5)
                 mesh.add(std::move(face));
-            }
         }
     };
     bar({r.u0 - width, r.v0, r.u0 - gap, r.v1 + gap}, out);
     bar({r.u1 + gap, r.v0, r.u1 + width, r.v1 + gap}, out);
     bar({r.u0 - width - 0.05, r.v1 + gap, r.u1 + width + 0.05, r.v1 + width + 0.03}, out * 1.25);
-    if (sill) {
+    if (sill)
         bar({r.u0 - width - 0.04, r.v0 - 0.09, r.u1 + width + 0.04, r.v0 - gap}, out * 2.0);
-    }
 }
 
 MeshBuilder buildHouseShell(const HouseShell& h) {
     MeshBuilder mesh;
-    for (Face& face : wallFaces(h)) {
+    for (Face& face : wallFaces(h))
         mesh.add(std::move(face));
-    }
     addPlinth(mesh, h);
-    if (h.timbered) {
+    if (h.timbered)
         addTimbers(mesh, h);
-    }
     for (const HouseShell::Hole& hole : h.holes) {
         addFrame(mesh, hole.side, outerPlane(h, hole.side), hole.rect, 0.15, -0.06, !hole.door);
-        if (!hole.door) {
+        if (!hole.door)
             addWindowBars(mesh, h, hole);
-        } else if (hole.rect.v0 == 0.0) {
+        else if (hole.rect.v0 == 0.0)
             addDoorSteps(mesh, h, hole);
-        }
     }
     addThatchedRoof(mesh, {h.halfWidth, h.depth, h.top, h.pitch});
-    if (h.chimney) {
+    if (h.chimney)
         addChimney(mesh, {h.chimneyX, h.chimneyY, h.top}, chimneyTop(h));
-    }
     return mesh;
 }
 

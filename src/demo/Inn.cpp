@@ -27,12 +27,10 @@ HouseShell innShell() {
     shell.ground = -0.375;
     shell.chimneyX = -7.15;
     shell.chimneyY = inn::kHearthY;
-    for (const auto& [side, opening] : innDoors()) {
+    for (const auto& [side, opening] : innDoors())
         shell.holes.push_back({side, opening, true});
-    }
-    for (const auto& [side, opening] : innWindows()) {
+    for (const auto& [side, opening] : innWindows())
         shell.holes.push_back({side, opening, false});
-    }
     return shell;
 }
 

@@ -10,12 +10,10 @@ dat::RecordId addBar(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-1.80, -0.36, 1.04}, {1.80, 0.30, 1.10}, Material::Oak);
     mesh.beam({-1.74, -0.24, 0.0}, {1.74, -0.18, 1.04}, Material::OldPlanks);
-    for (const double x : {-1.735, -0.58, 0.52, 1.675}) {
+    for (const double x : {-1.735, -0.58, 0.52, 1.675})
         mesh.beam({x, -0.28, 0.004}, {x + 0.06, -0.235, 1.036}, Material::Beam);
-    }
-    for (const double x : {-1.72, 1.64}) {
+    for (const double x : {-1.72, 1.64})
         mesh.beam({x, -0.18, 0.0}, {x + 0.08, 0.26, 1.04}, Material::OldPlanks);
-    }
     mesh.beam({-1.64, -0.18, 0.48}, {1.64, 0.22, 0.52}, Material::OldPlanks);
     MeshBuilder jug;
     jug.cylinder({.base = {0, 0, 0},
@@ -62,9 +60,8 @@ dat::RecordId addFlight(ModelSink& sink) {
         const double foot = k == kRisers ? top + 0.003 : top;
         const double above = k == 1 ? -0.06 : top + rise - 0.05;
         mesh.beam({-kHalf + 0.02, y, foot}, {kHalf - 0.02, y + 0.02, above}, Material::OldPlanks);
-        if (k < kRisers) {
+        if (k < kRisers)
             mesh.beam({-kHalf, y - tread - 0.02, top - 0.05}, {kHalf, y + 0.03, top}, Material::Planks);
-        }
     }
     for (const double x : {-kHalf + 0.03, kHalf - 0.03}) {
         mesh.strut({x, -0.12, -0.30}, {x, -run, -rise * (kRisers - 1) - 0.08}, {1, 0, 0}, 0.05, 0.20,
@@ -72,9 +69,8 @@ dat::RecordId addFlight(ModelSink& sink) {
     }
     mesh.beam({-kHalf, -0.02, -0.06}, {kHalf, 0.895, 0.0}, Material::Planks);
     mesh.beam({-kHalf + 0.01, 0.03, -0.22}, {kHalf - 0.01, 0.13, -0.06}, Material::Beam);
-    for (const double x : {-kHalf + 0.01, kHalf - 0.11}) {
+    for (const double x : {-kHalf + 0.01, kHalf - 0.11})
         mesh.beam({x, 0.035, -inn::kUpper}, {x + 0.10, 0.125, -0.22}, Material::Beam);
-    }
     return sink.addSingle(mesh);
 }
 
@@ -84,11 +80,9 @@ dat::RecordId addRack(ModelSink& sink) {
         frame.beam({x - 0.05, -0.75, 0.0}, {x + 0.05, -0.65, 1.55}, Material::Beam);
         frame.beam({x - 0.05, -0.15, 0.0}, {x + 0.05, -0.05, 1.55}, Material::Beam);
     }
-    for (const double z : {0.14, 0.88}) {
-        for (const double y : {-0.68, -0.14}) {
+    for (const double z : {0.14, 0.88})
+        for (const double y : {-0.68, -0.14})
             frame.beam({-1.36, y, z}, {1.36, y + 0.06, z + 0.09}, Material::OldPlanks);
-        }
-    }
     MeshBuilder cask; // lies on its side, along y
     cask.cylinder({.base = {0, 0, -0.36},
                    .lower = 0.25,
@@ -111,11 +105,9 @@ dat::RecordId addRack(ModelSink& sink) {
     other.faces().pop_back();
     cask.append(other, {});
     for (Face& face : cask.faces()) {
-        for (auto* list : {&face.points, &face.normals}) {
-            for (Vec3& p : *list) {
+        for (auto* list : {&face.points, &face.normals})
+            for (Vec3& p : *list)
                 p = {p.x, -p.z, p.y};
-            }
-        }
     }
     cask.beam({-0.02, -0.46, -0.14}, {0.02, -0.355, -0.10}, Material::Oak);
     const dat::RecordId id = sink.addMesh(cask);
@@ -132,9 +124,8 @@ dat::RecordId addPost(ModelSink& sink) {
     mesh.box({-0.16, -0.16, 0.0}, {0.16, 0.16, 0.22}, Material::StoneWall);
     mesh.beam({-0.10, -0.10, 0.22}, {0.10, 0.10, inn::kHeight - 0.19}, Material::Beam);
     mesh.beam({-0.62, -0.09, inn::kHeight - 0.19}, {0.62, 0.09, inn::kHeight - 0.002}, Material::Beam);
-    for (const double side : {-1.0, 1.0}) {
+    for (const double side : {-1.0, 1.0})
         mesh.strut({side * 0.06, 0.0, 2.05}, {side * 0.50, 0.0, 2.62}, {0, 1, 0}, 0.11, 0.10, Material::Beam);
-    }
     return sink.addSingle(mesh);
 }
 
@@ -166,9 +157,8 @@ void addBalcony(MeshBuilder& mesh, double ground) {
     }
     mesh.beam({-kHalf + 0.05, kOut + 0.03, floor - 0.22}, {kHalf - 0.05, kOut + 0.17, floor - 0.05},
               Material::Beam);
-    for (const double x : {-1.45, 0.0, 1.45}) {
+    for (const double x : {-1.45, 0.0, 1.45})
         mesh.beam({x - 0.06, kOut + 0.17, floor - 0.18}, {x + 0.06, -0.06, floor - 0.05}, Material::Beam);
-    }
     for (const double x : {-kHalf + 0.14, kHalf - 0.14}) {
         mesh.beam({x - 0.08, kOut + 0.02, ground - 0.5}, {x + 0.08, kOut + 0.18, floor - 0.22},
                   Material::Beam);

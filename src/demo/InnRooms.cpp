@@ -41,9 +41,8 @@ std::vector<Opening> outerOpenings(const RoomSpec& room) {
             const double from = alongY ? room.min.y : room.min.x;
             const double to = alongY ? room.max.y : room.max.x;
             if (planeOn(room, o.side) == outer && o.rect.u0 > from && o.rect.u1 < to &&
-                o.rect.v0 >= room.min.z && o.rect.v1 <= room.max.z) {
+                o.rect.v0 >= room.min.z && o.rect.v1 <= room.max.z)
                 out.push_back(o);
-            }
         }
     };
     collect(innDoors());
@@ -66,16 +65,13 @@ CellPlan cellarPassage(const char* name, double from, double to, const Rect& r) 
 
 CellPlan furnished(ModelSink& sink, const RoomSpec& room, std::vector<Opening> openings,
                    std::vector<Furnishing> statics) {
-    for (const Opening& o : outerOpenings(room)) {
+    for (const Opening& o : outerOpenings(room))
         openings.push_back(o);
-    }
     CellPlan cell = roomWithOpenings(room, openings);
     std::vector<WallOpening> framed;
-    for (const Opening& o : openings) {
-        if (o.side != Side::Floor && o.side != Side::Ceiling) {
+    for (const Opening& o : openings)
+        if (o.side != Side::Floor && o.side != Side::Ceiling)
             framed.push_back({o, planeOn(room, o.side)});
-        }
-    }
     cell.statics = std::move(statics);
     cell.statics.push_back({addTrim(sink, framed, room.min.z), {}});
     return cell;

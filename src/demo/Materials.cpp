@@ -364,9 +364,8 @@ Canvas paintMaterial(Material material) {
 
 void addMaterials(WorldRecords& records, Pictures pictures) {
     const bool painted = pictures == Pictures::Painted;
-    for (std::uint32_t m = 0; m < kMaterialCount; ++m) {
+    for (std::uint32_t m = 0; m < kMaterialCount; ++m)
         addMaterial(records, static_cast<Material>(m), pictures);
-    }
     for (std::uint32_t g = 0; g < kGroundCount; ++g) {
         // One picture in the landscape's own format, the others in the common ones.
         const PixelFormat format = g == 0       ? PixelFormat::LandscapeR8G8B8

@@ -26,11 +26,9 @@ HoleTop arch() {
 
 std::vector<Opening> naveWindows() {
     std::vector<Opening> out;
-    for (const Side side : {Side::South, Side::North}) {
-        for (const double x : {-3.75, 0.0, 3.75}) {
+    for (const Side side : {Side::South, Side::North})
+        for (const double x : {-3.75, 0.0, 3.75})
             out.push_back({side, {x - 0.5, 1.375, x + 0.5, 3.25}});
-        }
-    }
     return out;
 }
 
@@ -45,9 +43,8 @@ HouseShell naveShell() {
     shell.timbered = false;
     shell.chimney = false;
     shell.holes.push_back({Side::West, kDoor, true});
-    for (const auto& [side, rect] : naveWindows()) {
+    for (const auto& [side, rect] : naveWindows())
         shell.holes.push_back({side, rect, false});
-    }
     return shell;
 }
 
@@ -82,15 +79,12 @@ CellPlan nave(ModelSink& sink) {
     const std::vector<Opening> windows = naveWindows();
     for (const Side side : {Side::South, Side::North}) {
         std::vector<Rect> holes;
-        for (const Opening& o : windows) {
-            if (o.side == side) {
+        for (const Opening& o : windows)
+            if (o.side == side)
                 holes.push_back(o.rect);
-            }
-        }
         const double at = side == Side::South ? kSouth : kNorth;
-        for (const Rect& r : withoutHoles({-kInnerEnd, 0.0, kInnerEnd, kWallTop}, holes)) {
+        for (const Rect& r : withoutHoles({-kInnerEnd, 0.0, kInnerEnd, kWallTop}, holes))
             cell.faces.push_back(planarFace(rectOnSide(side, at, r), Material::InnerPlaster));
-        }
     }
     cell.faces.push_back(planarFace(rectOnSide(Side::Floor, 0.0, {-kInnerEnd, kSouth, kInnerEnd, kNorth}),
                                     Material::Flagstones));
@@ -107,11 +101,9 @@ CellPlan nave(ModelSink& sink) {
     const std::vector<Vec2> gable{{kSouth, kWallTop}, {kMiddle, kRidge}, {kNorth, kWallTop}};
     const ArchWall west{Side::West, -kInnerEnd, 0.0, gable, rectangleTop(kDoor), Material::InnerPlaster};
     const ArchWall east{Side::East, kInnerEnd, 0.0, gable, arch(), Material::InnerPlaster};
-    for (const ArchWall* wall : {&west, &east}) {
-        for (Face& face : wallFaces(*wall)) {
+    for (const ArchWall* wall : {&west, &east})
+        for (Face& face : wallFaces(*wall))
             cell.faces.push_back(std::move(face));
-        }
-    }
     cell.faces.push_back(holePortal(west));
     cell.faces.push_back(holePortal(east));
     std::vector<WallOpening> framed{{{Side::West, kDoor}, -kInnerEnd}};
@@ -135,15 +127,13 @@ CellPlan apse(ModelSink& sink) {
         cell.faces.push_back(planarFace(rectOnSide(side, at, {kApseWest, 0.0, kApseEast, kApseHeight}),
                                         Material::InnerPlaster));
     }
-    for (const Rect& r : withoutHoles({kApseSouth, 0.0, kApseNorth, kApseHeight}, {kApseWindow})) {
+    for (const Rect& r : withoutHoles({kApseSouth, 0.0, kApseNorth, kApseHeight}, {kApseWindow}))
         cell.faces.push_back(planarFace(rectOnSide(Side::East, kApseEast, r), Material::InnerPlaster));
-    }
     const ArchWall west{Side::West, kApseWest,
                         0.0,        {{kApseSouth, kApseHeight}, {kApseNorth, kApseHeight}},
                         arch(),     Material::InnerPlaster};
-    for (Face& face : wallFaces(west)) {
+    for (Face& face : wallFaces(west))
         cell.faces.push_back(std::move(face));
-    }
     cell.faces.push_back(holePortal(west));
     cell.faces.push_back(portalFace(rectOnSide(Side::East, kApseEast, kApseWindow)));
     closeSeams(cell.faces);
@@ -206,18 +196,15 @@ void furnish(ModelSink& sink, const Furniture& f, CellPlan& nave, CellPlan& apse
     const dat::RecordId truss = addTruss(sink);
     for (const double x : {-3.75 + 1.875, 1.875}) {
         nave.statics.push_back({truss, {{x, kMiddle, 0.0}, 0.0}});
-        for (const double y : {kMiddle - 2.6, kMiddle + 2.6}) {
+        for (const double y : {kMiddle - 2.6, kMiddle + 2.6})
             nave.statics.push_back({column, {{x, y, 0.0}, 0.0}});
-        }
         nave.statics.push_back({f.lantern, {{x, kMiddle - 1.5, 3.7}, 0.0}});
         nave.statics.push_back({f.lantern, {{x, kMiddle + 1.5, 3.7}, 40.0}});
     }
     nave.statics.push_back({addCarpet(sink), {{0.6, kMiddle, 0.0}, 0.0}});
-    for (const double x : {-2.9, -0.9, 0.9, 2.9}) {
-        for (const double y : {kMiddle - 1.75, kMiddle + 1.75}) {
+    for (const double x : {-2.9, -0.9, 0.9, 2.9})
+        for (const double y : {kMiddle - 1.75, kMiddle + 1.75})
             nave.statics.push_back({f.bench, {{x, y, 0.0}, 90.0}});
-        }
-    }
     for (const double y : {kWall + 0.35, kWidth - kWall - 0.35}) {
         nave.statics.push_back({f.bench, {{-1.9, y, 0.0}, 0.0}});
         nave.statics.push_back({f.bench, {{1.9, y, 0.0}, 0.0}});

@@ -51,9 +51,8 @@ Face planarFace(std::vector<Vec3> points, Material material) {
     const Vec3 u = level ? Vec3(1, 0, 0) : glm::normalize(glm::cross(Vec3(0, 0, 1), n));
     const Vec3 v = level ? Vec3(0, -1, 0) : -glm::cross(n, u);
     const double scale = 1.0 / metresPerTile(material);
-    for (const Vec3& p : points) {
+    for (const Vec3& p : points)
         face.uvs.emplace_back(glm::dot(p, u) * scale, glm::dot(p, v) * scale);
-    }
     face.points = std::move(points);
     return face;
 }
@@ -63,15 +62,13 @@ Face grainedFace(std::vector<Vec3> points, Material material, const Vec3& grain,
     face.material = material;
     const Vec3 n = planeOf(points).n;
     Vec3 u = grain - n * glm::dot(grain, n);
-    if (glm::dot(u, u) < 0.01) {
+    if (glm::dot(u, u) < 0.01)
         u = std::abs(n.z) < 0.9 ? glm::cross(Vec3(0, 0, 1), n) : Vec3(1, 0, 0);
-    }
     u = glm::normalize(u);
     const Vec3 v = glm::cross(n, u);
     const double scale = 1.0 / metresPerTile(material);
-    for (const Vec3& p : points) {
+    for (const Vec3& p : points)
         face.uvs.emplace_back((glm::dot(p, u) + shift.x) * scale, (glm::dot(p, v) + shift.y) * scale);
-    }
     face.points = std::move(points);
     return face;
 }
@@ -87,9 +84,8 @@ Face flipped(Face face) {
     std::reverse(face.points.begin(), face.points.end());
     std::reverse(face.uvs.begin(), face.uvs.end());
     std::reverse(face.normals.begin(), face.normals.end());
-    for (Vec3& n : face.normals) {
+    for (Vec3& n : face.normals)
         n = -n;
-    }
     return face;
 }
 
@@ -103,9 +99,8 @@ Vec3 place(const Placement& placement, const Vec3& point) {
 
 void MeshBuilder::addThin(const Face& face) {
     Face back = flipped(face);
-    for (Vec3& n : back.normals) {
+    for (Vec3& n : back.normals)
         n = -n;
-    }
     add(face);
     add(std::move(back));
 }
@@ -120,9 +115,8 @@ void MeshBuilder::card(const std::array<Vec3, 4>& c, Material material, bool two
 }
 
 void MeshBuilder::box(const Vec3& min, const Vec3& max, Material material) {
-    for (auto& points : boxFaces(min, max)) {
+    for (auto& points : boxFaces(min, max))
         polygon(std::move(points), material);
-    }
 }
 
 void MeshBuilder::beam(const Vec3& min, const Vec3& max, Material material) {
@@ -131,9 +125,8 @@ void MeshBuilder::beam(const Vec3& min, const Vec3& max, Material material) {
                        : size.y >= size.z                   ? Vec3(0, 1, 0)
                                                             : Vec3(0, 0, 1);
     const Vec2 shift = shiftFor(min + max);
-    for (auto& points : boxFaces(min, max)) {
+    for (auto& points : boxFaces(min, max))
         add(grainedFace(std::move(points), material, grain, shift));
-    }
 }
 
 void MeshBuilder::strut(const Vec3& a, const Vec3& b, const Vec3& side, double wide, double deep,
@@ -143,9 +136,8 @@ void MeshBuilder::strut(const Vec3& a, const Vec3& b, const Vec3& side, double w
     const Vec3 across = glm::normalize(side - along * glm::dot(side, along));
     const Vec3 third = glm::cross(along, across);
     for (auto& points : boxFaces({0, -wide / 2, -deep / 2}, {length, wide / 2, deep / 2})) {
-        for (Vec3& p : points) {
+        for (Vec3& p : points)
             p = a + along * p.x + across * p.y + third * p.z;
-        }
         add(grainedFace(std::move(points), material, along, shiftFor(a + b)));
     }
 }
@@ -186,9 +178,8 @@ void MeshBuilder::cylinder(const Round& r) {
         }
         add(std::move(face));
     }
-    if (r.caps && r.upper > 0.0) {
+    if (r.caps && r.upper > 0.0)
         polygon(top, r.cap);
-    }
     if (r.caps && r.lower > 0.0) {
         std::reverse(bottom.begin(), bottom.end());
         polygon(std::move(bottom), r.cap);
@@ -197,23 +188,19 @@ void MeshBuilder::cylinder(const Round& r) {
 
 void MeshBuilder::append(const MeshBuilder& part, const Placement& placement) {
     for (Face face : part.faces_) {
-        for (Vec3& p : face.points) {
+        for (Vec3& p : face.points)
             p = place(placement, p);
-        }
-        for (Vec3& n : face.normals) {
+        for (Vec3& n : face.normals)
             n = turned(placement.turn, n);
-        }
         add(std::move(face));
     }
 }
 
 Aabb MeshBuilder::bounds() const {
     Aabb box;
-    for (const Face& face : faces_) {
-        for (const Vec3& p : face.points) {
+    for (const Face& face : faces_)
+        for (const Vec3& p : face.points)
             box.include(p);
-        }
-    }
     return box;
 }
 
@@ -241,11 +228,9 @@ public:
 private:
     std::uint8_t uvIndex(std::size_t slot, const Vec2f& uv) {
         auto& uvs = array_.vertices[slot].second.uvs;
-        for (std::size_t k = 0; k < uvs.size(); ++k) {
-            if (uvs[k] == uv) {
+        for (std::size_t k = 0; k < uvs.size(); ++k)
+            if (uvs[k] == uv)
                 return static_cast<std::uint8_t>(k);
-            }
-        }
         LIMEN_ASSERT(uvs.size() < 255, "too many UVs for one vertex");
         uvs.push_back(uv);
         return static_cast<std::uint8_t>(uvs.size() - 1);
@@ -283,9 +268,8 @@ EncodedMesh encodeMesh(const std::vector<Face>& faces) {
             const Vec3 normal = face.normals.empty() ? flat : face.normals[k];
             const auto [key, uv] = table.find(face.points[k], normal, face.portal ? nullptr : &face.uvs[k]);
             polygon.vertexKeys.push_back(key);
-            if (!face.portal) {
+            if (!face.portal)
                 polygon.posUv.push_back(uv);
-            }
         }
         mesh.polygons.emplace_back(static_cast<std::uint16_t>(i), std::move(polygon));
     }

@@ -148,9 +148,8 @@ void ModelSink::setEffects(dat::RecordId setup, const SetupEffects& effects) {
 dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std::vector<Lamp>& lamps,
                                   dat::RecordId motionTable) {
     std::map<dat::RecordId, const dat::GfxObj*> meshes;
-    for (const dat::GfxObj& object : records_.gfxObjs) {
+    for (const dat::GfxObj& object : records_.gfxObjs)
         meshes[object.id] = &object;
-    }
     dat::Setup setup;
     setup.id = nextSetup_++;
     setup.flags = dat::Setup::kFreeHeading;
@@ -161,9 +160,8 @@ dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std
         pose.parts.push_back(toFrame(part.at));
         const dat::GfxObj& mesh = *meshes.at(part.gfxObj);
         setup.flags |= (mesh.flags & dat::GfxObj::kPhysics) != 0 ? dat::Setup::kPhysicsBsp : 0u;
-        for (const auto& [key, vertex] : mesh.vertexArray.vertices) {
+        for (const auto& [key, vertex] : mesh.vertexArray.vertices)
             bounds.include(place(part.at, Vec3(vertex.position)));
-        }
     }
     setup.placementFrames.emplace_back(dat::Setup::kPlacementDefault, pose);
     setup.placementFrames.emplace_back(dat::Setup::kPlacementResting, pose);
@@ -174,9 +172,8 @@ dat::RecordId ModelSink::addSetup(const std::vector<SetupPart>& parts, const std
         static_cast<float>(0.5 * std::hypot(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y));
     setup.stepUp = 0.4f;
     setup.stepDown = 0.4f;
-    for (std::size_t k = 0; k < lamps.size(); ++k) {
+    for (std::size_t k = 0; k < lamps.size(); ++k)
         setup.lights.emplace_back(static_cast<std::int32_t>(k), toLight(lamps[k]));
-    }
     setup.motionTable = motionTable;
     records_.setups.push_back(std::move(setup));
     return records_.setups.back().id;

@@ -8,9 +8,8 @@ namespace {
 
 dat::RecordId addFence(ModelSink& sink) {
     MeshBuilder mesh;
-    for (const double x : {0.0, 1.5}) {
+    for (const double x : {0.0, 1.5})
         mesh.beam({x - 0.06, -0.06, -0.6}, {x + 0.06, 0.06, 1.05}, Material::OldPlanks);
-    }
     mesh.strut({0.0, 0.07, 0.42}, {3.0, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
     mesh.strut({0.0, 0.07, 0.86}, {3.0, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
     return sink.addSingle(mesh);
@@ -37,14 +36,12 @@ dat::RecordId addWell(ModelSink& sink) {
             Material::Flagstones);
     }
     std::vector<Vec3> water;
-    for (int k = 0; k < kSides; ++k) {
+    for (int k = 0; k < kSides; ++k)
         water.push_back(at(kInner, k, 0.25));
-    }
     ring.polygon(std::move(water), Material::WaterDark);
     MeshBuilder roof;
-    for (const double x : {-0.82, 0.82}) {
+    for (const double x : {-0.82, 0.82})
         roof.beam({x - 0.06, -0.06, 0.4}, {x + 0.06, 0.06, 2.15}, Material::Beam);
-    }
     roof.beam({-1.0, -0.05, 2.10}, {1.0, 0.05, 2.20}, Material::Beam);
     roof.strut({-0.80, 0.0, 1.55}, {0.80, 0.0, 1.55}, {0, 0, 1}, 0.14, 0.14, Material::Oak);
     for (const double side : {-1.0, 1.0}) {
@@ -98,9 +95,8 @@ dat::RecordId addSignpost(ModelSink& sink) {
 dat::RecordId addYardBench(ModelSink& sink) {
     MeshBuilder mesh;
     mesh.beam({-0.85, -0.18, 0.40}, {0.85, 0.18, 0.46}, Material::OldPlanks);
-    for (const double x : {-0.62, 0.62}) {
+    for (const double x : {-0.62, 0.62})
         mesh.box({x - 0.12, -0.15, -0.2}, {x + 0.12, 0.15, 0.40}, Material::StoneWall);
-    }
     return sink.addSingle(mesh);
 }
 

@@ -82,9 +82,8 @@ Canvas paintBooks() {
         const auto book = static_cast<std::uint32_t>(slot);
         const double across = slot - std::floor(slot);
         const double top = 0.04 + 0.22 * random01(book, 2, 941);
-        if (v < top || across < 0.03) {
+        if (v < top || across < 0.03)
             return Vec4f(0.05f, 0.035f, 0.025f, 1.0f);
-        }
         const std::array<Vec3f, 5> leather{Vec3f(0.38f, 0.15f, 0.10f), Vec3f(0.16f, 0.22f, 0.15f),
                                            Vec3f(0.32f, 0.23f, 0.12f), Vec3f(0.15f, 0.16f, 0.25f),
                                            Vec3f(0.47f, 0.37f, 0.22f)};
@@ -92,9 +91,8 @@ Canvas paintBooks() {
         const double round = 1.0 - 1.6 * (across - 0.5) * (across - 0.5);
         const double t = (v - top) / (1.0 - top);
         const double band = std::min(std::abs(t - 0.2), std::min(std::abs(t - 0.5), std::abs(t - 0.8)));
-        if (band < 0.018) {
+        if (band < 0.018)
             colour = Vec3f(0.62f, 0.48f, 0.20f);
-        }
         return Vec4f(colour * static_cast<float>(round * (1.0 + 0.3 * fbm(u, v, 32, 16, 3, 943))), 1.0f);
     });
 }

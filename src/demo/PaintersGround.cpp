@@ -11,9 +11,8 @@ constexpr int kGroundSize = 512;
 Vec3f withPebbles(Vec3f ground, double u, double v, int cells, double share, std::uint32_t seed) {
     const Cellular c = cellular(u, v, cells, cells, 0.9, seed);
     const double radius = 0.12 + 0.22 * random01(c.id, 2);
-    if (random01(c.id, 1) > share || c.nearest > radius) {
+    if (random01(c.id, 1) > share || c.nearest > radius)
         return ground;
-    }
     const Vec3f stone = mixColour(Vec3f(0.36f, 0.33f, 0.29f), Vec3f(0.52f, 0.47f, 0.39f), random01(c.id, 3));
     return stone * static_cast<float>(1.06 - 0.28 * (c.nearest / radius) * (c.nearest / radius));
 }
@@ -35,9 +34,8 @@ Canvas paintGrass(const GrassStyle& s) {
     for (std::uint32_t i = 0; i < 15000; ++i) {
         const double x = random01(i, 1, s.seed) * kGroundSize;
         const double y = random01(i, 2, s.seed) * kGroundSize;
-        if (cover(x / kGroundSize, y / kGroundSize) < 0.06 * (random01(i, 3, s.seed) - 0.5)) {
+        if (cover(x / kGroundSize, y / kGroundSize) < 0.06 * (random01(i, 3, s.seed) - 0.5))
             continue;
-        }
         const double patch = 0.3 * fbm(x / kGroundSize, y / kGroundSize, 3, 3, 3, s.seed + 9);
         const double angle = 6.2831853 * random01(i, 4, s.seed);
         const double length = 5.0 + 9.0 * random01(i, 5, s.seed);
@@ -71,9 +69,8 @@ Canvas paintForestFloor() {
         const double hue = random01(i, 3, 1405);
         Vec3f colour =
             mixColour(Vec3f(0.20f, 0.16f, 0.08f), Vec3f(0.34f, 0.28f, 0.13f), random01(i, 4, 1405));
-        if (hue > 0.35) {
+        if (hue > 0.35)
             colour = mixColour(Vec3f(0.17f, 0.22f, 0.07f), Vec3f(0.27f, 0.33f, 0.11f), random01(i, 7, 1405));
-        }
         const double size = 8.0 + 8.0 * random01(i, 5, 1405);
         drawLeaf(canvas, {centre, 6.2831853 * random01(i, 6, 1405), size, size * 0.5, Vec4f(colour, 0.85f)},
                  true);
@@ -116,9 +113,8 @@ Canvas paintRoad() {
         // Grass keeps to the strip between the ruts.
         const double y = kGroundSize * 0.055 * (random01(i, 2, 1509) - 0.5) * 2.0;
         const double x = kGroundSize * random01(i, 1, 1509);
-        if (fbm(x / kGroundSize, 0.5, 8, 2, 3, 1511) < -0.05) {
+        if (fbm(x / kGroundSize, 0.5, 8, 2, 3, 1511) < -0.05)
             continue;
-        }
         const double a = 6.2831853 * random01(i, 3, 1509);
         const Vec3f colour =
             mixColour(Vec3f(0.22f, 0.28f, 0.09f), Vec3f(0.47f, 0.48f, 0.20f), random01(i, 4, 1509));

@@ -31,11 +31,10 @@ BlockHit courseBlock(double u, double v, int courses, int perCourse, double unev
         return k + unevenness * (random01(wrapped, course, seed) - 0.5);
     };
     int k = block;
-    if (along < joint(k)) {
+    if (along < joint(k))
         --k;
-    } else if (along >= joint(k + 1)) {
+    else if (along >= joint(k + 1))
         ++k;
-    }
     const double left = joint(k);
     const double right = joint(k + 1);
     const double aspect = static_cast<double>(courses) / perCourse;

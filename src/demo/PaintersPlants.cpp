@@ -32,11 +32,9 @@ void drawBlades(Canvas& canvas, int count, std::uint32_t seed) {
 
 /// Strokes wrap around the borders; what grew over the top or down from it must not hang there.
 void clearRows(Canvas& canvas, int from, int to) {
-    for (int y = from; y < to; ++y) {
-        for (int x = 0; x < canvas.width(); ++x) {
+    for (int y = from; y < to; ++y)
+        for (int x = 0; x < canvas.width(); ++x)
             canvas.at(x, y) = Vec4f(0.0f);
-        }
-    }
 }
 
 } // namespace

@@ -101,12 +101,10 @@ Canvas paintLogEnds() {
         const Cellular c = cellular(u, v, 6, 6, 0.16, 711);
         const double radius = 0.45 + 0.06 * random01(c.id, 4);
         const double wobble = c.nearest + 0.03 * fbm(u, v, 12, 12, 2, 713);
-        if (wobble > radius) {
+        if (wobble > radius)
             return Vec4f(0.05f, 0.04f, 0.03f, 1.0f);
-        }
-        if (wobble > radius - 0.06) {
+        if (wobble > radius - 0.06)
             return Vec4f(0.22f, 0.17f, 0.12f, 1.0f);
-        }
         const double rings = std::sin(wobble * 85.0 + 3.0 * random01(c.id, 6));
         const double tone =
             0.6 + 0.16 * rings + 0.25 * (random01(c.id, 9) - 0.5) + 0.2 * fbm(u, v, 16, 16, 3, 715);

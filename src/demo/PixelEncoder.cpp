@@ -80,9 +80,8 @@ std::vector<Rgb> medianCut(std::vector<Rgb> colours, std::size_t count) {
     while (boxes.size() < count) {
         const auto widest = std::max_element(
             boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.extent < b.extent; });
-        if (widest->extent <= 0 || widest->end - widest->begin < 2) {
+        if (widest->extent <= 0 || widest->end - widest->begin < 2)
             break;
-        }
         const ColourBox box = *widest;
         const std::size_t middle = (box.begin + box.end) / 2;
         const auto axis = static_cast<std::size_t>(box.axis);
@@ -96,11 +95,9 @@ std::vector<Rgb> medianCut(std::vector<Rgb> colours, std::size_t count) {
     std::vector<Rgb> palette;
     for (const ColourBox& box : boxes) {
         std::array<long, 3> sum{};
-        for (std::size_t i = box.begin; i < box.end; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = box.begin; i < box.end; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
                 sum[k] += colours[i][k];
-            }
-        }
         const long n = std::max<long>(1, static_cast<long>(box.end - box.begin));
         palette.push_back(
             {static_cast<int>(sum[0] / n), static_cast<int>(sum[1] / n), static_cast<int>(sum[2] / n)});
@@ -115,15 +112,12 @@ void encodePalettised(const Canvas& canvas, bool wide, EncodedImage& out) {
     const std::size_t size = wide ? 2048 : 256;
     std::vector<Rgb> opaque;
     for (int y = 0; y < canvas.height(); ++y) {
-        for (int x = 0; x < canvas.width(); ++x) {
-            if (canvas.at(x, y).w >= 0.5f) {
+        for (int x = 0; x < canvas.width(); ++x)
+            if (canvas.at(x, y).w >= 0.5f)
                 opaque.push_back(rgbOf(canvas.at(x, y)));
-            }
-        }
     }
-    if (opaque.empty()) {
+    if (opaque.empty())
         opaque.push_back({0, 0, 0});
-    }
     const std::vector<Rgb> colours = medianCut(opaque, size - kReservedIndices);
     out.palette.colours.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
@@ -200,9 +194,8 @@ void encodeDxt1Block(const Block& block, ByteSink& sink) {
     std::uint16_t c0 = to565(first);
     std::uint16_t c1 = to565(second);
     // c0 > c1 means four colours; c0 <= c1 means three and clear.
-    if ((c0 < c1) != block.anyClear) {
+    if ((c0 < c1) != block.anyClear)
         std::swap(c0, c1);
-    }
     const bool three = c0 <= c1;
     const Rgb a = from565(c0);
     const Rgb b = from565(c1);
@@ -214,12 +207,10 @@ void encodeDxt1Block(const Block& block, ByteSink& sink) {
     std::uint32_t indices = 0;
     for (std::size_t i = 0; i < 16; ++i) {
         std::uint32_t best = 0;
-        for (std::uint32_t k = 1; k < (three ? 3u : 4u); ++k) {
+        for (std::uint32_t k = 1; k < (three ? 3u : 4u); ++k)
             if (distanceSquared(palette[k], block.texels[i]) <
-                distanceSquared(palette[best], block.texels[i])) {
+                distanceSquared(palette[best], block.texels[i]))
                 best = k;
-            }
-        }
         indices |= (block.clear[i] ? 3u : best) << (2 * i);
     }
     sink.u16(c0);
@@ -229,11 +220,9 @@ void encodeDxt1Block(const Block& block, ByteSink& sink) {
 
 void encodeDxt1(const Canvas& canvas, std::vector<std::uint8_t>& bytes) {
     ByteSink sink(bytes);
-    for (int y = 0; y < canvas.height(); y += 4) {
-        for (int x = 0; x < canvas.width(); x += 4) {
+    for (int y = 0; y < canvas.height(); y += 4)
+        for (int x = 0; x < canvas.width(); x += 4)
             encodeDxt1Block(gatherBlock(canvas, x, y), sink);
-        }
-    }
 }
 
 void encodeTexel(const Vec4f& texel, dat::PixelFormat format, ByteSink& sink) {
@@ -255,9 +244,8 @@ void encodeTexel(const Vec4f& texel, dat::PixelFormat format, ByteSink& sink) {
         sink.u8(c[2]);
         sink.u8(c[1]);
         sink.u8(c[0]);
-        if (format == dat::PixelFormat::A8R8G8B8) {
+        if (format == dat::PixelFormat::A8R8G8B8)
             sink.u8(alpha);
-        }
     }
 }
 
@@ -275,11 +263,9 @@ EncodedImage encodeImage(const Canvas& canvas, dat::PixelFormat format) {
         encodeDxt1(canvas, out.image.pixels);
     } else {
         ByteSink sink(out.image.pixels);
-        for (int y = 0; y < canvas.height(); ++y) {
-            for (int x = 0; x < canvas.width(); ++x) {
+        for (int y = 0; y < canvas.height(); ++y)
+            for (int x = 0; x < canvas.width(); ++x)
                 encodeTexel(canvas.at(x, y), format, sink);
-            }
-        }
     }
     return out;
 }

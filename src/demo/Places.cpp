@@ -88,9 +88,8 @@ nlohmann::ordered_json buildTour(const VillageMap& map, const DungeonMap& dungeo
     TourPath path;
     toTheCottage(path, map);
     throughTheCottage(path, map);
-    for (const std::vector<TourLeg>& part : {eastTour(map), dungeonTour(dungeons)}) {
+    for (const std::vector<TourLeg>& part : {eastTour(map), dungeonTour(dungeons)})
         path.legs.insert(path.legs.end(), part.begin(), part.end());
-    }
     return walkTour(groundEye(kHillX, kHillY, globalOf(map.cottage, {0.0, 0.0, 1.6})), path.legs);
 }
 
@@ -104,11 +103,9 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& d
     nlohmann::ordered_json json;
     json["format"] = "limen world";
     json["version"] = 1;
-    for (const Places& places : {villagePlaces(map), eastPlaces(map), dungeonPlaces(dungeons)}) {
-        for (const auto& [name, eye] : places) {
+    for (const Places& places : {villagePlaces(map), eastPlaces(map), dungeonPlaces(dungeons)})
+        for (const auto& [name, eye] : places)
             json["places"][name] = toJson(eye);
-        }
-    }
     json["start"] = "cottage.shelf"; // the way out is in sight
     json["tour"] = buildTour(map, dungeons);
     json["doors"] = map.doors;

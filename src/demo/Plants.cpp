@@ -16,9 +16,8 @@ void addLeafCard(MeshBuilder& mesh, const Vec3& centre, const Vec3& right, const
     face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     face.material = material;
     // Lit as part of a round crown, not as a flat card.
-    for (const Vec3& p : face.points) {
+    for (const Vec3& p : face.points)
         face.normals.push_back(glm::normalize(p - bulge + Vec3(0.0, 0.0, 0.6)));
-    }
     mesh.addThin(face);
 }
 
@@ -68,9 +67,8 @@ Vec3 addTrunk(MeshBuilder& mesh, double radius, double height, double bend, std:
                         .caps = k + 1 == kPieces});
         const double top = foot.z + (height + 0.4) / kPieces;
         for (Face& face : piece.faces()) {
-            for (Vec3& p : face.points) {
+            for (Vec3& p : face.points)
                 p += p.z > 0.5 * (foot.z + top) ? lean : Vec3(0.0);
-            }
             // Pushing the upper rim sideways bends the quads: split them into triangles.
             if (face.points.size() == 4) {
                 Face other = face;
@@ -187,12 +185,10 @@ MeshBuilder stone(const Vec3& size, std::uint32_t seed) {
     MeshBuilder mesh;
     for (int ring = 0; ring < kRings; ++ring) {
         for (int k = 0; k < kAround; ++k) {
-            if (ring > 0) {
+            if (ring > 0)
                 mesh.polygon({at(ring, k), at(ring + 1, k), at(ring, k + 1)}, Material::Rock);
-            }
-            if (ring + 1 < kRings) {
+            if (ring + 1 < kRings)
                 mesh.polygon({at(ring, k + 1), at(ring + 1, k), at(ring + 1, k + 1)}, Material::Rock);
-            }
         }
     }
     return mesh;

@@ -173,9 +173,8 @@ void addTerrainTypes(dat::Region& region) {
             if (static_cast<std::uint32_t>(look.kind) == t) {
                 type.name = look.name;
                 type.colour.argb = look.colour;
-                for (const Growth growth : look.growth) {
+                for (const Growth growth : look.growth)
                     type.sceneTypes.push_back(static_cast<std::uint32_t>(growth));
-                }
             }
         }
         region.terrainTypes.push_back(std::move(type));
@@ -184,15 +183,12 @@ void addTerrainTypes(dat::Region& region) {
 
 void addTexMerge(dat::TexMerge& merge) {
     std::uint32_t blend = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         merge.corners.push_back({8, blendTextureId(blend++)});
-    }
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         merge.sides.push_back({9, blendTextureId(blend++)});
-    }
-    for (const std::uint32_t code : {8u, 9u, 9u, 10u}) {
+    for (const std::uint32_t code : {8u, 9u, 9u, 10u})
         merge.roads.push_back({code, blendTextureId(blend++)});
-    }
     // Types that are not used show the first entry.
     for (const TerrainLook& look : terrainLooks()) {
         dat::TerrainTexture texture;
@@ -221,9 +217,8 @@ dat::GameTime calendar() {
         hour.name = (hour.isNight != 0 ? "Watch " : "Bell ") + std::to_string(h + 1);
         time.timesOfDay.push_back(std::move(hour));
     }
-    for (const char* day : {"Threshold", "Hearth", "Lane", "Hill", "Wood", "Cellar"}) {
+    for (const char* day : {"Threshold", "Hearth", "Lane", "Hill", "Wood", "Cellar"})
         time.daysOfWeek.emplace_back(day);
-    }
     std::uint32_t start = 0;
     for (const char* season : {"Budding", "High Sun", "Harvest", "Frost"}) {
         time.seasons.push_back({start, season});
@@ -242,9 +237,8 @@ void addRegion(ModelSink& sink, const Plants& plants) {
     region.landDefs.maxObjHeight = 200.0f;
     region.landDefs.skyHeight = 1000.0f;
     region.landDefs.roadWidth = 5.0f;
-    for (int i = 0; i < 256; ++i) {
+    for (int i = 0; i < 256; ++i)
         region.landDefs.heights[static_cast<std::size_t>(i)] = static_cast<float>(heightOfIndex(i));
-    }
     region.gameTime = calendar();
     region.sky = buildSky(sink);
     addScenes(region, sink.records(), plants);

@@ -27,9 +27,8 @@ double snap(double v, double grid) {
 double positionOnEdge(const Vec3& a, const Vec3& b, const Vec3& p, double grid) {
     const Vec3 along = b - a;
     const double t = glm::dot(p - a, along) / glm::dot(along, along);
-    if (t <= 0.0 || t >= 1.0 || p == a || p == b) {
+    if (t <= 0.0 || t >= 1.0 || p == a || p == b)
         return -1.0;
-    }
     return glm::length(p - (a + along * t)) <= kStepsOnEdge * grid ? t : -1.0;
 }
 
@@ -43,13 +42,11 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points, double grid)
         const std::size_t j = (i + 1) % n;
         const auto push = [&](double t, const Vec3& p) {
             out.points.push_back(p);
-            if (!face.uvs.empty()) {
+            if (!face.uvs.empty())
                 out.uvs.push_back(face.uvs[i] + (face.uvs[j] - face.uvs[i]) * t);
-            }
-            if (!face.normals.empty()) {
+            if (!face.normals.empty())
                 out.normals.push_back(
                     glm::normalize(face.normals[i] + (face.normals[j] - face.normals[i]) * t));
-            }
         };
         push(0.0, face.points[i]);
         std::vector<std::pair<double, Vec3>> between;
@@ -58,15 +55,13 @@ void insertVertices(Face& face, const std::set<Vec3, Less>& points, double grid)
         const auto end = points.upper_bound({east + reach, kFar, kFar});
         for (auto p = points.lower_bound({west - reach, -kFar, -kFar}); p != end; ++p) {
             const double t = positionOnEdge(face.points[i], face.points[j], *p, grid);
-            if (t > 0.0) {
+            if (t > 0.0)
                 between.emplace_back(t, *p);
-            }
         }
         std::sort(between.begin(), between.end(),
                   [](const auto& a, const auto& b) { return a.first < b.first; });
-        for (const auto& [t, p] : between) {
+        for (const auto& [t, p] : between)
             push(t, p);
-        }
     }
     face = std::move(out);
 }
@@ -78,9 +73,8 @@ bool straight(const Vec3& a, const Vec3& b, const Vec3& c, double grid) {
 
 void rotate(Face& face, std::size_t first) {
     const auto turn = [first](auto& list) {
-        if (!list.empty()) {
+        if (!list.empty())
             std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(first), list.end());
-        }
     };
     turn(face.points);
     turn(face.uvs);
@@ -95,9 +89,8 @@ bool chooseFan(Face& face, double grid) {
     const auto at = [&](std::size_t i) -> const Vec3& { return face.points[i % n]; };
     for (std::size_t first = 0; first < n; ++first) {
         bool good = true;
-        for (std::size_t k = 1; good && k + 1 < n; ++k) {
+        for (std::size_t k = 1; good && k + 1 < n; ++k)
             good = !straight(at(first), at(first + k), at(first + k + 1), grid);
-        }
         if (good) {
             rotate(face, first);
             return true;
@@ -135,11 +128,10 @@ void insertAndFan(std::vector<Face>& faces, const Points& points, double grid) {
     std::vector<Face> out;
     for (Face& face : faces) {
         insertVertices(face, points, grid);
-        if (chooseFan(face, grid) || face.portal) {
+        if (chooseFan(face, grid) || face.portal)
             out.push_back(std::move(face));
-        } else {
+        else
             splitAtCentre(face, out);
-        }
     }
     faces = std::move(out);
 }
@@ -148,11 +140,9 @@ void insertAndFan(std::vector<Face>& faces, const Points& points, double grid) {
 
 double finestGrid(const std::vector<Face>& faces) {
     double farthest = 0.0;
-    for (const Face& face : faces) {
-        for (const Vec3& p : face.points) {
+    for (const Face& face : faces)
+        for (const Vec3& p : face.points)
             farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        }
-    }
     int exponent = 0; // of the power of two that no coordinate reaches
     (void)std::frexp(farthest, &exponent);
     return std::ldexp(1.0, exponent - std::numeric_limits<float>::digits);
@@ -172,15 +162,12 @@ void closeSeams(std::vector<Face>& faces, double grid) {
 void closePortalSeams(const std::vector<std::vector<Face>*>& meshes) {
     Points points;
     for (const std::vector<Face>* mesh : meshes) {
-        for (const Face& face : *mesh) {
-            if (face.portal) {
+        for (const Face& face : *mesh)
+            if (face.portal)
                 points.insert(face.points.begin(), face.points.end());
-            }
-        }
     }
-    for (std::vector<Face>* mesh : meshes) {
+    for (std::vector<Face>* mesh : meshes)
         insertAndFan(*mesh, points, kBuiltGrid);
-    }
 }
 
 } // namespace limen::demo

@@ -24,12 +24,10 @@ public:
     }
     [[nodiscard]] Vec3 lifted(const Vec2& p) const {
         const Vec3& n = plane_.n;
-        if (level_) {
+        if (level_)
             return {p.x, p.y, origin_.z - (n.x * (p.x - origin_.x) + n.y * (p.y - origin_.y)) / n.z};
-        }
-        if (alongX_) {
+        if (alongX_)
             return {p.x, origin_.y - (n.x * (p.x - origin_.x) + n.z * (p.y - origin_.z)) / n.y, p.y};
-        }
         return {origin_.x - (n.y * (p.x - origin_.y) + n.z * (p.y - origin_.z)) / n.x, p.x, p.y};
     }
     [[nodiscard]] const Vec3& normal() const { return plane_.n; }
@@ -55,12 +53,10 @@ Span spanAt(const Flat& polygon, double u) {
             span.low = std::min(span.low, v);
             span.high = std::max(span.high, v);
         };
-        if (a.x == u) {
+        if (a.x == u)
             include(a.y);
-        }
-        if ((a.x < u && b.x > u) || (a.x > u && b.x < u)) {
+        if ((a.x < u && b.x > u) || (a.x > u && b.x < u))
             include(a.y + (b.y - a.y) * ((u - a.x) / (b.x - a.x)));
-        }
     }
     return span;
 }
@@ -73,18 +69,15 @@ bool spans(const Flat& polygon, double from, double to) {
 
 std::vector<double> cutsOf(const Flat& whole, const std::vector<Flat>& holes) {
     std::vector<double> cuts;
-    for (const Vec2& p : whole) {
+    for (const Vec2& p : whole)
         cuts.push_back(p.x);
-    }
     const auto [first, last] = std::minmax_element(cuts.begin(), cuts.end());
     const double from = *first;
     const double to = *last;
     for (const Flat& hole : holes) {
-        for (const Vec2& p : hole) {
-            if (p.x > from && p.x < to) {
+        for (const Vec2& p : hole)
+            if (p.x > from && p.x < to)
                 cuts.push_back(p.x);
-            }
-        }
     }
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
@@ -97,15 +90,12 @@ constexpr double kNoHeight = 1e-9;
 /// One strip between `a` and `b`, from the lower border's heights up to the upper one's; nothing if it has no area.
 void addStrip(std::vector<Flat>& out, double a, double b, const Vec2& low, const Vec2& high) {
     Flat piece{{a, low.x}, {b, low.y}};
-    if (high.y > low.y + kNoHeight) {
+    if (high.y > low.y + kNoHeight)
         piece.emplace_back(b, high.y);
-    }
-    if (high.x > low.x + kNoHeight) {
+    if (high.x > low.x + kNoHeight)
         piece.emplace_back(a, high.x);
-    }
-    if (piece.size() > 2) {
+    if (piece.size() > 2)
         out.push_back(std::move(piece));
-    }
 }
 
 std::vector<Flat> stripsWithout(const Flat& whole, const std::vector<Flat>& holes) {
@@ -115,11 +105,9 @@ std::vector<Flat> stripsWithout(const Flat& whole, const std::vector<Flat>& hole
         const double a = cuts[i];
         const double b = cuts[i + 1];
         std::vector<std::pair<Span, Span>> taken;
-        for (const Flat& hole : holes) {
-            if (spans(hole, a, b)) {
+        for (const Flat& hole : holes)
+            if (spans(hole, a, b))
                 taken.emplace_back(spanAt(hole, a), spanAt(hole, b));
-            }
-        }
         std::sort(taken.begin(), taken.end(), [](const auto& p, const auto& q) {
             return p.first.low + p.second.low < q.first.low + q.second.low;
         });
@@ -138,27 +126,23 @@ std::vector<Flat> stripsWithout(const Flat& whole, const std::vector<Flat>& hole
 } // namespace
 
 std::vector<Face> faceWithout(const Face& face, const std::vector<Outline>& openings) {
-    if (openings.empty()) {
+    if (openings.empty())
         return {face};
-    }
     const FlatView view(face.points);
     const auto flatten = [&](const Outline& outline) {
         Flat out;
-        for (const Vec3& p : outline) {
+        for (const Vec3& p : outline)
             out.push_back(view.flat(p));
-        }
         return out;
     };
     std::vector<Flat> holes;
-    for (const Outline& opening : openings) {
+    for (const Outline& opening : openings)
         holes.push_back(flatten(opening));
-    }
     std::vector<Face> out;
     for (const Flat& piece : stripsWithout(flatten(face.points), holes)) {
         std::vector<Vec3> points;
-        for (const Vec2& p : piece) {
+        for (const Vec2& p : piece)
             points.push_back(view.lifted(p));
-        }
         Face strip = planarFace(points, face.material);
         if (glm::dot(faceNormal(strip), view.normal()) < 0.0) {
             std::reverse(points.begin(), points.end());

@@ -41,13 +41,11 @@ void layRound(Face& face, const Vec3& along, const Vec3& edgeStart, const Vec3& 
 
 std::vector<Face> sweptFaces(const Outline& section, const Vec3& along, const ShellMaterials& materials) {
     Vec3 middle = 0.5 * along;
-    for (const Vec3& p : section) {
+    for (const Vec3& p : section)
         middle += p / static_cast<double>(section.size());
-    }
     const auto inward = [&](std::vector<Vec3> points) {
-        if (glm::dot(planeOf(points).n, middle - points[0]) < 0.0) {
+        if (glm::dot(planeOf(points).n, middle - points[0]) < 0.0)
             std::reverse(points.begin(), points.end());
-        }
         const Material material = materialOf(materials, planeOf(points).n);
         return planarFace(std::move(points), material);
     };
@@ -58,16 +56,14 @@ std::vector<Face> sweptFaces(const Outline& section, const Vec3& along, const Sh
         const Vec3& a = section[i];
         const Vec3& b = section[(i + 1) % section.size()];
         Face side = inward({a, b, b + along, a + along});
-        if (lying && std::abs(faceNormal(side).z) < 0.99) {
+        if (lying && std::abs(faceNormal(side).z) < 0.99)
             layRound(side, along, a, b - a, rolled);
-        }
         rolled += glm::length(b - a);
         faces.push_back(std::move(side));
     }
     std::vector<Vec3> end;
-    for (const Vec3& p : section) {
+    for (const Vec3& p : section)
         end.push_back(p + along);
-    }
     faces.push_back(inward(section));
     faces.push_back(inward(std::move(end)));
     return faces;
@@ -75,9 +71,8 @@ std::vector<Face> sweptFaces(const Outline& section, const Vec3& along, const Sh
 
 Outline levelOutline(const std::vector<Vec2>& corners, double z) {
     Outline out;
-    for (const Vec2& p : corners) {
+    for (const Vec2& p : corners)
         out.emplace_back(p, z);
-    }
     return out;
 }
 
@@ -117,12 +112,10 @@ std::size_t CellComplex::addRun(const std::string& name, const Outline& section,
     Outline at = section;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t cell = addSwept(name + "." + std::to_string(k), at, along, materials);
-        if (k > 0) {
+        if (k > 0)
             join(cell - 1, cell, at);
-        }
-        for (Vec3& p : at) {
+        for (Vec3& p : at)
             p += along;
-        }
     }
     return first;
 }
@@ -147,12 +140,10 @@ std::vector<CellPlan> CellComplex::finish() const {
             std::vector<Outline> own;
             std::copy_if(draft.openings.begin(), draft.openings.end(), std::back_inserter(own),
                          [&](const Outline& o) { return liesIn(o, face); });
-            for (Face& strip : faceWithout(face, own)) {
+            for (Face& strip : faceWithout(face, own))
                 plan.faces.push_back(std::move(strip));
-            }
-            for (const Outline& o : own) {
+            for (const Outline& o : own)
                 portals.push_back(facing(portalFace(o), faceNormal(face)));
-            }
         }
         LIMEN_ASSERT(portals.size() == draft.openings.size(),
                      "an opening lies in exactly one face of its cell");

@@ -32,18 +32,16 @@ const SightMap::Portal* exitOf(const SightMap::Cell& cell, const Vec3& from, con
     double nearest = 1e300;
     for (const Plane& plane : cell.planes) {
         const double approach = glm::dot(plane.n, direction);
-        if (approach < -kNear) {
+        if (approach < -kNear)
             nearest = std::min(nearest, -plane.signedDistance(from) / approach);
-        }
     }
     const Vec3 at = from + direction * nearest;
     for (const SightMap::Portal& portal : cell.portals) {
         const Plane plane = planeOf(portal.points);
         const bool leaving = glm::dot(plane.n, direction) < -kNear;
         if (leaving && std::abs(plane.signedDistance(at)) < 1e-4 &&
-            containsProjection(portal.points, plane.n, at, 1e-4)) {
+            containsProjection(portal.points, plane.n, at, 1e-4))
             return &portal;
-        }
     }
     return nullptr;
 }
@@ -51,12 +49,10 @@ const SightMap::Portal* exitOf(const SightMap::Cell& cell, const Vec3& from, con
 bool reachesOutside(const SightMap& map, std::size_t cell, const Vec3& from, const Vec3& direction) {
     for (std::size_t step = 0; step <= map.cells.size(); ++step) {
         const SightMap::Portal* portal = exitOf(map.cells[cell], from, direction);
-        if (portal == nullptr) {
+        if (portal == nullptr)
             return false;
-        }
-        if (portal->to == SightMap::kOutside) {
+        if (portal->to == SightMap::kOutside)
             return true;
-        }
         cell = portal->to;
     }
     return false;
@@ -65,11 +61,9 @@ bool reachesOutside(const SightMap& map, std::size_t cell, const Vec3& from, con
 } // namespace
 
 bool seesOutside(const SightMap& map, std::size_t cell) {
-    for (const SightMap::Portal& first : map.cells[cell].portals) {
-        if (first.to == SightMap::kOutside) {
+    for (const SightMap::Portal& first : map.cells[cell].portals)
+        if (first.to == SightMap::kOutside)
             return true;
-        }
-    }
     std::vector<Vec3> targets;
     for (const SightMap::Cell& other : map.cells) {
         for (const SightMap::Portal& portal : other.portals) {
@@ -84,9 +78,8 @@ bool seesOutside(const SightMap& map, std::size_t cell) {
         for (const Vec3& from : samplePoints(first.points)) {
             for (const Vec3& to : targets) {
                 const Vec3 direction = glm::normalize(to - from);
-                if (glm::dot(plane.n, direction) < -kNear && reachesOutside(map, first.to, from, direction)) {
+                if (glm::dot(plane.n, direction) < -kNear && reachesOutside(map, first.to, from, direction))
                     return true;
-                }
             }
         }
     }

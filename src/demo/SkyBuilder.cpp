@@ -216,9 +216,8 @@ dat::SkyDesc buildSky(ModelSink& sink) {
     clouds.texVelocityY = 0.0006f;
     fair.objects.push_back(clouds);
     const dat::RecordId lowSun = mesh(disc(Material::Sun, 150.0, kSunTilt));
-    for (const DynamicState& dynamics : kStates) {
+    for (const DynamicState& dynamics : kStates)
         fair.times.push_back(keyframe(dynamics, lowSun));
-    }
     dat::SkyDesc sky;
     sky.tickSize = 5.0;
     sky.lightTickSize = 1.0;

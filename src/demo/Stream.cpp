@@ -34,11 +34,10 @@ Nearest nearestTo(double vx, double vy) {
 void extend(std::vector<std::pair<int, int>>& path, int vx, int vy) {
     while (path.back() != std::pair{vx, vy}) {
         auto [x, y] = path.back();
-        if (x != vx) {
+        if (x != vx)
             x += vx > x ? 1 : -1;
-        } else {
+        else
             y += vy > y ? 1 : -1;
-        }
         path.emplace_back(x, y);
     }
 }
@@ -51,9 +50,8 @@ const std::vector<std::pair<int, int>>& streamPath() {
                                                      {6, 8},   {9, 7},  {13, 6},  {15, 5},
                                                      {15, 4},  {16, 1}, {15, -4}, {16, -8}};
         std::vector<std::pair<int, int>> out{bends.front()};
-        for (const auto& [vx, vy] : bends) {
+        for (const auto& [vx, vy] : bends)
             extend(out, vx, vy);
-        }
         return out;
     }();
     return path;

@@ -35,11 +35,9 @@ double distanceToSite(double vx, double vy) {
 
 double distanceToLane(double vx, double vy) {
     double nearest = 1e9;
-    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()}) {
-        for (const auto& [lx, ly] : path) {
+    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()})
+        for (const auto& [lx, ly] : path)
             nearest = std::min(nearest, std::hypot(lx - vx, ly - vy));
-        }
-    }
     return nearest;
 }
 
@@ -86,11 +84,9 @@ double wildHeight(double vx, double vy) {
 int heightIndex(int vx, int vy) {
     const double wanted = wildHeight(vx, vy);
     int best = 0;
-    for (int i = 1; i < 256; ++i) {
-        if (std::abs(heightOfIndex(i) - wanted) < std::abs(heightOfIndex(best) - wanted)) {
+    for (int i = 1; i < 256; ++i)
+        if (std::abs(heightOfIndex(i) - wanted) < std::abs(heightOfIndex(best) - wanted))
             best = i;
-        }
-    }
     return best;
 }
 
@@ -109,36 +105,29 @@ Cover coverAt(int vx, int vy) {
     const double site = distanceToSite(vx, vy);
     const double lane = distanceToLane(vx, vy);
     const double stream = distanceToStream(vx, vy);
-    if (stream < 0.5) {
+    if (stream < 0.5)
         return {TerrainKind::RunningWater, 0};
-    }
-    if (site < 0.5) {
+    if (site < 0.5)
         return vy == 12 ? Cover{TerrainKind::PackedDirt, 1} : Cover{TerrainKind::LushGrass, 1};
-    }
     const double slope = std::hypot(wildHeight(vx + 0.5, vy) - wildHeight(vx - 0.5, vy),
                                     wildHeight(vx, vy + 0.5) - wildHeight(vx, vy - 0.5));
     const double wood = fbm(u, v, 5, 5, 3, 4011) + 0.16 * smoothStep(14.5, 18.0, vy) -
                         0.5 * std::exp(-std::pow(std::hypot(vx - 3.4, vy - 17.2) / 1.6, 2.0));
-    if (distanceTo(kTower, vx, vy) < 0.5 || distanceTo(kCave, vx, vy) < 0.5) {
+    if (distanceTo(kTower, vx, vy) < 0.5 || distanceTo(kCave, vx, vy) < 0.5)
         return {TerrainKind::PatchyGrass, 0};
-    }
-    if (slope > 11.5) {
+    if (slope > 11.5)
         return {TerrainKind::BarrenRock, 1};
-    }
-    if (stream < 1.5) {
+    if (stream < 1.5)
         return {TerrainKind::LushGrass, 2}; // no trees: what grows here may stand in the water
-    }
     if (wood > 0.02 && lane > 1.4 && site > 1.9) {
         return hash(static_cast<std::uint32_t>(vx), static_cast<std::uint32_t>(vy), 4013) % 4 == 0
                    ? Cover{TerrainKind::Moss, 1}
                    : Cover{TerrainKind::ForestFloor, wood > 0.2 ? 2u : 1u};
     }
-    if (wood > -0.05 && lane > 1.1 && site > 1.5) {
+    if (wood > -0.05 && lane > 1.1 && site > 1.5)
         return {TerrainKind::Grassland, 2};
-    }
-    if (lane < 0.9) {
+    if (lane < 0.9)
         return {TerrainKind::PatchyGrass, 1};
-    }
     return fbm(u, v, 8, 8, 2, 4015) > 0.05 ? Cover{TerrainKind::LushGrass, 1}
                                            : Cover{TerrainKind::Grassland, 1};
 }
@@ -146,9 +135,8 @@ Cover coverAt(int vx, int vy) {
 std::uint16_t terrainWord(int vx, int vy) {
     const Cover cover = coverAt(vx, vy);
     bool road = false;
-    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()}) {
+    for (const VertexPath& path : {wholeLane(), towerTrack(), caveTrack()})
         road = road || std::find(path.begin(), path.end(), std::pair{vx, vy}) != path.end();
-    }
     return static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(cover.kind) << 2 |
                                       cover.scene << 11);
 }
@@ -185,18 +173,16 @@ double groundHeight(double x, double y) {
     const double se = vertexHeight(cx + 1, cy);
     const double ne = vertexHeight(cx + 1, cy + 1);
     const double nw = vertexHeight(cx, cy + 1);
-    if (splitsSouthWest(cx, cy)) {
+    if (splitsSouthWest(cx, cy))
         return fx >= fy ? sw + (se - sw) * fx + (ne - se) * fy : sw + (ne - nw) * fx + (nw - sw) * fy;
-    }
     return fx + fy <= 1.0 ? sw + (se - sw) * fx + (nw - sw) * fy
                           : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
 }
 
 VertexPath lanePath() {
     VertexPath path{{0, 18}, {1, 18}, {2, 17}, {3, 16}, {4, 15}, {5, 14}, {6, 13}, {7, 13}};
-    for (int x = 8; x <= 15; ++x) {
+    for (int x = 8; x <= 15; ++x)
         path.emplace_back(x, 12);
-    }
     path.insert(path.end(),
                 {{16, 11}, {17, 10}, {18, 9}, {19, 9}, {20, 9}, {21, 8}, {22, 8}, {23, 8}, {24, 7}});
     return path;

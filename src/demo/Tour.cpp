@@ -42,9 +42,8 @@ public:
         for (int k = 1; k <= steps; ++k) {
             const double t = static_cast<double>(k) / steps;
             Vec3 position = from.position + (end.position - from.position) * t;
-            if (leg.kind == TourLeg::Kind::Ground) {
+            if (leg.kind == TourLeg::Kind::Ground)
                 position = onGround(position);
-            }
             push(position, from, end, t, seconds / steps);
         }
     }
@@ -94,9 +93,8 @@ private:
 
 nlohmann::ordered_json walkTour(const Eye& start, const std::vector<TourLeg>& legs) {
     Walk walk(start);
-    for (const TourLeg& leg : legs) {
+    for (const TourLeg& leg : legs)
         walk.follow(leg);
-    }
     return walk.toJsonList();
 }
 

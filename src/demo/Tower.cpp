@@ -29,20 +29,17 @@ struct TowerOpening {
         const Vec3 way = out();
         const Vec3 across{std::abs(way.y), std::abs(way.x), 0.0};
         const Vec3 foot = way * reach + Vec3(0.0, 0.0, static_cast<double>(room) * kTowerStorey);
-        if (door) {
+        if (door)
             return archOutline({foot, across, 0.75}, 1.75, 2.375);
-        }
         return archOutline({foot + Vec3(0.0, 0.0, 1.0), across, 0.25}, 1.5, 1.75);
     }
 };
 
 std::vector<TowerOpening> wallOpenings() {
     std::vector<TowerOpening> out{{0, 0, true}};
-    for (std::size_t room = 0; room < 3; ++room) {
-        for (std::size_t side = room == 0 ? 1 : 0; side < 4; ++side) {
+    for (std::size_t room = 0; room < 3; ++room)
+        for (std::size_t side = room == 0 ? 1 : 0; side < 4; ++side)
             out.push_back({side, room, false});
-        }
-    }
     return out;
 }
 
@@ -71,28 +68,23 @@ void addWalls(std::vector<Face>& faces) {
          wallBetween(ringAt(kTowerOuter, kOuterHalf, kBase), ringAt(kTowerOuter, kOuterHalf, kCeiling - 0.75),
                      Material::StoneWall)) {
         std::vector<Outline> own;
-        for (const TowerOpening& opening : openings) {
-            if (glm::dot(faceNormal(wall), opening.out()) > 0.99) {
+        for (const TowerOpening& opening : openings)
+            if (glm::dot(faceNormal(wall), opening.out()) > 0.99)
                 own.push_back(opening.at(kTowerOuter));
-            }
-        }
-        for (Face& strip : faceWithout(wall, own)) {
+        for (Face& strip : faceWithout(wall, own))
             faces.push_back(std::move(strip));
-        }
     }
     for (const TowerOpening& opening : openings) {
         const Outline inner = opening.at(kTowerWall);
         const Outline outer = opening.at(kTowerOuter);
         Vec3 middle(0.0);
-        for (std::size_t i = 0; i < inner.size(); ++i) {
+        for (std::size_t i = 0; i < inner.size(); ++i)
             middle += (inner[i] + outer[i]) / (2.0 * static_cast<double>(inner.size()));
-        }
         for (std::size_t i = 0; i < inner.size(); ++i) {
             const std::size_t j = (i + 1) % inner.size();
             Face reveal = planarFace({inner[i], inner[j], outer[j], outer[i]}, Material::StoneWall);
-            if (glm::dot(faceNormal(reveal), middle - inner[i]) < 0.0) {
+            if (glm::dot(faceNormal(reveal), middle - inner[i]) < 0.0)
                 reveal = planarFace({inner[j], inner[i], outer[i], outer[j]}, Material::StoneWall);
-            }
             faces.push_back(std::move(reveal));
         }
         Face portal = portalFace(inner);
@@ -131,9 +123,8 @@ void addMerlons(MeshBuilder& mesh) {
         merlon.box({kTowerOuter - 0.04, y - 0.61, kParapetTop + 0.85},
                    {kParapet + 0.04, y + 0.61, kParapetTop + 0.95}, Material::Rock);
     }
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < 8; ++k)
         mesh.append(merlon, {{}, 45.0 * k});
-    }
 }
 
 /// A band of stone round the tower.
@@ -144,11 +135,9 @@ void addBand(MeshBuilder& mesh, double z) {
     const Outline low = ringAt(proud, half, z);
     const Outline high = ringAt(proud, half, z + 0.25);
     const Outline back = ringAt(kTowerOuter - 0.05, kOuterHalf - 0.02, z + 0.25);
-    for (const auto& [a, b] : {std::pair{&foot, &low}, std::pair{&low, &high}, std::pair{&high, &back}}) {
-        for (Face& face : wallBetween(*a, *b, Material::Rock)) {
+    for (const auto& [a, b] : {std::pair{&foot, &low}, std::pair{&low, &high}, std::pair{&high, &back}})
+        for (Face& face : wallBetween(*a, *b, Material::Rock))
             mesh.add(std::move(face));
-        }
-    }
 }
 
 void addDoorSteps(MeshBuilder& mesh) {
@@ -165,9 +154,8 @@ MeshBuilder exterior() {
     addRoof(faces);
     closeSeams(faces);
     MeshBuilder mesh;
-    for (Face& face : faces) {
+    for (Face& face : faces)
         mesh.add(std::move(face));
-    }
     addMerlons(mesh);
     addBand(mesh, kTowerStorey - 0.25);
     addBand(mesh, 2.0 * kTowerStorey - 0.25);
@@ -183,12 +171,10 @@ void furnishTower(CellComplex& complex, ModelSink& sink, const DungeonProps& pro
         const Vec3 floor{0.0, 0.0, static_cast<double>(room) * kTowerStorey};
         const std::size_t cell = 2 * room;
         complex.furnish(cell, {stair, {floor, 0.0}});
-        if (room > 0) {
+        if (room > 0)
             complex.furnish(cell, {railing, {floor, 0.0}});
-        }
-        for (const double side : {-1.0, 1.0}) {
+        for (const double side : {-1.0, 1.0})
             hangTorch(complex, cell, props, floor + Vec3(side * 1.1, kTowerWall, 1.9), {0.0, 1.0, 0.0});
-        }
         hangTorch(complex, cell, props, floor + Vec3(1.2, -kTowerWall, 1.9), {0.0, -1.0, 0.0});
     }
     complex.furnish(4, {newel, {{0.0, 0.0, 3.0 * kTowerStorey}, 0.0}});
@@ -213,14 +199,11 @@ BuildingPlan planTower(ModelSink& sink, const DungeonProps& props) {
         const std::size_t cell =
             complex.addSwept("tower.room", levelOutline(octagon(kTowerWall, kInnerHalf), z),
                              {0.0, 0.0, kTowerRoomHeight}, room == 0 ? stone : boards);
-        if (room > 0) {
+        if (room > 0)
             complex.join(cell - 1, cell, hatchAt(z));
-        }
-        for (const TowerOpening& opening : wallOpenings()) {
-            if (opening.room == room) {
+        for (const TowerOpening& opening : wallOpenings())
+            if (opening.room == room)
                 complex.open(cell, opening.at(kTowerWall));
-            }
-        }
         if (room < 2) {
             const std::size_t hatch = complex.addSwept("tower.hatch", hatchAt(z + kTowerRoomHeight),
                                                        {0.0, 0.0, kTowerStorey - kTowerRoomHeight}, stone);

@@ -14,11 +14,9 @@ namespace {
 /// A row of fence pieces along x, 3 m each, open where a piece would lie in the gap.
 void fenceRow(BlockBuilder& block, dat::RecordId fence, double y, double from, double to, double gapFrom,
               double gapTo) {
-    for (double x = from; x + 3.0 <= to + 1e-9; x += 3.0) {
-        if (x + 3.0 <= gapFrom || x >= gapTo) {
+    for (double x = from; x + 3.0 <= to + 1e-9; x += 3.0)
+        if (x + 3.0 <= gapFrom || x >= gapTo)
             stand(block, fence, x, y, 0.0);
-        }
-    }
 }
 
 /// Scenery keeps out of landcells with a house: what grows there is planted by hand.
@@ -38,9 +36,8 @@ void plantGardens(BlockBuilder& block, const Plants& plants) {
         const bool inCottage = x > 76.6 && x < 91.4 && y > 104.9 && y < 117.2;
         const bool inNeighbour = x > 78.9 && x < 89.1 && y > 77.8 && y < 87.2;
         const bool onPath = std::abs(x - 84.0) < 1.6 || (y > 90.0 && y < 102.0);
-        if (inCottage || inNeighbour || onPath) {
+        if (inCottage || inNeighbour || onPath)
             continue;
-        }
         const double pick = random01(k, 3, 5001);
         stand(block,
               pick < 0.1 && std::abs(y - 96.0) > 11.5 ? plants.bush
@@ -49,9 +46,8 @@ void plantGardens(BlockBuilder& block, const Plants& plants) {
                                                       : plants.tallGrass,
               x, y, 360.0 * random01(k, 4, 5001));
     }
-    for (const double x : {78.9, 79.9, 80.5, 86.9, 88.3, 89.2}) {
+    for (const double x : {78.9, 79.9, 80.5, 86.9, 88.3, 89.2})
         stand(block, plants.flowers, x, 105.45 + 0.12 * std::sin(7.0 * x), 50.0 * x);
-    }
 }
 
 } // namespace

@@ -10,9 +10,8 @@ namespace {
 
 template <class Record>
 void addAll(dat::Writer& writer, const std::vector<Record>& records) {
-    for (const Record& record : records) {
+    for (const Record& record : records)
         writer.add(record);
-    }
 }
 
 /// Written beside its name and renamed, so that nobody sees half a file.
@@ -22,9 +21,8 @@ Result<void> writeText(const std::filesystem::path& path, const std::string& tex
     file << text;
     file.close();
     std::error_code error;
-    if (file) {
+    if (file)
         std::filesystem::rename(part, path, error);
-    }
     if (!file || error) {
         std::error_code ignored;
         std::filesystem::remove(part, ignored);
@@ -47,9 +45,8 @@ Result<void> writeWorldFiles(const WorldRecords& records, const std::filesystem:
     addAll(portal, records.palettes);
     addAll(portal, records.surfaceTextures);
     addAll(portal, records.renderSurfaces);
-    for (const auto& [id, surface] : records.surfaces) {
+    for (const auto& [id, surface] : records.surfaces)
         portal.add(id, surface);
-    }
     addAll(portal, records.gfxObjs);
     addAll(portal, records.setups);
     addAll(portal, records.animations);
@@ -67,12 +64,10 @@ Result<void> writeWorldFiles(const WorldRecords& records, const std::filesystem:
     addAll(cell, records.landBlocks);
     addAll(cell, records.landBlockInfos);
     addAll(cell, records.envCells);
-    if (auto done = portal.write(directory / "client_portal.dat"); !done) {
+    if (auto done = portal.write(directory / "client_portal.dat"); !done)
         return done;
-    }
-    if (auto done = cell.write(directory / "client_cell_1.dat"); !done) {
+    if (auto done = cell.write(directory / "client_cell_1.dat"); !done)
         return done;
-    }
     return writeText(directory / "world.json", records.worldFile.dump(1) + "\n");
 }
 

@@ -20,13 +20,11 @@ public:
 
     Clusters build() {
         countLists();
-        for (const world::Space& space : world_.spaces) {
+        for (const world::Space& space : world_.spaces)
             addSpace(space);
-        }
         addShared();
-        for (const InstanceIndex instance : out_.order) {
+        for (const InstanceIndex instance : out_.order)
             out_.bounds.push_back(world_.instances[instance].bounds);
-        }
         return std::move(out_);
     }
 
@@ -37,9 +35,8 @@ private:
 
     void countLists() {
         lists_.assign(world_.instances.size(), 0);
-        for (const InstanceIndex instance : world_.spaceInstances) {
+        for (const InstanceIndex instance : world_.spaceInstances)
             ++lists_[instance];
-        }
     }
 
     // Alone in one list, and so a member of one zone.
@@ -49,11 +46,9 @@ private:
 
     void addSpace(const world::Space& space) {
         const auto first = static_cast<std::uint32_t>(out_.order.size());
-        for (const InstanceIndex instance : listOf(space)) {
-            if (!isShared(instance)) {
+        for (const InstanceIndex instance : listOf(space))
+            if (!isShared(instance))
                 out_.order.push_back(instance);
-            }
-        }
         const auto end = static_cast<std::uint32_t>(out_.order.size());
         out_.roots.push_back(first == end ? world::kNone : static_cast<std::uint32_t>(out_.clusters.size()));
         if (first != end) {
@@ -69,9 +64,8 @@ private:
         for (const world::Space& space : world_.spaces) {
             out_.sharedStart.push_back(static_cast<std::uint32_t>(out_.sharedOf.size()));
             for (const InstanceIndex instance : listOf(space)) {
-                if (!isShared(instance)) {
+                if (!isShared(instance))
                     continue;
-                }
                 if (position[instance] == world::kNone) {
                     position[instance] = static_cast<std::uint32_t>(out_.order.size());
                     out_.order.push_back(instance);
@@ -91,9 +85,8 @@ private:
     // Of the box around its instances' centres.
     [[nodiscard]] Vec3 sizeOf(Range range) const {
         Aabb box;
-        for (const InstanceIndex instance : range) {
+        for (const InstanceIndex instance : range)
             box.include(boundsOf(instance).centre);
-        }
         return box.max - box.min;
     }
 
@@ -170,9 +163,8 @@ private:
             return;
         }
         Parts parts = partBySize(range);
-        if (parts.count == 0) {
+        if (parts.count == 0)
             parts = partByPlace(range);
-        }
         const auto child = static_cast<std::uint32_t>(out_.clusters.size());
         out_.clusters[index].firstChild = child;
         out_.clusters[index].childCount = parts.count;
@@ -182,9 +174,8 @@ private:
             out_.clusters.push_back({{}, first, end, 0, 0});
             first = end;
         }
-        for (std::uint32_t i = 0; i < parts.count; ++i) {
+        for (std::uint32_t i = 0; i < parts.count; ++i)
             divide(child + i);
-        }
     }
 
     const world::World& world_;

@@ -26,9 +26,8 @@ void Highlights::replace(std::span<const Highlight> highlights, FramePlan& plan)
         const std::uint64_t object = highlights[i].object;
         const std::span<const Highlight> before = highlights.first(i);
         if (std::none_of(before.begin(), before.end(),
-                         [object](const Highlight& h) { return h.object == object; })) {
+                         [object](const Highlight& h) { return h.object == object; }))
             replaceObject(object, colourOf(highlights, object), plan);
-        }
     }
     plan.constants.replacementCount = static_cast<std::uint32_t>(plan.replacements.size());
 }

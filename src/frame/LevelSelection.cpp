@@ -18,9 +18,8 @@ constexpr std::uint64_t kAll = ~std::uint64_t{0};
 } // namespace
 
 LevelSelection::LevelSelection(const Clusters& clusters) : clusters_(clusters) {
-    for (const std::uint32_t root : clusters.roots) {
+    for (const std::uint32_t root : clusters.roots)
         roots_.push_back(root == world::kNone ? root : addParts(root, 1));
-    }
     open_.resize(parts_.size() + 1); // the last is written, and does not count
     whole_.resize(clusters.clusters.size() + 1);
     leaves_.resize(clusters.clusters.size() + 1);
@@ -51,24 +50,21 @@ std::span<const PositionRange> LevelSelection::select(world::SpaceIndex space,
     ranges_.clear();
     boundsTested_ = 0;
     descend(roots_[space], cones, eye);
-    for (std::size_t i = 0; i < wholeCount_; ++i) {
+    for (std::size_t i = 0; i < wholeCount_; ++i)
         mark(whole_[i]);
-    }
     for (std::size_t i = 0; i < leafCount_; ++i) {
         const Parts& parts = parts_[leaves_[i].parts];
         const std::uint32_t number = leaves_[i].number;
         const Sphere bounds = parts.bounds(number);
         // What lies beyond the picture's edges shows nothing, and to ask costs more than to draw. But for what reaches behind the eye:
         // of that triangles are kept and drawn around the whole window.
-        if (glm::dot(bounds.centre - eye, forward) > bounds.radius + nearPlane) {
+        if (glm::dot(bounds.centre - eye, forward) > bounds.radius + nearPlane)
             mark(parts.positions[number]);
-        } else {
+        else
             markLeaf(parts.positions[number], cones, eye);
-        }
     }
-    if (wholeCount_ + leafCount_ > 0) {
+    if (wholeCount_ + leafCount_ > 0)
         gather(parts_[roots_[space]].positions[0]);
-    }
     return ranges_;
 }
 
@@ -93,9 +89,8 @@ void LevelSelection::descend(std::uint32_t root, const visibility::Viewcones& co
             leafCount_ += static_cast<std::size_t>(isPartial & isLeaf);
             wholeCount_ += static_cast<std::size_t>(found[i] == Containment::Inside);
         }
-        if (next + kPartsAhead < openCount) {
+        if (next + kPartsAhead < openCount)
             fetch(parts_[open_[next + kPartsAhead]]);
-        }
     }
 }
 
@@ -103,9 +98,8 @@ void LevelSelection::markLeaf(const PositionRange& leaf, const visibility::Viewc
                               const Vec3& eye) {
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
         const Sphere& sphere = clusters_.bounds[position];
-        if (cones.classify(0, cones.sphereOf({sphere.centre - eye, sphere.radius})) != Containment::Outside) {
+        if (cones.classify(0, cones.sphereOf({sphere.centre - eye, sphere.radius})) != Containment::Outside)
             mark({position, position + 1});
-        }
     }
     boundsTested_ += leaf.end - leaf.first;
 }
@@ -139,20 +133,17 @@ void LevelSelection::gather(const PositionRange& within) {
             at += alike;
             left -= alike;
             bits = alike < kBits ? bits >> alike : 0;
-            if (left == 0) {
+            if (left == 0)
                 break;
-            }
             isOpen = !isOpen;
-            if (isOpen) {
+            if (isOpen)
                 ranges_.push_back({at, at});
-            } else {
+            else
                 ranges_.back().end = at;
-            }
         }
     }
-    if (isOpen) {
+    if (isOpen)
         ranges_.back().end = end;
-    }
 }
 
 } // namespace limen::frame

@@ -24,9 +24,8 @@ MoverPieces::MoverPieces(const world::World& world) {
                     append({piece.firstIndex, piece.triangles, static_cast<std::uint32_t>(drawn), kNoMore});
                 }
             });
-        if (last == nullptr) {
+        if (last == nullptr)
             meshes_.emplace_back();
-        }
     }
 }
 
@@ -49,11 +48,10 @@ void MoverPieces::beginRun(OfClass& of, bool gated) {
 std::span<const gpu::DrawPiece> MoverPieces::movePieces(DrawClass drawn, FramePlan& plan) {
     std::vector<gpu::DrawPiece>& pieces = classes_[static_cast<std::size_t>(drawn)].pieces;
     const std::size_t first = plan.pieces.size(), count = pieces.size();
-    if (first == 0 && drawn == DrawClass::Opaque) { // mostly all there are: they are not copied
+    if (first == 0 && drawn == DrawClass::Opaque) // mostly all there are: they are not copied
         plan.pieces.swap(pieces);
-    } else {
+    else
         plan.pieces.insert(plan.pieces.end(), pieces.begin(), pieces.end());
-    }
     pieces.clear();
     return std::span(plan.pieces).subspan(first, count);
 }

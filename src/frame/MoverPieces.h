@@ -61,12 +61,10 @@ private:
     };
     void addOne(const MeshPiece& piece, std::uint32_t number, bool gated) {
         OfClass& of = classes_[piece.drawn];
-        if (piece.triangles == 0) [[unlikely]] {
+        if (piece.triangles == 0) [[unlikely]]
             return;
-        }
-        if (of.gated != (gated ? 1 : 0)) [[unlikely]] {
+        if (of.gated != (gated ? 1 : 0)) [[unlikely]]
             beginRun(of, gated);
-        }
         of.pieces.push_back(std::bit_cast<gpu::DrawPiece>(piece));
         of.pieces.back().instance = number;
         of.pieces.back().indicesBefore = of.indices;

@@ -38,9 +38,8 @@ public:
         for (std::uint32_t i = 0; i < set_.visits.size(); ++i) {
             const visibility::Visit& visit = set_.visits[i];
             addVisit(visit);
-            if (visit.depth == 0 || !frame_.rules.ownership) {
+            if (visit.depth == 0 || !frame_.rules.ownership)
                 continue;
-            }
             // The flood's region of these is not what their outline and their parent's region leave of it.
             const bool byRegion = visit.split || isEdgeOn(visit) || visit.narrowed;
             if (byRegion) {
@@ -98,9 +97,8 @@ private:
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {
-        if (!frame_.rules.nearOpening) {
+        if (!frame_.rules.nearOpening)
             return false;
-        }
         const Vec3& eye = frame_.view.eye;
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         return std::abs(portal.plane.signedDistance(eye)) < kNearOpening &&
@@ -109,9 +107,8 @@ private:
 
     [[nodiscard]] static gpu::ClipSet openClipSet() {
         gpu::ClipSet open;
-        for (gpu::vec4& plane : open.planes) {
+        for (gpu::vec4& plane : open.planes)
             plane = {0, 0, 0, 1};
-        }
         return open;
     }
 
@@ -132,9 +129,8 @@ private:
             gpu::ClipSet clip = openClipSet();
             std::size_t slot = 0;
             clip.planes[slot++] = edgePlane(region[0], region[first], first == 1 ? cut.growth : kGrowth);
-            for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t i = first; i < last; ++i)
                 clip.planes[slot++] = edgePlane(region[i], region[i + 1], cut.growth);
-            }
             clip.planes[slot++] =
                 edgePlane(region[last], region[0], last + 1 == region.size() ? cut.growth : kGrowth);
             clip.planes[kEdgesPerSet] = cut.plane;
@@ -144,11 +140,10 @@ private:
     }
 
     void draw(std::uint32_t visit, std::uint32_t clipSet) {
-        if (isEdgeOn(set_.visits[visit])) {
+        if (isEdgeOn(set_.visits[visit]))
             drawEverywhere(visit, clipSet);
-        } else {
+        else
             drawPortal(visit, clipSet);
-        }
     }
 
     void drawEverywhere(std::uint32_t visit, std::uint32_t clipSet) {
@@ -165,9 +160,8 @@ private:
         const Vec3 origin = world_.blocks[portal.block].origin();
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         Vec3 middle(0.0);
-        for (const Vec3& v : polygon) {
+        for (const Vec3& v : polygon)
             middle += (v - origin) / static_cast<double>(polygon.size());
-        }
         const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
         const std::uint32_t count = portal.vertexCount | (isNear(portal) ? gpu::kCoverWindow : 0u);
         const auto corner = [&](const Vec3& local) {

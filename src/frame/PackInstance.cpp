@@ -31,26 +31,23 @@ static_assert(sizeof(world::LevelRange) == sizeof(gpu::Instance::reach) &&
 std::vector<gpu::Member> membersOfSpaces(const world::World& world) {
     std::vector<gpu::Member> members;
     members.reserve(world.spaces.size());
-    for (const world::Space& space : world.spaces) {
+    for (const world::Space& space : world.spaces)
         members.push_back({space.zone, space.lightSet});
-    }
     return members;
 }
 
 MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> members,
                       const OwnMembers& own) {
-    if (members.size() == 1) {
+    if (members.size() == 1)
         return {members.front(), 1};
-    }
     const std::size_t first = own.zones.size();
     for (const world::SpaceIndex member : members) {
         const world::Space& space = world.spaces[member];
         const bool known =
             std::any_of(own.zones.begin() + static_cast<std::ptrdiff_t>(first), own.zones.end(),
                         [&](const gpu::Member& zone) { return zone.zone == space.zone; });
-        if (!known) {
+        if (!known)
             own.zones.push_back({space.zone, space.lightSet});
-        }
     }
     const std::size_t count = own.zones.size() - first;
     if (count == 1) {

@@ -18,9 +18,8 @@ void beginBatch(Program program, bool gated, FramePlan& plan) {
 }
 
 void addRun(const PieceRun& run, FramePlan& plan) {
-    if (run.pieceCount == 0) {
+    if (run.pieceCount == 0)
         return;
-    }
     Batch& batch = plan.batches.back();
     batch.draws += run.pieceCount;
     PieceRun* last = batch.count > 0 ? &plan.runs.back() : nullptr;
@@ -50,9 +49,8 @@ PieceRun addOwnPieces(const world::Mesh::Range& range, std::uint32_t instance, F
 
 void countTriangles(FramePlan& plan) {
     const Batch& batch = plan.batches.back();
-    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i)
         plan.counts.triangles += plan.runs[i].indexCount / 3;
-    }
 }
 
 } // namespace limen::frame

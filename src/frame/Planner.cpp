@@ -65,9 +65,8 @@ Planner::Planner(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), pieces_(buildPieces(world, clusters_)),
       highlights_(world), selection_(world, clusters_), rects_(world.zones.size()), moverPieces_(world) {
     std::vector<gpu::Member> members = membersOfSpaces(world);
-    for (const world::Instance& in : world.instances) {
+    for (const world::Instance& in : world.instances)
         (void)packInstance(world, in, world.members, {members, 0});
-    }
     staticMembers_ = static_cast<std::uint32_t>(members.size());
 }
 
@@ -154,16 +153,14 @@ void Planner::planMovers(const FrameView& frame, const world::DynamicState& dyna
     const std::span<const SelectedMover> movers = selection_.movers();
     plan.movers.resize(movers.size());
     for (std::size_t i = 0; i < movers.size(); ++i) {
-        if (i + kMoversAhead < movers.size()) {
+        if (i + kMoversAhead < movers.size())
             moverPieces_.fetchFor(listed.mesh[movers[i + kMoversAhead] & ~gpu::kGated]);
-        }
         const std::uint32_t at = movers[i] & ~gpu::kGated;
         moverPieces_.add(listed.mesh[at], standing + static_cast<std::uint32_t>(i),
                          (movers[i] & gpu::kGated) != 0);
         plan.movers[i] = listed.instance[at];
-        if (listed.isListedAgain[at] != 0 || !frame.highlights.empty()) {
+        if (listed.isListedAgain[at] != 0 || !frame.highlights.empty())
             changeMover(frame, dynamics, static_cast<std::uint32_t>(i), plan);
-        }
     }
 }
 
@@ -202,9 +199,8 @@ void Planner::planSolid(bool several, FramePlan& plan) {
 }
 
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    if (!seesOutside(set)) {
+    if (!seesOutside(set))
         return;
-    }
     plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
     world::skyPlacements(world_.sky, frame.dayGroup, frame.timeOfDay, frame.seconds, sky_);
     beginBatch(Program::SkyObjects, false, plan);
@@ -222,13 +218,11 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         out.uvOffsetX = p.uvOffset.x;
         out.uvOffsetY = p.uvOffset.y;
         plan.skyInstances.push_back(out);
-        for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges) {
+        for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges)
             addRun(addOwnPieces(range, instance, plan), plan);
-        }
     }
-    for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i) {
+    for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i)
         plan.pieces[i].triangles |= gpu::kKeepsAll;
-    }
 }
 
 template <class BoundsOf>
@@ -265,9 +259,8 @@ void Planner::planTransparent(const Vec3& eye, bool several, const world::Dynami
     });
     // Gated for every draw as soon as a frame has several visits: few are drawn, and longer runs are fewer.
     beginBatch(Program::Blended, several, plan);
-    for (const TransparentRun& transparent : transparent_) {
+    for (const TransparentRun& transparent : transparent_)
         addRun(gatedIf(several, transparent.run), plan);
-    }
     countTriangles(plan);
 }
 

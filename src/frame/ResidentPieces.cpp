@@ -16,9 +16,8 @@ ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) 
             mark(i);
             eachRangeOf(world.meshes[instance.mesh], instance.kind,
                         [&](DrawClass drawn, const world::Mesh::Range& range) {
-                            if (static_cast<std::size_t>(drawn) == c) {
+                            if (static_cast<std::size_t>(drawn) == c)
                                 addPieces(range, clusters.order[i], indices, out.pieces);
-                            }
                         });
         }
         mark(clusters.order.size());

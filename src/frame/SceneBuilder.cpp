@@ -25,12 +25,10 @@ gpu::TerrainLayer packLayer(const world::TerrainCell::Layer& in) {
 gpu::TerrainCell packTerrain(const world::TerrainCell& in) {
     gpu::TerrainCell out;
     out.base = packLayer(in.base);
-    for (std::size_t i = 0; i < in.overlays.size(); ++i) {
+    for (std::size_t i = 0; i < in.overlays.size(); ++i)
         out.overlays[i] = packLayer(in.overlays[i]);
-    }
-    for (std::size_t i = 0; i < in.roads.size(); ++i) {
+    for (std::size_t i = 0; i < in.roads.size(); ++i)
         out.roads[i] = packLayer(in.roads[i]);
-    }
     return out;
 }
 
@@ -38,9 +36,8 @@ gpu::TerrainCell packTerrain(const world::TerrainCell& in) {
 std::uint32_t blockFor(const world::World& world, const Vec3& position) {
     for (std::uint32_t b = 0; b < world.blocks.size(); ++b) {
         const Vec3 local = position - world.blocks[b].origin();
-        if (local.x >= 0.0 && local.y >= 0.0 && local.x < world::kBlockSize && local.y < world::kBlockSize) {
+        if (local.x >= 0.0 && local.y >= 0.0 && local.x < world::kBlockSize && local.y < world::kBlockSize)
             return b;
-        }
     }
     return 0;
 }
@@ -55,11 +52,9 @@ gpu::Light packLight(const world::World& world, const world::Light& in) {
 std::vector<std::uint32_t> indicesOfArena(const world::World& world) {
     std::vector<std::uint32_t> indices = world.indices;
     for (const world::Mesh& mesh : world.meshes) {
-        for (const world::Mesh::Range& range : mesh.ranges) {
-            for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; ++i) {
+        for (const world::Mesh::Range& range : mesh.ranges)
+            for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; ++i)
                 indices[i] = world.indices[i] + mesh.firstVertex;
-            }
-        }
     }
     return indices;
 }
@@ -82,24 +77,19 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
 std::vector<std::uint8_t> clampedTextures(const world::World& world) {
     std::vector<std::uint8_t> clamped(world.textures.size(), 0);
     const auto mark = [&](std::uint32_t texture, bool clamp) {
-        if (texture != world::kNone) {
+        if (texture != world::kNone)
             clamped[texture] = static_cast<std::uint8_t>(clamped[texture] | (clamp ? 1 : 2));
-        }
     };
     for (const world::TerrainCell& cell : world.terrainCells) {
-        for (const world::TerrainCell::Layer& layer : cell.overlays) {
+        for (const world::TerrainCell::Layer& layer : cell.overlays)
             mark(layer.alpha, true);
-        }
-        for (const world::TerrainCell::Layer& layer : cell.roads) {
+        for (const world::TerrainCell::Layer& layer : cell.roads)
             mark(layer.alpha, true);
-        }
     }
-    for (const world::Material& m : world.materials) {
+    for (const world::Material& m : world.materials)
         mark(m.texture, (m.flags & world::Material::kClamp) != 0);
-    }
-    for (std::uint8_t& c : clamped) {
+    for (std::uint8_t& c : clamped)
         c = c == 1 ? 1 : 0;
-    }
     return clamped;
 }
 
@@ -126,21 +116,17 @@ SceneUpload buildScene(const world::World& world, const ResidentPieces& pieces) 
     }
     scene.indices = indicesOfArena(world);
     scene.members = membersOfSpaces(world);
-    for (const world::Instance& in : world.instances) {
+    for (const world::Instance& in : world.instances)
         scene.instances.push_back(packInstance(world, in, world.members, {scene.members, 0}));
-    }
     scene.pieces = pieces.pieces;
     addMaterials(world, scene);
     addTextures(world, scene);
-    for (const world::TerrainCell& cell : world.terrainCells) {
+    for (const world::TerrainCell& cell : world.terrainCells)
         scene.terrainCells.push_back(packTerrain(cell));
-    }
-    for (const world::LightSet& set : world.lightSets) {
+    for (const world::LightSet& set : world.lightSets)
         scene.lightSets.push_back({{set.ambient, set.sky}, set.sun, set.firstLight, set.lightCount, 0});
-    }
-    for (const world::Light& light : world.lights) {
+    for (const world::Light& light : world.lights)
         scene.lights.push_back(packLight(world, light));
-    }
     return scene;
 }
 

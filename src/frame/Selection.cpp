@@ -61,30 +61,26 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
     gatherAsks(set);
     for (const Asked& asked : asked_) {
         zone_ = several_ ? world_.spaces[asked.space].zone : world::kNone;
-        if (const std::uint32_t root = clusters_.roots[asked.space]; root != world::kNone) {
+        if (const std::uint32_t root = clusters_.roots[asked.space]; root != world::kNone)
             selectStanding(asked, root);
-        }
     }
     zone_ = world::kNone;
-    for (const Ask& ask : asks_) {
+    for (const Ask& ask : asks_)
         selectListed(ask, dynamics);
-    }
     finishListed(dynamics);
 }
 
 void Selection::selectStanding(const Asked& asked, std::uint32_t root) {
     counts_.met += clusters_.clusters[root].end - clusters_.clusters[root].first;
     if (!several_ && !asks_[asked.firstAsk].narrow) {
-        for (const PositionRange& range : levels_.select(asked.space, cones_, eye_, forward_, nearPlane_)) {
+        for (const PositionRange& range : levels_.select(asked.space, cones_, eye_, forward_, nearPlane_))
             draw(range.first, range.end, true);
-        }
         counts_.boundsTested += levels_.boundsTested();
         return;
     }
     active_.clear();
-    for (std::uint32_t ask = asked.firstAsk; ask != world::kNone; ask = asks_[ask].next) {
+    for (std::uint32_t ask = asked.firstAsk; ask != world::kNone; ask = asks_[ask].next)
         active_.push_back(ask);
-    }
     descend(clusters_.clusters[root], 0);
 }
 
@@ -99,11 +95,10 @@ void Selection::gatherAsks(const visibility::VisibleSet& set) {
         const bool narrow = set.visits[seen.visit].depth > 0 || !isWholeScreen(seen.rect);
         asks_.push_back({seen.space, seen.visit, world::kNone, first, narrow,
                          narrow ? cones_.edgesOf(seen.rect) : visibility::FourEdges()});
-        if (first) {
+        if (first)
             asked_.push_back({seen.space, number});
-        } else if (everyAsk_) {
+        else if (everyAsk_)
             asks_[lastAsk_[seen.space]].next = number;
-        }
         lastAsk_[seen.space] = number;
     }
     // So that what is drawn is in the same order from everywhere.
@@ -113,9 +108,8 @@ void Selection::gatherAsks(const visibility::VisibleSet& set) {
 Containment Selection::askCluster(const Ask& ask, const SeenSphere& sphere) {
     ++counts_.boundsTested;
     const Containment inVisit = cones_.classify(ask.visit, sphere);
-    if (inVisit == Containment::Outside || !ask.narrow) {
+    if (inVisit == Containment::Outside || !ask.narrow)
         return inVisit;
-    }
     const Containment inRect = visibility::Viewcones::classify(ask.rect, sphere);
     return inRect == Containment::Inside ? inVisit : inRect;
 }
@@ -124,9 +118,8 @@ Containment Selection::askInstance(const Ask& ask, const SeenSphere& sphere) {
     ++counts_.boundsTested;
     const Containment inVisit = cones_.classify(ask.visit, sphere);
     if (inVisit == Containment::Outside || !ask.narrow ||
-        visibility::Viewcones::classify(ask.rect, sphere) != Containment::Outside) {
+        visibility::Viewcones::classify(ask.rect, sphere) != Containment::Outside)
         return inVisit;
-    }
     return Containment::Outside;
 }
 
@@ -140,24 +133,20 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
             active_.resize(endActive);
             return;
         }
-        if (here == Containment::Partial) {
+        if (here == Containment::Partial)
             active_.push_back(active_[i]);
-        }
     }
     if (active_.size() > endActive) {
-        if (cluster.childCount == 0) {
+        if (cluster.childCount == 0)
             selectLeaf(cluster, endActive);
-        }
         // What the parts are made of comes from memory while the parts are asked.
         for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
             const Cluster& part = clusters_.clusters[cluster.firstChild + i];
-            for (std::uint32_t j = 0; j < part.childCount; ++j) {
+            for (std::uint32_t j = 0; j < part.childCount; ++j)
                 fetch(clusters_.clusters[part.firstChild + j]);
-            }
         }
-        for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
+        for (std::uint32_t i = 0; i < cluster.childCount; ++i)
             descend(clusters_.clusters[cluster.firstChild + i], endActive);
-        }
     }
     active_.resize(endActive);
 }
@@ -166,12 +155,10 @@ void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
         const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;
-        for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i) {
+        for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i)
             best = std::max(best, askInstance(asks_[active_[i]], sphere));
-        }
-        if (best != Containment::Outside) {
+        if (best != Containment::Outside)
             draw(position, position + 1, best == Containment::Inside);
-        }
     }
 }
 
@@ -180,30 +167,26 @@ void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside) {
     counts_.drawn += end - first;
     counts_.ungated += gated ? 0 : end - first;
     SelectedRange* const last = ranges_.empty() ? nullptr : &ranges_.back();
-    if (last != nullptr && last->end == first && last->gated == gated && last->zone == zone_) {
+    if (last != nullptr && last->end == first && last->gated == gated && last->zone == zone_)
         last->end = end;
-    } else {
+    else
         ranges_.push_back({first, end, gated, zone_});
-    }
 }
 
 bool Selection::meet(const Ask& ask, const Sphere& bounds, Mark& mark) {
     const bool isFirst = mark.frame != frameNumber_;
-    if (isFirst) {
+    if (isFirst)
         mark = {frameNumber_, Containment::Outside};
-    }
-    if (mark.seen != Containment::Inside && (isFirst || everyAsk_)) {
+    if (mark.seen != Containment::Inside && (isFirst || everyAsk_))
         mark.seen = std::max(mark.seen, askInstance(ask, sphereOf(bounds)));
-    }
     return isFirst;
 }
 
 void Selection::selectListed(const Ask& ask, const world::DynamicState& dynamics) {
     for (const std::uint32_t position : clusters_.sharedIn(ask.space)) {
         const std::uint32_t number = position - clusters_.firstShared;
-        if (meet(ask, clusters_.bounds[position], sharedMarks_[number])) {
+        if (meet(ask, clusters_.bounds[position], sharedMarks_[number]))
             sharedMet_.push_back(number);
-        }
     }
     if (!several_) {
         selectMoversOf(ask, dynamics);
@@ -224,12 +207,10 @@ void Selection::selectOneByOne(const Ask& ask, const world::DynamicState& dynami
             const SeenSphere sphere = sphereOf(dynamics.instances[listed.instance[at]].bounds);
             Containment best = askInstance(ask, sphere);
             for (std::uint32_t i = ask.next; i != world::kNone && best != Containment::Inside;
-                 i = asks_[i].next) {
+                 i = asks_[i].next)
                 best = std::max(best, askInstance(asks_[i], sphere));
-            }
-            if (best != Containment::Outside) {
+            if (best != Containment::Outside)
                 drawMover(at, best == Containment::Inside);
-            }
         }
     }
 }
@@ -264,9 +245,8 @@ void Selection::selectMoversOf(const Ask& ask, const world::DynamicState& dynami
 }
 void Selection::meetListed(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t at) {
     const world::InstanceIndex number = dynamics.listed.instance[at];
-    if (meet(ask, dynamics.instances[number].bounds, moverMarks_[number])) {
+    if (meet(ask, dynamics.instances[number].bounds, moverMarks_[number]))
         moversMet_.push_back(at);
-    }
 }
 
 void Selection::drawMover(std::uint32_t at, bool inside) {
@@ -299,9 +279,8 @@ void Selection::finishListed(const world::DynamicState& dynamics) {
     };
     const auto drawn = std::span(movers_).first(moverCount_);
     const bool areOfOneRun = asks_.size() == 1 && moversMet_.empty();
-    if (!areOfOneRun && !std::is_sorted(drawn.begin(), drawn.end(), before)) {
+    if (!areOfOneRun && !std::is_sorted(drawn.begin(), drawn.end(), before))
         std::sort(drawn.begin(), drawn.end(), before);
-    }
 }
 
 } // namespace limen::frame

@@ -32,11 +32,9 @@ gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
 void VisitRects::find(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     ++frame_;
     entries_.clear();
-    for (std::uint32_t i = 0; i < set.visits.size() && set.visits.size() > 1; ++i) {
-        if (set.visits[i].zone < ofZone_.size()) { // rays that end in an opening have none
+    for (std::uint32_t i = 0; i < set.visits.size() && set.visits.size() > 1; ++i)
+        if (set.visits[i].zone < ofZone_.size()) // rays that end in an opening have none
             entries_.push_back({set.visits[i].zone, i});
-        }
-    }
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
         return a.zone != b.zone ? a.zone < b.zone : a.visit < b.visit;
     });

@@ -6,9 +6,8 @@ Result<visibility::Graph> visibilityGraph(const world::World& world) {
     static_assert(world::kNone == visibility::kNone);
     std::vector<visibility::SpaceDesc> spaces;
     spaces.reserve(world.spaces.size());
-    for (const world::Space& s : world.spaces) {
+    for (const world::Space& s : world.spaces)
         spaces.push_back({s.firstPortal, s.portalCount, s.zone});
-    }
     std::vector<visibility::PortalDesc> portals;
     std::vector<Vec3> vertices = world.portalCorners; // with the outlines behind
     portals.reserve(world.portals.size());

@@ -4,12 +4,10 @@ namespace limen {
 
 Sphere boundingSphere(std::span<const Vec3> points) {
     Aabb box;
-    for (const Vec3& p : points) {
+    for (const Vec3& p : points)
         box.include(p);
-    }
-    if (box.empty()) {
+    if (box.empty())
         return {};
-    }
     Sphere sphere{box.centre(), 0.0};
     for (const Vec3& p : points) {
         const Vec3 offset = p - sphere.centre;

@@ -53,9 +53,8 @@ DriverLimits askLimits() {
 
 float askAnisotropy() {
     if (epoxy_gl_version() < 46 && !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
-        !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
+        !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))
         return 1.0f;
-    }
     GLfloat value = 1.0f;
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &value);
     return value;
@@ -67,18 +66,15 @@ std::vector<std::string> missingFrom(const DriverLimits& limits) {
     std::vector<std::string> missing;
     // 4.5 core brings direct state access, clip control, buffer storage, multi-draw-indirect and integer
     // targets.
-    if (limits.version < 45) {
+    if (limits.version < 45)
         missing.push_back(fmt::format("OpenGL 4.5 (it has {}.{})", limits.version / 10, limits.version % 10));
-    } else if (!limits.coreProfile) {
+    else if (!limits.coreProfile)
         missing.push_back("a core profile context");
-    }
-    if (!limits.shaderDrawParameters) {
+    if (!limits.shaderDrawParameters)
         missing.push_back("GL_ARB_shader_draw_parameters");
-    }
     const auto need = [&](int has, int needed, const char* what) {
-        if (has < needed) {
+        if (has < needed)
             missing.push_back(fmt::format("{} {} (it has {})", needed, what, has));
-        }
     };
     need(limits.vertexStorageBlocks, kVertexBlocks, "storage blocks in the vertex stage");
     need(limits.fragmentStorageBlocks, kFragmentBlocks, "storage blocks in the fragment stage");

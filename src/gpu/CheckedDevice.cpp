@@ -25,9 +25,8 @@ bool anyHandle(std::span<const std::byte> references, Visit visit) {
         static_assert(offsetof(layout::TextureRef, place) == 0);
         std::uint64_t handle = 0; // the low word, then the high one
         std::memcpy(&handle, references.data() + at, sizeof handle);
-        if (handle != 0 && visit(handle)) { // 0: padding
+        if (handle != 0 && visit(handle)) // 0: padding
             return true;
-        }
     }
     return false;
 }
@@ -35,33 +34,28 @@ bool anyHandle(std::span<const std::byte> references, Visit visit) {
 } // namespace
 
 void CheckedDevice::fault(std::string what) {
-    if (faults_.size() < kMostFaults) {
+    if (faults_.size() < kMostFaults)
         faults_.push_back(std::move(what));
-    }
 }
 
 void CheckedDevice::expectBetweenFrames(std::string_view command) {
-    if (inFrame_) {
+    if (inFrame_)
         fault(fmt::format("{} during a frame", command));
-    }
 }
 
 void CheckedDevice::expectBuffer(BufferHandle buffer, std::string_view use) {
-    if (buffer != BufferHandle::Invalid && !buffers_.contains(buffer)) {
+    if (buffer != BufferHandle::Invalid && !buffers_.contains(buffer))
         fault(fmt::format("buffer {} {}, and does not exist", static_cast<std::uint32_t>(buffer), use));
-    }
 }
 
 void CheckedDevice::expectTexture(TextureHandle texture, std::string_view use) {
-    if (!textures_.contains(texture)) {
+    if (!textures_.contains(texture))
         fault(fmt::format("texture {} {}, and does not exist", static_cast<std::uint32_t>(texture), use));
-    }
 }
 
 void CheckedDevice::expectProgram(ProgramHandle program) {
-    if (!programs_.contains(program)) {
+    if (!programs_.contains(program))
         fault(fmt::format("program {} runs, and does not exist", static_cast<std::uint32_t>(program)));
-    }
 }
 
 bool CheckedDevice::holds(const Bytes& references, std::uint64_t handle) {
@@ -98,9 +92,8 @@ void CheckedDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::sp
             fault(fmt::format("buffer {} is written beyond its end", static_cast<std::uint32_t>(buffer)));
             return;
         }
-        if (found->second.use_count() > 1) { // a frame has read it
+        if (found->second.use_count() > 1) // a frame has read it
             fault(fmt::format("buffer {} is written after it was read", static_cast<std::uint32_t>(buffer)));
-        }
         auto written = std::make_shared<std::vector<std::byte>>(*found->second);
         std::copy(bytes.begin(), bytes.end(), written->begin() + static_cast<std::ptrdiff_t>(offset));
         found->second = std::move(written);
@@ -127,9 +120,8 @@ void CheckedDevice::refillBuffer(std::string_view label, BufferHandle buffer) {
 Result<BufferHandle> CheckedDevice::createScratch(std::string_view label, std::size_t bytes) {
     expectBetweenFrames("a buffer is made");
     Result<BufferHandle> buffer = ForwardingDevice::createScratch(label, bytes);
-    if (buffer) {
+    if (buffer)
         buffers_[*buffer] = nullptr;
-    }
     return buffer;
 }
 
@@ -144,18 +136,16 @@ Result<TextureHandle> CheckedDevice::createTexels(std::string_view label, Buffer
     expectBetweenFrames("a texture is made");
     expectBuffer(buffer, "becomes texels");
     Result<TextureHandle> texture = ForwardingDevice::createTexels(label, buffer);
-    if (texture) {
+    if (texture)
         textures_[*texture] = {std::string(label)};
-    }
     return texture;
 }
 
 Result<TextureHandle> CheckedDevice::createTexture(std::string_view label, const TextureShape& shape) {
     expectBetweenFrames("a texture is made");
     Result<TextureHandle> texture = ForwardingDevice::createTexture(label, shape);
-    if (texture) {
+    if (texture)
         textures_[*texture] = {std::string(label)};
-    }
     return texture;
 }
 
@@ -206,9 +196,8 @@ void CheckedDevice::destroyTexture(TextureHandle texture) {
 Result<ProgramHandle> CheckedDevice::createProgram(const ProgramSource& source) {
     expectBetweenFrames("a program is made");
     Result<ProgramHandle> program = ForwardingDevice::createProgram(source);
-    if (program) {
+    if (program)
         programs_[*program] = source.textures.bindless;
-    }
     return program;
 }
 
@@ -236,9 +225,8 @@ void CheckedDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
 }
 
 std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target) {
-    if (underWay_.size() == kFramesInFlight) {
+    if (underWay_.size() == kFramesInFlight)
         underWay_.pop_front(); // the device waits for that one
-    }
     inFrame_ = true;
     program_ = ProgramHandle::Invalid;
     references_ = nullptr;
@@ -246,43 +234,37 @@ std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target) {
 }
 
 void CheckedDevice::bindStorage(std::span<const StorageRange> ranges) {
-    for (const StorageRange& range : ranges) {
+    for (const StorageRange& range : ranges)
         expectBuffer(range.buffer, "is bound");
-    }
     references_ = nullptr;
     if (ranges.size() > layout::kBindTextures) {
-        if (const auto found = buffers_.find(ranges[layout::kBindTextures].buffer); found != buffers_.end()) {
+        if (const auto found = buffers_.find(ranges[layout::kBindTextures].buffer); found != buffers_.end())
             references_ = found->second;
-        }
     }
     ForwardingDevice::bindStorage(ranges);
 }
 
 void CheckedDevice::bindTextures(std::span<const TextureHandle> textures) {
-    for (const TextureHandle texture : textures) {
+    for (const TextureHandle texture : textures)
         expectTexture(texture, "is bound");
-    }
     ForwardingDevice::bindTextures(textures);
 }
 
 void CheckedDevice::checkSampled() {
     const auto found = programs_.find(program_);
-    if (found == programs_.end() || !found->second || !references_) {
+    if (found == programs_.end() || !found->second || !references_)
         return;
-    }
     if (sound_ != references_) {
         const bool astray = anyHandle(*references_, [&](std::uint64_t handle) {
-            if (residents_.contains(handle)) {
+            if (residents_.contains(handle))
                 return false;
-            }
             fault(fmt::format("handle 0x{:x} may be sampled, and is not resident", handle));
             return true;
         });
         sound_ = astray ? nullptr : references_;
     }
-    if (std::find(sampled_.begin(), sampled_.end(), references_) == sampled_.end()) {
+    if (std::find(sampled_.begin(), sampled_.end(), references_) == sampled_.end())
         sampled_.push_back(references_);
-    }
 }
 
 void CheckedDevice::compute(ProgramHandle program, const WorkGroups& groups) {

@@ -26,9 +26,8 @@ DebugOutput::~DebugOutput() {
 }
 
 void DebugOutput::receive(unsigned type, unsigned severity, std::string message) {
-    if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH) {
+    if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH)
         faults_.push_back(std::move(message));
-    }
 }
 
 } // namespace limen::gpu

@@ -24,9 +24,8 @@ Result<void> DepthTiles::prepare(std::uint32_t width, std::uint32_t height) {
         buffer_.reset();
         const Result<BufferHandle> made =
             device_->createScratch("depth tiles", capacity * kFramesInFlight * sizeof(float));
-        if (!made) {
+        if (!made)
             return tl::unexpected(made.error());
-        }
         buffer_ = {*device_, *made};
         capacity_ = capacity;
     }

@@ -29,9 +29,8 @@ bool isTaken(const frame::Batch& batch, const RenderOptions& options) {
 
 std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
     std::size_t sum = 0;
-    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i)
         sum += plan.runs[i].indexCount;
-    }
     return sum;
 }
 
@@ -39,12 +38,10 @@ std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
 void addToGroups(const layout::RunPlace& place, std::uint32_t run, std::uint32_t firstSlot,
                  std::uint32_t count, std::span<layout::SlotGroup> groups) {
     std::uint32_t group = firstSlot / layout::kSlotsPerGroup;
-    if (firstSlot % layout::kSlotsPerGroup != 0) {
+    if (firstSlot % layout::kSlotsPerGroup != 0)
         groups[group++].lastRun = run;
-    }
-    for (; group * layout::kSlotsPerGroup < firstSlot + count; ++group) {
+    for (; group * layout::kSlotsPerGroup < firstSlot + count; ++group)
         groups[group] = {place, run, run};
-    }
 }
 
 } // namespace
@@ -57,9 +54,8 @@ Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::str
 }
 
 Result<void> DrawCulling::reserve(std::size_t indices) {
-    if (!kept_.empty() && indices <= capacity_) {
+    if (!kept_.empty() && indices <= capacity_)
         return {};
-    }
     capacity_ = std::clamp(indices + indices / 2, kSmallestCapacity, kLargestCapacity);
     kept_.reset();
     return device_->createScratch("kept indices", capacity_ * kFramesInFlight * kIndexSize)
@@ -94,9 +90,8 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
     leavesOutHidden_ = culling_ == Culling::Hidden && options.occlusion && !keepsTriangles_ &&
                        isMade(tiles_.prepare(target.width(), target.height()));
     if (leavesOutHidden_) {
-        if (plan.firstHideable < firstSlots_.size()) {
+        if (plan.firstHideable < firstSlots_.size())
             firstHideable_ = firstSlots_[plan.firstHideable];
-        }
     }
     place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
 }

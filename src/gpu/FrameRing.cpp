@@ -29,9 +29,8 @@ void copyPastCache(const frame::RecordArray& records, std::uint32_t number, layo
                   offsetof(layout::Instance, highlight) == (kQuarters - 1) * sizeof(__m128i) + 8);
     const auto* const from = reinterpret_cast<const __m128i*>(records.at(number));
     auto* const to = reinterpret_cast<__m128i*>(&out);
-    for (std::size_t i = 0; i + 1 < kQuarters; ++i) {
+    for (std::size_t i = 0; i + 1 < kQuarters; ++i)
         _mm_stream_si128(to + i, _mm_loadu_si128(from + i));
-    }
     const __m128i allButHighlight = _mm_set_epi32(-1, 0, -1, -1);
     _mm_stream_si128(to + kQuarters - 1,
                      _mm_and_si128(_mm_loadu_si128(from + kQuarters - 1), allButHighlight));
@@ -138,9 +137,8 @@ void FrameRing::bind(StorageBindings& storage) const {
 void FrameRing::write(const layout::FrameConstants& constants, std::span<std::byte> memory) const {
     for (std::size_t i = 0; i < kArrays; ++i) {
         const std::span<const std::byte> array = bytes(static_cast<Array>(i), constants);
-        if (!array.empty()) {
+        if (!array.empty())
             std::memcpy(memory.data() + places_[i].offset, array.data(), array.size());
-        }
     }
     writeMovers(in<layout::Instance>(memory, kMovers));
 }
@@ -159,9 +157,8 @@ void FrameRing::writeMovers(std::span<layout::Instance> out) const {
             records.copyTo(to, number);
         });
     }
-    for (const frame::MoverChange& change : plan_.moverChanges) {
+    for (const frame::MoverChange& change : plan_.moverChanges)
         change.applyTo(out[change.mover]);
-    }
     std::copy(plan_.records.begin(), plan_.records.end(),
               out.begin() + static_cast<std::ptrdiff_t>(plan_.movers.size()));
 }

@@ -48,31 +48,27 @@ void GlDevice::restoreState() {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindVertexArray(vertexArray_.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.id());
-    for (GLuint unit = 0; unit < capabilities_.textureUnits; ++unit) {
+    for (GLuint unit = 0; unit < capabilities_.textureUnits; ++unit)
         glBindSampler(unit, 0);
-    }
     state_ = StateTracker{};
 }
 
 // Makes sure that the GPU is done with a ring slot. Counted calls are part of a frame.
 void GlDevice::waitForFence(std::size_t slot, bool counted) {
-    if (fences_[slot] == nullptr) {
+    if (fences_[slot] == nullptr)
         return;
-    }
     const std::uint32_t before = frameCalls_;
     GLenum result = call(glClientWaitSync, fences_[slot], GL_SYNC_FLUSH_COMMANDS_BIT, GLuint64{0});
     if (result == GL_TIMEOUT_EXPIRED) {
         ++ringStalls_;
-        while (result == GL_TIMEOUT_EXPIRED) { // one wait, however often the driver makes us ask
+        while (result == GL_TIMEOUT_EXPIRED) // one wait, however often the driver makes us ask
             result = glClientWaitSync(fences_[slot], GL_SYNC_FLUSH_COMMANDS_BIT, kFenceTimeoutNanoseconds);
-        }
     }
     isLost_ = isLost_ || result == GL_WAIT_FAILED;
     call(glDeleteSync, fences_[slot]);
     fences_[slot] = nullptr;
-    if (!counted) {
+    if (!counted)
         frameCalls_ = before;
-    }
 }
 
 void GlDevice::finishFrames() {
@@ -86,9 +82,8 @@ void GlDevice::finishFrames() {
 
 Result<void> GlDevice::reserveRing(std::size_t bytes) {
     LIMEN_ASSERT(frameTarget_ == nullptr, "the ring grows between frames only");
-    if (bytes <= ringSlotSize_) {
+    if (bytes <= ringSlotSize_)
         return {};
-    }
     constexpr std::size_t kSmallestSlot = std::size_t{1} << 18;
     const std::size_t alignment = capabilities_.storageAlignment;
     const std::size_t wanted = std::max(bytes + bytes / 2, kSmallestSlot);
@@ -99,9 +94,8 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
                                 capabilities_.maxBufferTexels, capabilities_.renderer));
     }
     Result<Buffer> ring = Buffer::createMapped("frame ring", slotSize * kFramesInFlight);
-    if (!ring) {
+    if (!ring)
         return tl::unexpected(ring.error());
-    }
     for (std::size_t slot = 0; slot < kFramesInFlight; ++slot) {
         waitForFence(slot, false);
         // Every slot always has a fence, so that the first frames make the same calls as all others.
@@ -110,9 +104,8 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     ringStalls_ += ring_.empty() ? 0 : 1;
     ring_ = std::move(*ring);
     ringSlotSize_ = slotSize;
-    for (std::size_t slot = 0; slot < kFramesInFlight; ++slot) {
+    for (std::size_t slot = 0; slot < kFramesInFlight; ++slot)
         ringTexels_[slot] = Texture::createBufferView("frame ring", ring_.id(), slot * slotSize, slotSize);
-    }
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.id());
     return {};
 }
@@ -155,9 +148,8 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
     names[frame::gpu::kUnitOwnership] = frameTarget_->ownership.id();
     names[frame::gpu::kUnitRing] = ringTexels_[ringSlot_].id();
     names[frame::gpu::kUnitDepth] = frameTarget_->depth.id();
-    for (std::size_t i = 0; i < textures.size(); ++i) {
+    for (std::size_t i = 0; i < textures.size(); ++i)
         names[frame::gpu::kUnitVertices + i] = textures_[static_cast<std::size_t>(textures[i])].id();
-    }
     call(glBindTextures, 0u, static_cast<GLsizei>(textures.size() + frame::gpu::kUnitVertices), names.data());
 }
 
@@ -186,9 +178,8 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
              static_cast<GLint>(frame::gpu::kOutputId), &std::get<std::uint32_t>(value));
         return;
     case TargetImage::Depth:
-        if (state_.enableDepthWrite()) {
+        if (state_.enableDepthWrite())
             call(glDepthMask, GLboolean{GL_TRUE});
-        }
         call(glClearNamedFramebufferfv, framebufferOf(Pass::SolidNoIds), GLenum{GL_DEPTH}, 0,
              &std::get<float>(value));
         return;
@@ -206,15 +197,12 @@ void GlDevice::beginPass(Pass pass) {
 
 void GlDevice::setState(const DrawState& state) {
     const StateTracker::Changes changes = state_.apply(state);
-    if (changes.program) {
+    if (changes.program)
         call(glUseProgram, programs_[static_cast<std::size_t>(state.program)].id());
-    }
-    if (changes.cull) {
+    if (changes.cull)
         call(state.cullBackFaces ? glEnable : glDisable, GLenum{GL_CULL_FACE});
-    }
-    if (changes.depthWrite) {
+    if (changes.depthWrite)
         call(glDepthMask, state.writeDepth ? GLboolean{GL_TRUE} : GLboolean{GL_FALSE});
-    }
 }
 
 void GlDevice::drawVertices(std::uint32_t first, std::uint32_t count) {
@@ -237,18 +225,15 @@ void GlDevice::resolve() {
 Result<void> GlDevice::endFrame() {
     LIMEN_ASSERT(frameTarget_ != nullptr, "a frame was begun");
     // The state every frame starts from, so that all frames make the same calls.
-    if (state_.enableDepthWrite()) {
+    if (state_.enableDepthWrite())
         call(glDepthMask, GLboolean{GL_TRUE});
-    }
-    if (state_.disableCulling()) {
+    if (state_.disableCulling())
         call(glDisable, GLenum{GL_CULL_FACE});
-    }
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});
     frameTarget_ = nullptr;
     lastFrameCalls_ = frameCalls_;
-    if (isLost_) {
+    if (isLost_)
         return fail(ErrorCode::Driver, driver_, lossMessage(glGetGraphicsResetStatus()));
-    }
     return {};
 }
 

@@ -59,9 +59,8 @@ constexpr std::array<GLenum, 3> kBlended{GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT0}
 Result<void> makeFramebuffer(Framebuffer& out, const char* label, std::span<const Attachment> attachments,
                              std::span<const GLenum> drawBuffers) {
     Result<Framebuffer> framebuffer = Framebuffer::create(label, attachments, drawBuffers);
-    if (!framebuffer) {
+    if (!framebuffer)
         return tl::unexpected(framebuffer.error());
-    }
     out = std::move(*framebuffer);
     return {};
 }
@@ -76,18 +75,15 @@ GlDevice::GlDevice(Capabilities capabilities)
 }
 
 GlDevice::~GlDevice() {
-    for (GLsync fence : fences_) {
-        if (fence != nullptr) {
+    for (GLsync fence : fences_)
+        if (fence != nullptr)
             glDeleteSync(fence);
-        }
-    }
 }
 
 Result<std::unique_ptr<GlDevice>> GlDevice::create() {
     Result<Capabilities> capabilities = queryCapabilities();
-    if (!capabilities) {
+    if (!capabilities)
         return tl::unexpected(capabilities.error());
-    }
     return std::unique_ptr<GlDevice>(new GlDevice(std::move(*capabilities)));
 }
 
@@ -174,32 +170,27 @@ void GlDevice::destroyTexture(TextureHandle texture) {
 }
 
 Result<ProgramHandle> GlDevice::createProgram(const ProgramSource& source) {
-    if (!source.computeShader.empty()) {
+    if (!source.computeShader.empty())
         return createComputeProgram(source);
-    }
     const Result<std::string> vertex = shaderText(source.vertexShader, source);
     const Result<std::string> fragment = shaderText(source.fragmentShader, source);
-    if (!vertex || !fragment) {
+    if (!vertex || !fragment)
         return tl::unexpected(vertex ? fragment.error() : vertex.error());
-    }
     Result<Program> program =
         Program::link(source.label, {{GL_VERTEX_SHADER, source.vertexShader, *vertex},
                                      {GL_FRAGMENT_SHADER, source.fragmentShader, *fragment}});
-    if (!program) {
+    if (!program)
         return tl::unexpected(program.error());
-    }
     return static_cast<ProgramHandle>(placeNamed(programs_, std::move(*program)));
 }
 
 Result<ProgramHandle> GlDevice::createComputeProgram(const ProgramSource& source) {
     const Result<std::string> text = shaderText(source.computeShader, source);
-    if (!text) {
+    if (!text)
         return tl::unexpected(text.error());
-    }
     Result<Program> program = Program::link(source.label, {{GL_COMPUTE_SHADER, source.computeShader, *text}});
-    if (!program) {
+    if (!program)
         return tl::unexpected(program.error());
-    }
     return static_cast<ProgramHandle>(placeNamed(programs_, std::move(*program)));
 }
 
@@ -254,9 +245,8 @@ void GlDevice::makeImages(Target& target, const TargetOptions& options) {
         return;
     }
     target.id = make("id", GL_R32UI);
-    if (options.layers) {
+    if (options.layers)
         target.layers = make("layers", GL_RG32F);
-    }
 }
 
 Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height,
@@ -266,19 +256,16 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
             ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
             fmt::format("a picture has 1 to {} pixels a side on this driver", capabilities_.maxTextureSize));
     }
-    if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked) {
+    if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return tl::unexpected(checked.error());
-    }
     auto target = std::make_unique<Target>();
     target->width = width;
     target->height = height;
     makeImages(*target, options);
-    if (Result<void> checked = checkMemory(fmt::format("a picture of {}x{}", width, height)); !checked) {
+    if (Result<void> checked = checkMemory(fmt::format("a picture of {}x{}", width, height)); !checked)
         return tl::unexpected(checked.error());
-    }
-    if (Result<void> made = makePasses(*target); !made) {
+    if (Result<void> made = makePasses(*target); !made)
         return tl::unexpected(made.error());
-    }
     const auto isFree = [](const std::unique_ptr<Target>& other) { return other == nullptr; };
     return static_cast<TargetHandle>(place(targets_, std::move(target), isFree));
 }
@@ -290,9 +277,8 @@ std::vector<glm::vec2> GlDevice::samplePositions(TargetHandle target) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before); // there is no asking by name
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, of.passes[static_cast<std::size_t>(Pass::SolidNoIds)].id());
     std::vector<glm::vec2> positions(frame::gpu::kSamples);
-    for (GLuint i = 0; i < frame::gpu::kSamples; ++i) {
+    for (GLuint i = 0; i < frame::gpu::kSamples; ++i)
         glGetMultisamplefv(GL_SAMPLE_POSITION, i, &positions[i].x);
-    }
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before));
     return positions;
 }
@@ -325,9 +311,8 @@ void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std:
 }
 
 void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
-    if (geometry_ == std::array{vertices, indices}) {
+    if (geometry_ == std::array{vertices, indices})
         return;
-    }
     geometry_ = {vertices, indices};
     glVertexArrayVertexBuffer(vertexArray_.id(), 0, buffers_[static_cast<std::size_t>(vertices)].id(), 0,
                               sizeof(frame::gpu::Vertex));
@@ -346,9 +331,8 @@ DeviceObjects GlDevice::objects() const {
     objects.programs = countOf(programs_, exists);
     objects.targets = countOf(targets_, [](const auto& target) { return target != nullptr; });
     objects.residentHandles = countOf(textures_, [](const Texture& texture) { return texture.isResident(); });
-    for (const Buffer& buffer : buffers_) {
+    for (const Buffer& buffer : buffers_)
         objects.bufferBytes += buffer.empty() ? 0 : buffer.size();
-    }
     objects.ringBytes = ring_.size();
     return objects;
 }

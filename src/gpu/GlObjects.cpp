@@ -48,18 +48,16 @@ std::optional<std::string> attachStage(GLuint program, const ShaderStage& stage)
     GLint compiled = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     std::optional<std::string> log;
-    if (compiled == GL_FALSE) {
+    if (compiled == GL_FALSE)
         log = readableLog(stage.name, shaderLog(shader));
-    }
     glAttachShader(program, shader);
     glDeleteShader(shader);
     return log;
 }
 
 Result<Buffer> kept(Buffer buffer, std::string_view name) {
-    if (Result<void> checked = checkMemory(fmt::format("'{}', {} bytes", name, buffer.size())); !checked) {
+    if (Result<void> checked = checkMemory(fmt::format("'{}', {} bytes", name, buffer.size())); !checked)
         return tl::unexpected(checked.error());
-    }
     return buffer;
 }
 
@@ -131,9 +129,8 @@ Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
     void* bytes = glMapNamedBufferRange(id, 0, static_cast<GLsizeiptr>(size), flags);
     Result<Buffer> buffer =
         kept(Buffer(id, size, {static_cast<std::byte*>(bytes), bytes == nullptr ? 0 : size}), name);
-    if (buffer && bytes == nullptr) {
+    if (buffer && bytes == nullptr)
         return fail(ErrorCode::Driver, driverString(), fmt::format("cannot map a buffer of {} bytes", size));
-    }
     return buffer;
 }
 
@@ -185,23 +182,20 @@ Result<Texture> Texture::createArray(std::string_view name, std::uint32_t width,
     glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrap);
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    if (anisotropy > 1.0f) {
+    if (anisotropy > 1.0f)
         glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
-    }
     Texture texture(id);
     const std::string what = fmt::format("'{}', {} layers of {} x {} texels", name, layers, width, height);
-    if (Result<void> checked = checkMemory(what); !checked) {
+    if (Result<void> checked = checkMemory(what); !checked)
         return tl::unexpected(checked.error());
-    }
     return texture;
 }
 
 std::uint64_t Texture::residentHandle() {
     if (handle_ == 0) {
         handle_ = glGetTextureHandleARB(id());
-        if (handle_ != 0) {
+        if (handle_ != 0)
             glMakeTextureHandleResidentARB(handle_);
-        }
     }
     return handle_;
 }
@@ -217,16 +211,14 @@ Result<Program> Program::link(std::string_view name, std::initializer_list<Shade
     Program program(glCreateProgram());
     label(GL_PROGRAM, program.id(), name);
     std::string logs;
-    for (const ShaderStage& stage : stages) {
+    for (const ShaderStage& stage : stages)
         logs += attachStage(program.id(), stage).value_or("");
-    }
     if (logs.empty()) {
         glLinkProgram(program.id());
         GLint linked = 0;
         glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
-        if (linked != GL_FALSE) {
+        if (linked != GL_FALSE)
             return program;
-        }
         logs = programLog(program.id());
     }
     return fail(ErrorCode::Driver, fmt::format("program {}", name),
@@ -246,9 +238,8 @@ Result<Framebuffer> Framebuffer::create(std::string_view name, std::span<const A
     glCreateFramebuffers(1, &id);
     Framebuffer framebuffer(id);
     label(GL_FRAMEBUFFER, id, name);
-    for (const Attachment& attachment : attachments) {
+    for (const Attachment& attachment : attachments)
         glNamedFramebufferTexture(id, attachment.point, attachment.texture, 0);
-    }
     glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(drawBuffers.size()), drawBuffers.data());
     const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -272,9 +263,8 @@ void Query::stamp() const {
 std::optional<std::uint64_t> Query::poll() const {
     GLint available = 0;
     glGetQueryObjectiv(id(), GL_QUERY_RESULT_AVAILABLE, &available);
-    if (available == GL_FALSE) {
+    if (available == GL_FALSE)
         return std::nullopt;
-    }
     GLuint64 nanoseconds = 0;
     glGetQueryObjectui64v(id(), GL_QUERY_RESULT, &nanoseconds);
     return nanoseconds;
@@ -288,9 +278,8 @@ Result<void> checkMemory(std::string_view what) {
         isShort = isShort || error == GL_OUT_OF_MEMORY;
         error = glGetError();
     }
-    if (isShort) {
+    if (isShort)
         return fail(ErrorCode::Driver, driverString(), fmt::format("has no memory for {}", what));
-    }
     return {};
 }
 

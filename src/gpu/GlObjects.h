@@ -31,9 +31,8 @@ public:
     GlName(const GlName&) = delete;
     GlName& operator=(const GlName&) = delete;
     ~GlName() {
-        if (id_ != 0) {
+        if (id_ != 0)
             Delete(id_);
-        }
     }
 
     /// The raw name; 0 when empty.

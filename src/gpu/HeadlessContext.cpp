@@ -14,9 +14,8 @@ namespace {
 // Displays to try, in order.
 std::vector<EGLDisplay> candidateDisplays() {
     std::vector<EGLDisplay> displays;
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
         return displays;
-    }
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
         displays.push_back(
             eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
@@ -35,9 +34,8 @@ std::vector<EGLDisplay> candidateDisplays() {
 }
 
 EGLConfig configFor(EGLDisplay display) {
-    if (epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
+    if (epoxy_has_egl_extension(display, "EGL_KHR_no_config_context"))
         return EGL_NO_CONFIG_KHR;
-    }
     const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
                                        EGL_NONE};
     EGLConfig config = EGL_NO_CONFIG_KHR;
@@ -64,17 +62,13 @@ EGLContext createContext(EGLDisplay display, bool debug, bool tellsOfResets) {
 
 // A context of this display, made current; null if it has none to give.
 EGLContext contextOn(EGLDisplay display, bool debug) {
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
-        !eglBindAPI(EGL_OPENGL_API)) {
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
         return EGL_NO_CONTEXT;
-    }
     EGLContext context = createContext(display, debug, true);
-    if (context == EGL_NO_CONTEXT) { // drivers may refuse to tell of resets
+    if (context == EGL_NO_CONTEXT) // drivers may refuse to tell of resets
         context = createContext(display, debug, false);
-    }
-    if (context == EGL_NO_CONTEXT) {
+    if (context == EGL_NO_CONTEXT)
         return EGL_NO_CONTEXT;
-    }
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         eglDestroyContext(display, context);
         return EGL_NO_CONTEXT;
@@ -86,11 +80,9 @@ EGLContext contextOn(EGLDisplay display, bool debug) {
 
 Result<HeadlessContext> HeadlessContext::create(bool debug) {
     const std::vector<EGLDisplay> displays = candidateDisplays();
-    for (EGLDisplay display : displays) {
-        if (EGLContext context = contextOn(display, debug); context != EGL_NO_CONTEXT) {
+    for (EGLDisplay display : displays)
+        if (EGLContext context = contextOn(display, debug); context != EGL_NO_CONTEXT)
             return HeadlessContext(display, context);
-        }
-    }
     return fail(ErrorCode::Driver, "EGL",
                 fmt::format("no headless OpenGL 4.5 core context: {} displays tried, last error 0x{:04X}; "
                             "install a driver (Mesa's libegl-mesa0 and libgl1-mesa-dri will do)",

@@ -51,11 +51,9 @@ MipLevel nextLevel(const MipLevel& from) {
         for (std::uint32_t x = 0; x < to.width; ++x) {
             const Range columns = covered(x, from.width, to.width);
             Sums sums;
-            for (std::uint32_t row = rows.first; row < rows.end; ++row) {
-                for (std::uint32_t column = columns.first; column < columns.end; ++column) {
+            for (std::uint32_t row = rows.first; row < rows.end; ++row)
+                for (std::uint32_t column = columns.first; column < columns.end; ++column)
                     sums.add(&from.rgba[(std::size_t{row} * from.width + column) * 4]);
-                }
-            }
             sums.write(&to.rgba[(std::size_t{y} * to.width + x) * 4]);
         }
     }
@@ -75,9 +73,8 @@ std::vector<MipLevel> mipChain(std::uint32_t width, std::uint32_t height,
     std::vector<MipLevel> levels;
     levels.reserve(mipLevelCount(width, height));
     levels.push_back({width, height, {rgba.begin(), rgba.end()}});
-    while (levels.back().width > 1 || levels.back().height > 1) {
+    while (levels.back().width > 1 || levels.back().height > 1)
         levels.push_back(nextLevel(levels.back()));
-    }
     return levels;
 }
 

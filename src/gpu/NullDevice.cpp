@@ -60,9 +60,8 @@ void NullDevice::destroyBuffer(BufferHandle buffer) {
 
 Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {
     if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
-        shape.layers > capabilities_.maxArrayLayers) {
+        shape.layers > capabilities_.maxArrayLayers)
         return fail(ErrorCode::Unsupported, std::string(label), "larger than this device allows");
-    }
     ++objects_.textures;
     textures_.push_back(shape);
     return static_cast<TextureHandle>(textures_.size() - 1);
@@ -101,12 +100,10 @@ void NullDevice::destroyTexture(TextureHandle) {
 
 Result<ProgramHandle> NullDevice::createProgram(const ProgramSource& source) {
     for (const std::string& name : {source.vertexShader, source.fragmentShader, source.computeShader}) {
-        if (name.empty()) {
+        if (name.empty())
             continue;
-        }
-        if (const Result<std::string> text = shaderText(name, source); !text) {
+        if (const Result<std::string> text = shaderText(name, source); !text)
             return tl::unexpected(text.error());
-        }
     }
     ++objects_.programs;
     programs_.push_back(source);
@@ -124,9 +121,8 @@ Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t
         return fail(ErrorCode::BadArgument, "target",
                     "a picture has at least one pixel and at most the device's limit");
     }
-    if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked) {
+    if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return tl::unexpected(checked.error());
-    }
     ++objects_.targets;
     return static_cast<TargetHandle>(targets_++);
 }

@@ -22,9 +22,8 @@ public:
     ~Owned() { reset(); }
 
     void reset() {
-        if (handle_ != Handle::Invalid) {
+        if (handle_ != Handle::Invalid)
             (device_->*kDestroy)(std::exchange(handle_, Handle::Invalid));
-        }
     }
     [[nodiscard]] Handle get() const { return handle_; }
     [[nodiscard]] bool empty() const { return handle_ == Handle::Invalid; }

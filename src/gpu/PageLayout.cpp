@@ -31,20 +31,18 @@ std::vector<Group> groupByClass(std::span<const TextureClass> textures) {
     for (std::uint32_t i = 0; i < textures.size(); ++i) {
         const auto same = [&](const Group& group) { return group.shape == textures[i]; };
         const auto found = std::find_if(groups.begin(), groups.end(), same);
-        if (found != groups.end()) {
+        if (found != groups.end())
             found->members.push_back(i);
-        } else {
+        else
             groups.push_back({textures[i], {i}});
-        }
     }
     return groups;
 }
 
 std::size_t pageCount(std::span<const Group> groups, std::uint32_t maxLayers) {
     std::size_t count = 0;
-    for (const Group& group : groups) {
+    for (const Group& group : groups)
         count += group.pages(maxLayers);
-    }
     return count;
 }
 
@@ -61,9 +59,8 @@ std::optional<Merge> cheapestMerge(std::span<const Group> groups, std::uint32_t 
             const std::size_t layers = groups[a].members.size() + groups[b].members.size();
             const bool saves = (layers + maxLayers - 1) / maxLayers <
                                groups[a].pages(maxLayers) + groups[b].pages(maxLayers);
-            if (groups[a].shape.clamp != groups[b].shape.clamp || !saves) {
+            if (groups[a].shape.clamp != groups[b].shape.clamp || !saves)
                 continue;
-            }
             const TextureClass both = unionOf(groups[a].shape, groups[b].shape);
             const std::uint64_t cost =
                 std::uint64_t{both.width} * both.height * layers - groups[a].texels() - groups[b].texels();
@@ -79,9 +76,8 @@ std::optional<Merge> cheapestMerge(std::span<const Group> groups, std::uint32_t 
 void mergeUntilItFits(std::vector<Group>& groups, std::uint32_t maxPages, std::uint32_t maxLayers) {
     while (pageCount(groups, maxLayers) > maxPages) {
         const std::optional<Merge> merge = cheapestMerge(groups, maxLayers);
-        if (!merge) {
+        if (!merge)
             return;
-        }
         Group& into = groups[merge->into];
         Group& from = groups[merge->from];
         into.shape = unionOf(into.shape, from.shape);
@@ -95,17 +91,15 @@ void mergeUntilItFits(std::vector<Group>& groups, std::uint32_t maxPages, std::u
 PageLayout goOnFrom(std::span<const TextureClass> before, std::span<const TextureClass> textures,
                     std::uint32_t maxLayers) {
     PageLayout layout;
-    for (const TextureClass& shape : before) {
+    for (const TextureClass& shape : before)
         layout.pages.push_back({shape, 0});
-    }
     for (const TextureClass& texture : textures) {
         const auto hasRoom = [&](const PageLayout::Page& page) {
             return page.shape == texture && page.layers < maxLayers;
         };
         auto page = std::find_if(layout.pages.begin(), layout.pages.end(), hasRoom);
-        if (page == layout.pages.end()) {
+        if (page == layout.pages.end())
             page = layout.pages.insert(page, {texture, 0});
-        }
         layout.places.push_back({static_cast<std::uint32_t>(page - layout.pages.begin()), page->layers++});
     }
     return layout;
@@ -118,9 +112,8 @@ PageLayout layOutPages(std::span<const TextureClass> textures, std::uint32_t max
     LIMEN_ASSERT(maxPages >= 2 && maxLayers >= 1, "a page for each way of wrapping");
     if (!before.empty()) {
         PageLayout goingOn = goOnFrom(before, textures, maxLayers);
-        if (goingOn.pages.size() <= maxPages) {
+        if (goingOn.pages.size() <= maxPages)
             return goingOn;
-        }
     }
     std::vector<Group> groups = groupByClass(textures);
     mergeUntilItFits(groups, maxPages, maxLayers);
@@ -128,9 +121,8 @@ PageLayout layOutPages(std::span<const TextureClass> textures, std::uint32_t max
     layout.places.resize(textures.size());
     for (const Group& group : groups) {
         for (std::size_t i = 0; i < group.members.size(); ++i) {
-            if (i % maxLayers == 0) {
+            if (i % maxLayers == 0)
                 layout.pages.push_back({group.shape, 0});
-            }
             const std::uint32_t texture = group.members[i];
             layout.places[texture] = {static_cast<std::uint32_t>(layout.pages.size() - 1),
                                       layout.pages.back().layers++};

@@ -67,15 +67,12 @@ ProgramSource programSource(frame::Program program, ProgramVariant variant, cons
     } else if (hasFlatVariant(program) && variant.flat) {
         vary("flat", "FLAT");
     }
-    if (hasGatedVariant(program) && variant.gated) {
+    if (hasGatedVariant(program) && variant.gated)
         vary("gated", "GATED");
-    }
-    if (variant.multisampled) {
+    if (variant.multisampled)
         vary("multisampled", "MULTISAMPLED");
-    }
-    if (program == frame::Program::Terrain) {
+    if (program == frame::Program::Terrain)
         source.defines.emplace_back("TERRAIN");
-    }
     return source;
 }
 
@@ -105,17 +102,15 @@ Pass passOf(frame::Program program, const RenderOptions& options) {
     case frame::Program::SkyPlain:
         break;
     }
-    if (options.shading == Shading::IdsOnly) {
+    if (options.shading == Shading::IdsOnly)
         return Pass::SolidIds;
-    }
     return options.wantIds ? Pass::Solid : Pass::SolidNoIds;
 }
 
 Programs::Programs(Device& device, SceneBindings textures, std::span<const std::string> defines)
     : device_(&device), textures_(std::move(textures)), defines_(defines.begin(), defines.end()) {
-    for (auto& variants : handles_) {
+    for (auto& variants : handles_)
         variants.fill(ProgramHandle::Invalid);
-    }
 }
 
 Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
@@ -124,9 +119,8 @@ Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
     for (bool isBuilt = false; !isBuilt;) {
         std::size_t bytes = 1;
         const Result<bool> next = programs.buildNext(bytes);
-        if (!next) {
+        if (!next)
             return tl::unexpected(next.error());
-        }
         isBuilt = *next;
     }
     return programs;
@@ -136,16 +130,13 @@ Result<bool> Programs::buildNext(std::size_t& bytes) {
     for (; built_ < 2 * kPrograms; ++built_) {
         const auto program = static_cast<frame::Program>(built_ / 2);
         const ProgramVariant variant{.gated = built_ % 2 == 1};
-        if (has(program, variant)) {
+        if (has(program, variant))
             continue;
-        }
-        if (bytes == 0) {
+        if (bytes == 0)
             return false;
-        }
         bytes = 0;
-        if (Result<void> made = prepare(program, variant); !made) {
+        if (Result<void> made = prepare(program, variant); !made)
             return tl::unexpected(made.error());
-        }
     }
     return true;
 }
@@ -162,16 +153,14 @@ std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
     ProgramHandle& handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
-    if (handle != ProgramHandle::Invalid) {
+    if (handle != ProgramHandle::Invalid)
         return {};
-    }
     const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
     ProgramSource source = programSource(program, variant, sampled);
     source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
     Result<ProgramHandle> made = device_->createProgram(source);
-    if (!made) {
+    if (!made)
         return tl::unexpected(made.error());
-    }
     handle = *made;
     return {};
 }
@@ -190,15 +179,12 @@ Programs& Programs::operator=(Programs&& other) noexcept {
 }
 
 Programs::~Programs() {
-    if (device_ == nullptr) {
+    if (device_ == nullptr)
         return;
-    }
     for (const auto& variants : handles_) {
-        for (ProgramHandle handle : variants) {
-            if (handle != ProgramHandle::Invalid) {
+        for (ProgramHandle handle : variants)
+            if (handle != ProgramHandle::Invalid)
                 device_->destroyProgram(handle);
-            }
-        }
     }
 }
 

@@ -15,13 +15,11 @@ Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, s
     TargetOptions options = asked;
     options.samples = options.samples > 1 ? options.samples : 0;
     const Result<TargetHandle> handle = device.createTarget(width, height, options);
-    if (!handle) {
+    if (!handle)
         return tl::unexpected(handle.error());
-    }
     RenderTarget target(device, *handle, width, height, options);
-    if (options.samples > 0) {
+    if (options.samples > 0)
         target.samples_ = device.samplePositions(*handle);
-    }
     return target;
 }
 
@@ -41,9 +39,8 @@ RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
 }
 
 RenderTarget::~RenderTarget() {
-    if (handle_ != TargetHandle::Invalid) {
+    if (handle_ != TargetHandle::Invalid)
         device_->destroyTarget(handle_);
-    }
 }
 
 template <class T>
@@ -64,9 +61,8 @@ namespace {
 /// What the sky is and what fringes are stored as is far behind all else (SharedLayout.h).
 float depthOfStored(float stored) {
     const float sky = std::ldexp(1.0f, -static_cast<int>(frame::gpu::kSkyExponent));
-    if (stored > sky) {
+    if (stored > sky)
         return stored;
-    }
     return stored == sky ? 0.0f : std::ldexp(stored, static_cast<int>(frame::gpu::kFringeExponent));
 }
 
@@ -74,9 +70,8 @@ float depthOfStored(float stored) {
 
 std::vector<glm::vec2> RenderTarget::samplePositions() const {
     std::vector<glm::vec2> positions = samples_;
-    for (glm::vec2& position : positions) {
+    for (glm::vec2& position : positions)
         position = {position.x - 0.5f, 0.5f - position.y};
-    }
     return positions;
 }
 
@@ -120,9 +115,8 @@ std::vector<std::uint32_t> RenderTarget::readOwnership() const {
 std::vector<LayerSum> RenderTarget::readLayers() const {
     const std::vector<float> sums = read<float>(TargetImage::Layers, 2);
     std::vector<LayerSum> layers(sums.size() / 2);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
+    for (std::size_t i = 0; i < layers.size(); ++i)
         layers[i] = {static_cast<std::uint32_t>(sums[2 * i]), static_cast<std::uint32_t>(sums[2 * i + 1])};
-    }
     return layers;
 }
 

@@ -65,9 +65,8 @@ bool splitsSurfaces(const RenderOptions& options) {
 }
 
 glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options) {
-    if (!isFlat(options)) {
+    if (!isFlat(options))
         return plan.constants.voidColour;
-    }
     const auto [r, g, b] = frame::colourOfId(layout::kVoidId);
     return glm::vec4(r, g, b, 255) / 255.0f;
 }
@@ -79,9 +78,8 @@ ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options
 
 std::vector<std::string> definesOf(const RendererOptions& options) {
     std::vector<std::string> defines = options.shaderDefines;
-    if (options.exactOutlines) {
+    if (options.exactOutlines)
         defines.emplace_back("EXACT_OUTLINES");
-    }
     return defines;
 }
 
@@ -103,12 +101,10 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
 
 Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
     Result<StagedScene> staged = stageScene(std::move(upload), options_, device_->capabilities(), state());
-    if (!staged) {
+    if (!staged)
         return tl::unexpected(staged.error());
-    }
-    if (Result<void> begun = begin(std::move(*staged)); !begun) {
+    if (Result<void> begun = begin(std::move(*staged)); !begun)
         return begun;
-    }
     for (bool isThere = false; !isThere;) {
         const Result<bool> advanced = advance(std::numeric_limits<std::size_t>::max());
         if (!advanced) {
@@ -124,18 +120,15 @@ Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
 }
 
 SceneState Renderer::state() const {
-    if (scene_ == nullptr) {
+    if (scene_ == nullptr)
         return {};
-    }
     return {scene_->textures().contents(), scene_->programs().bindings()};
 }
 
 Result<void> Renderer::makeRoom() {
-    for (const SizedBuffer& buffer : scene_ != nullptr ? scene_->buffers() : std::span<const SizedBuffer>()) {
-        if (Result<void> added = spare_->addTwin(buffer); !added) {
+    for (const SizedBuffer& buffer : scene_ != nullptr ? scene_->buffers() : std::span<const SizedBuffer>())
+        if (Result<void> added = spare_->addTwin(buffer); !added)
             return added;
-        }
-    }
     return {};
 }
 
@@ -157,9 +150,8 @@ Result<void> Renderer::begin(StagedScene staged) {
     if (culling_ == nullptr) {
         Result<DrawCulling> culling = DrawCulling::create(
             *device_, definesOf(options_), options_.exactOutlines ? options_.culling : Culling::None);
-        if (!culling) {
+        if (!culling)
             return tl::unexpected(culling.error());
-        }
         culling_ = std::make_unique<DrawCulling>(std::move(*culling));
     }
     culling_->tryAgain();
@@ -171,21 +163,18 @@ Result<void> Renderer::begin(StagedScene staged) {
 
 Result<bool> Renderer::advance(std::size_t bytes) {
     releaseSome();
-    if (coming_ == nullptr) {
+    if (coming_ == nullptr)
         return true;
-    }
     Result<bool> advanced = coming_->advance(bytes);
-    if (!advanced) {
+    if (!advanced)
         drop();
-    }
     return advanced;
 }
 
 void Renderer::swap() {
     LIMEN_ASSERT(coming_ != nullptr, "a scene was begun");
-    if (scene_ != nullptr) {
+    if (scene_ != nullptr)
         retired_.push_back({std::move(scene_), frames_});
-    }
     scene_ = std::move(coming_);
     spare_->endScene();
 }
@@ -198,27 +187,22 @@ void Renderer::drop() {
 }
 
 void Renderer::releaseSome() {
-    if (spare_->releaseSome()) {
+    if (spare_->releaseSome())
         return;
-    }
     if (retired_.empty() ||
-        (retired_.front().frame != 0 && frames_ - retired_.front().frame < kFramesInFlight)) {
+        (retired_.front().frame != 0 && frames_ - retired_.front().frame < kFramesInFlight))
         return;
-    }
     retired_.front().scene->markUnused();
-    if (!retired_.front().scene->releaseSome()) {
+    if (!retired_.front().scene->releaseSome())
         retired_.erase(retired_.begin());
-    }
 }
 
 Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
                                        bool multisampled) {
     Result<void> prepared;
-    for (const frame::Batch& batch : plan.batches) {
-        if (prepared && isDrawn(batch.program, options)) {
+    for (const frame::Batch& batch : plan.batches)
+        if (prepared && isDrawn(batch.program, options))
             prepared = scene_->programs().prepare(batch.program, variantOf(batch, options, multisampled));
-        }
-    }
     return prepared;
 }
 
@@ -232,15 +216,12 @@ void Renderer::bindAll(const FrameRing& ring, const DrawCulling& culling) {
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
     device_->clear(TargetImage::Ownership, std::uint32_t{0}); // the root visit's number
-    if (options.shading != Shading::IdsOnly) {
+    if (options.shading != Shading::IdsOnly)
         device_->clear(TargetImage::Colour, clearColour(plan, options));
-    }
-    if (options.wantLayers) {
+    if (options.wantLayers)
         device_->clear(TargetImage::Layers, glm::vec4(0.0f));
-    }
-    if (options.wantIds) {
+    if (options.wantIds)
         device_->clear(TargetImage::Id, std::uint32_t{layout::kVoidId});
-    }
     device_->clear(TargetImage::Depth, 0.0f);
 }
 
@@ -273,12 +254,10 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (stage.firstBatch + i == plan.firstHideable && culling_->leavesOutHidden()) {
+            if (stage.firstBatch + i == plan.firstHideable && culling_->leavesOutHidden())
                 culling_->runBehind();
-            }
-            if (!isDrawn(batch.program, options)) {
+            if (!isDrawn(batch.program, options))
                 continue;
-            }
             if (const Pass pass = passOf(batch.program, options); pass != current) {
                 device_->beginPass(pass);
                 current = pass;
@@ -302,20 +281,17 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     LIMEN_ASSERT(!multisampled || (!options.wantIds && !options.wantLayers),
                  "ids and layers have one sample a pixel");
     assertSound(plan, scene_->pieces());
-    if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared) {
+    if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared)
         return prepared;
-    }
     const Stopwatch watch;
     report_ = {};
-    for (std::size_t i = 0; i < report_.stages.size(); ++i) {
+    for (std::size_t i = 0; i < report_.stages.size(); ++i)
         report_.stages[i].kind = static_cast<frame::StageKind>(i);
-    }
     DrawCulling& culling = *culling_;
     culling.prepare(plan, options, target);
     const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
-    if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved) {
+    if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved)
         return reserved;
-    }
     // Each time: another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(),
                          culling.keepsTriangles() ? scene_->indices() : culling.keptIndices());
@@ -331,9 +307,8 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     clearTarget(plan, options);
     culling.runFirst();
     drawStages(plan, ring.commands(), options, multisampled);
-    if (multisampled) {
+    if (multisampled)
         device_->resolve();
-    }
     Result<void> ended = device_->endFrame();
     report_.cpuMs = watch.milliseconds();
     report_.bytesWritten = ring.size();
@@ -345,13 +320,11 @@ FrameReport Renderer::report() const {
     FrameReport report = report_;
     report.glCalls = device_->glCalls();
     report.ringStalls = device_->ringStalls();
-    if (culling_ != nullptr && culling_->failure()) {
+    if (culling_ != nullptr && culling_->failure())
         report.trouble = culling_->failure()->message();
-    }
     const StageTimes times = device_->stageTimes();
-    for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t i = 0; i < times.size(); ++i)
         report.stages[i].gpuMs = times[i];
-    }
     return report;
 }
 

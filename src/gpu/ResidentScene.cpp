@@ -23,25 +23,20 @@ ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr
       pieces_(static_cast<std::uint32_t>(scene_->pieces.size())) {}
 
 ResidentScene::~ResidentScene() {
-    for (TextureHandle texels : texels_) {
+    for (TextureHandle texels : texels_)
         device_.destroyTexture(texels);
-    }
-    for (const SizedBuffer& buffer : owned_) { // frames under way may read them yet
+    for (const SizedBuffer& buffer : owned_) // frames under way may read them yet
         device_.destroyBuffer(buffer.handle);
-    }
 }
 
 bool ResidentScene::releaseSome() {
-    if (textures_.releaseSome()) {
+    if (textures_.releaseSome())
         return true;
-    }
-    for (TextureHandle texels : texels_) { // views of the buffers
+    for (TextureHandle texels : texels_) // views of the buffers
         device_.destroyTexture(texels);
-    }
     texels_.clear();
-    for (const SizedBuffer& buffer : owned_) {
+    for (const SizedBuffer& buffer : owned_)
         spare_.giveBack(buffer);
-    }
     owned_.clear();
     return false;
 }
@@ -68,17 +63,13 @@ void ResidentScene::listArrays() {
 }
 
 Result<bool> ResidentScene::advance(std::size_t& bytes) {
-    if (const Result<bool> filled = textures_.advance(bytes); !filled || !*filled) {
+    if (const Result<bool> filled = textures_.advance(bytes); !filled || !*filled)
         return filled;
-    }
-    if (arrays_.empty()) {
+    if (arrays_.empty())
         listArrays();
-    }
-    for (; done_ < arrays_.size(); ++done_) {
-        if (const Result<bool> uploaded = upload(arrays_[done_], bytes); !uploaded || !*uploaded) {
+    for (; done_ < arrays_.size(); ++done_)
+        if (const Result<bool> uploaded = upload(arrays_[done_], bytes); !uploaded || !*uploaded)
             return uploaded;
-        }
-    }
     scene_.reset();
     return programs_->buildNext(bytes);
 }
@@ -86,14 +77,12 @@ Result<bool> ResidentScene::advance(std::size_t& bytes) {
 Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
     const std::size_t texels = (array.bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
     const std::size_t size = std::max(texels * kBytesPerTexel, kSmallestRange);
-    if (bytes == 0) {
+    if (bytes == 0)
         return false;
-    }
     if (array.buffer == BufferHandle::Invalid) {
         const Result<SizedBuffer> taken = spare_.take(array.label, size);
-        if (!taken) {
+        if (!taken)
             return tl::unexpected(taken.error());
-        }
         array.buffer = taken->handle;
         owned_.push_back(*taken);
     }
@@ -103,9 +92,8 @@ Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
         array.written += count;
         bytes -= count;
     }
-    if (array.written < array.bytes.size()) {
+    if (array.written < array.bytes.size())
         return false;
-    }
     if (array.written < size) {
         constexpr std::array<std::byte, std::max(kBytesPerTexel, kSmallestRange)> kNothing{};
         device_.writeBuffer(array.buffer, array.written, std::span(kNothing).first(size - array.written));
@@ -115,20 +103,16 @@ Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
 }
 
 Result<void> ResidentScene::finish(const Array& array) {
-    if (array.binding != kNoBinding) {
+    if (array.binding != kNoBinding)
         storage_[array.binding] = {array.buffer, 0, std::max(array.bytes.size(), kSmallestRange)};
-    }
-    if (!array.isTexels) {
+    if (!array.isTexels)
         return {};
-    }
     const Result<TextureHandle> texels = device_.createTexels(array.label, array.buffer);
-    if (!texels) {
+    if (!texels)
         return tl::unexpected(texels.error());
-    }
     texels_.push_back(*texels);
-    if (texels_.size() == 1) { // the vertices are the first
+    if (texels_.size() == 1) // the vertices are the first
         vertices_ = array.buffer;
-    }
     if (&array == &arrays_.back()) {
         bound_ = texels_;
         bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());

@@ -77,9 +77,8 @@ Result<void> checkMaterials(const SceneUpload& scene) {
     }
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const std::uint32_t texture = scene.materials[i].texture;
-        if (texture != layout::kNoTexture && texture >= scene.textures.size()) {
+        if (texture != layout::kNoTexture && texture >= scene.textures.size())
             return broken("material", i, fmt::format("has texture {} of {}", texture, scene.textures.size()));
-        }
     }
     return {};
 }
@@ -94,12 +93,10 @@ Result<void> checkTerrain(const SceneUpload& scene) {
     for (std::size_t i = 0; i < scene.terrainCells.size(); ++i) {
         const layout::TerrainCell& cell = scene.terrainCells[i];
         bool good = isGood(cell.base.texture);
-        for (const layout::TerrainLayer& layer : cell.overlays) {
+        for (const layout::TerrainLayer& layer : cell.overlays)
             good = good && layerIsGood(layer);
-        }
-        for (const layout::TerrainLayer& layer : cell.roads) {
+        for (const layout::TerrainLayer& layer : cell.roads)
             good = good && layerIsGood(layer);
-        }
         if (!good) {
             return broken("terrain cell", i,
                           fmt::format("names a texture beyond the {} there are", scene.textures.size()));

@@ -11,13 +11,11 @@ namespace layout = frame::gpu;
 
 SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures& textures) {
     std::vector<std::uint32_t> meshes, terrain;
-    for (const layout::Material& material : upload.materials) {
+    for (const layout::Material& material : upload.materials)
         meshes.push_back(material.texture);
-    }
     const auto addLayer = [&](const layout::TerrainLayer& layer) {
-        if (layer.texture != layout::kNoTexture) {
+        if (layer.texture != layout::kNoTexture)
             terrain.insert(terrain.end(), {layer.texture, layer.alpha});
-        }
     };
     for (const layout::TerrainCell& cell : upload.terrainCells) {
         terrain.push_back(cell.base.texture);
@@ -48,14 +46,12 @@ void include(const TextureBinding& before, TextureBinding& binding) {
 
 Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& options,
                                const Capabilities& capabilities, const SceneState& before) {
-    if (Result<void> checked = checkScene(scene); !checked) {
+    if (Result<void> checked = checkScene(scene); !checked)
         return tl::unexpected(checked.error());
-    }
     Result<StagedTextures> textures =
         stageTextures(scene.textures, options.textures, capabilities, before.textures);
-    if (!textures) {
+    if (!textures)
         return tl::unexpected(textures.error());
-    }
     StagedScene staged;
     staged.bindings = bindingsOf(scene, *textures);
     // Programs that can sample a page too many are there; those that cannot would have to be built.

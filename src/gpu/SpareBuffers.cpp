@@ -20,11 +20,9 @@ std::size_t withRoom(std::size_t bytes) {
 Result<SizedBuffer> SpareBuffers::take(std::string_view label, std::size_t bytes) {
     const std::size_t most = 2 * std::max(bytes, kSmallest);
     auto best = spare_.end();
-    for (auto at = spare_.begin(); at != spare_.end(); ++at) {
-        if (at->bytes >= bytes && at->bytes <= most && (best == spare_.end() || at->bytes < best->bytes)) {
+    for (auto at = spare_.begin(); at != spare_.end(); ++at)
+        if (at->bytes >= bytes && at->bytes <= most && (best == spare_.end() || at->bytes < best->bytes))
             best = at;
-        }
-    }
     if (best != spare_.end()) {
         const SizedBuffer found = *best;
         unused_ -= static_cast<std::size_t>(best - spare_.begin()) < unused_ ? 1 : 0;
@@ -47,20 +45,17 @@ Result<SizedBuffer> SpareBuffers::take(std::string_view label, std::size_t bytes
 Result<void> SpareBuffers::addTwin(const SizedBuffer& of) {
     static constexpr std::array<std::byte, 1 << 16> kNothing{};
     const Result<BufferHandle> twin = device_.reserveBuffer("spare", of.bytes);
-    if (!twin) {
+    if (!twin)
         return tl::unexpected(twin.error());
-    }
-    for (std::size_t at = 0; at < of.bytes; at += kNothing.size()) {
+    for (std::size_t at = 0; at < of.bytes; at += kNothing.size())
         device_.writeBuffer(*twin, at, std::span(kNothing).first(std::min(kNothing.size(), of.bytes - at)));
-    }
     giveBack({*twin, of.bytes});
     return {};
 }
 
 bool SpareBuffers::releaseSome() {
-    if (unused_ == 0) {
+    if (unused_ == 0)
         return false;
-    }
     device_.destroyBuffer(spare_.front().handle);
     spare_.erase(spare_.begin());
     --unused_;
@@ -68,9 +63,8 @@ bool SpareBuffers::releaseSome() {
 }
 
 void SpareBuffers::clear() {
-    for (const SizedBuffer& buffer : spare_) {
+    for (const SizedBuffer& buffer : spare_)
         device_.destroyBuffer(buffer.handle);
-    }
     spare_.clear();
     unused_ = 0;
 }

@@ -18,9 +18,8 @@ void StageTimers::beginFrame() {
 
 void StageTimers::begin(frame::StageKind stage) {
     Pair& pair = frames_[current_][static_cast<std::size_t>(stage)];
-    if (!pair.inFlight) {
+    if (!pair.inFlight)
         pair.begin.stamp();
-    }
 }
 
 void StageTimers::end(frame::StageKind stage) {
@@ -36,9 +35,8 @@ StageTimes StageTimers::poll() {
         FrameQueries& queries = frames_[(current_ + kFrames - age) % kFrames];
         for (std::size_t stage = 0; stage < queries.size(); ++stage) {
             Pair& pair = queries[stage];
-            if (!pair.inFlight) {
+            if (!pair.inFlight)
                 continue;
-            }
             const std::optional<std::uint64_t> end = pair.end.poll();
             const std::optional<std::uint64_t> begin = pair.begin.poll();
             if (begin && end) {

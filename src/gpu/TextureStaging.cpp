@@ -13,9 +13,8 @@ TextureClass classOf(const frame::TextureUpload& picture) {
 }
 
 std::vector<MipLevel> levelsFor(const frame::TextureUpload& picture, const TextureClass& stored) {
-    if (picture.width == stored.width && picture.height == stored.height) {
+    if (picture.width == stored.width && picture.height == stored.height)
         return mipChain(picture.width, picture.height, picture.rgba);
-    }
     const MipLevel large = enlarged(picture.width, picture.height, picture.rgba, stored.width, stored.height);
     return mipChain(large.width, large.height, large.rgba);
 }
@@ -41,17 +40,14 @@ std::vector<std::uint32_t> orderOf(std::span<const frame::TextureUpload> picture
 PageLayout layOut(std::span<const frame::TextureUpload> pictures, std::span<const std::uint32_t> order,
                   std::uint32_t maxPages, std::uint32_t maxLayers, std::span<const TextureContent> before) {
     std::vector<TextureClass> classes, pages;
-    for (const std::uint32_t picture : order) {
+    for (const std::uint32_t picture : order)
         classes.push_back(classOf(pictures[picture]));
-    }
-    for (const TextureContent& content : before) {
+    for (const TextureContent& content : before)
         pages.push_back({content.shape.width, content.shape.height, content.shape.clamp});
-    }
     PageLayout layout = layOutPages(classes, maxPages, maxLayers, pages);
     std::vector<PageLayout::Place> places(pictures.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t i = 0; i < order.size(); ++i)
         places[order[i]] = layout.places[i];
-    }
     layout.places = std::move(places);
     return layout;
 }
@@ -99,21 +95,16 @@ void stageHandles(std::span<const frame::TextureUpload> pictures, float anisotro
 
 TextureBinding bindingFor(const StagedTextures& staged, std::span<const std::uint32_t> pictures) {
     TextureBinding binding{staged.bindless, 0, {}, staged.byIndex};
-    if (staged.bindless) {
+    if (staged.bindless)
         return binding;
-    }
     binding.pageCount = static_cast<std::uint32_t>(staged.textures.size());
     std::vector<bool> used(staged.textures.size(), false);
-    for (const std::uint32_t picture : pictures) {
-        if (picture != frame::gpu::kNoTexture) {
+    for (const std::uint32_t picture : pictures)
+        if (picture != frame::gpu::kNoTexture)
             used[staged.places[picture].page] = true;
-        }
-    }
-    for (std::uint32_t page = 0; page < binding.pageCount; ++page) {
-        if (used[page]) {
+    for (std::uint32_t page = 0; page < binding.pageCount; ++page)
+        if (used[page])
             binding.pages.push_back(page);
-        }
-    }
     return binding;
 }
 
@@ -132,21 +123,19 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
     StagedTextures out;
     out.bindless = options.mode != TextureMode::ArrayPages && capabilities.bindless;
     out.byIndex = !out.bindless && options.pagesByIndex && capabilities.software;
-    if (out.bindless) {
+    if (out.bindless)
         stageHandles(pictures, anisotropy, out);
-    } else if (Result<void> staged = stagePages(pictures, options, capabilities, anisotropy, before, out);
-               !staged) {
+    else if (Result<void> staged = stagePages(pictures, options, capabilities, anisotropy, before, out);
+             !staged)
         return tl::unexpected(staged.error());
-    }
     for (StagedTexture& texture : out.textures) {
         texture.isThere = isAmong(before, texture.content);
         texture.layers.resize(texture.isThere ? 0 : texture.content.keys.size());
     }
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const auto [texture, layer] = out.places[i];
-        if (!out.textures[texture].isThere) {
+        if (!out.textures[texture].isThere)
             out.textures[texture].layers[layer] = levelsFor(pictures[i], out.stored[i]);
-        }
     }
     return out;
 }

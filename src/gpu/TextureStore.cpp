@@ -16,9 +16,8 @@ frame::gpu::TextureRef makeRef(std::uint32_t x, std::uint32_t y, const TextureCl
 } // namespace
 
 ResidentTexture::~ResidentTexture() {
-    if (handle_ != 0) {
+    if (handle_ != 0)
         device_.releaseHandle(texture_);
-    }
     device_.destroyTexture(texture_);
 }
 
@@ -30,14 +29,12 @@ bool ResidentTexture::takeHandle() {
 Result<TextureStore> TextureStore::create(Device& device, std::span<const frame::TextureUpload> textures,
                                           const TextureStoreOptions& options) {
     Result<StagedTextures> staged = stageTextures(textures, options, device.capabilities(), {});
-    if (!staged) {
+    if (!staged)
         return tl::unexpected(staged.error());
-    }
     TextureStore store(device, std::move(*staged), nullptr);
     std::size_t bytes = std::numeric_limits<std::size_t>::max();
-    if (const Result<bool> filled = store.advance(bytes); !filled) {
+    if (const Result<bool> filled = store.advance(bytes); !filled)
         return tl::unexpected(filled.error());
-    }
     return store;
 }
 
@@ -48,9 +45,8 @@ TextureStore::TextureStore(Device& device, StagedTextures staged, const TextureS
         const auto isIt = [&](const auto& other) { return other->content() == wanted.content; };
         const auto& there = before->textures_;
         if (const auto found = std::find_if(there.begin(), there.end(), isIt);
-            wanted.isThere && found != there.end()) {
+            wanted.isThere && found != there.end())
             shared_[i] = *found;
-        }
     }
 }
 
@@ -78,9 +74,8 @@ TextureStore& TextureStore::operator=(TextureStore&& other) noexcept {
 TextureStore::~TextureStore() {
     const bool isSampledByHandle =
         std::any_of(textures_.begin(), textures_.end(), [](const auto& t) { return t->handle() != 0; });
-    if (isSampledByHandle && !isUnused_) {
+    if (isSampledByHandle && !isUnused_)
         device_->finishFrames();
-    }
 }
 
 bool TextureStore::releaseSome() {
@@ -93,9 +88,8 @@ bool TextureStore::releaseSome() {
 
 std::vector<TextureContent> TextureStore::contents() const {
     std::vector<TextureContent> contents;
-    for (const auto& texture : textures_) {
+    for (const auto& texture : textures_)
         contents.push_back(texture->content());
-    }
     return contents;
 }
 
@@ -104,17 +98,15 @@ Result<void> TextureStore::begin(const StagedTexture& staged) {
     row_ = 0;
     isBegun_ = true;
     std::shared_ptr<ResidentTexture>& shared = shared_[textures_.size()];
-    if (staged.isThere && shared == nullptr) {
+    if (staged.isThere && shared == nullptr)
         return fail(ErrorCode::BadArgument, staged.label, "is not there any more: stage the scene again");
-    }
     if (shared != nullptr) {
         textures_.push_back(std::move(shared));
         return {};
     }
     const Result<TextureHandle> made = device_->createTexture(staged.label, staged.content.shape);
-    if (!made) {
+    if (!made)
         return tl::unexpected(made.error());
-    }
     textures_.push_back(std::make_shared<ResidentTexture>(*device_, *made, staged.content));
     return {};
 }
@@ -125,9 +117,8 @@ bool TextureStore::write(const StagedTexture& staged, std::size_t& bytes) {
             const MipLevel& level = staged.layers[layer_][level_];
             const std::size_t rowBytes = std::size_t{level.width} * 4;
             while (row_ < level.height) {
-                if (bytes == 0) {
+                if (bytes == 0)
                     return false;
-                }
                 const auto count = static_cast<std::uint32_t>(
                     std::clamp<std::size_t>(bytes / rowBytes, 1, level.height - row_));
                 device_->writeTexture(textures_.back()->texture(),
@@ -145,28 +136,23 @@ bool TextureStore::write(const StagedTexture& staged, std::size_t& bytes) {
 Result<bool> TextureStore::advance(std::size_t& bytes) {
     constexpr std::size_t kMaking = 4096; // what making a texture counts for
     while (isBegun_ || textures_.size() < staged_.textures.size()) {
-        if (bytes == 0) {
+        if (bytes == 0)
             return false;
-        }
         if (!isBegun_) {
-            if (Result<void> begun = begin(staged_.textures[textures_.size()]); !begun) {
+            if (Result<void> begun = begin(staged_.textures[textures_.size()]); !begun)
                 return tl::unexpected(begun.error());
-            }
         }
         StagedTexture& staged = staged_.textures[textures_.size() - 1];
-        if (!write(staged, bytes)) {
+        if (!write(staged, bytes))
             return false;
-        }
         bytes -= std::min(bytes, kMaking);
         staged.layers = {};
         isBegun_ = false;
-        if (staged_.bindless && textures_.back()->handle() == 0 && !textures_.back()->takeHandle()) {
+        if (staged_.bindless && textures_.back()->handle() == 0 && !textures_.back()->takeHandle())
             return fail(ErrorCode::Driver, device_->capabilities().renderer, "gives no handle for a texture");
-        }
     }
-    if (refs_.empty()) {
+    if (refs_.empty())
         tellPlaces();
-    }
     return true;
 }
 
@@ -179,9 +165,8 @@ void TextureStore::tellPlaces() {
                                       static_cast<std::uint32_t>(handle >> 32), staged_.stored[i])
                             : makeRef(layer, texture, staged_.stored[i]));
     }
-    for (std::size_t i = 0; i < textures_.size() && !staged_.bindless; ++i) {
+    for (std::size_t i = 0; i < textures_.size() && !staged_.bindless; ++i)
         pages_.push_back(textures_[i]->texture());
-    }
 }
 
 } // namespace limen::gpu

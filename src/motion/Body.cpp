@@ -118,10 +118,9 @@ private:
             return std::all_of(planes.begin(), planes.end(),
                                [&](const Vec3& n) { return glm::dot(w, n) >= -1e-9; });
         };
-        for (const Vec3& n : planes) {
+        for (const Vec3& n : planes)
             if (const Vec3 left = way - n * glm::dot(way, n); isFree(left))
                 return left;
-        }
         for (std::size_t i = 1; i < planes.size(); ++i) {
             const Vec3 crease = glm::cross(planes[i - 1], planes[i]);
             const double length = glm::dot(crease, crease);

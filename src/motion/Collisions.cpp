@@ -35,10 +35,9 @@ struct Collisions::Bodies {
             add(static_cast<int>(i));
     }
     ~Bodies() {
-        for (const auto& object : objects) {
+        for (const auto& object : objects)
             if (object->getBroadphaseHandle() != nullptr)
                 bullet.removeCollisionObject(object.get());
-        }
     }
     Bodies(const Bodies&) = delete;
     Bodies& operator=(const Bodies&) = delete;
@@ -266,10 +265,9 @@ template <class Leaves, class Visit>
 void eachLeafNear(const Leaves& leaves, const Vec3& from, const Vec3& to, double radius, Visit&& visit) {
     const Vec3 middle = (from + to) * 0.5;
     const double around = radius + 0.5 * glm::length(to - from);
-    for (const auto& leaf : leaves) {
+    for (const auto& leaf : leaves)
         if (glm::length(leaf.hinge - middle) <= leaf.reach + around)
             visit(leaf.index);
-    }
 }
 
 } // namespace

@@ -208,10 +208,9 @@ Box Hierarchy::boxOfChild(const Node& node, std::uint32_t child, std::span<const
 
 void Hierarchy::fit(const Hierarchy& other, std::span<const Box> boxes) {
     nodes_.assign(other.nodes_.begin(), other.nodes_.end());
-    for (std::size_t i = nodes_.size(); i-- > 0;) {
+    for (std::size_t i = nodes_.size(); i-- > 0;)
         for (std::uint32_t child = 0; child < kWidth; ++child)
             setChildBox(nodes_[i], child, boxOfChild(nodes_[i], child, boxes));
-    }
 }
 
 std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32_t depth) {
@@ -220,11 +219,10 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     std::uint32_t used = 1;
     while (used < kWidth) { // the heaviest that can be divided is divided
         Range* heaviest = nullptr;
-        for (std::uint32_t i = 0; i < used; ++i) {
+        for (std::uint32_t i = 0; i < used; ++i)
             if (children[i].count > build.leafSize &&
                 (!heaviest || weightOf(children[i].box) > weightOf(heaviest->box)))
                 heaviest = &children[i];
-        }
         if (!heaviest)
             break;
         const Range whole = *heaviest;

@@ -35,10 +35,9 @@ void SceneData::listFixed() {
             addBySpace(fixed, world.instances[instance], instance, s, fixedBySpace);
         }
     }
-    for (world::InstanceIndex i = 0; i < world.instances.size(); ++i) {
+    for (world::InstanceIndex i = 0; i < world.instances.size(); ++i)
         if (isListed[i] != 0) // else it is of the moment
             addByZone(fixed, world.instances[i], i, world.members, fixedByZone);
-    }
     fixedBySpace.build(fixed);
     fixedByZone.build(fixed);
 }
@@ -79,10 +78,9 @@ void SceneData::takeDynamics(const world::DynamicState& dynamics) {
     movingBySpace.clear();
     movingByZone.clear();
     if (!dynamics.firstInSpace.empty()) {
-        for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s) {
+        for (world::SpaceIndex s = 0; s < world.spaces.size(); ++s)
             for (const world::InstanceIndex i : dynamics.instancesIn(s))
                 addBySpace(moving, dynamics.instances[i], i, s, movingBySpace);
-        }
     }
     for (world::InstanceIndex i = 0; i < dynamics.instances.size(); ++i)
         addByZone(moving, dynamics.instances[i], i, dynamics.members, movingByZone);

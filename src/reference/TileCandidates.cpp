@@ -120,10 +120,9 @@ void TileCandidates::begin(const Tile& tile) {
 
 TileCandidates::Space& TileCandidates::in(world::SpaceIndex space) {
     LIMEN_ASSERT(pyramid_, "a tile has begun");
-    for (std::size_t i = 0; i < used_; ++i) {
+    for (std::size_t i = 0; i < used_; ++i)
         if (spaces_[i]->space == space)
             return *spaces_[i];
-    }
     if (used_ == spaces_.size())
         spaces_.push_back(std::make_unique<Space>());
     Space& here = *spaces_[used_++];

@@ -34,40 +34,33 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
     const auto refuse = [&](PortalFate why) { note<kTraced>(in_.trace, index, portalIndex, why); };
     const bool isShut = !in_.closed.empty() && in_.closed[portalIndex] != 0;
     const bool isEnd = isShut || portal.destination == kNone;
-    if (portal.plane.n == Vec3(0.0)) {
+    if (portal.plane.n == Vec3(0.0))
         return refuse(PortalFate::NoArea);
-    }
-    if (isWayBack(visit, portalIndex)) {
+    if (isWayBack(visit, portalIndex))
         return refuse(PortalFate::WayBack);
-    }
     if (!isEnd && in_.graph.spaces()[portal.destination].zone == visit.zone) {
-        if (portal.destination == portal.space) { // the others are CellFlood's
+        if (portal.destination == portal.space) // the others are CellFlood's
             refuse(PortalFate::WithinZone);
-        }
         return;
     }
     const double side = portal.plane.signedDistance(in_.view.eye);
-    if (side < -kInPlane) {
+    if (side < -kInPlane)
         return refuse(PortalFate::WrongSide);
-    }
     ++set_.counts.portalsTested;
     const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
-    if (inPlane ? isShut : side <= 0.0) {
+    if (inPlane ? isShut : side <= 0.0)
         return refuse(PortalFate::EdgeOn); // or from behind: no ray of this visit passes
-    }
     if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
-        if constexpr (kTraced) {
+        if constexpr (kTraced)
             refuse(whyUnseen(index, portalIndex));
-        }
         return;
     }
     if (coneSize(s_.region) < smallest_) {
         ++set_.counts.visitsCut;
         return refuse(PortalFate::Budget);
     }
-    if (isInChain(index, portalIndex)) { // asked last: few get this far
+    if (isInChain(index, portalIndex)) // asked last: few get this far
         return refuse(PortalFate::InChain);
-    }
     ++set_.counts.portalsAdmitted;
     Candidate c;
     c.portal = portalIndex;
@@ -76,33 +69,28 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
     c.planeOnScreen = in_.eyeFromScreenTransposed * c.entryPlane.n;
     c.inPlane = inPlane;
     c.shut = isShut;
-    if (isEnd) {
+    if (isEnd)
         add(c, true, children);
-    } else {
+    else
         addPair(visit, c, children);
-    }
 }
 
 PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) const {
     const Visit& visit = set_.visits[index];
     const Graph::Portal& portal = in_.graph.portals()[portalIndex];
-    if (portal.plane.n == Vec3(0.0)) {
+    if (portal.plane.n == Vec3(0.0))
         return PortalFate::NoArea;
-    }
-    if (isWayBack(visit, portalIndex)) {
+    if (isWayBack(visit, portalIndex))
         return PortalFate::WayBack;
-    }
-    if (portal.plane.signedDistance(in_.view.eye) < -kInPlane) {
+    if (portal.plane.signedDistance(in_.view.eye) < -kInPlane)
         return PortalFate::WrongSide;
-    }
     bool isBeyond = visit.parent == kNone, isAhead = false;
     for (const Vec3& v : in_.graph.polygon(portal)) {
         isBeyond |= visit.entryPlane.signedDistance(v - in_.view.eye) > kBeyondEntry;
         isAhead |= glm::dot(in_.view.forward, v - in_.view.eye) > 0.0;
     }
-    if (!isAhead) {
+    if (!isAhead)
         return PortalFate::BehindEye;
-    }
     return isBeyond ? PortalFate::OutsideRegion : PortalFate::BeforeEntry;
 }
 
@@ -122,9 +110,8 @@ void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children
             c.narrowed = true;
         }
     }
-    if (!s_.region.empty()) {
+    if (!s_.region.empty())
         add(c, false, children);
-    }
 }
 
 /// A child with the region in s_.region.
@@ -154,11 +141,9 @@ bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {
 /// A straight ray crosses a plane once; but a polygon that is not flat reaches beyond its own plane, and rays could
 /// go round in a ring of such openings for ever.
 bool Admission::isInChain(std::uint32_t visit, std::uint32_t portal) const {
-    for (; visit != kNone; visit = set_.visits[visit].parent) {
-        if (set_.visits[visit].portal == portal) {
+    for (; visit != kNone; visit = set_.visits[visit].parent)
+        if (set_.visits[visit].portal == portal)
             return true;
-        }
-    }
     return false;
 }
 
@@ -175,17 +160,14 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         hullSeenFrom(in_.view.eye, in_.graph.outline(portal), portal.plane.n, s_.relative, s_.swap);
     } else {
         s_.relative.clear();
-        for (const Vec3& v : in_.graph.polygon(portal)) {
+        for (const Vec3& v : in_.graph.polygon(portal))
             s_.relative.push_back(v - in_.view.eye);
-        }
     }
     double farthest = visit.parent == kNone ? 1.0 : 0.0;
-    for (const Vec3& v : s_.relative) {
+    for (const Vec3& v : s_.relative)
         farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
-    }
-    if (farthest <= kBeyondEntry) {
+    if (farthest <= kBeyondEntry)
         return false;
-    }
     // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
     // not quite in the planes of both.
     clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
@@ -193,9 +175,8 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         clipPolygon(s_.beyond, {in_.view.forward, -kPretendedNear}, 0.0, s_.swap);
         s_.beyond.swap(s_.swap);
     }
-    for (Vec3& v : s_.beyond) {
+    for (Vec3& v : s_.beyond)
         v = in_.screen * v;
-    }
     clipByRegion(s_.beyond, set_.region(visit), s_.region, s_.swap);
     return !s_.region.empty();
 }
@@ -207,9 +188,8 @@ void Admission::clipByReciprocal(const Graph::Portal& reciprocal) {
         s_.region.clear();
         return;
     }
-    for (const Vec3& v : in_.graph.polygon(reciprocal)) {
+    for (const Vec3& v : in_.graph.polygon(reciprocal))
         s_.relative.push_back(in_.screen * (v - in_.view.eye));
-    }
     // Its winding is counter-clockwise from the other side; seen from here it must run the other way
     // round.
     std::reverse(s_.relative.begin(), s_.relative.end());

@@ -62,11 +62,10 @@ void CellFlood::run(const Input& input, std::vector<SeenSpace>& seen, FloodCount
     reach(input.entrySpace, input.entryRect, seen, counts);
     while (head_ < queue_.size()) {
         const Arrival next = queue_[head_++]; // by value: the queue grows
-        if (input.trace != nullptr) {
+        if (input.trace != nullptr)
             leave<true>(input, next, seen, counts);
-        } else {
+        else
             leave<false>(input, next, seen, counts);
-        }
     }
 }
 
@@ -83,15 +82,12 @@ void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpa
         queue_.push_back({space, rect});
         return;
     }
-    for (std::uint32_t i = 0; i < mark.count; ++i) {
-        if (holds(mark.rects[i], rect)) {
+    for (std::uint32_t i = 0; i < mark.count; ++i)
+        if (holds(mark.rects[i], rect))
             return;
-        }
-    }
     include(seen[mark.slot].rect, rect);
-    if (joinWaiting(mark, rect)) {
+    if (joinWaiting(mark, rect))
         return;
-    }
     ++counts.revisits;
     const Rect let = mark.count < kRects ? rect : seen[mark.slot].rect;
     mark.count = std::min(mark.count + 1, kRects);
@@ -102,9 +98,8 @@ void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpa
 
 bool CellFlood::joinWaiting(Mark& mark, const Rect& rect) {
     for (std::uint32_t i = 0; i < mark.count; ++i) {
-        if (mark.arrivals[i] < head_) {
+        if (mark.arrivals[i] < head_)
             continue; // has been followed already
-        }
         Rect both = mark.rects[i];
         include(both, rect);
         if (areaOf(both) <= kMostWaste * (areaOf(mark.rects[i]) + areaOf(rect))) {
@@ -121,9 +116,8 @@ void CellFlood::leave(const Input& input, const Arrival& from, std::vector<SeenS
                       FloodCounts& counts) {
     ++counts.spaceVisits;
     const Graph::Space& space = input.graph->spaces()[from.space];
-    for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+    for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
         tryPortal<kTraced>(input, p, from.rect, seen, counts);
-    }
 }
 
 template <bool kTraced>
@@ -131,18 +125,16 @@ void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& r
                           std::vector<SeenSpace>& seen, FloodCounts& counts) {
     const Graph::Portal& portal = input.graph->portals()[index];
     if (portal.destination == kNone || portal.destination == portal.space ||
-        input.graph->spaces()[portal.destination].zone != input.graph->spaces()[portal.space].zone) {
+        input.graph->spaces()[portal.destination].zone != input.graph->spaces()[portal.space].zone)
         return;
-    }
     const auto tell = [&](PortalFate fate) { note<kTraced>(input.trace, visit_, index, fate); };
     const double side = portal.plane.signedDistance(input.eye);
     const auto isEnd = [&] {
         return (!input.closed.empty() && input.closed[index] != 0) || portal.plane.n == Vec3(0.0);
     };
     if (side < -kNear || isEnd()) {
-        if (kTraced && !isEnd()) { // else Admission tells
+        if (kTraced && !isEnd()) // else Admission tells
             tell(PortalFate::WrongSide);
-        }
         return;
     }
     ++counts.portalsTested;
@@ -151,16 +143,13 @@ void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& r
         side <= kNear && containsProjection(input.graph->polygon(portal), portal.plane.n, input.eye, kNear);
     if (!inside) {
         Rect opening;
-        if (side <= 0.0) {
+        if (side <= 0.0)
             return tell(PortalFate::EdgeOn);
-        }
-        if (!screenRect(input, portal, opening)) {
+        if (!screenRect(input, portal, opening))
             return tell(PortalFate::BehindEye);
-        }
         through = intersection(rect, opening);
-        if (through.empty()) {
+        if (through.empty())
             return tell(PortalFate::OutsideRegion);
-        }
     }
     ++counts.portalsAdmitted;
     tell(PortalFate::WithinZone);
@@ -182,13 +171,11 @@ bool CellFlood::screenRect(const Input& input, const Graph::Portal& portal, Rect
     if (cut) {
         rect = {};
         swap_.clear();
-        for (const Vec3& vertex : polygon) {
+        for (const Vec3& vertex : polygon)
             swap_.push_back(input.screenFromEye * (vertex - input.eye));
-        }
         clipPolygon(swap_, Plane{Vec3(0, 0, 1), -kMinW}, 0.0, clipped_);
-        for (const Vec3& p : clipped_) {
+        for (const Vec3& p : clipped_)
             include(rect, p.x / p.z, p.y / p.z);
-        }
     }
     rect = {rect.minX - kMargin, rect.minY - kMargin, rect.maxX + kMargin, rect.maxY + kMargin};
     return !rect.empty();

@@ -39,13 +39,11 @@ public:
         addRoot();
         visitSpaces(0);
         while (!s_.pending.items.empty()) {
-            if (out_.visits.size() >= maxVisits) {
+            if (out_.visits.size() >= maxVisits)
                 return false;
-            }
             const std::uint32_t next = popPending();
-            if (!out_.visits[next].hole) {
+            if (!out_.visits[next].hole)
                 visitSpaces(next);
-            }
         }
         return true;
     }
@@ -90,12 +88,10 @@ private:
 
     /// Of one that has become a visit, or a hole.
     static PortalFate fateOf(const Candidate& c, const Graph::Portal& portal) {
-        if (!c.hole) {
+        if (!c.hole)
             return PortalFate::Admitted;
-        }
-        if (c.shut) {
+        if (c.shut)
             return PortalFate::Shut;
-        }
         return portal.destination == kNone ? PortalFate::LeadsNowhere : PortalFate::PairMissed;
     }
 
@@ -108,12 +104,10 @@ private:
                       entryRect, in_.trace},
                      out_.seen, out_.counts);
         s_.children.clear();
-        for (std::size_t i = firstSeen; i < out_.seen.size(); ++i) {
+        for (std::size_t i = firstSeen; i < out_.seen.size(); ++i)
             openingsOf(index, out_.seen[i]);
-        }
-        if (in_.rules.siblingOrder) {
+        if (in_.rules.siblingOrder)
             sortChildren(index);
-        }
         for (std::size_t i = s_.children.items.size(); i-- > 0;) {
             const Candidate& c = s_.children.items[i];
             s_.pending.add(c, s_.children.region(c));
@@ -127,11 +121,10 @@ private:
             const std::vector<Candidate> before = s_.children.items;
             s_.order.sort(s_.children, out_.counts);
             const std::vector<Candidate>& left = s_.children.items;
-            for (const Candidate& c : before) {
+            for (const Candidate& c : before)
                 if (std::none_of(left.begin(), left.end(),
                                  [&](const auto& l) { return l.portal == c.portal; }))
                     note<kTraced>(in_.trace, visit, c.portal, PortalFate::Covered);
-            }
         }
     }
 
@@ -141,17 +134,15 @@ private:
             note<kTraced>(in_.trace, visit, node.portal, admission_.whyUnseen(visit, node.portal));
             return;
         }
-        for (const std::uint32_t child : {node.child, node.child + 1}) {
+        for (const std::uint32_t child : {node.child, node.child + 1})
             noteUnseen(visit, in_.graph.boundsNodes()[child]);
-        }
     }
 
     void openingsOf(std::uint32_t visit, const SeenSpace& seen) {
         const Graph::Space& space = in_.graph.spaces()[seen.space];
         if (space.root == kNone) {
-            for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
                 admission_.template admit<kTraced>(visit, p, s_.children);
-            }
             return;
         }
         s_.nodes.assign(1, space.root);
@@ -159,9 +150,8 @@ private:
             const Graph::BoundsNode& node = in_.graph.boundsNodes()[s_.nodes.back()];
             s_.nodes.pop_back();
             if (!mayBeSeen(visit, node.box)) {
-                if constexpr (kTraced) {
+                if constexpr (kTraced)
                     noteUnseen(visit, node);
-                }
                 continue;
             }
             if (node.child == kNone) {
@@ -181,16 +171,14 @@ private:
         const auto behind = [&](const Vec3& n, double d) {
             return glm::dot(n, centre) + d + glm::dot(glm::abs(n), half) < 0.0;
         };
-        if (behind(visit.entryPlane.n, visit.entryPlane.d)) {
+        if (behind(visit.entryPlane.n, visit.entryPlane.d))
             return false;
-        }
         const auto region = out_.region(visit);
         const Mat3 eyeFromScreenNormal = glm::transpose(in_.screen);
         for (std::size_t i = 0; i < region.size(); ++i) {
             const Vec3 edge = glm::cross(region[i], region[i + 1 == region.size() ? 0 : i + 1]);
-            if (behind(eyeFromScreenNormal * edge, 0.0)) {
+            if (behind(eyeFromScreenNormal * edge, 0.0))
                 return false;
-            }
         }
         return true;
     }
@@ -215,17 +203,15 @@ void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View&
     const auto isWhole = [&](double smallest) {
         out.clear();
         scratch.data().pending.clear();
-        if (trace == nullptr) {
+        if (trace == nullptr)
             return Walk<false>(input, smallest, scratch.data(), out).run(most);
-        }
         trace->clear();
         return Walk<true>(input, smallest, scratch.data(), out).run(most);
     };
     // Too many: leave out the smallest openings, ever larger ones until the budget holds. Regions shrink
     // along a chain, so what is left is a tree, and the largest.
-    for (double smallest = 0.0; !isWhole(smallest);) {
+    for (double smallest = 0.0; !isWhole(smallest);)
         smallest = smallest == 0.0 ? 1e-7 : smallest * 4.0;
-    }
 }
 
 } // namespace limen::visibility

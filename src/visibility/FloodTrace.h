@@ -44,9 +44,8 @@ struct FloodTrace {
 template <bool kTraced>
 void note([[maybe_unused]] FloodTrace* trace, [[maybe_unused]] std::uint32_t visit,
           [[maybe_unused]] std::uint32_t portal, [[maybe_unused]] PortalFate fate) {
-    if constexpr (kTraced) {
+    if constexpr (kTraced)
         trace->entries.push_back({visit, portal, fate});
-    }
 }
 
 } // namespace limen::visibility

@@ -19,31 +19,23 @@ constexpr double kFlat = 1e-9;
 Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<const SpaceDesc> spaces,
                          std::size_t portalCount, std::span<const Vec3> vertices) {
     const std::string where = fmt::format("portal {}", index);
-    if (portal.space >= spaces.size() ||
-        (portal.destination != kNone && portal.destination >= spaces.size())) {
+    if (portal.space >= spaces.size() || (portal.destination != kNone && portal.destination >= spaces.size()))
         return fail(ErrorCode::BadArgument, where, "names a space that does not exist");
-    }
     const SpaceDesc& space = spaces[portal.space];
-    if (index < space.firstPortal || index - space.firstPortal >= space.portalCount) {
+    if (index < space.firstPortal || index - space.firstPortal >= space.portalCount)
         return fail(ErrorCode::BadArgument, where, "is not in the run of portals of its space");
-    }
-    if (portal.reciprocal != kNone && portal.reciprocal >= portalCount) {
+    if (portal.reciprocal != kNone && portal.reciprocal >= portalCount)
         return fail(ErrorCode::BadArgument, where, "names a reciprocal portal that does not exist");
-    }
-    if (portal.firstVertex > vertices.size() || portal.vertexCount > vertices.size() - portal.firstVertex) {
+    if (portal.firstVertex > vertices.size() || portal.vertexCount > vertices.size() - portal.firstVertex)
         return fail(ErrorCode::BadArgument, where, "has vertices outside the array");
-    }
-    if (portal.firstOutline > vertices.size() ||
-        portal.outlineCount > vertices.size() - portal.firstOutline) {
+    if (portal.firstOutline > vertices.size() || portal.outlineCount > vertices.size() - portal.firstOutline)
         return fail(ErrorCode::BadArgument, where, "has an outline outside the array");
-    }
     const auto finite = [](const Vec3& v) { return isFinite(v); };
     const auto polygon = vertices.subspan(portal.firstVertex, portal.vertexCount);
     const auto outline = vertices.subspan(portal.firstOutline, portal.outlineCount);
     if (!std::all_of(polygon.begin(), polygon.end(), finite) ||
-        !std::all_of(outline.begin(), outline.end(), finite)) {
+        !std::all_of(outline.begin(), outline.end(), finite))
         return fail(ErrorCode::BadArgument, where, "has a vertex that is not finite");
-    }
     return {};
 }
 
@@ -63,9 +55,8 @@ public:
 private:
     void fill(std::uint32_t node, std::span<std::uint32_t> portals) {
         Aabb box;
-        for (const std::uint32_t p : portals) {
+        for (const std::uint32_t p : portals)
             box.include(boxes_[p]);
-        }
         nodes_[node].box = box;
         if (portals.size() == 1) {
             nodes_[node].portal = portals[0];
@@ -92,11 +83,9 @@ private:
 /// How far the farthest corner lies off the plane.
 double unevenness(const Plane& plane, std::span<const Vec3> polygon, std::span<const Vec3> outline) {
     double most = 0.0;
-    for (const std::span<const Vec3> corners : {polygon, outline}) {
-        for (const Vec3& corner : corners) {
+    for (const std::span<const Vec3> corners : {polygon, outline})
+        for (const Vec3& corner : corners)
             most = std::max(most, std::abs(plane.signedDistance(corner)));
-        }
-    }
     return most;
 }
 
@@ -124,32 +113,27 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
     std::vector<Aabb> boxes(portals.size());
     for (std::size_t i = 0; i < portals.size(); ++i) {
         const PortalDesc& p = portals[i];
-        if (auto checked = checkPortal(p, i, spaces, portals.size(), vertices); !checked) {
+        if (auto checked = checkPortal(p, i, spaces, portals.size(), vertices); !checked)
             return tl::unexpected(checked.error());
-        }
         graph.addPortal(p, vertices);
-        for (const Vec3& v : graph.polygon(graph.portals_.back())) {
+        for (const Vec3& v : graph.polygon(graph.portals_.back()))
             boxes[i].include(v);
-        }
-        for (const Vec3& v : graph.outline(graph.portals_.back())) {
+        for (const Vec3& v : graph.outline(graph.portals_.back()))
             boxes[i].include(v);
-        }
     }
     std::vector<std::uint32_t> order;
     for (std::size_t i = 0; i < spaces.size(); ++i) {
         const SpaceDesc& s = spaces[i];
-        if (s.firstPortal > portals.size() || s.portalCount > portals.size() - s.firstPortal) {
+        if (s.firstPortal > portals.size() || s.portalCount > portals.size() - s.firstPortal)
             return fail(ErrorCode::BadArgument, fmt::format("space {}", i), "has portals outside the array");
-        }
         Space space{s.firstPortal, s.portalCount, s.zone, kNone};
         if (s.portalCount > kPortalsWithoutTree) {
             order.resize(s.portalCount);
             std::iota(order.begin(), order.end(), s.firstPortal);
             // A portal without a vertex has no box and is never admitted: leave it out of the tree.
             std::erase_if(order, [&](std::uint32_t p) { return boxes[p].empty(); });
-            if (!order.empty()) {
+            if (!order.empty())
                 space.root = BoundsTree(graph.nodes_, boxes).build(order);
-            }
         }
         graph.spaces_.push_back(space);
     }

@@ -16,11 +16,9 @@ bool isOutside(const Vec3& a, const Vec3& p, const Vec3& b) {
 /// The place of a vertex that its neighbours leave inside, or the polygon's size.
 std::size_t findDent(std::span<const Vec3> polygon) {
     const std::size_t n = polygon.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!isOutside(polygon[i == 0 ? n - 1 : i - 1], polygon[i], polygon[i + 1 == n ? 0 : i + 1])) {
+    for (std::size_t i = 0; i < n; ++i)
+        if (!isOutside(polygon[i == 0 ? n - 1 : i - 1], polygon[i], polygon[i + 1 == n ? 0 : i + 1]))
             return i;
-        }
-    }
     return n;
 }
 
@@ -29,18 +27,16 @@ std::size_t findDent(std::span<const Vec3> polygon) {
 void hullSeenFrom(const Vec3& eye, std::span<const Vec3> polygon, const Vec3& normal, std::vector<Vec3>& out,
                   std::vector<Vec3>& swap) {
     out.clear();
-    for (const Vec3& vertex : polygon) {
+    for (const Vec3& vertex : polygon)
         out.push_back(vertex - eye);
-    }
     const auto isBefore = [&](const Vec3& v) { return glm::dot(normal, v) < 0.0; };
     if (!std::all_of(out.begin(), out.end(), isBefore)) {
         swap.swap(out);
         clipPolygon(swap, {-normal, 0.0}, 0.0, out);
         return;
     }
-    for (std::size_t dent = findDent(out); out.size() > 3 && dent < out.size(); dent = findDent(out)) {
+    for (std::size_t dent = findDent(out); out.size() > 3 && dent < out.size(); dent = findDent(out))
         out.erase(out.begin() + static_cast<std::ptrdiff_t>(dent));
-    }
 }
 
 } // namespace limen::visibility

@@ -6,19 +6,16 @@ namespace limen::visibility {
 
 void clipByEyePlane(std::span<const Vec3> polygon, const Vec3& normal, std::vector<Vec3>& out) {
     out.clear();
-    if (polygon.empty()) {
+    if (polygon.empty())
         return;
-    }
     Vec3 previous = polygon.back();
     double previousSide = glm::dot(normal, previous);
     for (const Vec3& current : polygon) {
         const double side = glm::dot(normal, current);
-        if ((side >= 0.0) != (previousSide >= 0.0)) {
+        if ((side >= 0.0) != (previousSide >= 0.0))
             out.push_back(previous + (current - previous) * (previousSide / (previousSide - side)));
-        }
-        if (side >= 0.0) {
+        if (side >= 0.0)
             out.push_back(current);
-        }
         previous = current;
         previousSide = side;
     }
@@ -26,9 +23,8 @@ void clipByEyePlane(std::span<const Vec3> polygon, const Vec3& normal, std::vect
 
 double coneSize(std::span<const Vec3> region) {
     Vec3 sum(0.0);
-    for (std::size_t i = 1; i + 1 < region.size(); ++i) {
+    for (std::size_t i = 1; i + 1 < region.size(); ++i)
         sum += glm::cross(region[i] - region[0], region[i + 1] - region[0]);
-    }
     return std::sqrt(glm::dot(sum, sum));
 }
 
@@ -40,12 +36,10 @@ void tidyRegion(std::vector<Vec3>& region) {
     // Vertices closer than 10⁻¹² rad say nothing more and would make edges without a direction.
     const auto same = [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) < 1e-24; };
     region.erase(std::unique(region.begin(), region.end(), same), region.end());
-    while (region.size() > 1 && same(region.front(), region.back())) {
+    while (region.size() > 1 && same(region.front(), region.back()))
         region.pop_back();
-    }
-    if (region.size() < 3 || coneSize(region) < kEmptyCone) {
+    if (region.size() < 3 || coneSize(region) < kEmptyCone)
         region.clear();
-    }
 }
 
 void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, std::vector<Vec3>& out,

@@ -18,18 +18,16 @@ constexpr std::size_t kMostParts = 8;
 
 Vec3 centroid(std::span<const Vec3> region) {
     Vec3 sum(0.0);
-    for (const Vec3& v : region) {
+    for (const Vec3& v : region)
         sum += v;
-    }
     return sum;
 }
 
 /// How far along direction `d` (x, y, w; any length, the unit of the result) the candidate's plane is met. An eye in the
 /// plane leaves through it at once, also where it lies a little before or behind.
 double distanceAlong(const Candidate& c, const Vec3& d) {
-    if (c.inPlane) {
+    if (c.inPlane)
         return 0.0;
-    }
     const double speed = glm::dot(c.planeOnScreen, d);
     return speed > 0.0 ? -c.entryPlane.d / speed : 0.0;
 }
@@ -37,11 +35,9 @@ double distanceAlong(const Candidate& c, const Vec3& d) {
 bool contains(std::span<const Vec3> outer, std::span<const Vec3> inner) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
         const Vec3 edge = glm::cross(outer[i], outer[(i + 1) % outer.size()]);
-        for (const Vec3& v : inner) {
-            if (glm::dot(edge, v) < 0.0) {
+        for (const Vec3& v : inner)
+            if (glm::dot(edge, v) < 0.0)
                 return false;
-            }
-        }
     }
     return true;
 }
@@ -50,19 +46,16 @@ bool contains(std::span<const Vec3> outer, std::span<const Vec3> inner) {
 
 SiblingOrder::Relation SiblingOrder::compare(const CandidateList& list, const Candidate& a,
                                              const Candidate& b) {
-    if (intersection(a.rect, b.rect).empty()) {
+    if (intersection(a.rect, b.rect).empty())
         return Relation::None;
-    }
     clipByRegion(list.region(a), list.region(b), overlap_, swap_);
-    if (overlap_.empty() || coneSize(overlap_) < kTouching) {
+    if (overlap_.empty() || coneSize(overlap_) < kTouching)
         return Relation::None;
-    }
     const auto before = [&] {
         return contains(list.region(b), list.region(a)) ? Relation::Covered : Relation::Before;
     };
-    if (a.portal == b.portal && a.hole != b.hole) { // in one plane: where the pair is open, the hole is not
+    if (a.portal == b.portal && a.hole != b.hole) // in one plane: where the pair is open, the hole is not
         return a.hole ? before() : Relation::After;
-    }
     const Vec3 direction = centroid(overlap_);
     const double da = distanceAlong(a, direction);
     const double db = distanceAlong(b, direction);
@@ -107,18 +100,16 @@ bool SiblingOrder::place(const CandidateList& list) {
             const auto waits = [&](std::uint32_t j) {
                 return done_[j] == 0 && relations_[i * n + j] == Relation::After;
             };
-            if (done_[i] != 0 || std::any_of(byDistance_.begin(), byDistance_.end(), waits)) {
+            if (done_[i] != 0 || std::any_of(byDistance_.begin(), byDistance_.end(), waits))
                 continue;
-            }
             order_.push_back(i);
             done_[i] = 1;
             --left;
             placed = true;
             break;
         }
-        if (!placed) {
+        if (!placed)
             return false;
-        }
     }
     return true;
 }
@@ -144,11 +135,9 @@ void SiblingOrder::placeRest() {
 
 bool SiblingOrder::cutInto(const CandidateList& list, std::uint32_t cut, std::uint32_t by) {
     next_.clear();
-    for (std::uint32_t i = 0; i < list.items.size(); ++i) {
-        if (i != cut) {
+    for (std::uint32_t i = 0; i < list.items.size(); ++i)
+        if (i != cut)
             next_.add(list.items[i], list.region(list.items[i]));
-        }
-    }
     const auto edges = list.region(list.items[by]);
     Candidate part = list.items[cut];
     part.split = true;
@@ -173,9 +162,8 @@ bool SiblingOrder::cutInto(const CandidateList& list, std::uint32_t cut, std::ui
 }
 
 void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
-    if (list.items.size() < 2) {
+    if (list.items.size() < 2)
         return;
-    }
     const std::size_t most = kMostParts * list.items.size();
     for (;;) {
         distance_.clear();
@@ -192,9 +180,8 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
                        : list.items[a].hole && !list.items[b].hole;
         });
         relate(list);
-        if (place(list)) {
+        if (place(list))
             break;
-        }
         if (list.items.size() > most || !split(list)) { // bent, pierced, or alike but for rounding
             ++counts.cyclesLeft;
             placeRest();
@@ -203,9 +190,8 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
         ++counts.cyclesSplit;
     }
     next_.clear();
-    for (const std::uint32_t i : order_) {
+    for (const std::uint32_t i : order_)
         next_.add(list.items[i], list.region(list.items[i]));
-    }
     std::swap(list, next_);
 }
 

@@ -76,15 +76,12 @@ template <std::size_t Count>
 template <std::size_t Count>
 [[gnu::always_inline]] inline void leastOf(const Question& asked, const Spheres<Count>& spheres,
                                            Values<Count>& least) {
-    for (std::size_t i = 0; i < Count; ++i) {
+    for (std::size_t i = 0; i < Count; ++i)
         least[i] = std::numeric_limits<float>::infinity();
-    }
-    for (std::uint32_t e = 0; e < asked.edgesCount; ++e) {
+    for (std::uint32_t e = 0; e < asked.edgesCount; ++e)
         lessen(least, asked.edges[e].floats(), spheres);
-    }
-    if (asked.rect != nullptr) {
+    if (asked.rect != nullptr)
         lessen(least, asked.rect->floats(), spheres);
-    }
 }
 
 /// Of a number that comes of a ball some fourteen roundings, each of 2^-24 of what is no more than its distance and reach, make less
@@ -93,9 +90,8 @@ template <std::size_t Count>
 template <std::size_t Count>
 [[gnu::always_inline]] inline int countDoubtful(const Values<Count>& values, const Values<Count>& slack) {
     int doubtful = 0;
-    for (std::size_t i = 0; i < Count; ++i) {
+    for (std::size_t i = 0; i < Count; ++i)
         doubtful += std::abs(values[i]) < slack[i] ? 1 : 0;
-    }
     return doubtful;
 }
 
@@ -133,9 +129,8 @@ std::uint32_t listByAny(const Question& asked, const SphereBatch& block, const s
     Sides<SphereBatch::kCount> sides;
     tellSides(asked, block, 0, eye, sides);
     int doubtful = 0;
-    for (std::uint32_t i = 0; i < SphereBatch::kCount; ++i) {
+    for (std::uint32_t i = 0; i < SphereBatch::kCount; ++i)
         doubtful += sides.doubt[i] > 0.0f && i < listing.count ? 1 : 0;
-    }
     // What is found is written either way, and counts or does not: nobody can foretell.
     std::uint32_t found = 0;
     for (std::uint32_t i = 0; i < listing.count; ++i) {
@@ -151,11 +146,9 @@ constexpr std::array<std::uint64_t, 256> numbersOfBits() {
     std::array<std::uint64_t, 256> numbers{};
     for (std::size_t bits = 0; bits < numbers.size(); ++bits) {
         std::uint64_t found = 0;
-        for (std::uint64_t i = 0; i < 8; ++i) {
-            if ((bits >> i & 1) != 0) {
+        for (std::uint64_t i = 0; i < 8; ++i)
+            if ((bits >> i & 1) != 0)
                 numbers[bits] |= i << 8 * found++;
-            }
-        }
     }
     return numbers;
 }
@@ -176,9 +169,8 @@ constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
         outside |= static_cast<Bits>(_mm256_movemask_ps(_mm256_loadu_ps(sides.within.data()))) << at;
     }
     const Bits listed = bitsOfThoseListed(listing);
-    if ((doubtful & listed) != 0) {
+    if ((doubtful & listed) != 0)
         return Viewcones::kCannotTell;
-    }
     const Bits inside = ~outside & listed;
     std::uint32_t found = 0;
     for (std::uint32_t at = 0; at < SphereBatch::kCount; at += kLanes) {
@@ -200,9 +192,8 @@ listByAvx512(const Question& asked, const SphereBatch& block, const std::array<f
     const auto listed = static_cast<__mmask16>(bitsOfThoseListed(listing));
     const __m512 within = _mm512_loadu_ps(sides.within.data());
     if (_mm512_mask_cmp_ps_mask(listed, _mm512_loadu_ps(sides.doubt.data()), _mm512_setzero_ps(),
-                                _CMP_GT_OQ) != 0) {
+                                _CMP_GT_OQ) != 0)
         return Viewcones::kCannotTell;
-    }
     const __mmask16 inside = _mm512_mask_cmp_ps_mask(listed, within, _mm512_setzero_ps(), _CMP_GE_OQ);
     const __m512i numbers =
         _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(listing.first)),
@@ -217,12 +208,10 @@ listByAvx512(const Question& asked, const SphereBatch& block, const std::array<f
 Vectors widestVectors() {
 #ifdef __x86_64__
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512dq")) {
+        __builtin_cpu_supports("avx512dq"))
         return Vectors::Avx512;
-    }
-    if (__builtin_cpu_supports("avx2")) {
+    if (__builtin_cpu_supports("avx2"))
         return Vectors::Avx2;
-    }
 #endif
     return Vectors::Any;
 }
@@ -260,13 +249,11 @@ std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewSpheres
         within[i] = least[i] + spheres.far[i];
         beyond[i] = least[i] - spheres.far[i];
     }
-    if (countDoubtful(within, spheres.slack) + countDoubtful(beyond, spheres.slack) > 0) {
+    if (countDoubtful(within, spheres.slack) + countDoubtful(beyond, spheres.slack) > 0)
         return classifyOneByOne(block, eye);
-    }
     std::array<Containment, kFew> found;
-    for (std::size_t i = 0; i < kFew; ++i) {
+    for (std::size_t i = 0; i < kFew; ++i)
         found[i] = static_cast<Containment>((within[i] >= 0.0f ? 1 : 0) + (beyond[i] > 0.0f ? 1 : 0));
-    }
     return found;
 }
 

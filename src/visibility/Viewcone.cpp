@@ -13,9 +13,8 @@ void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
     for (const Visit& visit : set.visits) {
         Cone cone{visit.entryPlane, static_cast<std::uint32_t>(edges_.size()), (visit.vertexCount + 3) / 4,
                   visit.parent};
-        if (visit.depth == 0) {
+        if (visit.depth == 0)
             cone.entry = {Vec3(0.0), 1e30}; // everything is beyond where the eye is
-        }
         const auto region = set.region(visit);
         edges_.resize(edges_.size() + cone.edgesCount);
         for (std::size_t i = 0; i < std::size_t{4} * cone.edgesCount; ++i) {
@@ -29,22 +28,19 @@ void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
 }
 
 bool Viewcones::descends(std::uint32_t visit, std::uint32_t ancestor) const {
-    while (visit > ancestor) { // parents come before children
+    while (visit > ancestor) // parents come before children
         visit = cones_[visit].parent;
-    }
     return visit == ancestor;
 }
 
 bool Viewcones::isHidden(std::uint32_t visit, const SeenSphere& sphere) const {
     for (std::uint32_t later = visit + 1; later < cones_.size(); ++later) {
         const Cone& cone = cones_[later];
-        if (classifyOnScreen(cone, sphere) == Containment::Outside) {
+        if (classifyOnScreen(cone, sphere) == Containment::Outside)
             continue;
-        }
         const bool before = cone.entry.signedDistance(sphere.centre) < -sphere.radius - sphere.slack;
-        if (!before || !descends(later, visit)) {
+        if (!before || !descends(later, visit))
             return true;
-        }
     }
     return false;
 }

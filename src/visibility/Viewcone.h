@@ -98,9 +98,8 @@ public:
     /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
     [[nodiscard]] Containment classify(std::uint32_t visit, const SeenSphere& sphere) const {
         // The root's alone: everything is beyond where the eye is, and nothing is drawn later.
-        if (cones_.size() == 1) {
+        if (cones_.size() == 1)
             return classifyOnScreen(cones_.front(), sphere);
-        }
         const Containment alone = classifyAlone(cones_[visit], sphere);
         return alone == Containment::Inside && isHidden(visit, sphere) ? Containment::Partial : alone;
     }
@@ -145,17 +144,15 @@ private:
         Containment found = Containment::Inside;
         for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
             found = std::min(found, classify(edges_[e], sphere));
-            if (found == Containment::Outside) {
+            if (found == Containment::Outside)
                 break;
-            }
         }
         return found;
     }
     [[nodiscard]] Containment classifyAlone(const Cone& cone, const SeenSphere& sphere) const {
         const double beyond = cone.entry.signedDistance(sphere.centre);
-        if (beyond < -sphere.radius - sphere.slack) {
+        if (beyond < -sphere.radius - sphere.slack)
             return Containment::Outside;
-        }
         const Containment onScreen = classifyOnScreen(cone, sphere);
         return onScreen == Containment::Inside && beyond <= sphere.radius + sphere.slack
                    ? Containment::Partial

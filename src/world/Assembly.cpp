@@ -153,9 +153,8 @@ void Assembly::findMembers() {
             world_.looseObjects.push_back({group.first, group.count, group.bounds});
         const auto first = static_cast<std::uint32_t>(world_.members.size());
         world_.members.insert(world_.members.end(), reached.begin(), reached.end());
-        for (InstanceIndex i = group.first; i < group.first + group.count; ++i) {
+        for (InstanceIndex i = group.first; i < group.first + group.count; ++i)
             world_.instances[i].setMembers(first, reached.size());
-        }
     }
 }
 

@@ -278,10 +278,9 @@ void Assembly::findAloneness() {
         const Vec3 centre = idle.origin + idle.orientation * sphere.centre * idle.scale;
         idle.isAlone = isAlone(idle.space, {centre, sphere.radius * idle.scale});
     }
-    for (ParticleSource& source : world_.particleSources) {
+    for (ParticleSource& source : world_.particleSources)
         if (source.villager == kNone && source.idle == kNone)
             source.isAlone = isAlone(source.space, {source.at.origin, source.reach});
-    }
 }
 
 } // namespace limen::world

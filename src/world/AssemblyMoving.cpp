@@ -43,10 +43,9 @@ MeshData fillingMesh(const World& world, const Portal& portal, const Vec3& origi
 
 PortalIndex findPortal(const World& world, SpaceIndex space, std::uint32_t recordIndex) {
     const Space& from = world.spaces[space];
-    for (PortalIndex p = from.firstPortal; p < from.firstPortal + from.portalCount; ++p) {
+    for (PortalIndex p = from.firstPortal; p < from.firstPortal + from.portalCount; ++p)
         if (world.portals[p].recordIndex == recordIndex)
             return p;
-    }
     return kNone;
 }
 

@@ -116,10 +116,9 @@ void Assembly::addObjects(const BlockContent& block) {
 
 void Assembly::addResident(const PlacedModel& object, const Model& model, const Sphere& bounds) {
     Group group{static_cast<InstanceIndex>(world_.instances.size()), 0, bounds};
-    for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
+    for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther})
         for (const ModelPart& part : *parts)
             addPart(object, part);
-    }
     group.count = static_cast<InstanceIndex>(world_.instances.size()) - group.first;
     if (group.count > 0)
         objects_.push_back(group);
@@ -234,11 +233,10 @@ TerrainCell Assembly::paint(const CellCorners& corners) {
             cell.overlays[used++] = masked(overlay.terrainType, maps, *choice);
     }
     used = 0;
-    for (const std::uint32_t code : recipe.roadCodes) {
+    for (const std::uint32_t code : recipe.roadCodes)
         if (const auto choice = chooseRoadMap(codesOf(merge.roads), code, palette);
             choice && used < cell.roads.size())
             cell.roads[used++] = masked(kRoadType, merge.roads, *choice);
-    }
     return cell;
 }
 
@@ -254,10 +252,9 @@ void Assembly::addSky() {
             addSkyParts({group, i, kNone, 0, objects[i], 0}, objects[i].object, meshes);
             std::set<dat::RecordId> replacements;
             for (const dat::SkyTimeOfDay& time : region_->sky.dayGroups[group].times) {
-                for (const dat::SkyObjectReplace& replace : time.replaces) {
+                for (const dat::SkyObjectReplace& replace : time.replaces)
                     if (replace.objectIndex == i && replacements.insert(replace.gfxObj).second)
                         addSkyParts({group, i, kNone, 0, objects[i], replace.gfxObj}, replace.gfxObj, meshes);
-                }
             }
         }
     }

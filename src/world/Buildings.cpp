@@ -21,10 +21,9 @@ void draftPart(const dat::GfxObj& model, const Placement& placement, std::size_t
     part.surfaces = model.surfaces;
     for (SourcePolygon& polygon : readPolygons(model.vertexArray, model.polygons, model.surfaces.size(),
                                                portals, model.id, findings)) {
-        for (const PortalPolygonRef& ref : refs) {
+        for (const PortalPolygonRef& ref : refs)
             if (ref.polygonId == polygon.id)
                 draft.portalPolygons[ref.portalIndex] = placed(polygon, placement);
-        }
         if (!polygon.isDrawn())
             continue;
         const std::uint32_t handle = geometry.add(std::move(polygon), placement);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "world/BlockContent.h"
 #include "world/BakedGeometry.h"
+#include "world/BlockContent.h"
 
 namespace limen::world {
 

@@ -99,10 +99,9 @@ const dat::CellStruct* findShape(const dat::EnvCell& cell, Records& records) {
     const dat::Environment* environment = records.environment(0x0D000000u | cell.environment);
     if (environment == nullptr)
         return nullptr;
-    for (const auto& [key, shape] : environment->cells) {
+    for (const auto& [key, shape] : environment->cells)
         if (key == cell.cellStructure)
             return &shape;
-    }
     return nullptr;
 }
 

@@ -35,10 +35,9 @@ dat::RecordId paletteOf(const dat::PaletteChange& change, double shade, Records&
 void changeColours(const dat::PaletteTemplate& colours, double shade, Records& records, Dress& dress) {
     for (const dat::PaletteChange& change : colours.changes) {
         const dat::RecordId palette = paletteOf(change, shade, records);
-        for (const dat::PaletteRange& range : change.ranges) {
+        for (const dat::PaletteRange& range : change.ranges)
             if (palette != 0)
                 dress.overlays.push_back({palette, range.offset, range.count});
-        }
     }
 }
 

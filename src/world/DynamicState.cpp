@@ -21,10 +21,9 @@ void listBySpace(std::size_t spaceCount, DynamicState& dynamics) {
     const auto membersOf = [&](const Instance& instance) {
         return std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
     };
-    for (const Instance& instance : dynamics.instances) {
+    for (const Instance& instance : dynamics.instances)
         for (const SpaceIndex space : membersOf(instance))
             ++ends[space + 1];
-    }
     // From here on behind each space its run's end so far, which is the next one's begin when all are listed.
     std::uint32_t total = 0;
     for (std::size_t space = 1; space < ends.size(); ++space) {
@@ -34,10 +33,9 @@ void listBySpace(std::size_t spaceCount, DynamicState& dynamics) {
     }
     dynamics.listed.resize(total,
                            dynamics.instances.empty() ? Vec3(0.0) : dynamics.instances.front().bounds.centre);
-    for (InstanceIndex i = 0; i < dynamics.instances.size(); ++i) {
+    for (InstanceIndex i = 0; i < dynamics.instances.size(); ++i)
         for (const SpaceIndex space : membersOf(dynamics.instances[i]))
             dynamics.listed.set(ends[space + 1]++, dynamics.instances[i], i);
-    }
 }
 
 } // namespace limen::world

@@ -24,7 +24,18 @@ private:
 };
 
 /// Content keys: what kind of thing a mesh was made from, and its record.
-enum class MeshSource : std::uint64_t { GfxObj, Shell, Terrain, Exterior, Sky, Filling, Sprite, ShutPane, Ghost, Particle };
+enum class MeshSource : std::uint64_t {
+    GfxObj,
+    Shell,
+    Terrain,
+    Exterior,
+    Sky,
+    Filling,
+    Sprite,
+    ShutPane,
+    Ghost,
+    Particle
+};
 [[nodiscard]] constexpr std::uint64_t contentKey(MeshSource source, dat::RecordId record,
                                                  std::uint32_t index = 0) {
     return static_cast<std::uint64_t>(source) << 60 | static_cast<std::uint64_t>(index & 0x0FFFFFFFu) << 32 |

@@ -28,10 +28,9 @@ const auto& made(Map& map, dat::RecordId id, Kept* kept, const Key& key, Records
 /// The frames of the pose for static display: resting, else default, else the first there is.
 const dat::AnimationFrame* restingPose(const dat::Setup& setup) {
     for (const std::uint32_t wanted : {dat::Setup::kPlacementResting, dat::Setup::kPlacementDefault}) {
-        for (const auto& [placement, frame] : setup.placementFrames) {
+        for (const auto& [placement, frame] : setup.placementFrames)
             if (placement == wanted)
                 return &frame;
-        }
     }
     return setup.placementFrames.empty() ? nullptr : &setup.placementFrames.front().second;
 }
@@ -162,10 +161,9 @@ Model Models::read(dat::RecordId id, const Dress* dress) {
     std::vector<Vec3> points;
     for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
         for (const ModelPart& posed : *parts) {
-            if (const PartMesh* mesh = part(posed.gfxObj)) {
+            if (const PartMesh* mesh = part(posed.gfxObj))
                 for (const MeshVertex& vertex : mesh->mesh.vertices)
                     points.push_back(posed.origin + posed.linear * vertex.corner());
-            }
         }
     }
     model.bounds = boundingSphere(points);
@@ -192,10 +190,9 @@ std::optional<PartMesh> Models::build(dat::RecordId gfxObj) {
     std::vector<std::uint32_t> polygons;
     std::vector<Finding> findings;
     for (SourcePolygon& polygon : readPolygons(record->vertexArray, record->polygons, record->surfaces.size(),
-                                               portals, gfxObj, findings)) {
+                                               portals, gfxObj, findings))
         if (polygon.isDrawn())
             polygons.push_back(geometry.add(std::move(polygon), {})); // readPolygons refuses what add would
-    }
     records_.say(findings);
     geometry.bake();
     MeshBuilder builder(listsOf(record->surfaces, records_));

@@ -8,10 +8,9 @@ namespace limen::world {
 
 std::vector<dat::BlockCoord> blocksAround(dat::BlockCoord centre, int radius) {
     std::vector<dat::BlockCoord> blocks;
-    for (int x = std::max(centre.x - radius, 0); x <= std::min(centre.x + radius, kMapSize - 1); ++x) {
+    for (int x = std::max(centre.x - radius, 0); x <= std::min(centre.x + radius, kMapSize - 1); ++x)
         for (int y = std::max(centre.y - radius, 0); y <= std::min(centre.y + radius, kMapSize - 1); ++y)
             blocks.push_back({x, y});
-    }
     return blocks;
 }
 

@@ -78,10 +78,9 @@ void PointTree::nearSegment(const Vec3& a, const Vec3& b, double radius,
             stack[top++] = at + 1;
             continue;
         }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
             if (distanceToSegment(points_[order_[i]], a, b).distance <= radius)
                 out.push_back(order_[i]);
-        }
     }
 }
 

@@ -45,10 +45,9 @@ Between keyframesAt(const dat::DayGroup& group, double t) {
     }
     from = from == nullptr ? last : from; // before the first of the day the last of yesterday rules
     const dat::SkyTimeOfDay* to = nullptr;
-    for (const dat::SkyTimeOfDay& frame : group.times) {
+    for (const dat::SkyTimeOfDay& frame : group.times)
         if (before(*from, frame) && (to == nullptr || before(frame, *to)))
             to = &frame;
-    }
     to = to == nullptr ? first : to;
     const double b1 = from->begin, b2 = to->begin;
     const double span = b2 > b1 ? b2 - b1 : 1.0 - b1 + b2;

@@ -117,10 +117,9 @@ private:
             const std::array triangle{placedAt(placement, points[0]), placedAt(placement, points[i - 1]),
                                       placedAt(placement, points[i])};
             const Vec3 across = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-            for (const Vec3& corner : triangle) {
+            for (const Vec3& corner : triangle)
                 if (glm::length(across) > kLeastArea)
                     out_.corners.push_back(offset_ + corner);
-            }
         }
     }
 
@@ -181,16 +180,15 @@ private:
         if (setup == nullptr)
             return;
         // As the original: the shapes of the parts, else cylinders, else spheres (formats/geometry.md, Setup).
-        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0) {
+        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0)
             for (const ModelPart& part : models_.model(model).parts)
                 addGfxObj(part.gfxObj, within(placement, part.linear, part.origin));
-        } else if (!setup->cylSpheres.empty()) {
+        else if (!setup->cylSpheres.empty())
             for (const dat::CylSphere& c : setup->cylSpheres)
                 addRound(within(placement, Mat3(1.0), Vec3(c.low)), c.radius, 0.0, c.height);
-        } else {
+        else
             for (const dat::SphereF& s : setup->spheres)
                 addRound(within(placement, Mat3(1.0), Vec3(s.centre)), s.radius, s.radius, 0.0);
-        }
     }
 
     void addGfxObj(dat::RecordId id, const Placement& placement) {
@@ -249,10 +247,9 @@ Result<Solids> loadSolids(const dat::Archive& archive, const World& world, dat::
     solids.centre = centre;
     solids.origin = {centre.x * kBlockSize, centre.y * kBlockSize, 0.0};
     Reader reader(archive, world, region->get(), solids);
-    for (const dat::BlockCoord coord : blocks) {
+    for (const dat::BlockCoord coord : blocks)
         if (const Block* block = findBlock(world, coord))
             reader.read(*block);
-    }
     reader.addDoors();
     return solids;
 }

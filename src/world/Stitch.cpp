@@ -78,10 +78,9 @@ bool Stitcher::reconcile() {
     bool changed = false;
     for (const std::vector<std::uint32_t>& chain : chains) {
         for (std::size_t i = 0; i + 2 < chain.size(); ++i) {
-            for (std::size_t j = i + 2; j < chain.size(); ++j) {
+            for (std::size_t j = i + 2; j < chain.size(); ++j)
                 for (std::size_t k = i + 1; k < j; ++k)
                     changed = force(chain[i], chain[j], chain[k]) || changed;
-            }
         }
     }
     return changed;
@@ -94,10 +93,9 @@ const std::vector<Stitcher::Inserted>& Stitcher::onEdge(std::uint32_t a, std::ui
         const Vec3 from(vertices_[low]), to(vertices_[high]);
         near_.clear();
         tree_.nearSegment(from, to, kWeldTolerance, near_);
-        for (const std::uint32_t v : near_) {
+        for (const std::uint32_t v : near_)
             if (v != low && v != high)
                 entry->second.push_back({v, distanceToSegment(vertices_[v], from, to).t});
-        }
         std::sort(entry->second.begin(), entry->second.end(), along);
     }
     return entry->second;
@@ -116,13 +114,12 @@ bool Stitcher::insertInto(const StitchLoop& in, StitchLoop& out) {
         out.push_back(a);
         const std::vector<Inserted>& inserted = onEdge(a.vertex, b.vertex);
         changed = changed || !inserted.empty();
-        if (a.vertex < b.vertex) {
+        if (a.vertex < b.vertex)
             for (const Inserted& v : inserted)
                 out.push_back(between(a, b, static_cast<float>(v.t), v.vertex));
-        } else {
+        else
             for (auto v = inserted.rbegin(); v != inserted.rend(); ++v)
                 out.push_back(between(a, b, static_cast<float>(1.0 - v->t), v->vertex));
-        }
     }
     return changed;
 }

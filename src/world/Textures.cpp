@@ -114,10 +114,9 @@ Result<void> check(const dat::RenderSurface& picture, const dat::Palette* palett
 }
 
 void makeBlackTransparent(Image& image) {
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
         if (image.rgba[i] == 0 && image.rgba[i + 1] == 0 && image.rgba[i + 2] == 0)
             image.rgba[i + 3] = 0;
-    }
 }
 
 } // namespace

@@ -28,10 +28,9 @@ bool parts(const CellShape& a, const CellShape& b, const Vec3& axis) {
 }
 
 bool boxesPart(const Aabb& a, const Aabb& b) {
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis)
         if (a.max[axis] - b.min[axis] <= kOverlapTolerance || b.max[axis] - a.min[axis] <= kOverlapTolerance)
             return true;
-    }
     return false;
 }
 
@@ -110,10 +109,9 @@ public:
     }
 
     std::vector<std::vector<std::uint32_t>> run() {
-        for (std::uint32_t cell = 0; cell < block_.cells.size(); ++cell) {
+        for (std::uint32_t cell = 0; cell < block_.cells.size(); ++cell)
             if (zoneOf_[cell] == kNone)
                 growFrom(cell);
-        }
         return std::move(zones_);
     }
 

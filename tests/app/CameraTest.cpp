@@ -96,9 +96,8 @@ TEST(FlyCamera, case27_doesNotMoveABitWhileNobodyTouchesIt) {
     camera.heading = {359.99999999999, -88.7};
     Camera later = fly(camera, {.forward = 0.3, .right = -0.2, .turnRight = 1.7, .seconds = 0.016});
     const Camera still = later;
-    for (int frame = 0; frame < 1000; ++frame) {
+    for (int frame = 0; frame < 1000; ++frame)
         later = fly(later, {.seconds = 0.016 + frame * 1e-5});
-    }
     EXPECT_EQ(later.eye, still.eye);
     EXPECT_EQ(later.heading.yaw, still.heading.yaw);
     EXPECT_EQ(later.heading.pitch, still.heading.pitch);

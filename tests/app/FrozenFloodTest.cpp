@@ -30,11 +30,10 @@ visibility::View fromTheWest() {
 
 bool has(const std::vector<PyramidLine>& lines, std::uint32_t visit, const Vec2& a, const Vec2& b) {
     const auto near = [](const Vec2& p, const Vec2& q) { return glm::length(p - q) < 1e-9; };
-    for (const PyramidLine& line : lines) {
+    for (const PyramidLine& line : lines)
         if (line.visit == visit &&
             ((near(line.from, a) && near(line.to, b)) || (near(line.from, b) && near(line.to, a))))
             return true;
-    }
     return false;
 }
 

@@ -61,14 +61,13 @@ TEST(Shot, idsDepthAndJsonAgree) {
     const auto depthValues = depth.values<float>();
     ASSERT_EQ(idValues.size(), 96u * 54u);
     ASSERT_EQ(depthValues.size(), idValues.size());
-    for (std::size_t i = 0; i < idValues.size(); ++i) {
+    for (std::size_t i = 0; i < idValues.size(); ++i)
         if (idValues[i] == 0)
             EXPECT_TRUE(std::isnan(depthValues[i]));
         else if (idValues[i] == 1)
             EXPECT_TRUE(std::isinf(depthValues[i]) && depthValues[i] > 0);
         else
             EXPECT_TRUE(std::isfinite(depthValues[i]) && depthValues[i] > 0) << depthValues[i];
-    }
     const auto json = nlohmann::json::parse(getText(runner.work() / "f.json"));
     const std::set<std::uint32_t> distinct(idValues.begin(), idValues.end());
     EXPECT_EQ(json["ids"].size(), distinct.size());
@@ -161,9 +160,8 @@ TEST(Shot, theReferenceShowsWhatIsDrawn) {
         std::size_t differing = 0;
         for (std::size_t i = 0; i < ids.size(); ++i) {
             differing += ids[i] != others[i] ? 1 : 0;
-            if (ids[i] == others[i] && ids[i] > 1) {
+            if (ids[i] == others[i] && ids[i] > 1)
                 EXPECT_NEAR(depth[i], depths[i], 1e-3f * depths[i]) << i;
-            }
         }
         EXPECT_LE(differing, ids.size() / 500) << "more than edges that round the other way";
         const auto a = nlohmann::json::parse(getText(runner.work() / "a.json")),

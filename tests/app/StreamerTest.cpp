@@ -91,10 +91,9 @@ struct Streamed {
     }
     /// Frames until something is shown, at most `most`.
     int framesUntilShown(const StreamEye& eye, int most = 100) {
-        for (int i = 1; i <= most; ++i) {
+        for (int i = 1; i <= most; ++i)
             if (step(eye))
                 return i;
-        }
         return 0;
     }
 };
@@ -189,9 +188,8 @@ TEST(Streamer, showsWhatIsNearerThanWhatIsShownThoughTheEyeHasGoneOn) {
     std::size_t shown = 0;
     for (int frame = 0; frame < 400; ++frame) {
         shown += s.step(eyeFromHome(96.0 + 15.0 * frame, 96)) ? 1 : 0; // 900 m a second
-        if (frame > 60) {
+        if (frame > 60)
             EXPECT_LE(std::abs(s.shown.centre.x - eyeFromHome(96.0 + 15.0 * frame, 96).block.x), 6);
-        }
     }
     EXPECT_GE(shown, 10u);
 }

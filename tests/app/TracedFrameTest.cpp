@@ -23,14 +23,13 @@ TracedFrame smallFrame() {
         frame.picture.answers[row * 4 + column].t = t;
     };
     for (std::size_t row = 0; row < 4; ++row) {
-        for (std::size_t column = 0; column < 4; ++column) {
+        for (std::size_t column = 0; column < 4; ++column)
             if (column < 2)
                 set(column, row, 7, 3.0);
             else if (row < 2)
                 set(column, row, kSkyPixel, std::numeric_limits<double>::infinity());
             else
                 set(column, row, kVoidPixel, std::numeric_limits<double>::quiet_NaN());
-        }
     }
     return frame;
 }

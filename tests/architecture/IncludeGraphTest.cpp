@@ -90,10 +90,9 @@ std::string roomOf(const std::string& include) {
 
 std::vector<std::string> roomsThere() {
     std::vector<std::string> rooms;
-    for (const auto& entry : fs::directory_iterator(kRoot / "src")) {
+    for (const auto& entry : fs::directory_iterator(kRoot / "src"))
         if (entry.is_directory())
             rooms.push_back(entry.path().filename());
-    }
     return rooms;
 }
 
@@ -198,10 +197,9 @@ TEST(LinkGraph, noRoomLinksOneItMayNotKnow) {
 TEST(Examples, theFloodNeedsOnlyVisibilityGeometryAndCore) {
     const Names allowed{"visibility", "geometry", "core"};
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / "examples")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / "examples"))
         if (entry.path().filename().string().starts_with("flood") && entry.is_regular_file())
             files.push_back(entry.path());
-    }
     for (const fs::path& file : files) {
         for (const Include& include : includesOf(file)) {
             const std::string room = roomOf(include.name);

@@ -61,9 +61,8 @@ TEST_F(ClassicPathGlTest, showsTheSameWhereADriverBeginsToDrawBeforeTheFrameIsWh
     const auto ways = TwoWays::create(*device_, field, 320, 180);
     ASSERT_TRUE(ways) << ways.error().message();
     const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
-    for (std::size_t i = 0; i < gpu::kFramesInFlight; ++i) {
+    for (std::size_t i = 0; i < gpu::kFramesInFlight; ++i)
         ASSERT_TRUE((*ways)->drawReal(views[0])); // leaves something else in the memory of every frame
-    }
     EXPECT_GT(boxesIn(field, expectSame(**ways, views[1])), 300u);
 }
 

@@ -12,10 +12,9 @@ inline FieldSpec smallField(double movingShare = 0.0) {
 /// Every box of a field, those that stand still first.
 inline std::vector<world::Instance> boxesOf(const ObjectField& field) {
     std::vector<world::Instance> boxes;
-    for (const world::Instance& instance : field.world.instances) {
+    for (const world::Instance& instance : field.world.instances)
         if (instance.kind == world::InstanceKind::Scenery)
             boxes.push_back(instance);
-    }
     boxes.insert(boxes.end(), field.dynamics.instances.begin(), field.dynamics.instances.end());
     return boxes;
 }

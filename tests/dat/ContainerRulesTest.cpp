@@ -170,9 +170,8 @@ TEST(ContainerRules, truncatedFilesAreCalledSo) {
         const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
         const Error error = openError(cut); // the root comes last, so it is always missing
         EXPECT_THAT(error.where, HasSubstr("bad.dat"));
-        if (length >= 0x800) {
+        if (length >= 0x800)
             EXPECT_THAT(error.what, HasSubstr("(the file is cut short: " + std::to_string(length) + " of "));
-        }
     }
 }
 

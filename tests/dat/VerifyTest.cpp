@@ -195,10 +195,9 @@ TYPED_TEST(References, ofRandomRecordsAreJudgedWithoutHarm) {
         const bool isCell = kind >= RecordKind::LandBlock && kind <= RecordKind::EnvCell;
         auto record = RandomRecords(seed).make<TypeParam>();
         RecordId id = 0x08000001;
-        for (RecordId high = 1; high < 0x40 && !isCell; ++high) {
+        for (RecordId high = 1; high < 0x40 && !isCell; ++high)
             if (kindOf(FileRole::Portal, high << 24) == kind)
                 id = high << 24;
-        }
         if (isCell)
             id = kBlock | (kind == RecordKind::LandBlock       ? 0xFFFFu
                            : kind == RecordKind::LandBlockInfo ? 0xFFFEu

@@ -23,45 +23,37 @@ inline Vec3 apply(const dat::Frame& frame, const Vec3& p) {
 inline std::vector<Vec3> pointsOf(const dat::VertexArray& array, const dat::Polygon& polygon,
                                   const dat::Frame& frame) {
     std::vector<Vec3> out;
-    for (const std::uint16_t key : polygon.vertexKeys) {
+    for (const std::uint16_t key : polygon.vertexKeys)
         out.push_back(apply(frame, Vec3(array.vertices.at(key).second.position)));
-    }
     return out;
 }
 
 inline const dat::CellStruct& shapeOf(const dat::EnvCell& cell) {
-    for (const dat::Environment& e : world().environments) {
-        if ((e.id & 0xFFFF) == cell.environment) {
+    for (const dat::Environment& e : world().environments)
+        if ((e.id & 0xFFFF) == cell.environment)
             return e.cells.at(cell.cellStructure).second;
-        }
-    }
     std::abort();
 }
 
 inline std::vector<Vec3> portalPoints(const dat::EnvCell& cell, std::size_t portal) {
     const dat::CellStruct& shape = shapeOf(cell);
-    for (const auto& [id, polygon] : shape.polygons) {
-        if (id == cell.portals.at(portal).polygonId) {
+    for (const auto& [id, polygon] : shape.polygons)
+        if (id == cell.portals.at(portal).polygonId)
             return pointsOf(shape.vertexArray, polygon, cell.position);
-        }
-    }
     return {};
 }
 
 inline const dat::EnvCell* findCell(std::uint32_t id) {
-    for (const dat::EnvCell& cell : world().envCells) {
-        if (cell.id == id) {
+    for (const dat::EnvCell& cell : world().envCells)
+        if (cell.id == id)
             return &cell;
-        }
-    }
     return nullptr;
 }
 
 inline Aabb boundsOf(const dat::EnvCell& cell) {
     Aabb box;
-    for (const auto& [key, vertex] : shapeOf(cell).vertexArray.vertices) {
+    for (const auto& [key, vertex] : shapeOf(cell).vertexArray.vertices)
         box.include(apply(cell.position, Vec3(vertex.position)));
-    }
     return box;
 }
 
@@ -73,12 +65,10 @@ inline bool contains(const dat::EnvCell& cell, const Vec3& blockPoint) {
     std::size_t node = 0;
     while (tree.nodes.at(node).tag != dat::BspTag::Leaf) {
         const dat::BspNode& n = tree.nodes[node];
-        if (glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) < -0.0002) {
+        if (glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) < -0.0002)
             return false;
-        }
-        if (n.positive < 0) {
+        if (n.positive < 0)
             return true;
-        }
         node = static_cast<std::size_t>(n.positive);
     }
     return true;
@@ -90,9 +80,8 @@ inline double mismatch(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
         double worst = 0.0;
         for (const Vec3& p : from) {
             double nearest = 1e300;
-            for (const Vec3& q : to) {
+            for (const Vec3& q : to)
                 nearest = std::min(nearest, glm::length(p - q));
-            }
             worst = std::max(worst, nearest);
         }
         return worst;

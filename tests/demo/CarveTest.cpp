@@ -25,9 +25,8 @@ TEST(SplitPolygon, givesBothPartsTheSameNewCorners) {
     ASSERT_EQ(halves.back.size(), 4u);
     EXPECT_DOUBLE_EQ(areaOf(halves.front) + areaOf(halves.back), 16.0);
     std::size_t shared = 0;
-    for (const Vec3& p : halves.front) {
+    for (const Vec3& p : halves.front)
         shared += static_cast<std::size_t>(std::count(halves.back.begin(), halves.back.end(), p));
-    }
     EXPECT_EQ(shared, 2u);
 }
 
@@ -52,9 +51,8 @@ TEST(WithoutOpenings, leavesExactlyTheRest) {
     EXPECT_NEAR(areaOfAll(pieces), 16.0 - 2.5, 1e-9);
     for (const Polygon& piece : pieces) {
         EXPECT_GT(planeOf(piece).n.z, 0.999);
-        for (const Polygon& opening : openings) {
+        for (const Polygon& opening : openings)
             EXPECT_TRUE(commonPart(piece, opening, {0, 0, 1}).empty());
-        }
     }
     EXPECT_TRUE(withoutOpenings(kSquare, std::vector<Polygon>{kSquare}).empty());
 }
@@ -66,24 +64,21 @@ RC_GTEST_PROP(WithoutOpenings, keepsTheAreaForRoundOpenings, (std::uint32_t seed
     const Polygon opening = roundOpening(kSquare, random);
     RC_ASSERT(opening.size() >= 3u && opening.size() <= 12u);
     double outline = 0.0;
-    for (std::size_t i = 0; i < opening.size(); ++i) {
+    for (std::size_t i = 0; i < opening.size(); ++i)
         outline += glm::length(opening[(i + 1) % opening.size()] - opening[i]);
-    }
     const std::vector<Polygon> pieces = withoutOpenings(kSquare, std::vector<Polygon>{opening});
     RC_ASSERT(std::abs(areaOfAll(pieces) + areaOf(opening) - 16.0) < kOnCut * outline);
     for (const Polygon& piece : pieces) {
         RC_ASSERT(areaOf(commonPart(piece, opening, {0, 0, 1})) < kOnCut * outline);
-        for (const Vec3& corner : piece) {
+        for (const Vec3& corner : piece)
             RC_ASSERT(edgeDistance(opening, corner) < kOnCut);
-        }
     }
 }
 
 double volumeOf(const Solid& solid) {
     double sum = 0.0;
-    for (const Solid::Side& side : solid.sides) {
+    for (const Solid::Side& side : solid.sides)
         sum += planeOf(side.points).signedDistance(middleOf(solid)) * areaOf(side.points) / 3.0;
-    }
     return sum;
 }
 
@@ -97,11 +92,9 @@ RC_GTEST_PROP(CutBox, tilesTheBoxWithConvexSolids, (std::uint32_t seed)) {
         volume += volumeOf(solid);
         for (const Solid::Side& side : solid.sides) {
             const Plane plane = planeOf(side.points);
-            for (const Solid::Side& other : solid.sides) {
-                for (const Vec3& p : other.points) {
+            for (const Solid::Side& other : solid.sides)
+                for (const Vec3& p : other.points)
                     RC_ASSERT(plane.signedDistance(p) > -1e-6);
-                }
-            }
         }
     }
     RC_ASSERT(std::abs(volume - 9.0 * 8.0 * 7.0) < 1e-3);
@@ -123,13 +116,11 @@ RC_GTEST_PROP(SharedFaces, hangAllSolidsTogether, (std::uint32_t seed)) {
 
 /// The general form: both children count, a missing one is outside.
 bool holds(const dat::BspTree& tree, std::int32_t node, const Vec3& p) {
-    if (node < 0) {
+    if (node < 0)
         return false;
-    }
     const dat::BspNode& n = tree.nodes[static_cast<std::size_t>(node)];
-    if (n.tag == dat::BspTag::Leaf) {
+    if (n.tag == dat::BspTag::Leaf)
         return true;
-    }
     return holds(
         tree, glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) >= 0.0 ? n.positive : n.negative,
         p);
@@ -139,9 +130,8 @@ bool chainHolds(const dat::BspTree& tree, const Vec3& p) {
     std::int32_t node = 0;
     while (tree.nodes[static_cast<std::size_t>(node)].tag != dat::BspTag::Leaf) {
         const dat::BspNode& n = tree.nodes[static_cast<std::size_t>(node)];
-        if (glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) < 0.0) {
+        if (glm::dot(Vec3(n.plane.n), p) + static_cast<double>(n.plane.d) < 0.0)
             return false;
-        }
         node = n.positive;
     }
     return true;

@@ -29,9 +29,8 @@ Point key(const Vec3& p) {
 
 std::vector<Edge> edgesOf(const std::vector<Vec3>& polygon) {
     std::vector<Edge> out;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
         out.emplace_back(key(polygon[i]), key(polygon[(i + 1) % polygon.size()]));
-    }
     return out;
 }
 
@@ -39,11 +38,9 @@ TEST(Cells, everyEdgeHasExactlyOnePartnerRunningTheOtherWay) {
     for (const dat::EnvCell& cell : world().envCells) {
         const dat::CellStruct& shape = shapeOf(cell);
         std::map<Edge, int> count;
-        for (const auto& [id, polygon] : shape.polygons) {
-            for (const Edge& e : edgesOf(pointsOf(shape.vertexArray, polygon, cell.position))) {
+        for (const auto& [id, polygon] : shape.polygons)
+            for (const Edge& e : edgesOf(pointsOf(shape.vertexArray, polygon, cell.position)))
                 ++count[e];
-            }
-        }
         for (const auto& [e, n] : count) {
             EXPECT_EQ(n, 1) << std::hex << cell.id;
             EXPECT_EQ(count.count({e.second, e.first}), 1u)
@@ -55,11 +52,9 @@ TEST(Cells, everyEdgeHasExactlyOnePartnerRunningTheOtherWay) {
 /// The cells of the houses in the village's block.
 std::vector<dat::EnvCell> villageCells() {
     std::vector<dat::EnvCell> out;
-    for (const dat::EnvCell& cell : world().envCells) {
-        if (blockOf(cell.id) == kVillage) {
+    for (const dat::EnvCell& cell : world().envCells)
+        if (blockOf(cell.id) == kVillage)
             out.push_back(cell);
-        }
-    }
     return out;
 }
 
@@ -67,9 +62,8 @@ TEST(Cells, noFanTriangleOfASurfaceIsFlat) {
     for (const dat::EnvCell& cell : world().envCells) {
         const dat::CellStruct& shape = shapeOf(cell);
         for (const auto& [id, polygon] : shape.polygons) {
-            if (polygon.posSurface < 0) {
+            if (polygon.posSurface < 0)
                 continue; // an opening is no fan: readers cut it up themselves
-            }
             const std::vector<Vec3> p = pointsOf(shape.vertexArray, polygon, cell.position);
             for (std::size_t k = 1; k + 1 < p.size(); ++k) {
                 EXPECT_GT(glm::length(glm::cross(p[k] - p[0], p[k + 1] - p[0])), 1e-3)
@@ -100,9 +94,8 @@ TEST(Cells, portalPairsNameEachOtherAndHaveTheSameCorners) {
         for (std::size_t k = 0; k < cell.portals.size(); ++k) {
             const dat::CellPortal& portal = cell.portals[k];
             EXPECT_EQ(shapeOf(cell).portalPolygons.at(k), portal.polygonId);
-            if (portal.otherCellId == dat::kOutdoors) {
+            if (portal.otherCellId == dat::kOutdoors)
                 continue;
-            }
             const dat::EnvCell* other = findCell((cell.id & 0xFFFF0000u) | portal.otherCellId);
             ASSERT_NE(other, nullptr);
             const dat::CellPortal& back = other->portals.at(portal.otherPortalId);
@@ -118,9 +111,8 @@ TEST(Cells, interiorLiesOnTheSideThatTheFlagSays) {
         for (std::size_t k = 0; k < cell.portals.size(); ++k) {
             const std::vector<Vec3> polygon = portalPoints(cell, k);
             Vec3 middle(0.0);
-            for (const Vec3& p : polygon) {
+            for (const Vec3& p : polygon)
                 middle += p / static_cast<double>(polygon.size());
-            }
             const Vec3 n = planeOf(polygon).n;
             const bool front = windingAround(cell, middle + n * 0.05) > 0.5;
             EXPECT_NE(front, windingAround(cell, middle - n * 0.05) > 0.5);
@@ -135,9 +127,8 @@ void forPointsAround(const dat::EnvCell& cell, const Aabb& box, Visit visit) {
     for (int k = 0; k < 343; ++k) {
         const Vec3 t{(k % 7) / 4.9 - 0.11, (k / 7 % 7) / 4.9 - 0.11, (k / 49) / 4.9 - 0.11};
         const Vec3 p = box.min + (box.max - box.min) * t;
-        if (distanceToPlanes(cell, p) > 0.01) {
+        if (distanceToPlanes(cell, p) > 0.01)
             visit(p);
-        }
     }
 }
 
@@ -145,17 +136,15 @@ void forPointsAround(const dat::EnvCell& cell, const Aabb& box, Visit visit) {
 std::vector<Plane> planesOf(const dat::EnvCell& cell) {
     const dat::CellStruct& shape = shapeOf(cell);
     std::vector<Plane> out;
-    for (const auto& [id, polygon] : shape.polygons) {
+    for (const auto& [id, polygon] : shape.polygons)
         out.push_back(planeOf(pointsOf(shape.vertexArray, polygon, cell.position)));
-    }
     return out;
 }
 
 std::vector<Vec3> cornersOf(const dat::EnvCell& cell) {
     std::vector<Vec3> out;
-    for (const auto& [key, vertex] : shapeOf(cell).vertexArray.vertices) {
+    for (const auto& [key, vertex] : shapeOf(cell).vertexArray.vertices)
         out.push_back(apply(cell.position, Vec3(vertex.position)));
-    }
     return out;
 }
 
@@ -168,9 +157,8 @@ TEST(Cells, areConvexButForTheDungeonsHollowRoom) {
             return std::all_of(corners.begin(), corners.end(),
                                [&](const Vec3& p) { return plane.signedDistance(p) > -0.0005; });
         });
-        if (!convex) {
+        if (!convex)
             hollow.push_back(cell.id);
-        }
     }
     ASSERT_EQ(hollow.size(), 1u);
     EXPECT_EQ(blockOf(hollow[0]), kCaveBlock);
@@ -182,12 +170,11 @@ TEST(Cells, cellTreeHoldsTheInsideAndNothingElse) {
         forPointsAround(cell, boundsOf(cell), [&](const Vec3& p) {
             const double winding = windingAround(cell, p);
             EXPECT_NEAR(winding, std::round(winding), 1e-6);
-            if (convex) {
+            if (convex)
                 EXPECT_EQ(contains(cell, p), winding > 0.5)
                     << std::hex << cell.id << " " << p.x << " " << p.y << " " << p.z;
-            } else {
+            else
                 EXPECT_TRUE(winding < 0.5 || contains(cell, p));
-            }
         });
     }
 }
@@ -201,9 +188,8 @@ TEST(Cells, cellTreeOfAConvexCellIsExactToAMillimetre) {
             const Vec3 t{(k % 7) / 5.0 - 0.1, (k / 7 % 7) / 5.0 - 0.1, (k / 49) / 5.0 - 0.1};
             const Vec3 p = box.min + (box.max - box.min) * t;
             double depth = 1e300; // below the nearest plane of the shell
-            for (const Plane& plane : planes) {
+            for (const Plane& plane : planes)
                 depth = std::min(depth, plane.signedDistance(p));
-            }
             if (std::abs(depth) > 0.001) {
                 EXPECT_EQ(contains(cell, p), depth > 0.0)
                     << std::hex << cell.id << " " << t.x << " " << t.y << " " << t.z;
@@ -241,18 +227,16 @@ TEST(Cells, ofABlockAreDisjointButForThePlacesMeantToOverlap) {
             const Aabb q = boundsOf(cells[b]);
             const Aabb both{glm::max(p.min, q.min), glm::min(p.max, q.max)};
             const Vec3 size = both.max - both.min;
-            if (blockOf(cells[a].id) != blockOf(cells[b].id) || std::min({size.x, size.y, size.z}) < 0.02) {
+            if (blockOf(cells[a].id) != blockOf(cells[b].id) || std::min({size.x, size.y, size.z}) < 0.02)
                 continue;
-            }
             bool shared = false;
             forPointsAround(cells[a], both, [&](const Vec3& point) {
                 shared =
                     shared || (distanceToPlanes(cells[b], point) > 0.01 &&
                                windingAround(cells[a], point) > 0.5 && windingAround(cells[b], point) > 0.5);
             });
-            if (shared) {
+            if (shared)
                 overlapping.emplace_back(cells[a].id, cells[b].id);
-            }
         }
     }
     // The crypt, and the corridor that goes round behind it: its third and fourth cells lie in the crypt.
@@ -271,26 +255,22 @@ TEST(Cells, haveTreesForDrawingAndCollision) {
         std::set<std::uint16_t> drawn;
         for (const dat::BspNode& n : shape.drawingBsp->nodes) {
             drawn.insert(n.polygonIds.begin(), n.polygonIds.end());
-            for (const dat::PortalRef& ref : n.portals) {
+            for (const dat::PortalRef& ref : n.portals)
                 drawn.insert(ref.polygonId);
-            }
         }
         EXPECT_EQ(drawn.size(), shape.polygons.size());
         std::set<std::uint16_t> solid;
-        for (const dat::BspNode& n : shape.physicsBsp.nodes) {
+        for (const dat::BspNode& n : shape.physicsBsp.nodes)
             solid.insert(n.polygonIds.begin(), n.polygonIds.end());
-        }
         EXPECT_EQ(solid.size(), shape.physicsPolygons.size());
     }
 }
 
 TEST(Cells, ofTheVillageOnlyCellarsCannotSeeOutside) {
     std::set<std::uint32_t> blind;
-    for (const dat::EnvCell& cell : villageCells()) {
-        if ((cell.flags & dat::EnvCell::kSeenOutside) == 0) {
+    for (const dat::EnvCell& cell : villageCells())
+        if ((cell.flags & dat::EnvCell::kSeenOutside) == 0)
             blind.insert(cell.id & 0xFFFF);
-        }
-    }
     // The inn's basement sees a strip of sky up the stairs, through the store's window.
     const std::set<std::uint32_t> blindCells{idOf(CottageCell::CellarDoorway), idOf(CottageCell::Cellar),
                                              idOf(InnCell::VaultArch), idOf(InnCell::Vault)};
@@ -304,15 +284,13 @@ TEST(Cells, listAllCellsOfTheirHouseAsVisible) {
         for (std::size_t i = 0; i < order.size(); ++i) {
             for (const dat::CellPortal& portal : order[i]->portals) {
                 const dat::EnvCell* next = behind(*order[i], portal);
-                if (next != nullptr && house.insert(next->id).second) {
+                if (next != nullptr && house.insert(next->id).second)
                     order.push_back(next);
-                }
             }
         }
         std::set<std::uint32_t> visible;
-        for (const auto low : cell.visibleCells) {
+        for (const auto low : cell.visibleCells)
             visible.insert((cell.id & 0xFFFF0000u) | low);
-        }
         EXPECT_EQ(visible, house) << std::hex << cell.id;
     }
 }
@@ -322,11 +300,9 @@ protected:
     /// Every building with its landblock's id.
     static std::vector<std::pair<std::uint32_t, dat::Building>> all() {
         std::vector<std::pair<std::uint32_t, dat::Building>> out;
-        for (const dat::LandBlockInfo& info : world().landBlockInfos) {
-            for (const dat::Building& building : info.buildings) {
+        for (const dat::LandBlockInfo& info : world().landBlockInfos)
+            for (const dat::Building& building : info.buildings)
                 out.emplace_back(info.id & 0xFFFF0000u, building);
-            }
-        }
         return out;
     }
     const dat::GfxObj& model(const dat::Building& building) const {
@@ -343,9 +319,8 @@ TEST_F(Buildings, everyPortalIsThePolygonOfTheCellsExit) {
         std::map<std::uint16_t, std::uint16_t> polygonOfPortal;
         for (const dat::BspNode& n : exterior.drawingBsp.nodes) {
             EXPECT_EQ(n.tag == dat::BspTag::Port, !n.portals.empty());
-            for (const dat::PortalRef& ref : n.portals) {
+            for (const dat::PortalRef& ref : n.portals)
                 polygonOfPortal[ref.portalIndex] = ref.polygonId;
-            }
         }
         ASSERT_EQ(polygonOfPortal.size(), building.portals.size());
         for (std::size_t k = 0; k < building.portals.size(); ++k) {
@@ -379,17 +354,13 @@ TEST_F(Buildings, wallsMeetTheOpeningsEdgeForEdge) {
     for (const auto& [block, building] : all()) {
         const dat::GfxObj& exterior = model(building);
         std::map<Edge, int> count;
-        for (const auto& [id, polygon] : exterior.polygons) {
-            for (const Edge& e : edgesOf(pointsOf(exterior.vertexArray, polygon, building.frame))) {
+        for (const auto& [id, polygon] : exterior.polygons)
+            for (const Edge& e : edgesOf(pointsOf(exterior.vertexArray, polygon, building.frame)))
                 ++count[e];
-            }
-        }
         for (const auto& [id, polygon] : exterior.polygons) {
-            if ((polygon.stippling & dat::kNoPositiveUv) != 0) {
-                for (const Edge& e : edgesOf(pointsOf(exterior.vertexArray, polygon, building.frame))) {
+            if ((polygon.stippling & dat::kNoPositiveUv) != 0)
+                for (const Edge& e : edgesOf(pointsOf(exterior.vertexArray, polygon, building.frame)))
                     EXPECT_EQ(count.count({e.second, e.first}), 1u) << "an opening's edge without a reveal";
-                }
-            }
         }
     }
 }

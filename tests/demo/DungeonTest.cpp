@@ -24,9 +24,8 @@ std::map<std::uint32_t, int> stepsFrom(const dat::EnvCell& from, std::uint32_t w
         for (const dat::CellPortal& portal : order[i]->portals) {
             const dat::EnvCell* next = behind(*order[i], portal);
             if (next != nullptr && next->id != without &&
-                steps.try_emplace(next->id, steps[order[i]->id] + 1).second) {
+                steps.try_emplace(next->id, steps[order[i]->id] + 1).second)
                 order.push_back(next);
-            }
         }
     }
     return steps;
@@ -124,11 +123,9 @@ TEST(Dungeon, pitIsAShaftOfCellsWithGalleriesOnThreeFloors) {
     const dat::EnvCell* shaft = nullptr;
     const dat::EnvCell& gallery = cellOfPlace("dungeon.pit");
     std::map<std::uint32_t, int> times;
-    for (const dat::CellPortal& portal : gallery.portals) {
-        if (++times[portal.otherCellId] == 2) {
+    for (const dat::CellPortal& portal : gallery.portals)
+        if (++times[portal.otherCellId] == 2)
             shaft = behind(gallery, portal);
-        }
-    }
     ASSERT_NE(shaft, nullptr) << "two openings from the gallery into one cell of the shaft";
     std::set<std::uint32_t> column{shaft->id};
     std::vector<const dat::EnvCell*> order{shaft};
@@ -137,9 +134,8 @@ TEST(Dungeon, pitIsAShaftOfCellsWithGalleriesOnThreeFloors) {
         floors += order[i]->portals.size() >= 9 ? 1 : 0; // eight openings into galleries
         for (std::size_t k = 0; k < order[i]->portals.size(); ++k) {
             const dat::EnvCell* next = behind(*order[i], order[i]->portals[k]);
-            if (isLevel(portalPoints(*order[i], k)) && column.insert(next->id).second) {
+            if (isLevel(portalPoints(*order[i], k)) && column.insert(next->id).second)
                 order.push_back(next);
-            }
         }
     }
     EXPECT_GE(column.size(), 6u);
@@ -148,13 +144,11 @@ TEST(Dungeon, pitIsAShaftOfCellsWithGalleriesOnThreeFloors) {
 
 TEST(Dungeon, hollowRoomLooksAtItselfAcrossTheYard) {
     for (const dat::EnvCell& cell : world().envCells) {
-        if (isConvex(cell)) {
+        if (isConvex(cell))
             continue;
-        }
         std::map<std::uint32_t, std::vector<Vec3>> ways;
-        for (std::size_t k = 0; k < cell.portals.size(); ++k) {
+        for (std::size_t k = 0; k < cell.portals.size(); ++k)
             ways[cell.portals[k].otherCellId].push_back(planeOf(portalPoints(cell, k)).n);
-        }
         const auto yard =
             std::find_if(ways.begin(), ways.end(), [](const auto& w) { return w.second.size() == 2; });
         ASSERT_NE(yard, ways.end());
@@ -192,11 +186,9 @@ TEST(Dungeon, sealedPartIsABlockOfItsOwnWithoutLand) {
     EXPECT_EQ(stepsFrom(hall).size(), countCells(block));
     EXPECT_GE(countCells(block), 5u);
     EXPECT_TRUE(infoOf(block).buildings.empty());
-    for (const dat::EnvCell& cell : world().envCells) {
-        for (const dat::CellPortal& portal : cell.portals) {
+    for (const dat::EnvCell& cell : world().envCells)
+        for (const dat::CellPortal& portal : cell.portals)
             EXPECT_TRUE(blockOf(cell.id) != block || portal.otherCellId != dat::kOutdoors);
-        }
-    }
     const auto land = std::find_if(world().landBlocks.begin(), world().landBlocks.end(),
                                    [&](const auto& b) { return b.id == dat::landBlockId(block); });
     ASSERT_NE(land, world().landBlocks.end());
@@ -230,9 +222,8 @@ TEST(Tower, floorsAreJoinedByLevelOpeningsAndTheLastLeadsOutside) {
                 break;
             }
         }
-        if (cell == nullptr) {
+        if (cell == nullptr)
             break;
-        }
     }
     EXPECT_EQ(cell, nullptr) << "ends outside";
     EXPECT_EQ(heights.size(), 5u) << "ceiling and floor twice, the roof";
@@ -244,33 +235,27 @@ TEST(Tower, stepsAreLowEnoughToClimb) {
     const dat::EnvCell& room = *findCell(0xA9B50100u);
     std::vector<double> treads{boundsOf(room).min.z};
     for (const dat::Setup& setup : world().setups) {
-        if (setup.id != room.statics.at(0).model) {
+        if (setup.id != room.statics.at(0).model)
             continue;
-        }
         for (const dat::GfxObj& g : world().gfxObjs) {
             for (const auto& [id, polygon] : g.polygons) {
                 const std::vector<Vec3> p = pointsOf(g.vertexArray, polygon, room.statics[0].frame);
-                if (g.id == setup.parts.at(0) && planeOf(p).n.z > 0.99 &&
-                    glm::length(newellNormal(p)) > 0.1) {
+                if (g.id == setup.parts.at(0) && planeOf(p).n.z > 0.99 && glm::length(newellNormal(p)) > 0.1)
                     treads.push_back(p[0].z);
-                }
             }
         }
     }
     std::sort(treads.begin(), treads.end());
     ASSERT_GT(treads.size(), 20u);
-    for (std::size_t i = 0; i + 1 < treads.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < treads.size(); ++i)
         EXPECT_LT(treads[i + 1] - treads[i], 0.6);
-    }
     EXPECT_NEAR(treads.back(), boundsOf(*findCell(0xA9B50102u)).min.z, 0.1);
 }
 
 TEST(Land, isAsHighAsEverWhereHousesStand) {
-    for (const double x : {264.0, 276.0, 288.0}) {
-        for (const double y : {264.0, 290.0, 312.0}) {
+    for (const double x : {264.0, 276.0, 288.0})
+        for (const double y : {264.0, 290.0, 312.0})
             EXPECT_EQ(groundHeight(x, y), siteLevel());
-        }
-    }
     EXPECT_EQ(siteLevel(), 29.921875);
 }
 
@@ -305,11 +290,9 @@ TEST(Land, streamRunsDownhillBelowItsBanksAndKeepsOffTheWays) {
                 << vx << " " << vy;
         }
     }
-    for (const VertexPath& way : {wholeLane(), towerTrack(), caveTrack()}) {
-        for (const auto& [vx, vy] : way) {
+    for (const VertexPath& way : {wholeLane(), towerTrack(), caveTrack()})
+        for (const auto& [vx, vy] : way)
             EXPECT_GT(distanceToStream(vx, vy), 1.9);
-        }
-    }
 }
 
 } // namespace

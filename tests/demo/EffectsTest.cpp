@@ -34,10 +34,9 @@ TEST(Effects, nameRecordsThatAreThere) {
     }
     EXPECT_GT(hooks, 10u);
     for (const dat::PhysicsScriptTable& table : world().physicsScriptTables) {
-        for (const auto& [kind, choices] : table.scripts) {
+        for (const auto& [kind, choices] : table.scripts)
             for (const dat::ScriptChoice& choice : choices)
                 EXPECT_TRUE(has(world().physicsScripts, choice.script));
-        }
     }
     for (const dat::Setup& setup : world().setups) {
         EXPECT_TRUE(setup.script == 0 || has(world().physicsScripts, setup.script));
@@ -46,10 +45,9 @@ TEST(Effects, nameRecordsThatAreThere) {
     }
     for (const dat::GfxObj& object : world().gfxObjs)
         EXPECT_TRUE(object.degradeId == 0 || has(world().degradeInfos, object.degradeId));
-    for (const dat::PaletteSet& set : world().paletteSets) {
+    for (const dat::PaletteSet& set : world().paletteSets)
         for (const std::uint32_t palette : set.palettes)
             EXPECT_TRUE(has(world().palettes, palette));
-    }
     EXPECT_FALSE(world().clothingTables.empty());
 }
 

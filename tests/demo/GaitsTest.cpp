@@ -63,48 +63,40 @@ struct Actor {
 
 double lowest(const std::vector<Vec3>& points) {
     double z = 1e300;
-    for (const Vec3& p : points) {
+    for (const Vec3& p : points)
         z = std::min(z, p.z);
-    }
     return z;
 }
 
 std::vector<Actor> everyone(Gait gait) {
     std::vector<Actor> out;
-    for (const world::Villager& villager : loaded().villagers) {
+    for (const world::Villager& villager : loaded().villagers)
         out.push_back({villager, gait});
-    }
     EXPECT_GE(out.size(), 5u);
     return out;
 }
 std::optional<Actor> actor(const std::string& name, Gait gait) {
-    for (const Actor& a : everyone(gait)) {
-        if (a.villager.name == name) {
+    for (const Actor& a : everyone(gait))
+        if (a.villager.name == name)
             return a;
-        }
-    }
     return std::nullopt;
 }
 
 TEST(VillagersGaits, areThereForEveryone) {
     for (const Actor& a : everyone(Gait::Stand)) {
-        for (const std::uint32_t cycle : a.body().cycles) {
+        for (const std::uint32_t cycle : a.body().cycles)
             EXPECT_NE(cycle, world::kNone) << a.villager.name;
-        }
         EXPECT_EQ(motion::gaitAt(loaded(), a.body(), a.villager.speed), Gait::Walk) << a.villager.name;
     }
-    for (const world::Finding& finding : loaded().findings) {
+    for (const world::Finding& finding : loaded().findings)
         ADD_FAILURE() << finding.what;
-    }
 }
 
 TEST(VillagersGaits, keepFeetOnTheGroundWhileStanding) {
     for (const Actor& a : everyone(Gait::Stand)) {
-        for (int k = 0; k < 97; ++k) {
-            for (const std::uint32_t leg : {kLeftLeg, kRightLeg}) {
+        for (int k = 0; k < 97; ++k)
+            for (const std::uint32_t leg : {kLeftLeg, kRightLeg})
                 EXPECT_NEAR(lowest(a.corners(leg, a.round() * k / 97.0)), 0.0, 1e-6) << a.villager.name;
-            }
-        }
     }
 }
 
@@ -223,9 +215,8 @@ TEST(VillagersGaits, leaveTheLanternWhereItsLightIs) {
     for (const Gait gait : {Gait::Stand, Gait::Walk, Gait::Run}) {
         const std::optional<Actor> watchman = actor("watchman", gait);
         ASSERT_TRUE(watchman.has_value());
-        for (int k = 0; k < 50; ++k) {
+        for (int k = 0; k < 50; ++k)
             EXPECT_LT(glm::length(watchman->pose(kHeld, 0.37 * k).origin - kLantern), 1e-6);
-        }
     }
 }
 
@@ -236,9 +227,8 @@ TEST(VillagersGaits, keepLegsInsideGowns) {
         ASSERT_TRUE(a.has_value());
         const std::vector<Vec3> gown = a->corners(kBody, 0.0);
         Vec2 hem(0.0);
-        for (const Vec3& p : gown) {
+        for (const Vec3& p : gown)
             hem = p.z < 0.12 ? glm::max(hem, Vec2(std::abs(p.x), std::abs(p.y))) : hem;
-        }
         ASSERT_GT(hem.y, 0.2);
         for (int k = 0; k < 100; ++k) {
             for (const std::uint32_t leg : {kLeftLeg, kRightLeg}) {
@@ -255,11 +245,9 @@ TEST(VillagersGaits, stayWithinTheBodysBounds) {
         for (const Actor& a : everyone(gait)) {
             const Sphere& bounds = a.body().bounds;
             for (int k = 0; k < 60; ++k) {
-                for (std::uint32_t part = kBody; part <= kRightLeg; ++part) {
-                    for (const Vec3& p : a.corners(part, a.round() * k / 60.0)) {
+                for (std::uint32_t part = kBody; part <= kRightLeg; ++part)
+                    for (const Vec3& p : a.corners(part, a.round() * k / 60.0))
                         EXPECT_LE(glm::length(p - bounds.centre), bounds.radius) << a.villager.name;
-                    }
-                }
             }
             EXPECT_LT(bounds.radius, a.villager.name == "carter" ? 3.0 : 1.25) << a.villager.name;
         }

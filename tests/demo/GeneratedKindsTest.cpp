@@ -32,20 +32,17 @@ TEST(GeneratedDungeon, hasLoopsDeadEndsRampsShaftsAndTwinOpenings) {
         joined.insert(std::minmax(portal.space, portal.destination));
         horizontal += std::abs(portal.plane.n.z) > 0.99 ? 1 : 0;
     }
-    for (const auto& [between, count] : openings) {
+    for (const auto& [between, count] : openings)
         pairs += count == 2 ? 1 : 0;
-    }
     std::vector<int> neighbours(world.spaces.size(), 0);
     for (const auto& [a, b] : joined) {
         ++neighbours[a];
         ++neighbours[b];
     }
-    for (std::size_t s = 1; s < world.spaces.size(); ++s) {
+    for (std::size_t s = 1; s < world.spaces.size(); ++s)
         deadEnds += neighbours[s] == 1 ? 1 : 0;
-    }
-    for (const world::MeshVertex& vertex : world.vertices) {
+    for (const world::MeshVertex& vertex : world.vertices)
         sloped += vertex.normal.z > 0.5f && vertex.normal.z < 0.999f ? 1 : 0;
-    }
     EXPECT_GT(joined.size(), world.spaces.size()) << "no loops";
     EXPECT_GT(pairs, 10u);
     EXPECT_GT(deadEnds, 10u);
@@ -173,19 +170,16 @@ TEST(GeneratedComplex, seedsDifferInWhatTheyAreMadeOf) {
         }
         for (const world::Space& space : world.spaces) {
             std::map<std::pair<double, double>, int> seen;
-            for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
-                for (const Vec3& corner : world::cornersOf(world, world.portals[p])) {
+            for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
+                for (const Vec3& corner : world::cornersOf(world, world.portals[p]))
                     sharedEdges += seen[{corner.x, corner.y}]++ > 0 ? 1 : 0;
-                }
-            }
         }
         const dat::RecordId first = dat::blockWord(generated.blocks().at(0)) | dat::kFirstCell;
         for (dat::RecordId id = first; id < first + 30; ++id) {
             const auto cell = generated.archive().load<dat::EnvCell>(id);
             ASSERT_TRUE(cell.has_value());
-            for (const dat::CellPortal& portal : cell->portals) {
+            for (const dat::CellPortal& portal : cell->portals)
                 negative += (portal.flags & dat::CellPortal::kPortalSide) == 0 ? 1 : 0;
-            }
         }
     }
     EXPECT_GT(inexact, 4u);

@@ -72,9 +72,8 @@ void expectTreesHoldNothingFarOff(const world::World& world, std::uint32_t seed)
 void expectPlacesInTheirCells(const GeneratedWorld& generated, const world::World& world,
                               dat::BlockCoord block) {
     for (const world::Place& place : generated.file().places) {
-        if (place.cell == 0 || !(dat::blockOf(place.cell) == block)) {
+        if (place.cell == 0 || !(dat::blockOf(place.cell) == block))
             continue;
-        }
         const world::SpaceIndex space = world::findCell(world, place.cell);
         ASSERT_NE(space, world::kNone) << place.name;
         EXPECT_TRUE(motion::cellContains(world, space, place.eye)) << place.name;
@@ -94,16 +93,14 @@ TEST_P(EveryGeneratedWorld, loadsWithoutFindingsAndHangsTogether) {
         expectTreesHoldNothingFarOff(world, GetParam().seed);
         cells += cellsOf(world);
         const bool dungeon = world.spaces[world::kOutside].portalCount == 0;
-        if (cellsOf(world) > 0) {
+        if (cellsOf(world) > 0)
             EXPECT_EQ(reachedFrom(world, dungeon ? 1 : world::kOutside), cellsOf(world));
-        }
     }
     const GeneratedSpec& spec = GetParam();
-    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex) {
+    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex)
         EXPECT_EQ(cells, spec.size);
-    } else {
+    else
         EXPECT_GE(cells, spec.size);
-    }
 }
 
 std::string bytesOf(const std::filesystem::path& path) {

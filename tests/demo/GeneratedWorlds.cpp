@@ -15,15 +15,12 @@ GeneratedWorld::GeneratedWorld(const GeneratedSpec& spec) : spec_(spec) {
     archive_ = std::move(*archive);
     Result<world::WorldFile> file = world::loadWorldFile(directory());
     EXPECT_TRUE(file) << (file ? "" : file.error().message());
-    if (file) {
+    if (file)
         file_ = std::move(*file);
-    }
     for (int x = 0; x < 255; ++x) {
-        for (int y = 0; y < 255; ++y) {
-            if (archive_->contains<dat::LandBlock>(dat::landBlockId({x, y}))) {
+        for (int y = 0; y < 255; ++y)
+            if (archive_->contains<dat::LandBlock>(dat::landBlockId({x, y})))
                 blocks_.push_back({x, y});
-            }
-        }
     }
 }
 

@@ -33,9 +33,8 @@ TEST(PixelEncoder, givesEveryFormatItsSize) {
          {std::pair{PixelFormat::A8, texels}, std::pair{PixelFormat::LandscapeAlpha, texels},
           std::pair{PixelFormat::P8, texels}, std::pair{PixelFormat::Index16, 2 * texels},
           std::pair{PixelFormat::R8G8B8, 3 * texels}, std::pair{PixelFormat::LandscapeR8G8B8, 3 * texels},
-          std::pair{PixelFormat::A8R8G8B8, 4 * texels}, std::pair{PixelFormat::Dxt1, texels / 2}}) {
+          std::pair{PixelFormat::A8R8G8B8, 4 * texels}, std::pair{PixelFormat::Dxt1, texels / 2}})
         EXPECT_EQ(encodeImage(ramp(), format).image.pixels.size(), bytes);
-    }
 }
 
 TEST(PixelEncoder, paletteKeepsTheFirstEightForClearTexels) {
@@ -60,9 +59,8 @@ TEST(PixelEncoder, dxt1OfTwoColoursIsExactToItsFiveAndSixBits) {
     const int c0 = bytes[0] | bytes[1] << 8;
     const int c1 = bytes[2] | bytes[3] << 8;
     EXPECT_GT(c0, c1) << "four-colour mode";
-    for (std::size_t row = 4; row < 8; ++row) {
+    for (std::size_t row = 4; row < 8; ++row)
         EXPECT_EQ(bytes[row], 0b01010000) << "two texels of colour 0, two of colour 1";
-    }
 }
 
 TEST(PixelEncoder, dxt1PunchesThroughClearTexels) {
@@ -82,9 +80,8 @@ TEST(Painters, blendMapsShowTheOverlayWhereTheirCodeSays) {
     // 0 shows the overlay. Codes: corner 8 north-west, side 9 west; north is the top row.
     const auto alpha = [](BlendShape shape, int x, int y) { return paintBlend(shape, 1).at(x, y).w; };
     EXPECT_LT(alpha(BlendShape::Corner, 0, 0), 0.05f);
-    for (const auto& [x, y] : {std::pair{255, 0}, std::pair{0, 255}, std::pair{255, 255}}) {
+    for (const auto& [x, y] : {std::pair{255, 0}, std::pair{0, 255}, std::pair{255, 255}})
         EXPECT_GT(alpha(BlendShape::Corner, x, y), 0.95f);
-    }
     EXPECT_LT(alpha(BlendShape::Side, 0, 0), 0.05f);
     EXPECT_LT(alpha(BlendShape::Side, 0, 255), 0.05f);
     EXPECT_GT(alpha(BlendShape::Side, 255, 128), 0.95f);
@@ -97,9 +94,8 @@ TEST(Painters, cutOutsHaveBothHolesAndLeaves) {
                                     Material::GrassTuft, Material::Flowers}) {
         const Canvas canvas = paintMaterial(material);
         int solid = 0;
-        for (int i = 0; i < canvas.width() * canvas.height(); ++i) {
+        for (int i = 0; i < canvas.width() * canvas.height(); ++i)
             solid += canvas.at(i % canvas.width(), i / canvas.width()).w >= 0.5f;
-        }
         const double share = static_cast<double>(solid) / (canvas.width() * canvas.height());
         EXPECT_GT(share, 0.12);
         EXPECT_LT(share, 0.8);

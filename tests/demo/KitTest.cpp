@@ -22,9 +22,8 @@ TEST(Panel, whatIsLeftAndTheHolesMakeTheWhole) {
     double left = 0.0;
     for (const Rect& r : withoutHoles(whole, holes)) {
         EXPECT_GT(area(r), 0.0);
-        for (const Rect& h : holes) {
+        for (const Rect& h : holes)
             EXPECT_FALSE(r.u0 < h.u1 && r.u1 > h.u0 && r.v0 < h.v1 && r.v1 > h.v0) << "lies in a hole";
-        }
         left += area(r);
     }
     EXPECT_NEAR(left, 40.0 - 2.0 - 2.0 - 3.75, 1e-12);
@@ -37,9 +36,8 @@ TEST(Panel, aHoleAsLargeAsTheWallLeavesNothing) {
 TEST(Panel, aHoleOverTheBorderIsCutThere) {
     const std::vector<Rect> left = withoutHoles({0, 0, 4, 4}, {{1, -1, 3, 1}});
     double sum = 0.0;
-    for (const Rect& r : left) {
+    for (const Rect& r : left)
         sum += area(r);
-    }
     EXPECT_NEAR(sum, 14.0, 1e-12);
 }
 
@@ -73,9 +71,8 @@ TEST(Shells, cornersCutInAWallAt45DegreesLieExactlyInIt) {
     for (Face& strip : faceWithout(wall, {archOutline({{5.5, 5.5, 0}, {1, -1, 0}, 0.75}, 1.5, 2.75)})) {
         std::vector<Face> one{strip};
         closeSeams(one);
-        for (const Vec3& p : one[0].points) {
+        for (const Vec3& p : one[0].points)
             EXPECT_EQ(p.x + p.y, 11.0);
-        }
     }
 }
 
@@ -160,9 +157,8 @@ SightMap twoRooms(Side windowSide, double windowFrom, double windowTo) {
         std::size_t k = 0;
         for (const Face& face : plan.faces) {
             out.planes.push_back(planeOf(face.points));
-            if (face.portal) {
+            if (face.portal)
                 out.portals.push_back({face.points, leads[k++]});
-            }
         }
         return out;
     };
@@ -187,9 +183,8 @@ TEST(Sight, aWindowBesideTheDoorIsSeenFromItsOwnRoomOnly) {
 TEST(Sight, ofAllCellsIsTheSightOfEach) {
     for (const SightMap& map : {twoRooms(Side::North, 4.2, 4.8), twoRooms(Side::South, 6.5, 8.0)}) {
         const std::vector<bool> all = cellsThatSeeOutside(map);
-        for (std::size_t c = 0; c < map.cells.size(); ++c) {
+        for (std::size_t c = 0; c < map.cells.size(); ++c)
             EXPECT_EQ(all[c], seesOutside(map, c));
-        }
     }
 }
 
@@ -215,9 +210,8 @@ TEST(Bsp, aBentFaceIsCutOnce) {
     const std::uint16_t ids[] = {0, 1, 2};
     EXPECT_LT(buildPhysicsBsp(faces, ids).nodes.size(), 64u);
     std::set<std::uint16_t> listed;
-    for (const dat::BspNode& node : drawing.nodes) {
+    for (const dat::BspNode& node : drawing.nodes)
         listed.insert(node.polygonIds.begin(), node.polygonIds.end());
-    }
     EXPECT_EQ(listed.size(), 3u);
 }
 

@@ -21,9 +21,8 @@ const world::World& loaded() {
             const auto file = world::loadWorldFile(folder);
             auto loading =
                 world::loadWorld(*archive, kVillage, {}, file ? file->moving : world::MovingEntries());
-            if (loading.has_value()) {
+            if (loading.has_value())
                 out = std::move(*loading);
-            }
         }
         std::filesystem::remove_all(folder);
         return out;

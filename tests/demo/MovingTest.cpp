@@ -32,20 +32,15 @@ const Json& listOf(const char* name) {
 std::vector<std::vector<Vec3>> modelPolygons(std::uint32_t id) {
     std::vector<std::vector<Vec3>> out;
     const auto add = [&](std::uint32_t gfxObj, const dat::Frame& frame) {
-        for (const dat::GfxObj& g : world().gfxObjs) {
-            for (std::size_t k = 0; g.id == gfxObj && k < g.polygons.size(); ++k) {
+        for (const dat::GfxObj& g : world().gfxObjs)
+            for (std::size_t k = 0; g.id == gfxObj && k < g.polygons.size(); ++k)
                 out.push_back(pointsOf(g.vertexArray, g.polygons[k].second, frame));
-            }
-        }
     };
-    if (id >> 24 == 0x01) {
+    if (id >> 24 == 0x01)
         add(id, {});
-    }
-    for (const dat::Setup& setup : world().setups) {
-        for (std::size_t k = 0; setup.id == id && k < setup.parts.size(); ++k) {
+    for (const dat::Setup& setup : world().setups)
+        for (std::size_t k = 0; setup.id == id && k < setup.parts.size(); ++k)
             add(setup.parts[k], setup.placementFrames.front().second.parts.at(k));
-        }
-    }
     return out;
 }
 
@@ -91,20 +86,17 @@ TEST(Doors, nameOpeningsThatExistAndNoneTwice) {
         ASSERT_LT(portal, cell->portals.size()) << door.at("name");
         EXPECT_TRUE(openings.insert({cell->id, portal}).second) << door.at("name");
         const dat::CellPortal& p = cell->portals[portal];
-        if (p.otherCellId != dat::kOutdoors) {
+        if (p.otherCellId != dat::kOutdoors)
             EXPECT_TRUE(openings.insert({(cell->id & 0xFFFF0000u) | p.otherCellId, p.otherPortalId}).second);
-        }
         EXPECT_GE(door.at("open").get<double>(), 0.0);
         EXPECT_LE(door.at("open").get<double>(), 1.0);
         ASSERT_FALSE(door.at("leaves").empty());
-        for (const Json& leaf : door.at("leaves")) {
+        for (const Json& leaf : door.at("leaves"))
             EXPECT_FALSE(modelPolygons(idOf(leaf.at("model"))).empty()) << door.at("name");
-        }
     }
     for (const char* name : {"cottage.front", "neighbour.front", "inn.front", "inn.kitchen", "inn.parlour",
-                             "inn.back", "inn.balcony", "meetinghall.front"}) {
+                             "inn.back", "inn.balcony", "meetinghall.front"})
         EXPECT_EQ(names.count(name), 1u) << name;
-    }
 }
 
 TEST(Doors, closedLeavesLieInTheirOpeningAndCoverIt) {
@@ -123,9 +115,8 @@ TEST(Doors, closedLeavesLieInTheirOpeningAndCoverIt) {
             leaves.push_back(box);
         }
         double area = 0.0;
-        for (const Aabb& box : leaves) {
+        for (const Aabb& box : leaves)
             area += (box.max.x - box.min.x) * (box.max.y - box.min.y);
-        }
         for (std::size_t a = 0; a < leaves.size(); ++a) {
             for (std::size_t b = a + 1; b < leaves.size(); ++b) {
                 EXPECT_LT(std::min(leaves[a].max.x, leaves[b].max.x) -
@@ -141,14 +132,12 @@ TEST(Doors, closedLeavesLieInTheirOpeningAndCoverIt) {
 
 TEST(Doors, openLeavesStandBesideTheOpening) {
     for (const Json& door : listOf("doors")) {
-        if (!door.at("opaque").get<bool>()) {
+        if (!door.at("opaque").get<bool>())
             continue;
-        }
         const DoorOpening opening = openingOf(door);
         Vec3 middle(0.0);
-        for (const Vec3& p : opening.polygon) {
+        for (const Vec3& p : opening.polygon)
             middle += p / static_cast<double>(opening.polygon.size());
-        }
         for (const Json& leaf : door.at("leaves")) {
             for (const Vec3& p : leafPoints(leaf, 1.0)) {
                 const Vec3 off = p - middle;
@@ -163,24 +152,20 @@ TEST(Doors, openLeavesStandBesideTheOpening) {
 
 TEST(Doors, everyOpeningToTheOutsideHasADoorOrAPane) {
     std::set<std::pair<std::uint32_t, std::size_t>> filled;
-    for (const Json& door : listOf("doors")) {
+    for (const Json& door : listOf("doors"))
         filled.insert({idOf(door.at("cell")), door.at("portal").get<std::size_t>()});
-    }
     for (const dat::EnvCell& cell : world().envCells) {
         for (std::size_t k = 0;
-             (cell.id >> 16) == (dat::landBlockInfoId(kVillage) >> 16) && k < cell.portals.size(); ++k) {
-            if (cell.portals[k].otherCellId == dat::kOutdoors) {
+             (cell.id >> 16) == (dat::landBlockInfoId(kVillage) >> 16) && k < cell.portals.size(); ++k)
+            if (cell.portals[k].otherCellId == dat::kOutdoors)
                 EXPECT_EQ(filled.count({cell.id, k}), 1u) << std::hex << cell.id << " portal " << k;
-            }
-        }
     }
 }
 
 TEST(Doors, panesAreTranslucentAndLeavesAreNot) {
     std::map<std::uint32_t, std::uint32_t> types;
-    for (const auto& [id, surface] : world().surfaces) {
+    for (const auto& [id, surface] : world().surfaces)
         types[id] = surface.type;
-    }
     constexpr std::uint32_t kBlended =
         dat::Surface::kAlpha | dat::Surface::kTranslucent | dat::Surface::kAdditive;
     const auto blended = [&](std::uint32_t gfxObj) {
@@ -195,9 +180,8 @@ TEST(Doors, panesAreTranslucentAndLeavesAreNot) {
     for (const Json& door : listOf("doors")) {
         const std::uint32_t model = idOf(door.at("leaves").at(0).at("model"));
         std::uint32_t gfxObj = model;
-        for (const dat::Setup& setup : world().setups) {
+        for (const dat::Setup& setup : world().setups)
             gfxObj = setup.id == model ? setup.parts.at(0) : gfxObj;
-        }
         EXPECT_EQ(blended(gfxObj), !door.at("opaque").get<bool>()) << door.at("name");
     }
 }
@@ -211,14 +195,12 @@ std::vector<RoutePoint> pointsOf(const Json& route) {
     for (const Json& point : route.at("points")) {
         RoutePoint p;
         p.at = vectorOf(point.at("position"));
-        if (point.at("cell").get<std::string>() != "outside") {
+        if (point.at("cell").get<std::string>() != "outside")
             p.space = world::findCell(loaded(), idOf(point.at("cell")));
-        }
         out.push_back(p);
     }
-    if (route.at("loop").get<bool>()) {
+    if (route.at("loop").get<bool>())
         out.push_back(out.front());
-    }
     return out;
 }
 
@@ -230,9 +212,8 @@ TEST(Routes, pointsLieInTheSpaceTheyName) {
             EXPECT_EQ(found.space, p.space)
                 << route.at("name") << " at " << p.at.x << " " << p.at.y << " " << p.at.z;
             EXPECT_FALSE(found.ambiguous);
-            if (p.space == world::kOutside) {
+            if (p.space == world::kOutside)
                 EXPECT_GE(p.at.z, world::terrainHeight(loaded(), p.at.x, p.at.y)) << route.at("name");
-            }
         }
     }
 }
@@ -284,9 +265,8 @@ TEST(Routes, feetAreNearTheGroundOutdoors) {
 
 TEST(Villagers, haveBodiesAndRoutes) {
     std::set<std::string> routes;
-    for (const Json& route : listOf("routes")) {
+    for (const Json& route : listOf("routes"))
         EXPECT_TRUE(routes.insert(route.at("name").get<std::string>()).second);
-    }
     ASSERT_GE(listOf("villagers").size(), 5u);
     for (const Json& villager : listOf("villagers")) {
         EXPECT_EQ(routes.count(villager.at("route").get<std::string>()), 1u) << villager.at("name");
@@ -296,11 +276,9 @@ TEST(Villagers, haveBodiesAndRoutes) {
         ASSERT_NE(setup, world().setups.end()) << villager.at("name");
         EXPECT_GE(setup->parts.size(), 6u);
         Aabb box;
-        for (const auto& polygon : modelPolygons(id)) {
-            for (const Vec3& p : polygon) {
+        for (const auto& polygon : modelPolygons(id))
+            for (const Vec3& p : polygon)
                 box.include(p);
-            }
-        }
         EXPECT_NEAR(box.min.z, 0.0, 0.02) << villager.at("name");
         EXPECT_GT(box.max.z, 1.6);
         EXPECT_LT(box.max.z, 1.9);
@@ -320,10 +298,8 @@ TEST(Villagers, fourOrMoreWalkThroughDoors) {
                 const double da = opening.plane.signedDistance(a);
                 const double db = opening.plane.signedDistance(b);
                 if (door.at("opaque").get<bool>() && da * db < 0.0 &&
-                    containsProjection(opening.polygon, opening.plane.n, a + (b - a) * (da / (da - db)),
-                                       0.0)) {
+                    containsProjection(opening.polygon, opening.plane.n, a + (b - a) * (da / (da - db)), 0.0))
                     throughDoors.insert(route.at("name").get<std::string>());
-                }
             }
         }
     }
@@ -332,13 +308,11 @@ TEST(Villagers, fourOrMoreWalkThroughDoors) {
 
 TEST(Emitters, areWhereTheySayAndTranslucent) {
     std::set<std::string> villagers;
-    for (const Json& villager : listOf("villagers")) {
+    for (const Json& villager : listOf("villagers"))
         villagers.insert(villager.at("name").get<std::string>());
-    }
     std::map<std::uint32_t, std::uint32_t> types;
-    for (const auto& [id, surface] : world().surfaces) {
+    for (const auto& [id, surface] : world().surfaces)
         types[id] = surface.type;
-    }
     std::set<std::string> names;
     bool additive = false;
     bool alpha = false;

@@ -15,11 +15,9 @@ Vec3 eyeOf(const nlohmann::ordered_json& json) {
 
 /// The cell that holds a global point, or null.
 const dat::EnvCell* cellAt(const Vec3& global) {
-    for (const dat::EnvCell& cell : world().envCells) {
-        if (contains(cell, inBlock(blockOf(cell.id), global))) {
+    for (const dat::EnvCell& cell : world().envCells)
+        if (contains(cell, inBlock(blockOf(cell.id), global)))
             return &cell;
-        }
-    }
     return nullptr;
 }
 
@@ -58,9 +56,8 @@ TEST(Tour, samplesAreCloseAndInTime) {
         const double t = tour[i].at("t").get<double>();
         EXPECT_GT(t, last);
         last = t;
-        if (i > 0) {
+        if (i > 0)
             EXPECT_LT(glm::length(eyeOf(tour[i]) - eyeOf(tour[i - 1])), 1.6);
-        }
     }
     EXPECT_GT(last, 60.0);
     EXPECT_LT(last, 300.0);
@@ -79,14 +76,12 @@ std::vector<std::uint32_t> expectedVillageVisits() {
                          C::StoreDoor,  C::Store,        C::BasementStairs, C::BasementDoor,
                          C::Basement,   C::VaultArch,    C::Vault,          C::VaultArch,
                          C::Basement,   C::BasementDoor, C::BasementStairs, C::Store,
-                         C::StoreDoor,  C::Parlour,      C::ParlourDoor,    C::Hall}) {
+                         C::StoreDoor,  C::Parlour,      C::ParlourDoor,    C::Hall})
         out.push_back(0x109 + static_cast<std::uint32_t>(cell));
-    }
     const std::uint32_t hall = 0x109 + static_cast<std::uint32_t>(C::Count);
     out.insert(out.end(), {hall, hall + 1, hall}); // nave and arch
-    for (std::uint32_t& cell : out) {
+    for (std::uint32_t& cell : out)
         cell |= dat::landBlockId(kVillage) & 0xFFFF0000u;
-    }
     return out;
 }
 
@@ -105,12 +100,10 @@ TEST(Tour, goesThroughEveryPartOfTheHousesAndNeverThroughAWall) {
         for (int k = 0; k < 20; ++k) {
             const Vec3 p = eyeOf(tour[i]) + (eyeOf(tour[i + 1]) - eyeOf(tour[i])) * (k / 20.0);
             const dat::EnvCell* cell = cellAt(p);
-            if (cell == nullptr) {
+            if (cell == nullptr)
                 EXPECT_GT(p.z, ground(p) + 1.0) << "under the ground outside";
-            }
-            if (cell == last) {
+            if (cell == last)
                 continue;
-            }
             // A change of space happens within reach of an opening between the two, well inside its border.
             const dat::EnvCell* from = last != nullptr ? last : cell;
             const dat::EnvCell* to = last != nullptr ? cell : nullptr;
@@ -125,9 +118,8 @@ TEST(Tour, goesThroughEveryPartOfTheHousesAndNeverThroughAWall) {
                                       containsProjection(polygon, plane.n, local, -0.1));
             }
             EXPECT_TRUE(through) << "at way point " << i;
-            if (cell != nullptr) {
+            if (cell != nullptr)
                 visited.push_back(cell->id);
-            }
             last = cell;
         }
     }

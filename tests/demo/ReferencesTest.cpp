@@ -15,22 +15,19 @@ namespace {
 template <class Records>
 std::set<std::uint32_t> idsOf(const Records& records) {
     std::set<std::uint32_t> out;
-    for (const auto& record : records) {
+    for (const auto& record : records)
         EXPECT_TRUE(out.insert(record.id).second) << "an id is used twice";
-    }
     return out;
 }
 
 class References : public ::testing::Test {
 protected:
     References() {
-        for (const auto& [id, surface] : world().surfaces) {
+        for (const auto& [id, surface] : world().surfaces)
             surfaces.insert(id);
-        }
         models = idsOf(world().gfxObjs);
-        for (const std::uint32_t id : idsOf(world().setups)) {
+        for (const std::uint32_t id : idsOf(world().setups))
             models.insert(id);
-        }
     }
     std::set<std::uint32_t> surfaces, models;
 };
@@ -46,14 +43,11 @@ TEST_F(References, ofTexturesResolve) {
     const auto textures = idsOf(world().surfaceTextures);
     const auto images = idsOf(world().renderSurfaces);
     const auto palettes = idsOf(world().palettes);
-    for (const auto& [id, surface] : world().surfaces) {
+    for (const auto& [id, surface] : world().surfaces)
         EXPECT_TRUE(!surface.hasImage() || textures.count(surface.texture) == 1);
-    }
-    for (const dat::SurfaceTexture& texture : world().surfaceTextures) {
-        for (const std::uint32_t image : texture.images) {
+    for (const dat::SurfaceTexture& texture : world().surfaceTextures)
+        for (const std::uint32_t image : texture.images)
             EXPECT_EQ(images.count(image), 1u);
-        }
-    }
     for (const dat::RenderSurface& image : world().renderSurfaces) {
         const bool indexed =
             image.format == dat::PixelFormat::P8 || image.format == dat::PixelFormat::Index16;
@@ -62,33 +56,25 @@ TEST_F(References, ofTexturesResolve) {
 }
 
 TEST_F(References, ofModelsAndCellsResolve) {
-    for (const dat::GfxObj& object : world().gfxObjs) {
-        for (const std::uint32_t surface : object.surfaces) {
+    for (const dat::GfxObj& object : world().gfxObjs)
+        for (const std::uint32_t surface : object.surfaces)
             EXPECT_EQ(surfaces.count(surface), 1u);
-        }
-    }
     for (const dat::Setup& setup : world().setups) {
-        for (const std::uint32_t part : setup.parts) {
+        for (const std::uint32_t part : setup.parts)
             EXPECT_EQ(models.count(part), 1u);
-        }
         EXPECT_EQ(setup.placementFrames.at(0).second.parts.size(), setup.parts.size());
     }
     for (const dat::EnvCell& cell : world().envCells) {
-        for (const std::uint16_t surface : cell.surfaces) {
+        for (const std::uint16_t surface : cell.surfaces)
             EXPECT_EQ(surfaces.count(0x08000000u | surface), 1u);
-        }
-        for (const dat::Stab& object : cell.statics) {
+        for (const dat::Stab& object : cell.statics)
             EXPECT_EQ(models.count(object.model), 1u);
-        }
-        for (const std::uint16_t other : cell.visibleCells) {
+        for (const std::uint16_t other : cell.visibleCells)
             EXPECT_NE(findCell((cell.id & 0xFFFF0000u) | other), nullptr);
-        }
     }
-    for (const dat::LandBlockInfo& info : world().landBlockInfos) {
-        for (const dat::Stab& object : info.objects) {
+    for (const dat::LandBlockInfo& info : world().landBlockInfos)
+        for (const dat::Stab& object : info.objects)
             EXPECT_EQ(models.count(object.model), 1u);
-        }
-    }
 }
 
 TEST_F(References, ofMotionsResolve) {
@@ -121,30 +107,22 @@ TEST_F(References, ofTheRegionResolve) {
     const dat::Region& region = world().regions.at(0);
     const auto scenes = idsOf(world().scenes);
     const auto textures = idsOf(world().surfaceTextures);
-    for (const dat::SceneType& type : region.sceneTypes) {
-        for (const std::uint32_t scene : type.scenes) {
+    for (const dat::SceneType& type : region.sceneTypes)
+        for (const std::uint32_t scene : type.scenes)
             EXPECT_EQ(scenes.count(scene), 1u);
-        }
-    }
-    for (const dat::Scene& scene : world().scenes) {
-        for (const dat::SceneObject& object : scene.objects) {
+    for (const dat::Scene& scene : world().scenes)
+        for (const dat::SceneObject& object : scene.objects)
             EXPECT_EQ(models.count(object.object), 1u);
-        }
-    }
-    for (const dat::TerrainType& type : region.terrainTypes) {
-        for (const std::uint32_t index : type.sceneTypes) {
+    for (const dat::TerrainType& type : region.terrainTypes)
+        for (const std::uint32_t index : type.sceneTypes)
             EXPECT_LT(index, region.sceneTypes.size());
-        }
-    }
     for (const auto* maps : {&region.texMerge.corners, &region.texMerge.sides, &region.texMerge.roads}) {
         EXPECT_FALSE(maps->empty());
-        for (const dat::AlphaMap& map : *maps) {
+        for (const dat::AlphaMap& map : *maps)
             EXPECT_EQ(textures.count(map.texture), 1u);
-        }
     }
-    for (const dat::SkyObject& object : region.sky.dayGroups.at(0).objects) {
+    for (const dat::SkyObject& object : region.sky.dayGroups.at(0).objects)
         EXPECT_EQ(models.count(object.object), 1u);
-    }
 }
 
 TEST_F(References, ofPolygonsStayInsideTheirMesh) {
@@ -154,24 +132,20 @@ TEST_F(References, ofPolygonsStayInsideTheirMesh) {
             const bool portal = (polygon.stippling & dat::kNoPositiveUv) != 0;
             EXPECT_EQ(polygon.posUv.size(), portal ? 0u : polygon.vertexKeys.size());
             EXPECT_TRUE(portal || static_cast<std::size_t>(polygon.posSurface) < surfaceCount);
-            for (std::size_t k = 0; k < polygon.posUv.size(); ++k) {
+            for (std::size_t k = 0; k < polygon.posUv.size(); ++k)
                 EXPECT_LT(polygon.posUv[k], array.vertices.at(polygon.vertexKeys[k]).second.uvs.size());
-            }
         }
     };
-    for (const dat::GfxObj& object : world().gfxObjs) {
+    for (const dat::GfxObj& object : world().gfxObjs)
         check(object.vertexArray, object.polygons, object.surfaces.size());
-    }
-    for (const dat::EnvCell& cell : world().envCells) {
+    for (const dat::EnvCell& cell : world().envCells)
         check(shapeOf(cell).vertexArray, shapeOf(cell).polygons, cell.surfaces.size());
-    }
 }
 
 TEST(Landscape, neighbouringBlocksAgreeOnTheirSharedEdge) {
     std::map<std::uint32_t, const dat::LandBlock*> blocks;
-    for (const dat::LandBlock& block : world().landBlocks) {
+    for (const dat::LandBlock& block : world().landBlocks)
         blocks[block.id] = &block;
-    }
     ASSERT_EQ(blocks.size(), kBlocksAcross * kBlocksAcross + 1u) << "the land, and the sealed dungeon";
     for (const auto& [id, block] : blocks) {
         const auto east = blocks.find(id + 0x01000000u);
@@ -181,9 +155,8 @@ TEST(Landscape, neighbouringBlocksAgreeOnTheirSharedEdge) {
                 EXPECT_EQ(block->heights[8 * 9 + k], east->second->heights[k]);
                 EXPECT_EQ(block->terrain[8 * 9 + k], east->second->terrain[k]);
             }
-            if (north != blocks.end()) {
+            if (north != blocks.end())
                 EXPECT_EQ(block->heights[k * 9 + 8], north->second->heights[k * 9]);
-            }
         }
     }
 }

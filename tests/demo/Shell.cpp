@@ -32,11 +32,9 @@ bool isConvex(const dat::EnvCell& cell) {
     const dat::CellStruct& shape = shapeOf(cell);
     for (const auto& [id, polygon] : shape.polygons) {
         const Plane plane = planeOf(pointsOf(shape.vertexArray, polygon, cell.position));
-        for (const auto& [key, vertex] : shape.vertexArray.vertices) {
-            if (plane.signedDistance(apply(cell.position, Vec3(vertex.position))) < -1e-3) {
+        for (const auto& [key, vertex] : shape.vertexArray.vertices)
+            if (plane.signedDistance(apply(cell.position, Vec3(vertex.position))) < -1e-3)
                 return false;
-            }
-        }
     }
     return true;
 }

@@ -18,22 +18,19 @@ using Kind = Standing::Kind;
 template <class Visit>
 void forNearPairs(const std::vector<Standing>& all, Visit visit) {
     std::vector<const Standing*> sorted;
-    for (const Standing& s : all) {
+    for (const Standing& s : all)
         sorted.push_back(&s);
-    }
     std::sort(sorted.begin(), sorted.end(),
               [](const auto* a, const auto* b) { return a->box.min.x < b->box.min.x; });
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         for (std::size_t j = i + 1; j < sorted.size(); ++j) {
             const Standing& a = *sorted[i];
             const Standing& b = *sorted[j];
-            if (b.box.min.x > a.box.max.x + kSamePlane) {
+            if (b.box.min.x > a.box.max.x + kSamePlane)
                 break;
-            }
             const Vec3 gap = glm::max(a.box.min, b.box.min) - glm::min(a.box.max, b.box.max);
-            if (std::max(gap.y, gap.z) <= kSamePlane) {
+            if (std::max(gap.y, gap.z) <= kSamePlane)
                 visit(a, b);
-            }
         }
     }
 }
@@ -86,9 +83,8 @@ TEST(Surfaces, nothingLiesInAnOpening) {
     forNearPairs(all, [&](const Standing& a, const Standing& b) {
         portals += a.kind == Kind::Portal && b.kind == Kind::Portal ? 1 : 0;
         const bool one = (a.kind == Kind::Portal) != (b.kind == Kind::Portal);
-        if (one && std::abs(glm::dot(a.plane.n, b.plane.n)) > kParallel) {
+        if (one && std::abs(glm::dot(a.plane.n, b.plane.n)) > kParallel)
             EXPECT_FALSE(shareAPlane(a, b)) << message(a, b);
-        }
     });
     EXPECT_GT(portals, 10u);
 }
@@ -105,9 +101,8 @@ void expectNormalsFollowWinding(const std::string& name, const dat::VertexArray&
                                 const dat::PolygonList& polygons,
                                 const std::vector<dat::RecordId>& surfaces) {
     for (const auto& [id, polygon] : polygons) {
-        if (polygon.posSurface >= 0 && isFoliage(surfaces.at(static_cast<std::size_t>(polygon.posSurface)))) {
+        if (polygon.posSurface >= 0 && isFoliage(surfaces.at(static_cast<std::size_t>(polygon.posSurface))))
             continue;
-        }
         const Vec3 winding = planeOf(pointsOf(vertices, polygon, {})).n;
         for (const std::uint16_t key : polygon.vertexKeys) {
             const Vec3 normal(vertices.vertices.at(key).second.normal);
@@ -124,9 +119,8 @@ TEST(Surfaces, normalsPointTheWayTheFacesLook) {
     }
     for (const dat::EnvCell& cell : world().envCells) {
         std::vector<dat::RecordId> surfaces;
-        for (const std::uint16_t s : cell.surfaces) {
+        for (const std::uint16_t s : cell.surfaces)
             surfaces.push_back(0x08000000u | s);
-        }
         const dat::CellStruct& shape = shapeOf(cell);
         expectNormalsFollowWinding(fmt::format("0x{:08X}", cell.id), shape.vertexArray, shape.polygons,
                                    surfaces);

@@ -22,9 +22,8 @@ struct HighlightsTest : ::testing::Test {
     [[nodiscard]] world::InstanceIndex tableOf(world::SpaceIndex space) const {
         for (world::InstanceIndex i = 0; i < planned.world.instances.size(); ++i) {
             const world::Instance& in = planned.world.instances[i];
-            if (in.kind == world::InstanceKind::Static && in.placedIn == space) {
+            if (in.kind == world::InstanceKind::Static && in.placedIn == space)
                 return i;
-            }
         }
         return world::kNone;
     }

@@ -37,15 +37,14 @@ void choose(const Clusters& clusters, const Cluster& cluster, const OneVisit& fr
     const Containment lies = from.lies(cluster.bounds);
     const double ahead = glm::dot(cluster.bounds.centre - from.eye, from.view.forward);
     if (lies == Containment::Inside || (lies == Containment::Partial && cluster.childCount == 0 &&
-                                        ahead > cluster.bounds.radius + kNearPlane)) {
+                                        ahead > cluster.bounds.radius + kNearPlane))
         std::fill(chosen.begin() + cluster.first, chosen.begin() + cluster.end, true);
-    } else if (lies == Containment::Partial && cluster.childCount == 0) {
+    else if (lies == Containment::Partial && cluster.childCount == 0)
         for (std::uint32_t i = cluster.first; i < cluster.end; ++i)
             chosen[i] = from.lies(clusters.bounds[i]) != Containment::Outside;
-    } else if (lies == Containment::Partial) {
+    else if (lies == Containment::Partial)
         for (std::uint32_t i = 0; i < cluster.childCount; ++i)
             choose(clusters, clusters.clusters[cluster.firstChild + i], from, chosen);
-    }
 }
 
 TEST(LevelSelection, choosesWhatGoingDownTheTreeChooses) {

@@ -90,10 +90,8 @@ TEST_F(MoverPiecesTest, aRunEndsWhereTheTestBeginsOrEnds) {
 
 TEST_F(MoverPiecesTest, whatIsSplitIsCutOutAndBlended) {
     pieces.add(kPainted, 7, false);
-    for (const DrawClass drawn :
-         {DrawClass::Wall, DrawClass::Terrain, DrawClass::Opaque, DrawClass::CutOut}) {
+    for (const DrawClass drawn : {DrawClass::Wall, DrawClass::Terrain, DrawClass::Opaque, DrawClass::CutOut})
         pieces.moveRuns(drawn, plan);
-    }
     const auto blended = pieces.movePieces(DrawClass::Blended, plan);
     std::vector<Drawn> solid;
     for (const PieceRun& run : plan.runs) {

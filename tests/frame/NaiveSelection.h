@@ -25,18 +25,15 @@ inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world,
         const auto sphere = cones.sphereOf({instance.bounds.centre - frame.view.eye, instance.bounds.radius});
         const Containment inVisit = cones.classify(seen.visit, sphere);
         if (inVisit != Containment::Outside &&
-            visibility::Viewcones::classify(cones.edgesOf(seen.rect), sphere) != Containment::Outside) {
+            visibility::Viewcones::classify(cones.edgesOf(seen.rect), sphere) != Containment::Outside)
             best[number] = std::max(best[number], inVisit);
-        }
     };
     for (const visibility::SeenSpace& seen : set.seen) {
         const world::Space& space = world.spaces[seen.space];
-        for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i) {
+        for (std::uint32_t i = space.firstInstance; i < space.firstInstance + space.instanceCount; ++i)
             meet(seen, world.instances[world.spaceInstances[i]], world.spaceInstances[i]);
-        }
-        for (const world::InstanceIndex i : dynamics.instancesIn(seen.space)) {
+        for (const world::InstanceIndex i : dynamics.instancesIn(seen.space))
             meet(seen, dynamics.instances[i], static_cast<std::uint32_t>(world.instances.size()) + i);
-        }
     }
     std::map<std::uint32_t, bool> drawn;
     for (const auto& [number, seen] : best) {

@@ -24,9 +24,8 @@ TEST_F(OwnershipTest, drawsAPortalFromTheVeryFloatsOfItsWalls) {
         std::span(planned.world.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
     std::size_t corners = 0;
     for (const auto& vertex : plan.ownershipVertices) {
-        if (vertex.visit != 1) {
+        if (vertex.visit != 1)
             continue;
-        }
         EXPECT_EQ(vertex.block, portal.block);
         for (const Vec3& v : outline) {
             const TwoFloats parts = inTwoFloats(v - planned.world.blocks[portal.block].origin());

@@ -54,9 +54,8 @@ struct PlannedWorld {
     }
     [[nodiscard]] std::vector<frame::gpu::DrawPiece> piecesOf(const frame::PieceRun& run) const {
         std::vector<frame::gpu::DrawPiece> drawn;
-        for (std::uint32_t p = run.firstPiece; p < run.firstPiece + run.pieceCount; ++p) {
+        for (std::uint32_t p = run.firstPiece; p < run.firstPiece + run.pieceCount; ++p)
             drawn.push_back(p < pieces.size() ? pieces[p] : plan.pieces[p - pieces.size()]);
-        }
         return drawn;
     }
 

@@ -20,11 +20,9 @@ struct PlannerTest : ::testing::Test {
     [[nodiscard]] std::map<std::uint32_t, int> drawsOf(const frame::FramePlan& plan, Program program) const {
         std::map<std::uint32_t, int> draws;
         for (const frame::Batch& batch : plan.batches) {
-            if (batch.program == program) {
-                for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
+            if (batch.program == program)
+                for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch))
                     ++draws[piece.instance];
-                }
-            }
         }
         return draws;
     }
@@ -45,14 +43,11 @@ TEST_F(PlannerTest, hasEveryStageOnceInOrder) {
 TEST_F(PlannerTest, drawsTheShellOfEveryCellSeenAndEachInstanceOnce) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
     const auto draws = drawsOf(plan, Program::Opaque);
-    for (const visibility::SeenSpace& seen : planned.visible.seen) {
-        if (seen.space != world::kOutside) {
+    for (const visibility::SeenSpace& seen : planned.visible.seen)
+        if (seen.space != world::kOutside)
             EXPECT_TRUE(draws.contains(planned.world.spaces[seen.space].shell));
-        }
-    }
-    for (const auto& [instance, count] : draws) {
+    for (const auto& [instance, count] : draws)
         EXPECT_EQ(count, 1) << instance;
-    }
     EXPECT_EQ(planned.visible.visits.size(), 3u) << "room, room, outside";
 }
 
@@ -65,9 +60,8 @@ TEST_F(PlannerTest, leavesOutWhatNoVisitSees) {
     EXPECT_EQ(plan.stages[static_cast<std::size_t>(StageKind::Sky)].batchCount, 0u) << "and no sky";
     EXPECT_EQ(plan.stages[static_cast<std::size_t>(StageKind::Ownership)].batchCount, 0u)
         << "one owner: nothing to say";
-    for (const frame::Batch& batch : plan.batches) {
+    for (const frame::Batch& batch : plan.batches)
         EXPECT_FALSE(batch.gated);
-    }
 }
 
 TEST_F(PlannerTest, gatesMembersOfSeveralZonesWhereThereAreSeveralVisits) {
@@ -115,9 +109,8 @@ TEST_F(PlannerTest, aBatchsRunsAddUp) {
         const auto& plan = planned.planFrom(eye, 180, eye.y < 98 ? first : world::kOutside);
         std::uint32_t triangles = 0;
         for (const frame::Batch& batch : plan.batches) {
-            if (batch.program == Program::Ownership || batch.program == Program::SkyPlain) {
+            if (batch.program == Program::Ownership || batch.program == Program::SkyPlain)
                 continue;
-            }
             const auto pieces = planned.piecesOf(batch);
             EXPECT_EQ(pieces.size(), batch.draws);
             std::uint32_t indices = 0;
@@ -151,9 +144,8 @@ TEST_F(PlannerTest, visitsMirrorTheTree) {
 TEST_F(PlannerTest, batchesDependOnTheStagesAlone) {
     const auto batches = [&](const Vec3& eye, double yaw, world::SpaceIndex root) {
         std::vector<std::pair<Program, bool>> list;
-        for (const frame::Batch& batch : planned.planFrom(eye, yaw, root).batches) {
+        for (const frame::Batch& batch : planned.planFrom(eye, yaw, root).batches)
             list.emplace_back(batch.program, batch.gated);
-        }
         return list;
     };
     EXPECT_EQ(batches({92, 91, 1.5}, 0, first), batches({92, 104, 1.5}, 180, world::kOutside));

@@ -18,9 +18,8 @@ TEST_F(SceneBuilderTest, keepsTheWorldsNumbers) {
     EXPECT_EQ(scene.vertices.size(), world.vertices.size());
     EXPECT_EQ(scene.materials.size(), world.materials.size());
     EXPECT_EQ(scene.lightSets.size(), world.lightSets.size());
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
         EXPECT_EQ(scene.instances[i].idBase, world.instances[i].idBase);
-    }
 }
 
 TEST_F(SceneBuilderTest, givesEachInstanceItsZonesWithoutRepeatsTheOneItStandsInFirst) {

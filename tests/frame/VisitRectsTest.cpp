@@ -57,9 +57,8 @@ TEST_F(VisitRectsTest, theRootsZoneHasNone_norHasOneThatIsNotVisited) {
 
 TEST_F(VisitRectsTest, eachVisitHasItsOwn_ofMoreThanEightTheLastHoldsAll) {
     addAt(kOther, 0.9);
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 10; ++i)
         addAt(kOut, -0.9 + 0.1 * i);
-    }
     rects.find(frame, set, plan);
     ASSERT_EQ(rects.of(kOut), (frame::RectRun{0, frame::VisitRects::kMostRects}));
     EXPECT_EQ(rects.of(kOther), (frame::RectRun{8, 1}));
@@ -88,9 +87,8 @@ TEST(PlannedRects, whatIsSeenThroughOpeningsIsLookedForThereAlone) {
     ASSERT_EQ(planned.visible.visits.size(), 3u);
     std::size_t narrowed = 0;
     for (const frame::Batch& batch : plan.batches) {
-        if (batch.program != frame::Program::Opaque && batch.program != frame::Program::Terrain) {
+        if (batch.program != frame::Program::Opaque && batch.program != frame::Program::Terrain)
             continue;
-        }
         for (std::uint32_t r = batch.first; r < batch.first + batch.count; ++r) {
             for (const frame::gpu::DrawPiece& piece : planned.piecesOf(plan.runs[r])) {
                 const world::Instance& in = planned.world.instances[piece.instance];

@@ -79,12 +79,10 @@ VisibleSet floodOf(const Complex& complex, const visibility::View& view) {
     visibility::flood(complex.graph, {}, view, {}, scratch, set);
     EXPECT_EQ(set.counts.visitsCut, 0u) << "the cap on visits was reached";
     EXPECT_EQ(set.counts.cyclesLeft, 0u) << "openings that overlap in a circle were left so";
-    for (const Vec3& v : set.regionVertices) {
+    for (const Vec3& v : set.regionVertices)
         EXPECT_TRUE(isFinite(v));
-    }
-    for (const visibility::Visit& visit : set.visits) {
+    for (const visibility::Visit& visit : set.visits)
         EXPECT_TRUE(isFinite(visit.entryPlane.n) && std::isfinite(visit.entryPlane.d));
-    }
     return set;
 }
 
@@ -124,9 +122,8 @@ std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visib
                 next = p;
             }
         }
-        if (next == world::kNone) {
+        if (next == world::kNone)
             return chain;
-        }
         if (!isOpenFor(world, world.portals[next], view.eye, direction)) {
             chain.push_back(world::kNone);
             return chain;
@@ -143,15 +140,13 @@ std::vector<world::SpaceIndex> chainOfOwner(const VisibleSet& set, const Vec3& s
     for (std::uint32_t i = 0; i < set.visits.size(); ++i) {
         const auto region = set.region(set.visits[i]);
         bool inside = true;
-        for (std::size_t e = 0; e < region.size() && inside; ++e) {
+        for (std::size_t e = 0; e < region.size() && inside; ++e)
             inside = glm::dot(glm::cross(region[e], region[(e + 1) % region.size()]), screen) >= 0.0;
-        }
         owner = inside ? i : owner;
     }
     std::vector<world::SpaceIndex> chain;
-    for (; owner != visibility::kNone; owner = set.visits[owner].parent) {
+    for (; owner != visibility::kNone; owner = set.visits[owner].parent)
         chain.insert(chain.begin(), set.visits[owner].space);
-    }
     return chain;
 }
 
@@ -161,9 +156,8 @@ bool isChainNearby(const world::World& world, const visibility::View& view, cons
                    const std::vector<world::SpaceIndex>& chain) {
     for (int i = 0; i < 8; ++i) {
         const Vec3 s = screen + Vec3(std::cos(i * 0.785), std::sin(i * 0.785), 0.0) * 1e-4;
-        if (chainOfRay(world, view, directionOf(view, s)) == chain) {
+        if (chainOfRay(world, view, directionOf(view, s)) == chain)
             return true;
-        }
     }
     return false;
 }
@@ -178,9 +172,8 @@ TEST(WorldFloodProperty, theVisibleSetHoldsEverySpaceThatARayOfTheReferenceEndsI
             const visibility::View view = randomView(complex.world, random).view;
             const VisibleSet set = floodOf(complex, view);
             std::vector<bool> seen(complex.world.spaces.size(), false);
-            for (const visibility::SeenSpace& s : set.seen) {
+            for (const visibility::SeenSpace& s : set.seen)
                 seen[s.space] = true;
-            }
             for (int i = 0; i < kSide * kSide; ++i) {
                 const Vec3 direction = directionOf(view, screenOf(i % kSide, i / kSide));
                 const reference::Answer answer = scene.trace(view.root, {view.eye, direction, 0.0});

@@ -30,9 +30,8 @@ std::vector<Face> facesOf(const world::World& world, const world::Space& space) 
     }
     for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
         const auto outline = polygonOf(world, world.portals[p]);
-        for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
             faces.push_back({outline[0], outline[i], outline[i + 1]});
-        }
     }
     return faces;
 }
@@ -48,9 +47,8 @@ int crossings(const std::vector<Face>& faces, const Vec3& from, const Vec3& dire
         const bool front = ab < 0 && bc < 0 && ca<0, back = ab> 0 && bc > 0 && ca > 0;
         const Vec3 normal = glm::cross(b - a, c - a);
         const double speed = glm::dot(normal, direction);
-        if ((front || back) && glm::dot(normal, a) / speed > 0.0) {
+        if ((front || back) && glm::dot(normal, a) / speed > 0.0)
             sum += speed < 0 ? 1 : -1;
-        }
     }
     return sum;
 }
@@ -95,9 +93,8 @@ TEST(ZoneProperty, cellsOfOneZoneAreClosedAndDisjoint) {
             const world::World world = files.load(files.blocks().front());
             std::mt19937 random(seed);
             for (const world::Zone& zone : world.zones) {
-                if (zone.spaceCount < 2) {
+                if (zone.spaceCount < 2)
                     continue; // alone it need be neither
-                }
                 const Faults faults = faultsOf(world, zone, random);
                 EXPECT_EQ(faults.open, 0u) << demo::test::nameOf(files.spec());
                 EXPECT_EQ(faults.shared, 0u) << demo::test::nameOf(files.spec());

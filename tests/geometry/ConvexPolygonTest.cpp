@@ -58,9 +58,8 @@ TEST(ContainsProjection, acceptsTheEdgeAndTheTolerance) {
 
 TEST(BoundingSphere, holdsEveryPoint) {
     const Sphere sphere = boundingSphere(kUnitSquare);
-    for (const Vec3& p : kUnitSquare) {
+    for (const Vec3& p : kUnitSquare)
         EXPECT_LE(glm::length(p - sphere.centre), sphere.radius);
-    }
     EXPECT_LT(boundingSphere({}).radius, 0.0);
 }
 

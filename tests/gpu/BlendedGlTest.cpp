@@ -92,9 +92,8 @@ TEST_F(SplitGlTest, hasNoIdAndNoDepthWhateverItsAlpha) {
 }
 
 TEST_F(SplitGlTest, isBlendedOnceWhereItIsNot) {
-    for (const std::uint8_t alpha : {std::uint8_t{20}, std::uint8_t{128}, std::uint8_t{235}}) {
+    for (const std::uint8_t alpha : {std::uint8_t{20}, std::uint8_t{128}, std::uint8_t{235}})
         EXPECT_EQ(drawn(alpha, kPainted).at(0, 0), drawn(alpha, kWithIds).at(0, 0)) << int{alpha};
-    }
     EXPECT_EQ(drawn(255, kPainted, 0.5f).at(0, 0), drawn(255, kWithIds, 0.5f).at(0, 0))
         << "it fades as a whole";
 }

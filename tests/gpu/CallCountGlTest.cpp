@@ -15,9 +15,8 @@ protected:
         scene.upload.terrainCells.resize(1);
         scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
         for (layout::TerrainLayer* layer :
-             {scene.upload.terrainCells[0].overlays, scene.upload.terrainCells[0].roads}) {
+             {scene.upload.terrainCells[0].overlays, scene.upload.terrainCells[0].roads})
             layer[0].texture = layer[1].texture = layout::kNoTexture;
-        }
         scene.upload.terrainCells[0].overlays[2].texture = layout::kNoTexture;
         for (std::uint32_t i = 0; i < copies; ++i) {
             const float y = 2.0f + static_cast<float>(i);
@@ -25,9 +24,8 @@ protected:
             for (const frame::Program program : {frame::Program::Opaque, frame::Program::CutOut,
                                                  frame::Program::Terrain, frame::Program::Blended}) {
                 for (const bool gated : {false, true}) {
-                    if (program == frame::Program::Blended && !gated) {
+                    if (program == frame::Program::Blended && !gated)
                         continue; // a plan has one list of these
-                    }
                     scene.addWall('A', {-1, -1}, {1, 1}, y,
                                   {.members = {{1, 0}, {0, 0}}, .program = program, .gated = gated});
                 }

@@ -120,9 +120,8 @@ TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
             std::vector<std::byte> pixels(64);
             w.device.readTarget(w.target, TargetImage::Colour, pixels);
         } else {
-            for (std::size_t i = 0; i < kFramesInFlight; ++i) {
+            for (std::size_t i = 0; i < kFramesInFlight; ++i)
                 w.frame();
-            }
         }
         w.device.releaseHandle(w.texture);
         EXPECT_TRUE(w.device.faults().empty()) << w.device.faults().front();
@@ -131,9 +130,8 @@ TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
     Watched early;
     early.frame();
     early.references = early.makeReferences(0);
-    for (std::size_t i = 1; i < kFramesInFlight; ++i) {
+    for (std::size_t i = 1; i < kFramesInFlight; ++i)
         early.frame();
-    }
     early.device.releaseHandle(early.texture);
     EXPECT_EQ(early.device.faults().size(), 1u) << "the oldest may still be under way";
 }

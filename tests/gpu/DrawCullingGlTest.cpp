@@ -19,9 +19,8 @@ protected:
         const Frame less = renderWith(culled, plan, size, size, options);
         EXPECT_EQ(whole.ids, less.ids);
         EXPECT_EQ(whole.depth, less.depth);
-        if (options.shading != Shading::IdsOnly) { // that writes none
+        if (options.shading != Shading::IdsOnly) // that writes none
             EXPECT_EQ(whole.colour, less.colour);
-        }
         EXPECT_EQ(whole.layers, less.layers);
         seen_ = static_cast<std::size_t>(
             std::count_if(whole.ids.begin(), whole.ids.end(), [](std::uint32_t id) { return id >= 100; }));
@@ -96,9 +95,8 @@ TEST_F(DrawCullingGlTest, whatLiesBesideTheRectanglesOfItsRunIsLeftOut_andNothin
         frame::FramePlan plan = scene.finish(true);
         const Frame whole = renderWith(renderer, plan, kSize, kSize);
         plan.rects.assign(rects.begin(), rects.end());
-        for (frame::PieceRun& run : plan.runs) {
+        for (frame::PieceRun& run : plan.runs)
             run.rects = {0, static_cast<std::uint16_t>(rects.size())};
-        }
         const Frame less = renderWith(renderer, plan, kSize, kSize);
         for (std::uint32_t y = 0; y < kSize; ++y) {
             for (std::uint32_t x = 0; x < kSize; ++x) {
@@ -203,9 +201,8 @@ TEST_F(DrawCullingGlTest, manyDraws) {
     scene.root(0);
     scene.addWall(100, {-0.001f, -0.001f}, {0.001f, 0.001f}, 1); // covers no centre
     scene.addWall(101, {-1, -1}, {1, 1}, 1);
-    for (std::uint32_t i = 2; i < kMostGroups + 10; ++i) {
+    for (std::uint32_t i = 2; i < kMostGroups + 10; ++i)
         scene.drawAgain(i % 2, frame::Program::Opaque, false);
-    }
     expectSame(scene, 4);
     EXPECT_EQ(seen_, 16u);
 }

@@ -48,16 +48,14 @@ private:
         return fail(ErrorCode::Driver, std::string(label), "out of memory");
     }
     bool failsNow() {
-        if (!madeBeforeFailure) {
+        if (!madeBeforeFailure)
             return false;
-        }
         if (*madeBeforeFailure > 0) {
             --*madeBeforeFailure;
             return false;
         }
-        if (--failures == 0) {
+        if (--failures == 0)
             madeBeforeFailure.reset();
-        }
         return true;
     }
 };

@@ -19,9 +19,8 @@ SceneBuilder mixedScene() {
     scene.upload.terrainCells.resize(1);
     scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
     for (layout::TerrainLayer* layer :
-         {scene.upload.terrainCells[0].overlays, scene.upload.terrainCells[0].roads}) {
+         {scene.upload.terrainCells[0].overlays, scene.upload.terrainCells[0].roads})
         layer[0].texture = layer[1].texture = layout::kNoTexture;
-    }
     scene.upload.terrainCells[0].overlays[2].texture = layout::kNoTexture;
     scene.addWall(4, {-3, 0}, {3, 1}, 3,
                   {.members = {{0, 0}}, .program = frame::Program::Terrain, .gated = true});
@@ -53,9 +52,8 @@ TEST_F(FlatGlTest, idsAndDepthAreThoseOfALitFrame) {
             EXPECT_EQ(flat.ids, lit.ids);
             EXPECT_EQ(flat.depth, lit.depth);
         }
-        for (const std::uint32_t id : {0u, 1u, 4u, 70001u, 123456789u}) {
+        for (const std::uint32_t id : {0u, 1u, 4u, 70001u, 123456789u})
             EXPECT_GT(std::count(lit.ids.begin(), lit.ids.end(), id), 0) << id << " is in the picture";
-        }
     }
 }
 
@@ -71,9 +69,8 @@ TEST_F(FlatGlTest, coloursOfNeighbouringIdsAreFarApart) {
     for (std::uint32_t id = 0; id < 5000; ++id) {
         const auto a = frame::colourOfId(id), b = frame::colourOfId(id + 1);
         int apart = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i)
             apart = std::max(apart, std::abs(int{a[i]} - int{b[i]}));
-        }
         EXPECT_GE(apart, 4) << id;
     }
 }

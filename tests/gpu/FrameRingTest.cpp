@@ -48,13 +48,11 @@ bool areSame(const layout::Instance& a, const layout::Instance& b) {
 void writesWhatIsDrawn(std::uint32_t count) {
     std::vector<Record> records;
     frame::FramePlan plan;
-    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+    for (std::uint32_t i = 0; i < 3 * count; ++i)
         records.push_back(recordOf(i));
-    }
     plan.moving = {reinterpret_cast<const std::byte*>(records.data()), sizeof(Record)};
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < count; ++i)
         plan.movers.push_back(3 * i + i % 2);
-    }
     plan.moverChanges = {{1, 100, 200, 300}, {count - 1, 400, 500, 0}};
     plan.records = {recordOf(12345).instance};
     const FrameRing ring(plan, 0, 256);
@@ -71,11 +69,9 @@ void writesWhatIsDrawn(std::uint32_t count) {
                 written.size() * sizeof(layout::Instance));
     for (std::uint32_t i = 0; i < count; ++i) {
         layout::Instance expected = expectedOf(3 * i + i % 2);
-        for (const frame::MoverChange& change : plan.moverChanges) {
-            if (change.mover == i) {
+        for (const frame::MoverChange& change : plan.moverChanges)
+            if (change.mover == i)
                 change.applyTo(expected);
-            }
-        }
         ASSERT_TRUE(areSame(written[i], expected)) << i;
     }
     EXPECT_EQ(written[1].highlight, 300u);

@@ -14,11 +14,9 @@ void GlTest::SetUp() {
 
 void GlTest::TearDown() {
     device_.reset();
-    if (debug_) {
-        for (const std::string& fault : debug_->faults()) {
+    if (debug_)
+        for (const std::string& fault : debug_->faults())
             ADD_FAILURE() << "the driver says: " << fault;
-        }
-    }
     debug_.reset();
     context_.reset();
 }
@@ -39,9 +37,8 @@ Frame GlTest::renderWith(Renderer& renderer, const frame::FramePlan& plan, std::
     EXPECT_TRUE(rendered) << rendered.error().message();
     Frame frame{
         target->readIds(), target->readOwnership(), target->readColour(), target->readDepth(), {}, width};
-    if (options.wantLayers) {
+    if (options.wantLayers)
         frame.layers = target->readLayers();
-    }
     return frame;
 }
 

@@ -38,16 +38,14 @@ TEST(MipChain, hiddenColoursDoNotBleed) {
 
 TEST(Enlarged, keepsSmallerMipsWhenTheSizeIsAMultiple) {
     std::vector<std::uint8_t> rgba;
-    for (int i = 0; i < 4 * 2 * 4; ++i) {
+    for (int i = 0; i < 4 * 2 * 4; ++i)
         rgba.push_back(static_cast<std::uint8_t>(i * 7));
-    }
     const MipLevel large = enlarged(4, 2, rgba, 8, 8);
     EXPECT_EQ(mipChain(8, 8, large.rgba).back().rgba.size(), 4u);
     const MipLevel doubled = enlarged(4, 2, rgba, 8, 4);
     EXPECT_EQ(mipChain(8, 4, doubled.rgba)[1].rgba, rgba);
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
         EXPECT_EQ(large.rgba[(7 * 8 + 7) * 4 + i], rgba[(1 * 4 + 3) * 4 + i]);
-    }
 }
 
 } // namespace

@@ -123,9 +123,8 @@ TEST_F(MultisampleGlTest, samplesLieInsideThePixelAndApart) {
     ASSERT_EQ(samples.size(), layout::kSamples);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         EXPECT_LT(std::max(std::abs(samples[i].x), std::abs(samples[i].y)), 0.5f);
-        for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t j = 0; j < i; ++j)
             EXPECT_GT(glm::length(samples[i] - samples[j]), 0.2f);
-        }
     }
 }
 

@@ -27,11 +27,9 @@ protected:
     // Commands of one kind, their first argument.
     std::vector<std::size_t> of(Kind kind) const {
         std::vector<std::size_t> found;
-        for (const NullDevice::Command& command : device_.commands()) {
-            if (command.kind == kind) {
+        for (const NullDevice::Command& command : device_.commands())
+            if (command.kind == kind)
                 found.push_back(command.a);
-            }
-        }
         return found;
     }
     // The first of an array in the ring, by its binding.
@@ -151,9 +149,8 @@ TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
     SceneBuilder scene;
     scene.root(0);
     std::vector<std::uint32_t> order; // of pieces: what does not follow the one before begins a run
-    for (std::uint32_t i = 0; i < kWalls; ++i) {
+    for (std::uint32_t i = 0; i < kWalls; ++i)
         scene.addWall('A', {-1, -1}, {1, 1}, 1);
-    }
     scene.finish();
     frame::FramePlan& plan = scene.plan;
     frame::Batch& batch = plan.batches[plan.stages[1].firstBatch];
@@ -163,9 +160,8 @@ TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
         const auto first = static_cast<std::uint32_t>(order.size());
         const std::uint32_t piece = kWalls - end; // from the last backwards
         plan.runs.push_back({piece, end - first, 6 * piece, 6 * (end - first), first % 2 == 1});
-        for (std::uint32_t i = 0; i < end - first; ++i) {
+        for (std::uint32_t i = 0; i < end - first; ++i)
             order.push_back((piece + i) | (first % 2 == 1 ? layout::kGated : 0));
-        }
     }
     batch.first = 0;
     batch.count = static_cast<std::uint32_t>(plan.runs.size());
@@ -191,9 +187,8 @@ TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
     };
     draw(scene);
     EXPECT_FALSE(keepsTriangles());
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 4000; ++i)
         scene.drawAgain(mesh, frame::Program::Opaque, false);
-    }
     draw(scene);
     EXPECT_TRUE(keepsTriangles());
     EXPECT_EQ(of(Kind::Compute).size(), 1u) << "commands are made in any case";

@@ -100,9 +100,8 @@ TEST_F(OwnershipGlTest, clipSetCutsWhatAChildOwns) {
     set.planes[0] = {1, 0, 0, 0};  // x >= 0
     set.planes[7] = {0, 0, -1, 0}; // z <= 0
     scene.plan.clipSets.push_back(set);
-    for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices) {
+    for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices)
         vertex.clipSet = 1;
-    }
     EXPECT_THAT(render(scene).picture(), ElementsAre("AAAAAAAA", "AAAAAAAA", "AA....AA", "AA....AA",
                                                      "AA..BBAA", "AA..BBAA", "AAAAAAAA", "AAAAAAAA"));
 }
@@ -127,9 +126,8 @@ TEST_F(OwnershipGlTest, aClipSetAloneOwnsItsPixels) {
 TEST_F(OwnershipGlTest, anOpeningLookedForInTheWholeWindowOwnsTheSamePixels) {
     SceneBuilder scene = twoRooms();
     const Frame drawn = render(scene);
-    for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices) {
+    for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices)
         vertex.outlineCount |= layout::kCoverWindow;
-    }
     EXPECT_EQ(render(scene).ids, drawn.ids);
     EXPECT_EQ(render(scene, 8, {.exactOutlines = false}).ids, drawn.ids);
 }

@@ -42,9 +42,8 @@ TEST(PageLayout, moreTexturesThanLayers_takeSeveralPages) {
 
 RC_GTEST_PROP(PageLayout, everyTextureHasALayerOfItsOwnAtLeastItsSize, (std::vector<std::uint8_t> seeds)) {
     std::vector<TextureClass> textures;
-    for (const std::uint8_t seed : seeds) {
+    for (const std::uint8_t seed : seeds)
         textures.push_back({1u << (seed % 7), 1u << (seed / 7 % 6), seed % 2 == 1});
-    }
     const auto maxPages = *rc::gen::inRange<std::uint32_t>(2, 9);
     const PageLayout layout = layOutPages(textures, maxPages, 64);
     RC_ASSERT(layout.places.size() == textures.size());

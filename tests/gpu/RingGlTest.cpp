@@ -9,9 +9,8 @@ protected:
     static SceneBuilder wallAndVisits(std::uint32_t visits) {
         SceneBuilder scene;
         scene.root(0);
-        for (std::uint32_t i = 0; i < visits; ++i) {
+        for (std::uint32_t i = 0; i < visits; ++i)
             scene.visitThrough({-50, -50}, {-40, -40}, 1, 7, 0);
-        }
         scene.addWall('A', {-0.5f, -0.5f}, {0.5f, 0.5f}, 1, {.gated = true});
         return scene;
     }

@@ -8,9 +8,8 @@ constexpr std::uint32_t kNormalSouth = (0x3FFu & static_cast<std::uint32_t>(-511
 
 layout::ClipSet keepAll() {
     layout::ClipSet set;
-    for (glm::vec4& plane : set.planes) {
+    for (glm::vec4& plane : set.planes)
         plane = {0, 0, 0, 1};
-    }
     return set;
 }
 
@@ -154,9 +153,8 @@ void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t 
     vertex.outlineFirst = static_cast<std::uint32_t>(plan.ownershipVertices.size());
     vertex.outlineCount = static_cast<std::uint32_t>(corners.size());
     glm::vec3 middle(0.0f);
-    for (const glm::vec3& corner : corners) {
+    for (const glm::vec3& corner : corners)
         middle += corner / static_cast<float>(corners.size());
-    }
     for (std::size_t i = 0; i < corners.size(); ++i) {
         for (const glm::vec3& position : {middle, corners[i], corners[(i + 1) % corners.size()]}) {
             vertex.position = position;
@@ -168,13 +166,11 @@ void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t 
 // As a planner does, with one run for pieces that follow one another.
 void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
     const auto& draws = draws_[program];
-    if (draws.empty() && !evenEmpty) {
+    if (draws.empty() && !evenEmpty)
         return;
-    }
     bool gated = plan.visits.size() > 1;
-    for (const auto& [number, isGated] : draws) {
+    for (const auto& [number, isGated] : draws)
         gated = gated || isGated;
-    }
     frame::Batch batch{program, gated, static_cast<std::uint32_t>(plan.runs.size()), 0,
                        static_cast<std::uint32_t>(draws.size())};
     for (const auto& [number, isGated] : draws) {
@@ -192,9 +188,8 @@ void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
 }
 
 void SceneBuilder::addSkyBatch(bool evenEmpty) {
-    if (sky_.empty() && !evenEmpty) {
+    if (sky_.empty() && !evenEmpty)
         return;
-    }
     frame::Batch batch{frame::Program::SkyObjects, false, static_cast<std::uint32_t>(plan.runs.size()), 0, 0};
     std::uint32_t before = 0;
     for (const auto& [number, object] : sky_) {
@@ -246,9 +241,8 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
 std::vector<std::string> picture(const std::vector<std::uint32_t>& ids, std::size_t width) {
     std::vector<std::string> rows;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (i % width == 0) {
+        if (i % width == 0)
             rows.emplace_back();
-        }
         rows.back() += ids[i] == layout::kVoidId  ? '.'
                        : ids[i] == layout::kSkyId ? '~'
                                                   : static_cast<char>(ids[i]);

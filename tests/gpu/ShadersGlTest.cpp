@@ -9,9 +9,8 @@ class ShadersGlTest : public GlTest {};
 TEST_F(ShadersGlTest, everyVariantBuilds) {
     std::vector<TextureBinding> bindings{
         {false, 0}, {false, 1}, {false, device_->capabilities().textureUnits - frame::gpu::kUnitFirstPage}};
-    if (device_->capabilities().bindless) {
+    if (device_->capabilities().bindless)
         bindings.push_back({true, 0, {}});
-    }
     for (const TextureBinding& binding : bindings) {
         Result<Programs> programs = Programs::create(*device_, {binding, binding});
         ASSERT_TRUE(programs) << programs.error().message();

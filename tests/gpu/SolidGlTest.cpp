@@ -96,9 +96,8 @@ TEST_F(SolidGlTest, sameSceneAtAFarCornerGivesTheSameIdsAndDepth) {
     const Frame here = draw({0.5f, 0.25f, 1}, {0, 0, 0, 0});
     const Frame there = draw({191.5f, 191.25f, 1}, {192, 192, 0, 0});
     EXPECT_EQ(here.ids, there.ids);
-    for (std::size_t i = 0; i < here.depth.size(); ++i) {
+    for (std::size_t i = 0; i < here.depth.size(); ++i)
         EXPECT_NEAR(here.depth[i], there.depth[i], 1e-6f);
-    }
 }
 
 TEST_F(SolidGlTest, modelRowsTurnScaleAndMove) {
@@ -117,9 +116,8 @@ TEST_F(SolidGlTest, cutOut_countsATexelFromHalfAlphaOn) {
         scene.plan.constants.flags = flags;
         std::vector<std::uint8_t> rgba;
         // Top left, top right, bottom left, bottom right.
-        for (const std::uint8_t alpha : std::array<std::uint8_t, 4>{127, 128, 255, 0}) {
+        for (const std::uint8_t alpha : std::array<std::uint8_t, 4>{127, 128, 255, 0})
             rgba.insert(rgba.end(), {255, 255, 255, alpha});
-        }
         const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(2, 2, rgba));
         scene.addWall('A', {-2, -2}, {2, 2}, 2, {.material = material, .program = frame::Program::CutOut});
         EXPECT_THAT(render(scene, 2).picture(), ElementsAre("~A", "A~")) << "flags " << flags;
@@ -131,9 +129,8 @@ TEST_F(SolidGlTest, exactCutOut_takesTheTexelAtMipZeroWhereFilteringWouldBlur) {
     scene.root(0);
     scene.plan.constants.flags = layout::kFrameExactCutOuts;
     std::vector<std::uint8_t> rgba; // every third column is solid: a third on average, below the threshold
-    for (int i = 0; i < 12 * 12; ++i) {
+    for (int i = 0; i < 12 * 12; ++i)
         rgba.insert(rgba.end(), {255, 255, 255, static_cast<std::uint8_t>(i % 3 == 1 ? 255 : 0)});
-    }
     const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(12, 12, rgba, false));
     scene.addWall('A', {-2, -2}, {2, 2}, 2, {.material = material, .program = frame::Program::CutOut});
     // Four pixels of three columns each: their centres all fall on the middle one.

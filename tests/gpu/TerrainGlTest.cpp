@@ -30,11 +30,9 @@ protected:
     }
     static std::uint32_t rampMap(SceneBuilder& scene) {
         std::vector<std::uint8_t> rgba;
-        for (std::uint32_t row = 0; row < kSize; ++row) {
-            for (std::uint32_t column = 0; column < kSize; ++column) {
+        for (std::uint32_t row = 0; row < kSize; ++row)
+            for (std::uint32_t column = 0; column < kSize; ++column)
                 rgba.insert(rgba.end(), {0, 0, 0, alphaAt(column, row)});
-            }
-        }
         return scene.addTexture(kSize, kSize, rgba, true);
     }
     static layout::TerrainLayer layer(std::uint32_t texture, std::uint32_t alpha = layout::kNoTexture,
@@ -46,9 +44,8 @@ protected:
         return {base, {none, none, none}, {none, none}};
     }
     static void expectNear(glm::ivec3 actual, glm::dvec3 expected, const std::string& where) {
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(actual[c], expected[c], 1.01) << where << " channel " << c;
-        }
     }
 };
 
@@ -81,9 +78,8 @@ TEST_F(TerrainGlTest, threeOverlaysAndTwoRoads_arePaintedInOrder) {
                                                 plain(scene, 0, 0, 250), plain(scene, 90, 80, 70)};
     const std::uint32_t road = plain(scene, 20, 30, 10), map = rampMap(scene);
     layout::TerrainCell cell = only(layer(overlays[3]));
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t i = 0; i < 3; ++i)
         cell.overlays[i] = layer(overlays[i], map, i);
-    }
     cell.roads[0] = layer(road, map, 3);
     cell.roads[1] = layer(road, map, 1);
     const Frame frame = drawCell(scene, cell);

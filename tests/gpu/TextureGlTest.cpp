@@ -15,9 +15,8 @@ SceneBuilder manyTextures() {
     for (std::uint32_t i = 0; i < 20; ++i) {
         const glm::uvec2 size = sizes[i % sizes.size()];
         std::vector<std::uint8_t> rgba(std::size_t{size.x} * size.y * 4);
-        for (std::uint8_t& byte : rgba) {
+        for (std::uint8_t& byte : rgba)
             byte = static_cast<std::uint8_t>(random());
-        }
         QuadOptions options;
         options.material =
             scene.addMaterial({1, 1, 1, 1}, scene.addTexture(size.x, size.y, rgba, i % 2 == 0));
@@ -30,12 +29,10 @@ SceneBuilder manyTextures() {
                       options);
     }
     layout::TerrainCell cell{{2, layout::kNoTexture, 0, 3.0f}, {}, {}};
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t i = 0; i < 3; ++i)
         cell.overlays[i] = {i, 3 + i, i, 2.0f};
-    }
-    for (std::uint32_t i = 0; i < 2; ++i) {
+    for (std::uint32_t i = 0; i < 2; ++i)
         cell.roads[i] = {9, 7 + i, i + 2, 1.0f};
-    }
     scene.upload.terrainCells.push_back(cell);
     scene.addQuad('a', {glm::vec3{-9, 1, -1}, {9, 1, -1}, {9, 30, -0.5f}, {-9, 30, -0.5f}},
                   {.program = frame::Program::Terrain});
@@ -45,9 +42,8 @@ SceneBuilder manyTextures() {
 class TextureGlTest : public GlTest {};
 
 TEST_F(TextureGlTest, bindlessAndArrayPagesGiveTheSameImage) {
-    if (!device_->capabilities().bindless) {
+    if (!device_->capabilities().bindless)
         GTEST_SKIP() << "no GL_ARB_bindless_texture on " << device_->capabilities().renderer;
-    }
     SceneBuilder scene = manyTextures();
     const Frame pages = render(scene, 128, {.textures = {.mode = TextureMode::ArrayPages}});
     const Frame bindless = render(scene, 128, {.textures = {.mode = TextureMode::Bindless}});
@@ -97,14 +93,12 @@ TEST_F(TextureGlTest, liesInPlaceOnAFloorWhoseCornersAreBeneathTheEye) {
     std::size_t compared = 0;
     for (std::uint32_t y = 0; y < kSize; ++y) {
         for (std::uint32_t x = 0; x < kSize; ++x) {
-            if (frame.ids[y * kSize + x] != 'F') {
+            if (frame.ids[y * kSize + x] != 'F')
                 continue;
-            }
             const double right = (x + 0.5) / (kSize / 2) - 1.0, down = (y + 0.5) / (kSize / 2) - 1.0;
             const double along = kBelow / down; // metres ahead
-            if (along > kLength / 3) {
+            if (along > kLength / 3)
                 continue; // mips of the ramp end at its edges
-            }
             const double u = (right * along + kHalf) / (2 * kHalf), v = 1.0 - along / kLength;
             EXPECT_NEAR(frame.at(x, y).x, 4.0 * (u * kTexels - 0.5), 6.0) << x << ", " << y;
             EXPECT_NEAR(frame.at(x, y).y, 4.0 * (v * kTexels - 0.5), 6.0) << x << ", " << y;
@@ -124,16 +118,13 @@ TEST_F(TextureGlTest, drawsAreAsIfEachHadItsTextureAlone) {
         const frame::TextureUpload kept = alone.upload.textures[i];
         alone.upload.textures = {kept};
         alone.upload.terrainCells.clear();
-        for (layout::Material& material : alone.upload.materials) {
+        for (layout::Material& material : alone.upload.materials)
             material.texture = material.texture == i ? 0 : layout::kNoTexture;
-        }
         alone.upload.terrainCells.push_back({{layout::kNoTexture, 0, 0, 1}, {}, {}});
-        for (layout::TerrainLayer& layer : alone.upload.terrainCells[0].overlays) {
+        for (layout::TerrainLayer& layer : alone.upload.terrainCells[0].overlays)
             layer.texture = layer.alpha = layout::kNoTexture;
-        }
-        for (layout::TerrainLayer& layer : alone.upload.terrainCells[0].roads) {
+        for (layout::TerrainLayer& layer : alone.upload.terrainCells[0].roads)
             layer.texture = layer.alpha = layout::kNoTexture;
-        }
         alone.upload.terrainCells[0].base.alpha = layout::kNoTexture;
         const Frame frame = render(alone, 64);
         for (std::size_t p = 0; p < frame.ids.size(); ++p) {
@@ -155,11 +146,10 @@ TEST_F(TextureGlTest, fewPages_keepExactCutOutsAndReportWhatWasResampled) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             const std::uint32_t size = 8u << i;
             std::vector<std::uint8_t> rgba;
-            for (std::uint32_t t = 0; t < size * size; ++t) {
+            for (std::uint32_t t = 0; t < size * size; ++t)
                 rgba.insert(
                     rgba.end(),
                     {255, 255, 255, static_cast<std::uint8_t>((t * 7 + t / size * 5) % 3 == 0 ? 255 : 0)});
-            }
             const std::uint32_t material =
                 scene.addMaterial({1, 1, 1, 1}, scene.addTexture(size, size, rgba));
             const float x = static_cast<float>(i) - 1.5f;

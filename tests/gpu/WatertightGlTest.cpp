@@ -30,9 +30,8 @@ void addFace(SceneBuilder& scene, std::uint32_t id, glm::vec3 min, glm::vec3 max
         p[v] = i >= 2 ? max[v] : min[v];
         corners[static_cast<std::size_t>(i)] = p; // counter-clockwise seen from the high side
     }
-    if (high) {
+    if (high)
         std::swap(corners[1], corners[3]);
-    }
     scene.addQuad(id, corners, options);
 }
 
@@ -47,9 +46,8 @@ void addFrame(SceneBuilder& scene, std::uint32_t id, float y, glm::vec2 outer, g
                                          {b.x * outer.x, y, b.y * outer.y},
                                          {b.x * inner.x, y, b.y * inner.y},
                                          {a.x * inner.x, y, a.y * inner.y}};
-        if (!facesSouth) {
+        if (!facesSouth)
             std::swap(corners[1], corners[3]);
-        }
         scene.addQuad(id, corners, options);
     }
 }
@@ -64,12 +62,10 @@ SceneBuilder closedRooms() {
     const glm::vec3 min1{-2, -2, -2}, max1{2, 2, 2}, min2{-3, 2, -3}, max2{3, 7, 3};
     for (int axis = 0; axis < 3; ++axis) {
         for (const bool high : {false, true}) {
-            if (axis != 1 || !high) {
+            if (axis != 1 || !high)
                 addFace(scene, 'A', min1, max1, axis, high, first);
-            }
-            if (axis != 1 || high) {
+            if (axis != 1 || high)
                 addFace(scene, 'B', min2, max2, axis, high, second);
-            }
         }
     }
     addFrame(scene, 'A', 2, {2, 2}, {1, 0.7f}, true, first);
@@ -104,9 +100,8 @@ Camera randomCamera(std::mt19937& random) {
 double insideOpening(const Camera& camera, std::uint32_t x, std::uint32_t y) {
     const glm::dvec3 view{(x + 0.5) / kSize * 2 - 1, 1 - (y + 0.5) / kSize * 2, -1};
     const glm::dvec3 ray = glm::dmat3(camera.worldFromView) * view;
-    if (ray.y <= 0) {
+    if (ray.y <= 0)
         return -INFINITY;
-    }
     const glm::dvec3 at = glm::dvec3(camera.eye) + ray * ((2.0 - camera.eye.y) / ray.y);
     return std::min(1.0 - std::abs(at.x), 0.7 - std::abs(at.z));
 }

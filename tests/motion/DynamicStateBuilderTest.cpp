@@ -34,10 +34,9 @@ struct Fixture {
     }
     [[nodiscard]] std::vector<world::Instance> of(std::uint32_t record) const {
         std::vector<world::Instance> found;
-        for (const world::Instance& i : dynamics.instances) {
+        for (const world::Instance& i : dynamics.instances)
             if (i.record == record)
                 found.push_back(i);
-        }
         return found;
     }
     [[nodiscard]] std::vector<SpaceIndex> membersOf(const world::Instance& i) const {

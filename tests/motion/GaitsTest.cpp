@@ -43,10 +43,9 @@ struct Stage {
         dynamicsBuilder.at(input, dynamics);
     }
     [[nodiscard]] const world::Instance& part(std::uint32_t record) const {
-        for (const world::Instance& instance : dynamics.instances) {
+        for (const world::Instance& instance : dynamics.instances)
             if (instance.record == record)
                 return instance;
-        }
         std::abort(); // the world has it, or the test is wrong
     }
     [[nodiscard]] Vec3 globalOf(const world::Instance& part, const Vec3& p) const {
@@ -257,10 +256,9 @@ RC_GTEST_PROP(Gaits, stayWithinTheirBoundsWhateverTheFrames, ()) {
         // Some tell of the first part only.
         const std::size_t parts = *rc::gen::inRange<std::size_t>(1, 3);
         std::vector<std::vector<dat::Frame>> frames(*rc::gen::inRange<std::size_t>(1, 5));
-        for (auto& frame : frames) {
+        for (auto& frame : frames)
             for (std::size_t p = 0; p < parts; ++p)
                 frame.push_back(anyFrame());
-        }
         sequence.push_back({puppet.animation(frames), 0, -1, *rc::gen::arbitrary<bool>() ? 4.0f : -4.0f});
     }
     puppet.cycle(kPuppetWalks, sequence);

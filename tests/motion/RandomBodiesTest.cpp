@@ -115,10 +115,9 @@ private:
             return {};
         const Vec3 at = door[below(door.size())] + Vec3(random(-6, 6), random(-6, 6), random(-3, 3));
         // Where the hulls of two cells overlap only one of them need have a floor.
-        for (world::SpaceIndex s = 1; s < part_.world.spaces.size(); ++s) {
+        for (world::SpaceIndex s = 1; s < part_.world.spaces.size(); ++s)
             if (cellContains(part_.world, s, at) != (s == space))
                 return {};
-        }
         return Standing{at - kUp * (0.5 * shape_.capsule.height), space};
     }
     std::optional<Standing> fromTheSky() {
@@ -185,10 +184,9 @@ private:
         constexpr double kAside = 0.001; // metres: in a plane between two spaces it may be in either
         const Vec3 at = middle(body_.standing);
         for (const Vec3& way : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
-                                Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+                                Vec3(0, 0, 1), Vec3(0, 0, -1)})
             if (mayBeAt(at + way * kAside))
                 return false;
-        }
         return true;
     }
     /// Where the ground runs through a cell who walks on it is outside, though the cell holds him: nothing but an opening leads in.

@@ -12,10 +12,9 @@ using test::TestWorld;
 /// What is met at home, of a kind.
 std::vector<Solid> ofKind(const Solids& solids, Kind kind) {
     std::vector<Solid> found;
-    for (const Solid& solid : solids.solids) {
+    for (const Solid& solid : solids.solids)
         if (solid.kind == kind)
             found.push_back(solid);
-    }
     return found;
 }
 

@@ -71,10 +71,9 @@ private:
         if (here_ && here_->centre == centre)
             return;
         auto next = std::make_unique<LoadedPart>(archive_, centre);
-        for (Standing* standing : {&body.standing, &body.safe}) {
+        for (Standing* standing : {&body.standing, &body.safe})
             if (here_ && standing->space != world::kOutside)
                 standing->space = world::findCell(next->world, here_->world.spaces[standing->space].cellId);
-        }
         here_ = std::move(next);
     }
     const dat::Archive& archive_;

@@ -83,9 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Zones, BuiltInWorld, ::testing::Bool(),
 TEST_P(BuiltInWorld, everyPlaceIsClean) {
     for (const world::Place& place : places().places) {
         SCOPED_TRACE(place.name);
-        if (place.cell != 0 && world::findCell(pictures().world(), place.cell) == world::kNone) {
+        if (place.cell != 0 && world::findCell(pictures().world(), place.cell) == world::kNone)
             continue; // of a landblock far away: SealedDungeon
-        }
         const auto located = motion::locate(pictures().world(), place.eye);
         EXPECT_FALSE(located.ambiguous);
         EXPECT_EQ(pictures().world().spaces[located.space].cellId, place.cell);
@@ -116,16 +115,13 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
     const world::World& world = pictures().world();
     for (world::PortalIndex p = 0; p < world.portals.size(); ++p) {
         const world::Portal& portal = world.portals[p];
-        if (portal.reciprocal != world::kNone && portal.reciprocal < p) {
+        if (portal.reciprocal != world::kNone && portal.reciprocal < p)
             continue; // each opening once
-        }
-        if (p % 4 != (GetParam() ? 0u : 1u)) {
+        if (p % 4 != (GetParam() ? 0u : 1u))
             continue; // some of them: `limen check` sweeps them all
-        }
         Vec3 middle(0.0);
-        for (std::uint32_t v = 0; v < portal.vertexCount; ++v) {
+        for (std::uint32_t v = 0; v < portal.vertexCount; ++v)
             middle += world.portalVertices[portal.firstVertex + v] / static_cast<double>(portal.vertexCount);
-        }
         const double yaw = std::atan2(-portal.plane.n.x, -portal.plane.n.y) * 57.29577951308232;
         const Vec3 start = middle + portal.plane.n * 0.0105;
         world::SpaceIndex space = portal.space;
@@ -135,9 +131,8 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
             const Vec3 eye = start - portal.plane.n * (step * 0.001);
             space = motion::sweep(world, space, last, eye);
             last = eye;
-            if (step % 3 == 1 && step != 10) {
+            if (step % 3 == 1 && step != 10)
                 continue;
-            }
             SCOPED_TRACE(::testing::Message() << "portal " << p << " step " << step);
             const Picture picture =
                 pictures().expectClean(look(eye, yaw + 35.0 + step * 11.0, step % 3 * 20.0 - 20.0, space));
@@ -156,9 +151,8 @@ bool clearOfWalls(const world::World& world, world::SpaceIndex cell, const Vec3&
         Vec3 offset(0.0);
         offset[axis] = kClear;
         if (!motion::cellContains(world, cell, eye + offset) ||
-            !motion::cellContains(world, cell, eye - offset)) {
+            !motion::cellContains(world, cell, eye - offset))
             return false;
-        }
     }
     return true;
 }
@@ -377,9 +371,8 @@ TEST(SealedDungeon, case22_isCleanAndNothingElseIsVisited) {
             SCOPED_TRACE(turn);
             const Picture picture = pictures.expectClean(
                 pictures.look(place->eye - pictures.homeOrigin(), place->yaw + turn, place->pitch, root));
-            for (const visibility::Visit& visit : picture.visible.visits) {
+            for (const visibility::Visit& visit : picture.visible.visits)
                 EXPECT_NE(visit.space, world::kOutside);
-            }
         }
     }
     std::filesystem::remove_all(directory);

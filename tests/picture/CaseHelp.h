@@ -24,11 +24,9 @@ struct ZoneCases : ::testing::TestWithParam<bool> {
 /// The instance, static or a moving thing's part, that shows as `id`; null for void and sky.
 [[nodiscard]] inline const world::Instance* shownAs(const world::World& world, std::uint32_t id) {
     for (const auto* instances : {&world.instances, &world.movingParts}) {
-        for (const world::Instance& in : *instances) {
-            if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount) {
+        for (const world::Instance& in : *instances)
+            if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount)
                 return &in;
-            }
-        }
     }
     return nullptr;
 }

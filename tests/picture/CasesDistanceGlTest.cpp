@@ -15,11 +15,9 @@ struct Street {
     std::vector<double> fronts;
 
     Street() {
-        for (int x = -1; x <= 1; ++x) {
-            for (int y = -1; y <= 2; ++y) {
+        for (int x = -1; x <= 1; ++x)
+            for (int y = -1; y <= 2; ++y)
                 world.setFlatTerrain({world.home().x + x, world.home().y + y}, 1); // 2 m
-            }
-        }
     }
     TestWorld::Cell addHouse(double x, double front, const std::string& colour) {
         const int block = static_cast<int>(front / world::kBlockSize);
@@ -78,9 +76,8 @@ void expectUntouched(const PictureWorld& with, const Picture& a, const PictureWo
     std::size_t compared = 0;
     for (std::size_t i = 0; i < b.ids.size(); ++i) {
         const world::Instance* before = shownAs(without.world(), b.ids[i]);
-        if (before == nullptr || before->record != occluder) {
+        if (before == nullptr || before->record != occluder)
             continue;
-        }
         const world::Instance* now = shownAs(with.world(), a.ids[i]);
         ASSERT_NE(now, nullptr);
         ASSERT_EQ(now->record, occluder) << "pixel " << i;
@@ -95,9 +92,8 @@ TEST_P(CasesDistance, case07_aDoorBehindANearerHouseShowsNothingOfItsInterior) {
     for (const double behind : {100.0, 260.0, 400.0}) {
         SCOPED_TRACE(behind);
         Street both, near;
-        for (Street* street : {&near, &both}) {
+        for (Street* street : {&near, &both})
             street->addHouse(kX, kEye.y + 40, "brown");
-        }
         // In line with the nearer house's wall, east of its door.
         const TestWorld::Cell far = both.addHouse(kEye.x + 1.6 * behind / 40, kEye.y + behind, "blue");
         PictureWorld with(both.world, options({}, 2)), without(near.world, options({}, 2));
@@ -115,11 +111,9 @@ TEST_P(CasesDistance, case07_aDoorBehindANearerHouseShowsNothingOfItsInterior) {
 
 TEST_P(CasesDistance, case07_aDoorBehindAHillShowsNothingOfItsInterior) {
     Street both, bare;
-    for (Street* street : {&both, &bare}) { // a ridge 8 m high across the block, 96 m before the eye
-        for (int x = 0; x <= 8; ++x) {
+    for (Street* street : {&both, &bare}) // a ridge 8 m high across the block, 96 m before the eye
+        for (int x = 0; x <= 8; ++x)
             street->world.terrain(street->world.home()).heights[static_cast<std::size_t>(x * 9 + 5)] = 5;
-        }
-    }
     const TestWorld::Cell far = both.addHouse(kX, kEye.y + 150, "blue");
     PictureWorld with(both.world, options({}, 2)), without(bare.world, options({}, 2));
     const dat::RecordId ground = dat::landBlockId(both.world.home());

@@ -45,9 +45,8 @@ TEST_P(CasesEdges, case03_inADoorsPlaneBesideItAndOnItsEdge) {
             EXPECT_EQ(pixelsOfRecord(pictures, beside, world.world.id(world.room)), 0u);
         }
         // On the door's edge, its corner and its sill; said to be inside, looking inwards or along.
-        for (const Vec3& eye : {Vec3(94, 86, 1.1), Vec3(95.4, 86, 2.1), Vec3(94.6, 86, 0.1)}) {
+        for (const Vec3& eye : {Vec3(94, 86, 1.1), Vec3(95.4, 86, 2.1), Vec3(94.6, 86, 0.1)})
             pictures.expectClean(pictures.look(eye, yaw, 5, room));
-        }
     }
 }
 
@@ -244,9 +243,8 @@ TEST_P(CasesEdges, case31_openingsNestedEdgeOnEdge) {
     const auto exit = world.openOutside(porch, rectangle({91.4, 88, 0}, {93.2, 88, 2}));
     Walls outside = boxExterior({90, 80, 0}, {96, 86, 3});
     for (const Walls& part :
-         {boxExterior({92, 86, 0}, {94.4, 86.4, 2}), boxExterior({91.4, 86.4, 0}, {93.2, 88, 2})}) {
+         {boxExterior({92, 86, 0}, {94.4, 86.4, 2}), boxExterior({91.4, 86.4, 0}, {93.2, 88, 2})})
         outside.insert(outside.end(), part.begin(), part.end());
-    }
     world.addBuilding(outside, {exit});
     PictureWorld pictures(world, options());
     const world::SpaceIndex inRoom = pictures.space(world.id(room));

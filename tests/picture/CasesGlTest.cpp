@@ -62,12 +62,10 @@ bool visits(const Picture& picture, world::SpaceIndex space) {
 
 void expectNoRepeats(const Picture& picture) {
     const auto& all = picture.visible.visits;
-    for (const visibility::Visit& visit : all) {
+    for (const visibility::Visit& visit : all)
         for (std::uint32_t up = visit.parent; up != visibility::kNone && all[up].depth > 0;
-             up = all[up].parent) {
+             up = all[up].parent)
             EXPECT_NE(all[up].portal, visit.portal) << "a portal repeats in a chain of visits";
-        }
-    }
 }
 
 TEST_P(Cases, case01_walkingADoorwayInMillimetreSteps) {
@@ -262,11 +260,9 @@ TEST_P(Cases, case25_theFarCornerOfTheMap) {
 TEST_P(Cases, case28_aTunnelThroughAHill) {
     TestWorld world;
     world.setFlatTerrain(world.home(), 0);
-    for (int x = 3; x <= 5; ++x) { // a hill 8 m high across the middle of the block
-        for (int y = 0; y <= 8; ++y) {
+    for (int x = 3; x <= 5; ++x) // a hill 8 m high across the middle of the block
+        for (int y = 0; y <= 8; ++y)
             world.terrain(world.home()).heights[static_cast<std::size_t>(x * 9 + y)] = 4;
-        }
-    }
     const auto tunnel = world.addBox({50, 90, 0}, {142, 94, 3}, "brown");
     const auto west = world.openOutside(tunnel, rectangle({50, 90.5, 0.2}, {50, 93.5, 2.8}));
     const auto east = world.openOutside(tunnel, rectangle({142, 90.5, 0.2}, {142, 93.5, 2.8}));
@@ -304,9 +300,8 @@ TEST_P(Cases, case28_aUShapedHouseWhoseWindowsFaceEachOther) {
     const auto w3 = world.openOutside(right, rectangle({106, 96, 0.5}, {106, 98, 2.5}));
     Walls shape = boxExterior({90, 90, 0}, {94, 100, 3});
     for (const Walls& part :
-         {boxExterior({94, 90, 0}, {102, 94, 3}), boxExterior({102, 90, 0}, {106, 100, 3})}) {
+         {boxExterior({94, 90, 0}, {102, 94, 3}), boxExterior({102, 90, 0}, {106, 100, 3})})
         shape.insert(shape.end(), part.begin(), part.end());
-    }
     world.addBuilding(shape, {w1, w2, w3});
     PictureWorld pictures(world, options());
     const Picture picture =

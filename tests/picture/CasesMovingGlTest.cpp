@@ -36,13 +36,11 @@ Traced tracedPixels(const PictureWorld& pictures, const frame::FrameView& frame,
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             int count = 0;
-            for (int k = 0; k < 9; ++k) {
+            for (int k = 0; k < 9; ++k)
                 count += at(x + k % 3 - 1, y + k / 3 - 1);
-            }
             traced.all += static_cast<std::size_t>(at(x, y));
-            if (count == 9) {
+            if (count == 9)
                 traced.inner.push_back(static_cast<std::size_t>(y * width + x));
-            }
         }
     }
     return traced;
@@ -97,9 +95,8 @@ TEST_P(CasesMoving, case19_fillingsAreDrawnByTheirStateAndStopTheFloodWhenShut) 
         };
         const Picture outside = shoot(towardsFrontDoor), inside = shoot(fromFront),
                       inner = shoot(towardsInner), pane = shoot(towardsPane);
-        for (const Picture* picture : {&outside, &inside, &inner}) {
+        for (const Picture* picture : {&outside, &inside, &inner})
             EXPECT_GT(pixelsOfRecord(pictures, *picture, hut.leaf), 0u) << "a leaf is to be seen";
-        }
         const bool shut = doors == 0.0;
         EXPECT_EQ(visitsSpace(outside, front), !shut) << "a closed door stops the flood behind it";
         EXPECT_EQ(seesSpace(inner, rear), !shut);
@@ -216,9 +213,8 @@ struct ShiningHut : MovingHut {
     ShiningHut() {
         const std::uint32_t glow =
             source.solid("glow", 0xFFFFC060u, dat::Surface::kAdditive | dat::Surface::kTranslucent, 0.5f);
-        for (world::EmitterEntry& emitter : moving.emitters) {
+        for (world::EmitterEntry& emitter : moving.emitters)
             emitter.rate = 12;
-        }
         const auto add = [&](const char* name, const Vec3& position, dat::RecordId cell,
                              std::uint32_t surface, const char* carrier) {
             world::EmitterEntry flame;

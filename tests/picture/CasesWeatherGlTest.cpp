@@ -161,9 +161,8 @@ TEST_P(CasesWeather, case23_aChaseCameraPulledThroughTheDoorSeesWhatRaysSeeAndRu
         frame::FramePlan plan;
         pictures.plan(frame, set, plan);
         ASSERT_EQ(plan.stages.size(), order.size());
-        for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t i = 0; i < order.size(); ++i)
             EXPECT_EQ(plan.stages[i].kind, order[i]);
-        }
         const Picture picture = pictures.expectClean(frame);
         // The spaces that rays show are seen; and a zone that is visited is one that some ray gets to.
         std::set<world::SpaceIndex> shown;
@@ -182,9 +181,8 @@ TEST_P(CasesWeather, case23_aChaseCameraPulledThroughTheDoorSeesWhatRaysSeeAndRu
                 }
             }
         }
-        for (const world::SpaceIndex s : shown) {
+        for (const world::SpaceIndex s : shown)
             EXPECT_TRUE(seesSpace(picture, s)) << "space " << s;
-        }
         for (const visibility::Visit& visit : picture.visible.visits) {
             if (pixelsWithin(picture, visit) > 8.0) {
                 EXPECT_TRUE(zones.count(visit.zone) == 1)

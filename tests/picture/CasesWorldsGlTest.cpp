@@ -58,15 +58,13 @@ TEST_P(CasesWorlds, case20_equalLowIdsInTwoLandblocksShareNothing) {
     }
     EXPECT_EQ(byObject.size(), pictures.world().instances.size()) << "every object here has one part";
     std::sort(ids.begin(), ids.end());
-    for (std::size_t i = 1; i < ids.size(); ++i) {
+    for (std::size_t i = 1; i < ids.size(); ++i)
         EXPECT_LE(ids[i - 1].second, ids[i].first) << "ids are not shared";
-    }
     pictures.fov = 25;
     const Picture both = pictures.expectClean(pictures.look({97, 165, 2}, 2, 0, world::kOutside));
     pictures.fov = 75;
-    for (const dat::RecordId record : {world.id(a), world.id(b), dat::RecordId{stool}, dat::RecordId{pole}}) {
+    for (const dat::RecordId record : {world.id(a), world.id(b), dat::RecordId{stool}, dat::RecordId{pole}})
         EXPECT_GT(pixelsOfRecord(pictures, both, record), 3u) << std::hex << record;
-    }
     pictures.expectClean(pictures.look({94, 183, 1.6}, 200, 0, pictures.space(world.id(a))));
     pictures.expectClean(pictures.look({101, 199, 1.6}, 200, 0, pictures.space(world.id(b))));
 }
@@ -123,9 +121,8 @@ TEST_P(CasesWorlds, case22_aSealedDungeonIsAloneAndDoesNoLandscapeWork) {
             visibility::VisibleSet set;
             frame::FramePlan plan;
             pictures.plan(picture.frame, set, plan);
-            for (const frame::Batch& batch : plan.batches) {
+            for (const frame::Batch& batch : plan.batches)
                 EXPECT_TRUE(batch.program != frame::Program::Terrain || batch.draws == 0) << "no terrain";
-            }
         }
     }
 }
@@ -202,9 +199,8 @@ TEST_P(CasesWorlds, case26_aSurfaceIsLitAlikeWhicheverRootItIsSeenFrom) {
         for (const Vec3& eye : target.eyes) {
             const Seen seen = lookAt(eye, target.point);
             EXPECT_EQ(seen.id, first.id) << "from " << eye.x << ", " << eye.y;
-            for (int c = 0; c < 3; ++c) { // fog and rounding of positions are worth a step or two
+            for (int c = 0; c < 3; ++c) // fog and rounding of positions are worth a step or two
                 EXPECT_NEAR(seen.colour[c], first.colour[c], 3) << "from " << eye.x << ", " << eye.y;
-            }
         }
         colours.push_back(first.colour);
     }

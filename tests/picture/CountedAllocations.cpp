@@ -17,9 +17,8 @@ std::size_t limen::test::allocations() {
 
 void* operator new(std::size_t size) {
     ++count;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+    if (void* memory = std::malloc(size == 0 ? 1 : size))
         return memory;
-    }
     throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept {

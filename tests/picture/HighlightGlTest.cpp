@@ -73,11 +73,9 @@ TEST_P(Highlight, takesSeveralAndMixesByStrength) {
     highlights.push_back({12345, kGreen}); // nobody
     frame.highlights = highlights;
     const Picture picture = pictures.shoot(frame);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        for (std::size_t c = 0; shown[i] != 0 && c < 3; ++c) {
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        for (std::size_t c = 0; shown[i] != 0 && c < 3; ++c)
             ASSERT_NEAR(colourAt(picture, i)[c], colourAt(plain, i)[c] * (127.0 / 255.0), 1.0) << i;
-        }
-    }
 }
 
 } // namespace

@@ -39,9 +39,8 @@ void tally(PictureWorld& pictures, const Picture& picture, Tally& tally) {
             ++tally.pixels;
             tally.withLayers += drawn.count > 0 ? 1 : 0;
             bool right = false;
-            for (int i = 0; i < 9 && !right; ++i) { // as ids are judged: the 3 by 3 pixels
+            for (int i = 0; i < 9 && !right; ++i) // as ids are judged: the 3 by 3 pixels
                 right = meets(x + i % 3 - 1.0, y + i / 3 - 1.0) == drawn;
-            }
             const check::Verdict verdict = judged.verdicts[y * picture.frame.width + x];
             // Within one zone a sprite that pokes through a wall may be met beyond it (ray-rule.md); the naive tracer knows no zones.
             tally.byZone += !right && verdict == check::Verdict::ByZone ? 1 : 0;
@@ -118,9 +117,8 @@ TEST_P(Layers, ofAPaneIsMetBeforeTheBarThatTouchesIt) {
         for (std::size_t i = 0; i < picture.ids.size(); ++i) {
             const std::uint32_t instance = instanceOfId(pictures.world(), picture.ids[i]);
             if (instance != world::kNone &&
-                pictures.world().instances[instance].kind == world::InstanceKind::Static) {
+                pictures.world().instances[instance].kind == world::InstanceKind::Static)
                 bars += picture.layers[i].count == 1 ? 1 : 0;
-            }
         }
     }
     EXPECT_GT(bars, 100u) << "the bar is seen through the pane";

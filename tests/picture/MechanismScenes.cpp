@@ -42,11 +42,9 @@ NamedView houseFromTheYard() {
 NamedView hillBeforeTheTunnel() {
     NamedView view;
     view.world.setFlatTerrain(view.world.home(), 0);
-    for (int x = 3; x <= 5; ++x) { // a hill 8 m high across the middle of the block
-        for (int y = 0; y <= 8; ++y) {
+    for (int x = 3; x <= 5; ++x) // a hill 8 m high across the middle of the block
+        for (int y = 0; y <= 8; ++y)
             view.world.terrain(view.world.home()).heights[static_cast<std::size_t>(x * 9 + y)] = 4;
-        }
-    }
     const auto tunnel = view.world.addBox({50, 90, 0}, {142, 94, 3}, "brown");
     const auto west = view.world.openOutside(tunnel, rectangle({50, 90.5, 0.2}, {50, 93.5, 2.8}));
     const auto east = view.world.openOutside(tunnel, rectangle({142, 90.5, 0.2}, {142, 93.5, 2.8}));

@@ -58,11 +58,10 @@ void expectNeeded(NamedView (*view)(), const Off& off, std::uint64_t wrongWithou
     EXPECT_EQ(judge(view(), on).wrong, 0u) << "with everything in place";
     const Judged without = judge(view(), off);
     ::testing::Test::RecordProperty("wrong_pixels", std::to_string(without.wrong));
-    if (without.stockDriver) {
+    if (without.stockDriver)
         EXPECT_EQ(without.wrong, wrongWithout);
-    } else {
+    else
         EXPECT_GT(without.wrong, 0u);
-    }
 }
 
 TEST(Mechanisms, ownershipTarget) {

@@ -23,15 +23,12 @@ constexpr double kEdge = 1e-9;
 
 NaiveTracer::NaiveTracer(const world::World& world, world::DynamicState dynamics)
     : world_(world), dynamics_(std::move(dynamics)) {
-    for (const world::Instance& instance : world.instances) {
+    for (const world::Instance& instance : world.instances)
         addTriangles(instance);
-    }
-    for (const world::Instance& instance : dynamics_.instances) {
+    for (const world::Instance& instance : dynamics_.instances)
         addTriangles(instance);
-    }
-    for (world::SpaceIndex space = 0; space < world.spaces.size(); ++space) {
+    for (world::SpaceIndex space = 0; space < world.spaces.size(); ++space)
         addClusters(space);
-    }
 }
 
 void NaiveTracer::addClusters(world::SpaceIndex index) {
@@ -41,9 +38,8 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
     std::vector<world::InstanceIndex> members(world_.spaceInstances.begin() + space.firstInstance,
                                               world_.spaceInstances.begin() + space.firstInstance +
                                                   space.instanceCount);
-    for (const world::InstanceIndex moving : dynamics_.instancesIn(index)) {
+    for (const world::InstanceIndex moving : dynamics_.instancesIn(index))
         members.push_back(static_cast<world::InstanceIndex>(world_.instances.size()) + moving);
-    }
     for (const world::InstanceIndex instance : members) {
         const Vec3& centre = bodies_[instance].bounds.centre;
         grid[{std::lround(centre.x / kSize), std::lround(centre.y / kSize)}].bodies.push_back(instance);
@@ -104,9 +100,8 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
             t.uvC = vertex(2).uv;
             t.blended = surfaces == world::SurfaceClass::Blended;
             t.id = instance.idBase + vertex(0).polygon;
-            if (surfaces == world::SurfaceClass::CutOut) {
+            if (surfaces == world::SurfaceClass::CutOut)
                 t.material = world_.materialRefs[instance.firstMaterial + vertex(0).surface];
-            }
             triangles_.push_back(t);
         }
     }
@@ -115,13 +110,11 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
 }
 
 bool NaiveTracer::isHole(const Triangle& triangle, double v, double w) const {
-    if (triangle.material == world::kNone) {
+    if (triangle.material == world::kNone)
         return false;
-    }
     const world::Material& material = world_.materials[triangle.material];
-    if (material.texture == world::kNone) {
+    if (material.texture == world::kNone)
         return false;
-    }
     const world::Image& image = *world_.textures[material.texture];
     const Vec2 uv = Vec2(triangle.uvA) * (1.0 - v - w) + Vec2(triangle.uvB) * v + Vec2(triangle.uvC) * w;
     const auto texel = [&](double coordinate, std::uint32_t size) {
@@ -145,9 +138,8 @@ double NaiveTracer::meets(const Triangle& triangle, const Ray& ray, double& v, d
         const Vec3 q = glm::cross(s, triangle.ab);
         w = glm::dot(ray.direction, q) / determinant;
         const double t = glm::dot(triangle.ac, q) / determinant;
-        if (v >= -kEdge && w >= -kEdge && v + w <= 1.0 + kEdge && t >= ray.nearPlane) {
+        if (v >= -kEdge && w >= -kEdge && v + w <= 1.0 + kEdge && t >= ray.nearPlane)
             return t;
-        }
     }
     return std::numeric_limits<double>::infinity();
 }
@@ -169,9 +161,8 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
     for (const Cluster& cluster : clusters_[space]) {
         for (const world::InstanceIndex index : cluster.bodies) {
             const Body& body = bodies_[index];
-            if (!isInLevelRange(body, ray.eye)) {
+            if (!isInLevelRange(body, ray.eye))
                 continue;
-            }
             for (std::size_t i = body.firstTriangle; i < body.firstTriangle + body.triangleCount; ++i) {
                 double v = 0.0, w = 0.0;
                 const Triangle& triangle = triangles_[i];
@@ -181,9 +172,8 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
                     t -= kTolerance / std::abs(glm::dot(normal, ray.direction));
                 }
                 const bool known = std::find(layers.begin(), layers.end(), triangle.id) != layers.end();
-                if (triangle.blended && t > after && t <= until && std::isfinite(t) && !known) {
+                if (triangle.blended && t > after && t <= until && std::isfinite(t) && !known)
                     layers.push_back(triangle.id);
-                }
             }
         }
     }
@@ -198,17 +188,14 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
         const world::Portal& portal = world_.portals[i];
         const double speed = glm::dot(portal.plane.n, ray.direction);
         if (dynamics_.isClosed(i) || speed >= 0.0 ||
-            (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i)) {
+            (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i))
             continue;
-        }
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         const double side = portal.plane.signedDistance(ray.eye);
         double before = 0.00001; // what floats make of corners, and how far they are off the plane
-        for (const auto& corners : {polygon, world::cornersOf(world_, portal)}) {
-            for (const Vec3& corner : corners) {
+        for (const auto& corners : {polygon, world::cornersOf(world_, portal)})
+            for (const Vec3& corner : corners)
                 before = std::max(before, 0.00001 + std::abs(portal.plane.signedDistance(corner)));
-            }
-        }
         const bool inPlane = after <= 0.0 && side >= -kTolerance && side <= std::min(before, kTolerance) &&
                              containsProjection(polygon, portal.plane.n, ray.eye, 0.0);
         const double at = inPlane ? 0.0 : -side / speed;
@@ -224,9 +211,8 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
 
 bool NaiveTracer::passesReciprocal(world::PortalIndex index, const Ray& ray) const {
     const world::Portal& portal = world_.portals[index];
-    if (portal.exact || portal.reciprocal == world::kNone) {
+    if (portal.exact || portal.reciprocal == world::kNone)
         return true;
-    }
     const world::Portal& back = world_.portals[portal.reciprocal];
     const auto polygon = std::span(world_.portalVertices).subspan(back.firstVertex, back.vertexCount);
     const double t = -back.plane.signedDistance(ray.eye) / glm::dot(back.plane.n, ray.direction);
@@ -246,21 +232,17 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
         answer.t = kInfinite;
         answer.id = 0;
         for (const Cluster& cluster : clusters_[space]) {
-            if (!mayMeet(cluster.bounds, ray)) {
+            if (!mayMeet(cluster.bounds, ray))
                 continue;
-            }
-            for (const world::InstanceIndex i : cluster.bodies) {
-                if (isInLevelRange(bodies_[i], ray.eye) && mayMeet(bodies_[i].bounds, ray)) {
+            for (const world::InstanceIndex i : cluster.bodies)
+                if (isInLevelRange(bodies_[i], ray.eye) && mayMeet(bodies_[i].bounds, ray))
                     nearestIn(bodies_[i], ray, t0 - slack, answer);
-                }
-            }
         }
         double t = kInfinite;
         const world::PortalIndex portal = nearestPortal(space, ray, t0, cameBy, t);
         addLayers(space, ray, t0 - slack, std::min(answer.t, t + slack), answer.layers);
-        if (portal == world::kNone || answer.t <= t + slack) {
+        if (portal == world::kNone || answer.t <= t + slack)
             break;
-        }
         if (world_.portals[portal].destination == world::kNone || !passesReciprocal(portal, ray)) {
             answer.id = 0;
             answer.t = kInfinite;

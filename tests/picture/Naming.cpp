@@ -16,9 +16,8 @@ NaiveTracer::Ray rayThrough(const frame::FrameView& frame, double x, double y) {
 std::uint32_t instanceOfId(const world::World& world, std::uint32_t id) {
     for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
         const world::Instance& in = world.instances[i];
-        if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount) {
+        if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount)
             return i;
-        }
     }
     return world::kNone;
 }
@@ -27,11 +26,9 @@ namespace {
 
 const world::Instance* shownAs(const world::World& world, std::uint32_t id) {
     for (const auto* instances : {&world.instances, &world.movingParts}) {
-        for (const world::Instance& in : *instances) {
-            if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount) {
+        for (const world::Instance& in : *instances)
+            if (id >= in.idBase && id - in.idBase < world.meshes[in.mesh].polygonCount)
                 return &in;
-            }
-        }
     }
     return nullptr;
 }
@@ -42,9 +39,8 @@ std::string describeId(const world::World& world, std::uint32_t id) {
     constexpr const char* kNames[] = {"shell",  "terrain", "exterior", "scenery",
                                       "static", "dynamic", "filling",  "sky"};
     const world::Instance* found = shownAs(world, id);
-    if (found == nullptr) {
+    if (found == nullptr)
         return id == 0 ? "void" : id == 1 ? "sky" : fmt::format("unknown id {}", id);
-    }
     const world::Instance& in = *found;
     return fmt::format("{} 0x{:08X} polygon {}", kNames[static_cast<std::size_t>(in.kind)], in.record,
                        id - in.idBase);

@@ -183,11 +183,9 @@ TEST(OddWorlds, aWholePictureOfTwoRoomsStatedByHand) {
             }
         }
         // The far wall behind the opening is 8 m away: one polygon, one id.
-        for (std::uint32_t y = 2; y < 6; ++y) {
-            for (std::uint32_t x = 2; x < 6; ++x) {
+        for (std::uint32_t y = 2; y < 6; ++y)
+            for (std::uint32_t x = 2; x < 6; ++x)
                 EXPECT_EQ(picture.id(x, y), picture.id(3, 3));
-            }
-        }
     }
 }
 
@@ -227,9 +225,8 @@ TEST(OddWorlds, aHoleShowsAsVoidAndNothingElse) {
 TEST(OddWorlds, callsAreFewAndTheSameWhateverIsSeen) {
     TestWorld world;
     std::vector<TestWorld::Cell> row;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 20; ++i)
         row.push_back(world.addBox({0, i * 4.0, 0}, {4, i * 4.0 + 4, 3}));
-    }
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
         const double y = 4.0 * static_cast<double>(i + 1);
         world.link(row[i], rectangle({1, y, 0}, {3, y, 2.5}), row[i + 1]);

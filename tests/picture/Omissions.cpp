@@ -16,9 +16,8 @@ std::vector<std::uint32_t> listBySpace(std::size_t spaceCount, const std::vector
         first.push_back(static_cast<std::uint32_t>(list.size()));
         for (world::InstanceIndex i = 0; i < instances.size(); ++i) {
             const auto own = std::span(members).subspan(instances[i].firstMember, instances[i].memberCount);
-            if (isListed(i) && std::find(own.begin(), own.end(), space) != own.end()) {
+            if (isListed(i) && std::find(own.begin(), own.end(), space) != own.end())
                 list.push_back(i);
-            }
         }
     }
     first.push_back(static_cast<std::uint32_t>(list.size()));
@@ -35,12 +34,10 @@ world::World withoutMembership(const world::World& world) {
     world::World less = world;
     std::vector<bool> listed(world.instances.size(),
                              false); // those that depend on a door are in no static list
-    for (const world::InstanceIndex i : world.spaceInstances) {
+    for (const world::InstanceIndex i : world.spaceInstances)
         listed[i] = true;
-    }
-    for (world::Instance& instance : less.instances) {
+    for (world::Instance& instance : less.instances)
         leaveOneMember(instance);
-    }
     const auto first = listBySpace(
         less.spaces.size(), less.instances, less.members, [&](auto i) { return listed[i]; },
         less.spaceInstances);
@@ -54,19 +51,15 @@ world::World withoutMembership(const world::World& world) {
 world::DynamicState without(const Omissions& omissions, const world::World& world,
                             const world::DynamicState& dynamics) {
     world::DynamicState less = dynamics;
-    if (omissions.membership) {
-        for (world::Instance& instance : less.instances) {
+    if (omissions.membership)
+        for (world::Instance& instance : less.instances)
             leaveOneMember(instance);
-        }
-    }
     if (omissions.fillings) {
         less.closed.clear();
         less.fillings.clear();
-        for (world::Instance& instance : less.instances) { // which are then in no space
-            if (instance.kind == world::InstanceKind::Filling) {
+        for (world::Instance& instance : less.instances) // which are then in no space
+            if (instance.kind == world::InstanceKind::Filling)
                 instance.memberCount = 0;
-            }
-        }
     }
     world::listBySpace(world.spaces.size(), less);
     return less;

@@ -24,10 +24,9 @@ struct Counts {
 bool isWithin(const Picture& a, const Picture& b, std::uint32_t x, std::uint32_t y) {
     const std::uint32_t id = a.id(x, y);
     for (std::uint32_t v = y - 1; v <= y + 1; ++v) {
-        for (std::uint32_t u = x - 1; u <= x + 1; ++u) {
+        for (std::uint32_t u = x - 1; u <= x + 1; ++u)
             if (a.id(u, v) != id || b.id(u, v) != id)
                 return false;
-        }
     }
     return true;
 }
@@ -92,9 +91,8 @@ TEST_F(Painted, isWhatTheRasteriserPaintsRightOverCornersOfTheGround) {
     for (int corner = 0; corner < 16; ++corner) {
         Vec3 eye = origin + Vec3(24.0 * (1 + corner % 4), 24.0 * (1 + corner / 4), 0.0);
         eye.z = world::terrainHeight(exact->world(), eye.x, eye.y) + 1.7;
-        for (const double yaw : {0.0, 90.0, 73.0}) {
+        for (const double yaw : {0.0, 90.0, 73.0})
             EXPECT_LT(shareUnlike(eye, yaw, 0.0), 0.01) << corner << ", " << yaw;
-        }
     }
     EXPECT_GT(compared, 100'000u);
 }

@@ -95,9 +95,8 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
     world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
     options_ = options;
-    if (options.omissions.membership) {
+    if (options.omissions.membership)
         lessWorld_ = std::make_unique<world::World>(withoutMembership(world_));
-    }
     graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(drawnWorld())));
     planner_ = std::make_unique<frame::Planner>(drawnWorld());
 }
@@ -130,9 +129,8 @@ void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& v
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
-    if (!tracer_) {
+    if (!tracer_)
         tracer_ = std::make_unique<NaiveTracer>(world_, dynamics_);
-    }
     return *tracer_;
 }
 
@@ -140,9 +138,8 @@ void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
     motion::DynamicStateBuilder(world_).at(input, dynamics_);
     drawnDynamics_ = without(options_.omissions, world_, dynamics_);
     tracer_.reset();
-    if (traced_) {
+    if (traced_)
         traced_->setDynamics(dynamics_);
-    }
 }
 
 Picture PictureWorld::shootSampled(const frame::FrameView& frame, gpu::Shading shading) {
@@ -172,14 +169,12 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
         picture.depth = target->readDepth();
     }
     picture.colour = target->readColour();
-    if (options.wantLayers) {
+    if (options.wantLayers)
         picture.layers = target->readLayers();
-    }
     picture.counts = drawing_->plan.counts;
     picture.glCalls = drawing_->renderer->report().glCalls;
-    for (const frame::Stage& stage : drawing_->plan.stages) {
+    for (const frame::Stage& stage : drawing_->plan.stages)
         picture.stages.push_back(stage.batchCount);
-    }
     EXPECT_TRUE(driver().debug.faults().empty()) << driver().debug.faults().front();
     EXPECT_TRUE(drawing_->device.faults().empty()) << drawing_->device.faults().front();
     return picture;
@@ -201,9 +196,8 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
     drawn.ids = picture.ids;
     drawn.depth = picture.depth;
     drawn.nearPlane = frame.nearPlane;
-    for (const gpu::LayerSum& layers : picture.layers) {
+    for (const gpu::LayerSum& layers : picture.layers)
         drawn.layers.push_back({layers.count, layers.hash});
-    }
     check::Comparison comparison;
     if (!picture.samples.empty()) {
         check::ViewRetracer retracer(*traced_, camera);
@@ -232,9 +226,8 @@ void SampledTally::judge(PictureWorld& pictures, const frame::FrameView& frame) 
     pixels += c.verdicts.size();
     slivers += c.count(check::Verdict::Sliver);
     std::map<std::array<std::uint8_t, 3>, std::size_t> colours;
-    for (std::size_t i = 0; i < picture.colour.size(); i += 4) {
+    for (std::size_t i = 0; i < picture.colour.size(); i += 4)
         ++colours[{picture.colour[i], picture.colour[i + 1], picture.colour[i + 2]}];
-    }
     mixed += static_cast<std::size_t>(
         std::count_if(colours.begin(), colours.end(), [](const auto& colour) { return colour.second == 1; }));
 }
@@ -256,9 +249,8 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::Rend
                       << "), root " << frame.view.root;
     }
     std::size_t voids = 0;
-    for (std::size_t i = 0; i < picture.ids.size(); ++i) {
+    for (std::size_t i = 0; i < picture.ids.size(); ++i)
         voids += picture.ids[i] == 0 && c.verdicts[i] != check::Verdict::Unjudged ? 1 : 0;
-    }
     EXPECT_EQ(voids, 0u) << "void pixels";
     return picture;
 }

@@ -63,10 +63,9 @@ private:
 
 /// The static instance made from a model. One of them must be there.
 [[nodiscard]] inline world::InstanceIndex staticOf(const world::World& world, std::uint32_t model) {
-    for (world::InstanceIndex i = 0; i < world.instances.size(); ++i) {
+    for (world::InstanceIndex i = 0; i < world.instances.size(); ++i)
         if (world.instances[i].record == model && world.instances[i].kind == world::InstanceKind::Static)
             return i;
-    }
     ADD_FAILURE() << "no static of this model";
     return 0;
 }

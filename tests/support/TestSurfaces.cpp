@@ -8,10 +8,9 @@ dat::RenderSurface solidImage(std::int32_t width, std::int32_t height, std::uint
     image.width = width;
     image.height = height;
     image.format = dat::PixelFormat::A8R8G8B8;
-    for (std::int32_t i = 0; i < width * height; ++i) {
+    for (std::int32_t i = 0; i < width * height; ++i)
         for (const int shift : {0, 8, 16, 24})
             image.pixels.push_back(static_cast<std::uint8_t>(argb >> shift));
-    }
     return image;
 }
 

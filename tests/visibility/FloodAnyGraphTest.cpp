@@ -31,15 +31,13 @@ public:
         std::vector<Vec3> points;
         switch (below(6)) {
         case 0: // any points
-            for (std::uint32_t n = below(flat_ ? 4 : 8); n > 0; --n) {
+            for (std::uint32_t n = below(flat_ ? 4 : 8); n > 0; --n)
                 points.push_back(point());
-            }
             return points;
         case 1: // all on a line, or in one place
             points.assign(3 + below(3), point());
-            for (std::size_t i = 1; i < points.size() && oneIn(2); ++i) {
+            for (std::size_t i = 1; i < points.size() && oneIn(2); ++i)
                 points[i] += Vec3(static_cast<double>(i), 0, 0);
-            }
             return points;
         default:
             return regular();
@@ -90,9 +88,8 @@ Graph oddGraph(Odd& odd) {
                 const PortalDesc& last = portals.back();
                 polygon.assign(vertices.begin() + last.firstVertex,
                                vertices.begin() + last.firstVertex + last.vertexCount);
-                if (odd.oneIn(2)) {
+                if (odd.oneIn(2))
                     std::reverse(polygon.begin(), polygon.end());
-                }
             }
             portal.vertexCount = static_cast<std::uint32_t>(polygon.size());
             vertices.insert(vertices.end(), polygon.begin(), polygon.end());
@@ -132,11 +129,9 @@ double slack(const Vec3& edge, const Vec3& v) {
 bool liesIn(std::span<const Vec3> inner, std::span<const Vec3> outer) {
     for (std::size_t e = 0; e < outer.size(); ++e) {
         const Vec3 edge = glm::cross(outer[e], outer[(e + 1) % outer.size()]);
-        for (const Vec3& v : inner) {
-            if (glm::dot(edge, v) < -slack(edge, v)) {
+        for (const Vec3& v : inner)
+            if (glm::dot(edge, v) < -slack(edge, v))
                 return false;
-            }
-        }
     }
     return true;
 }
@@ -148,12 +143,10 @@ void checkVisit(const Graph& graph, const VisibleSet& set, std::uint32_t index) 
     RC_ASSERT(isFinite(visit.entryPlane.n) && std::isfinite(visit.entryPlane.d));
     const auto region = set.region(visit);
     RC_ASSERT(region.size() >= 3u);
-    for (const Vec3& v : region) {
+    for (const Vec3& v : region)
         RC_ASSERT(isFinite(v));
-    }
-    for (std::uint32_t up = visit.parent; up != kNone; up = set.visits[up].parent) {
+    for (std::uint32_t up = visit.parent; up != kNone; up = set.visits[up].parent)
         RC_ASSERT(set.visits[up].portal != visit.portal);
-    }
 }
 
 RC_GTEST_PROP(FloodAnyGraph, endsAndYieldsATreeOfFiniteRegions, (unsigned seed)) {
@@ -163,9 +156,8 @@ RC_GTEST_PROP(FloodAnyGraph, endsAndYieldsATreeOfFiniteRegions, (unsigned seed))
         const View view = oddView(odd, graph);
         const VisibleSet set = floodOnce(graph, view, {1u << 20, {}});
         RC_ASSERT(set.counts.visitsCut == 0u);
-        for (std::uint32_t i = 1; i < set.visits.size(); ++i) {
+        for (std::uint32_t i = 1; i < set.visits.size(); ++i)
             checkVisit(graph, set, i);
-        }
         for (const SeenSpace& s : set.seen) {
             RC_ASSERT(s.visit < set.visits.size() && s.space < graph.spaces().size());
             RC_ASSERT(!std::isnan(s.rect.minX + s.rect.maxX) && !std::isnan(s.rect.minY + s.rect.maxY));

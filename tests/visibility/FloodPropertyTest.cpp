@@ -14,9 +14,8 @@ namespace {
 
 /// Whether a ray that passes the portal goes on: it leads somewhere, and of an inexact pair both polygons are open.
 bool isOpenFor(const Graph& graph, const Graph::Portal& portal, const Vec3& eye, const Vec3& direction) {
-    if (portal.destination == kNone || portal.exact || portal.reciprocal == kNone) {
+    if (portal.destination == kNone || portal.exact || portal.reciprocal == kNone)
         return portal.destination != kNone;
-    }
     const Graph::Portal& back = graph.portals()[portal.reciprocal];
     const double t = -back.plane.signedDistance(eye) / glm::dot(back.plane.n, direction);
     return containsProjection(graph.polygon(back), back.plane.n, eye + direction * t, 0.0);
@@ -37,17 +36,15 @@ std::vector<std::uint32_t> chainOfRay(const Graph& graph, const View& view, cons
             const double speed = glm::dot(portal.plane.n, direction);
             const double t = -portal.plane.signedDistance(view.eye) / speed;
             if (speed >= 0.0 || t <= t0 || t >= nearest ||
-                (cameBy != kNone && graph.portals()[cameBy].reciprocal == p)) {
+                (cameBy != kNone && graph.portals()[cameBy].reciprocal == p))
                 continue;
-            }
             if (containsProjection(graph.polygon(portal), portal.plane.n, view.eye + direction * t, 0.0)) {
                 nearest = t;
                 next = p;
             }
         }
-        if (next == kNone) {
+        if (next == kNone)
             return chain;
-        }
         if (!isOpenFor(graph, graph.portals()[next], view.eye, direction)) {
             chain.push_back(kNone);
             return chain;
@@ -66,9 +63,8 @@ Graph randomComplex(std::mt19937& random, int size) {
     const auto cell = [&](int x, int y, int z) {
         return static_cast<std::uint32_t>((z * size + y) * size + x);
     };
-    for (int i = 0; i < size * size * size; ++i) {
+    for (int i = 0; i < size * size * size; ++i)
         world.addSpace();
-    }
     const std::uint32_t outside = world.addSpace();
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const auto openWall = [&](std::uint32_t a, std::uint32_t b, const Vec3& centre, int axis) {
@@ -142,9 +138,8 @@ bool ownedNearby(const Graph& graph, const View& view, const Vec3& screen,
     for (int i = 0; i < 8; ++i) {
         const Vec3 s = screen + Vec3(std::cos(i * 0.785), std::sin(i * 0.785), 0.0) * 1e-7;
         const Vec3 d = view.forward + view.right * (s.x * view.tanHalfX) + view.up * (s.y * view.tanHalfY);
-        if (chainOfRay(graph, view, d) == owner) {
+        if (chainOfRay(graph, view, d) == owner)
             return true;
-        }
     }
     return false;
 }
@@ -166,15 +161,13 @@ Shuffled shuffle(const Graph& graph, std::mt19937& random) {
     for (const auto& s : graph.spaces()) {
         spaces.push_back({s.firstPortal, s.portalCount, s.zone});
         const auto first = static_cast<std::ptrdiff_t>(result.was.size());
-        for (std::uint32_t p = s.firstPortal; p < s.firstPortal + s.portalCount; ++p) {
+        for (std::uint32_t p = s.firstPortal; p < s.firstPortal + s.portalCount; ++p)
             result.was.push_back(p);
-        }
         std::shuffle(result.was.begin() + first, result.was.end(), random);
     }
     std::vector<std::uint32_t> isNow(result.was.size());
-    for (std::uint32_t i = 0; i < isNow.size(); ++i) {
+    for (std::uint32_t i = 0; i < isNow.size(); ++i)
         isNow[result.was[i]] = i;
-    }
     std::vector<PortalDesc> portals;
     std::vector<Vec3> vertices;
     for (const std::uint32_t old : result.was) {
@@ -196,12 +189,10 @@ std::vector<ChainAndRegion> visitsByChain(const VisibleSet& set, const std::vect
     std::vector<ChainAndRegion> all;
     for (const Visit& visit : set.visits) {
         ChainAndRegion& entry = all.emplace_back();
-        for (const Visit* up = &visit; up->parent != kNone; up = &set.visits[up->parent]) {
+        for (const Visit* up = &visit; up->parent != kNone; up = &set.visits[up->parent])
             entry.first.insert(entry.first.begin(), was.empty() ? up->portal : was[up->portal]);
-        }
-        for (const Vec3& v : set.region(visit)) {
+        for (const Vec3& v : set.region(visit))
             entry.second.insert(entry.second.end(), {v.x, v.y, v.z});
-        }
     }
     std::sort(all.begin(), all.end());
     return all;
@@ -236,13 +227,11 @@ RC_GTEST_PROP(FloodProperty, aChildLiesInItsParentAndNoPortalRepeatsInAChain, (u
         const auto outer = set.region(set.visits[visit.parent]);
         for (const Vec3& v : set.region(visit)) {
             RC_ASSERT(isFinite(v));
-            for (std::size_t e = 0; e < outer.size(); ++e) {
+            for (std::size_t e = 0; e < outer.size(); ++e)
                 RC_ASSERT(glm::dot(glm::cross(outer[e], outer[(e + 1) % outer.size()]), v) >= -1e-9);
-            }
         }
-        for (std::uint32_t up = visit.parent; up != kNone; up = set.visits[up].parent) {
+        for (std::uint32_t up = visit.parent; up != kNone; up = set.visits[up].parent)
             RC_ASSERT(set.visits[up].portal != visit.portal);
-        }
     }
 }
 
@@ -259,9 +248,8 @@ RC_GTEST_PROP(FloodProperty, beingToldWhyChangesNothingAndEveryPortalOfWhatIsSee
     RC_ASSERT(watched.visits.size() == alone.visits.size());
     RC_ASSERT(watched.counts.portalsTested == alone.counts.portalsTested);
     std::size_t openings = 0, admitted = 0;
-    for (const Visit& visit : watched.visits) {
+    for (const Visit& visit : watched.visits)
         openings += visit.parent != kNone && !visit.hole ? 1u : 0u;
-    }
     std::vector<std::uint8_t> told(watched.visits.size() * graph.portals().size(), 0);
     for (const FloodTrace::Entry& entry : trace.entries) {
         admitted += entry.fate == PortalFate::Admitted ? 1u : 0u;
@@ -270,9 +258,8 @@ RC_GTEST_PROP(FloodProperty, beingToldWhyChangesNothingAndEveryPortalOfWhatIsSee
     RC_ASSERT(admitted == openings);
     for (const SeenSpace& seen : watched.seen) {
         const Graph::Space& space = graph.spaces()[seen.space];
-        for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+        for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
             RC_ASSERT(told[seen.visit * graph.portals().size() + p] == 1);
-        }
     }
 }
 
@@ -330,9 +317,8 @@ RC_GTEST_PROP(FloodProperty, mergingZonesLosesNoSpaceThatARayReaches, (unsigned 
     std::vector<SpaceDesc> spaces;
     std::vector<PortalDesc> portals;
     std::vector<Vec3> vertices;
-    for (const auto& s : apart.spaces()) {
+    for (const auto& s : apart.spaces())
         spaces.push_back({s.firstPortal, s.portalCount, s.zone == apart.spaces().size() - 1 ? 1u : 0u});
-    }
     for (const auto& p : apart.portals()) {
         portals.push_back({p.space, p.destination, p.reciprocal, static_cast<std::uint32_t>(vertices.size()),
                            p.vertexCount, p.exact});

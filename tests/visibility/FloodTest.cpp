@@ -12,9 +12,8 @@ using Chain = std::vector<std::uint32_t>;
 /// Each is a zone of its own, or all are one.
 GraphBuilder rowOfRooms(int count, bool oneZone = false) {
     GraphBuilder world;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
         world.addSpace(oneZone ? 0 : static_cast<std::uint32_t>(i));
-    }
     for (int i = 0; i + 1 < count; ++i) {
         world.link(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1),
                    uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
@@ -52,9 +51,8 @@ TEST(Flood, doesNotSeeDoorsBehindTheEyeOrOffTheScreen) {
 TEST(Flood, stopsAtAClosedFilling) {
     const Graph graph = rowOfRooms(4).build();
     std::vector<std::uint8_t> closed(graph.portals().size(), 0);
-    for (std::size_t i = 0; i < closed.size(); ++i) {
+    for (std::size_t i = 0; i < closed.size(); ++i)
         closed[i] = graph.portals()[i].space == 1 && graph.portals()[i].destination == 2;
-    }
     const VisibleSet set = floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed);
     ASSERT_EQ(set.visits.size(), 3u) << "two rooms, and the door between the second and the third";
     EXPECT_TRUE(set.visits[2].shut && set.visits[2].hole);
@@ -144,9 +142,8 @@ TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
 TEST(Flood, inThePlaneBesideTheOpeningNothingIsLostOrFlooded) {
     const VisibleSet set = floodOnce(rowOfRooms(2).build(), viewFrom({3, 10, 0}, 270, 0, 0));
     EXPECT_EQ(set.visits.size(), 1u);
-    for (const Vec3& v : set.regionVertices) {
+    for (const Vec3& v : set.regionVertices)
         EXPECT_TRUE(isFinite(v));
-    }
 }
 
 TEST(Flood, justBeforeADoorTheRegionIsTheWholeScreen) {
@@ -322,12 +319,10 @@ TEST(Flood, keepsTheLargestRegionsWhenTheBudgetIsReached) {
 
 TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
     GraphBuilder world;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         world.addSpace(7);
-    }
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t i = 0; i < 3; ++i)
         world.link(i, i + 1, uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
-    }
     const Graph graph = world.build();
     const VisibleSet ahead = floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0));
     EXPECT_EQ(ahead.visits.size(), 1u);
@@ -339,12 +334,10 @@ TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
 TEST(Flood, doesNotLeakThroughTheScreensEdgeInsideAZone) {
     // Looking past the door: it is off the screen to the right, half of it behind the eye.
     GraphBuilder world;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 6; ++i)
         world.addSpace(0);
-    }
-    for (std::uint32_t i = 0; i < 5; ++i) {
+    for (std::uint32_t i = 0; i < 5; ++i)
         world.link(i, i + 1, uprightRectangle({0, 10.0 * (i + 1), 0}, {0, -1, 0}, 2, 2));
-    }
     EXPECT_EQ(floodOnce(world.build(), viewFrom({3, 9.5, 0}, 225, 0, 0)).seen.size(), 1u);
 }
 

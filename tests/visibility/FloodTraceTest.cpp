@@ -13,10 +13,9 @@ struct Traced {
 
     [[nodiscard]] std::vector<PortalFate> fatesOf(std::uint32_t portal, std::uint32_t visit = 0) const {
         std::vector<PortalFate> fates;
-        for (const FloodTrace::Entry& entry : trace.entries) {
+        for (const FloodTrace::Entry& entry : trace.entries)
             if (entry.portal == portal && entry.visit == visit)
                 fates.push_back(entry.fate);
-        }
         return fates;
     }
 };

@@ -34,28 +34,24 @@ void GraphBuilder::linkInexact(std::uint32_t from, std::uint32_t to, const std::
 
 Graph GraphBuilder::build() const {
     std::vector<std::uint32_t> order(openings_.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
+    for (std::uint32_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return openings_[a].space < openings_[b].space;
     });
     std::vector<std::uint32_t> placeOf(order.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
+    for (std::uint32_t i = 0; i < order.size(); ++i)
         placeOf[order[i]] = i;
-    }
     std::vector<SpaceDesc> spaces(zones_.size());
-    for (std::size_t i = 0; i < spaces.size(); ++i) {
+    for (std::size_t i = 0; i < spaces.size(); ++i)
         spaces[i].zone = zones_[i];
-    }
     std::vector<PortalDesc> portals;
     std::vector<Vec3> vertices;
     for (const std::uint32_t i : order) {
         const Opening& o = openings_[i];
         SpaceDesc& space = spaces[o.space];
-        if (space.portalCount++ == 0) {
+        if (space.portalCount++ == 0)
             space.firstPortal = static_cast<std::uint32_t>(portals.size());
-        }
         portals.push_back({o.space, o.destination,
                            o.pair < 0 ? kNone : placeOf[static_cast<std::size_t>(o.pair)],
                            static_cast<std::uint32_t>(vertices.size()),
@@ -94,9 +90,8 @@ std::uint32_t ownerOf(const VisibleSet& set, const Vec3& direction) {
     for (std::uint32_t i = 0; i < set.visits.size(); ++i) {
         const auto region = set.region(set.visits[i]);
         bool inside = true;
-        for (std::size_t e = 0; e < region.size() && inside; ++e) {
+        for (std::size_t e = 0; e < region.size() && inside; ++e)
             inside = glm::dot(glm::cross(region[e], region[(e + 1) % region.size()]), direction) >= 0.0;
-        }
         owner = inside ? i : owner;
     }
     return owner;
@@ -104,9 +99,8 @@ std::uint32_t ownerOf(const VisibleSet& set, const Vec3& direction) {
 
 std::vector<std::uint32_t> chainOf(const VisibleSet& set, std::uint32_t visit) {
     std::vector<std::uint32_t> chain;
-    for (; visit != kNone; visit = set.visits[visit].parent) {
+    for (; visit != kNone; visit = set.visits[visit].parent)
         chain.insert(chain.begin(), set.visits[visit].space);
-    }
     return chain;
 }
 

@@ -37,9 +37,8 @@ TEST(Graph, givesSpacesWithManyPortalsATreeThatHoldsThemAll) {
     std::vector<Vec3> vertices;
     for (std::uint32_t i = 0; i < 40; ++i) {
         portals.push_back({0, 1, kNone, i * 3, 3, true});
-        for (const Vec3& v : kTriangle) {
+        for (const Vec3& v : kTriangle)
             vertices.push_back(v + Vec3(i % 7, i * 0.5, i % 3));
-        }
     }
     const auto graph = Graph::build(spaces, portals, vertices);
     ASSERT_TRUE(graph);
@@ -49,9 +48,8 @@ TEST(Graph, givesSpacesWithManyPortalsATreeThatHoldsThemAll) {
     for (const auto& node : graph->boundsNodes()) {
         if (node.child == kNone) {
             ++found[node.portal];
-            for (const Vec3& v : graph->polygon(graph->portals()[node.portal])) {
+            for (const Vec3& v : graph->polygon(graph->portals()[node.portal]))
                 EXPECT_TRUE(node.box.contains(v));
-            }
         }
     }
     EXPECT_EQ(found, std::vector<int>(40, 1));

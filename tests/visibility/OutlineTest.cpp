@@ -24,9 +24,8 @@ TEST(Outline, aConvexPolygonStaysAsItIs) {
 TEST(Outline, ofAPolygonBentAroundTheEyeOnlyWhatLiesAheadIsLeft) {
     const auto hull = hullOf({{-1, 0.001, -1}, {1, 0.001, -1}, {1, 0.001, 0}, {0, -0.001, 1}});
     ASSERT_EQ(hull.size(), 5u);
-    for (const Vec3& v : hull) {
+    for (const Vec3& v : hull)
         EXPECT_GE(v.y, 0.0);
-    }
 }
 
 TEST(Outline, keepsWhatBulgesAndDropsWhatDents) {
@@ -56,9 +55,8 @@ TEST(Outline, aCornerOffThePlaneLeavesNoDent) {
 
 TEST(Outline, theFloodsRegionHoldsWhatBulges) {
     std::vector<Vec3> vertices = kSquare;
-    for (const Vec3& v : {kSquare[0], Vec3(0, 10, -1.0002), kSquare[1], kSquare[2], kSquare[3]}) {
+    for (const Vec3& v : {kSquare[0], Vec3(0, 10, -1.0002), kSquare[1], kSquare[2], kSquare[3]})
         vertices.push_back(v);
-    }
     const std::vector<SpaceDesc> spaces{{0, 1, 0}, {1, 0, 1}};
     const std::vector<PortalDesc> portals{{0, 1, kNone, 0, 4, true, 4, 5}};
     const auto graph = Graph::build(spaces, portals, vertices);

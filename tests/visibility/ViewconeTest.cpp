@@ -117,20 +117,17 @@ struct Crowd : ::testing::Test {
 TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
     const Vec3 origin = glm::floor(eye) + Vec3(1800.0, -900.0, 40.0);
     std::vector<Viewcones> widths;
-    for (const Vectors vectors : {Vectors::Any, Vectors::Avx2, Vectors::Avx512}) {
-        if (vectors <= widestVectors()) {
+    for (const Vectors vectors : {Vectors::Any, Vectors::Avx2, Vectors::Avx512})
+        if (vectors <= widestVectors())
             widths.emplace_back(vectors).prepare(view, set, kPixel);
-        }
-    }
     std::size_t seen = 0, within = 0, told = 0, notTold = 0;
     for (std::uint32_t round = 0; round < 5000; ++round) {
         Block block(origin);
         for (std::size_t i = 0; i < SphereBatch::kCount; ++i) {
             Sphere one = sphere();
             one.centre *= std::pow(10.0, between(0.0, 3.3));
-            if (i % 4 == 0 && round % 2 == 0) {
+            if (i % 4 == 0 && round % 2 == 0)
                 one = atAnEdge(one);
-            }
             block.set(i, {eye + one.centre, one.radius});
         }
         const std::uint32_t count = 1 + round % SphereBatch::kCount, first = 100 * round;
@@ -139,9 +136,8 @@ TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
             const SeenSphere one = cones.sphereOf({block.spheres[i].centre - eye, block.spheres[i].radius});
             if (cones.classify(0, one) != Containment::Outside) {
                 expected.push_back(first + i);
-                if (Viewcones::classify(rect, one) != Containment::Outside) {
+                if (Viewcones::classify(rect, one) != Containment::Outside)
                     expectedWithin.push_back(first + i);
-                }
             }
         }
         seen += expected.size();

@@ -18,12 +18,11 @@ std::vector<EmitterStart> run(EffectsHut& effects, std::uint32_t script, std::st
     dat::Setup setup;
     setup.script = script;
     const std::vector<EmitterStart> starts = EmitterStarts(records).ofDefaultScript(setup);
-    for (const Finding& finding : records.findings()) {
+    for (const Finding& finding : records.findings())
         if (findings != nullptr)
             *findings += finding.what + "\n";
         else
             ADD_FAILURE() << finding.what;
-    }
     return starts;
 }
 

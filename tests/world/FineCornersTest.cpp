@@ -9,10 +9,9 @@ using test::TestWorld;
 
 const MeshVertex& nearestVertex(const World& world, const Mesh& mesh, const Vec3& to) {
     std::uint32_t nearest = mesh.firstVertex;
-    for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v) {
+    for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v)
         if (glm::length(world.vertices[v].corner() - to) < glm::length(world.vertices[nearest].corner() - to))
             nearest = v;
-    }
     return world.vertices[nearest];
 }
 
@@ -28,10 +27,9 @@ Vec3 asRecorded(const dat::Frame& frame, const Vec3& corner) {
 }
 
 test::Walls turned(test::Walls walls, const Mat3& turn, const Vec3& origin) {
-    for (test::Wall& wall : walls) {
+    for (test::Wall& wall : walls)
         for (Vec3& p : wall.points)
             p = origin + turn * p;
-    }
     return walls;
 }
 

@@ -104,9 +104,8 @@ TEST(Membership, everySpaceListsItsMembersShellFirst) {
     for (SpaceIndex s = 0; s < world.spaces.size(); ++s) {
         const Space& space = world.spaces[s];
         listed += space.instanceCount;
-        if (space.shell != kNone) {
+        if (space.shell != kNone)
             EXPECT_EQ(world.spaceInstances[space.firstInstance], space.shell);
-        }
     }
     std::size_t memberships = 0;
     for (const Instance& instance : world.instances)

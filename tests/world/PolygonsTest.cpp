@@ -136,10 +136,9 @@ TEST(Meshes, areSharedByContentAndPlacedBySetups) {
     source.addObject(box, test::frameAt({80, 60, 2}));
     const World world = test::loadTestWorld(source);
     std::vector<const Instance*> parts;
-    for (const Instance& instance : world.instances) {
+    for (const Instance& instance : world.instances)
         if (instance.kind == Kind::Static)
             parts.push_back(&instance);
-    }
     ASSERT_EQ(parts.size(), 3u);
     EXPECT_EQ(parts[0]->mesh, parts[1]->mesh);
     EXPECT_EQ(parts[0]->mesh, parts[2]->mesh);
@@ -188,10 +187,9 @@ TEST(Meshes, aShellThatIsAZoneOfItsOwnNeedsNoNeighbours) {
 double reachOfWalls(double uneven) {
     test::TestWorld source;
     test::Walls walls = test::boxWalls({0, 0, 0}, {4, 3, 2});
-    for (test::Wall& wall : walls) {
+    for (test::Wall& wall : walls)
         for (Vec3& p : wall.points)
             p.z += p == Vec3(4, 3, 2) ? uneven : 0.0;
-    }
     const auto room = source.addCell(walls), next = source.addBox({-4, 0, 0}, {0, 3, 2});
     source.link(room, test::rectangle({0, 1, 0.5}, {0, 2, 1.5}), next);
     const World world = test::loadTestWorld(source);

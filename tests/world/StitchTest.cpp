@@ -77,10 +77,9 @@ TEST(PointTree, findsWhatABruteForceSearchFinds) {
         std::vector<std::uint32_t> found, expected;
         tree.nearSegment(a, b, 0.5, found);
         std::sort(found.begin(), found.end());
-        for (std::uint32_t p = 0; p < points.size(); ++p) {
+        for (std::uint32_t p = 0; p < points.size(); ++p)
             if (distanceToSegment(points[p], a, b).distance <= 0.5)
                 expected.push_back(p);
-        }
         EXPECT_EQ(found, expected);
     }
 }

@@ -40,10 +40,9 @@ TEST(LandHash, agreesWithTheTestVectors) {
 
 Ground hill() {
     Ground ground;
-    for (int x = 0; x < 9; ++x) {
+    for (int x = 0; x < 9; ++x)
         for (int y = 0; y < 9; ++y)
             ground.heights[static_cast<std::size_t>(x * 9 + y)] = static_cast<float>((x * 7 + y * 5) % 11);
-    }
     return ground;
 }
 
@@ -238,10 +237,9 @@ struct Grove {
     }
     static std::vector<const Instance*> trees(const World& world) {
         std::vector<const Instance*> out;
-        for (const Instance& instance : world.instances) {
+        for (const Instance& instance : world.instances)
             if (instance.kind == Kind::Scenery)
                 out.push_back(&instance);
-        }
         return out;
     }
 };

@@ -102,10 +102,9 @@ TEST(DecodeImage, readsDxt3AndDxt5Alpha) {
 /// A JFIF file of two halves, red above blue.
 Bytes jpegOf(int width, int height) {
     Bytes rgb;
-    for (int i = 0; i < width * height; ++i) {
+    for (int i = 0; i < width * height; ++i)
         for (const int channel : {0, 1, 2})
             rgb.push_back(channel == (i < width * height / 2 ? 0 : 2) ? 255 : 0);
-    }
     const tjhandle encoder = tjInitCompress();
     unsigned char* bytes = nullptr;
     unsigned long size = 0;

@@ -65,10 +65,9 @@ void ByteReader::text(std::string& out) {
 
 void ByteReader::alignZero() {
     const std::size_t start = offset();
-    for (const std::byte b : bytes((0 - start) & 3)) {
+    for (const std::byte b : bytes((0 - start) & 3))
         if (b != std::byte{0})
             failAt(start, "the padding up to a multiple of four is not zero");
-    }
 }
 
 ByteView ByteReader::bytes(std::size_t count) {

@@ -78,11 +78,10 @@ void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle) {
 
 bool mayHaveBlockingParticle(ByteView payload) {
     // Any word of that value anywhere.
-    for (std::size_t i = 0; i + 4 <= payload.size(); ++i) {
+    for (std::size_t i = 0; i + 4 <= payload.size(); ++i)
         if (payload[i] == std::byte{kCreateBlockingParticleHook} && payload[i + 1] == std::byte{0} &&
             payload[i + 2] == std::byte{0} && payload[i + 3] == std::byte{0})
             return true;
-    }
     return false;
 }
 

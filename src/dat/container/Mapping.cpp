@@ -76,7 +76,8 @@ Mapping::~Mapping() {
 
 void Mapping::letPagesGo() const {
     if (data_ != nullptr && owned_.empty() && size_ != 0)
-        ::madvise(const_cast<std::byte*>(data_), size_, MADV_DONTNEED); // a hint: that it fails changes nothing
+        ::madvise(const_cast<std::byte*>(data_), size_,
+                  MADV_DONTNEED); // a hint: that it fails changes nothing
 }
 
 void Mapping::release() {

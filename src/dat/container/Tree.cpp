@@ -76,26 +76,23 @@ void Tree::prefetch(std::uint32_t offset) const {
 }
 
 std::string Tree::inspect(const Node& node) const {
-    for (std::size_t i = 1; i < node.count; ++i) {
+    for (std::size_t i = 1; i < node.count; ++i)
         if (idAt(node, i) <= idAt(node, i - 1))
             return fmt::format("id 0x{:08X} comes after 0x{:08X}", idAt(node, i), idAt(node, i - 1));
-    }
     if (node.isLeaf)
         return {};
     if (node.count == 0)
         return "it has a branch but no entries";
-    for (std::size_t i = 0; i <= node.count; ++i) {
+    for (std::size_t i = 0; i <= node.count; ++i)
         if (!blocks_.isBlock(branch(node, i)))
             return fmt::format("branch {} is 0x{:X}, which is not the offset of a block", i, branch(node, i));
-    }
     return {};
 }
 
 bool Tree::isInOnePiece(const Node& node) const {
-    for (std::size_t i = 1; i < blocksPerNode_; ++i) {
+    for (std::size_t i = 1; i < blocksPerNode_; ++i)
         if (node.blocks[i] != node.blocks[i - 1] + blocks_.blockSize())
             return false;
-    }
     return true;
 }
 

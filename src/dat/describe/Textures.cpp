@@ -91,10 +91,9 @@ std::string describe(const RenderSurface& s) {
 
 std::string describe(const Surface& s) {
     Json flags = Json::array();
-    for (const FlagName& flag : kSurfaceFlags) {
+    for (const FlagName& flag : kSurfaceFlags)
         if (s.type & flag.bit)
             flags.push_back(flag.name);
-    }
     Json out = {{"kind", "Surface"}, {"type", hexId(s.type)}, {"flags", flags}};
     if (s.hasImage()) {
         out["texture"] = hexId(s.texture);

@@ -18,11 +18,9 @@ Neighbours neighboursOf(const std::vector<PlannedCell>& cells) {
     Neighbours out;
     for (const PlannedCell& cell : cells) {
         std::vector<std::uint32_t> next;
-        for (const PlannedPortal& portal : cell.portals) {
-            if (portal.cell != PlannedPortal::kOutside) {
+        for (const PlannedPortal& portal : cell.portals)
+            if (portal.cell != PlannedPortal::kOutside)
                 next.push_back(portal.cell);
-            }
-        }
         out.push_back(std::move(next));
     }
     return out;
@@ -35,9 +33,8 @@ bool leadsOutside(const PlannedCell& cell) {
 
 std::vector<bool> outwardPortals(const PlannedCell& cell) {
     std::vector<bool> out;
-    for (const PlannedPortal& portal : cell.portals) {
+    for (const PlannedPortal& portal : cell.portals)
         out.push_back(!portal.insidePositive);
-    }
     return out;
 }
 
@@ -59,9 +56,8 @@ dat::Building buildingRecord(const CellsPlan& plan, const Neighbours& neighbours
         portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
         portal.otherCellId = static_cast<std::uint16_t>(firstCell + exit.cell);
         portal.otherPortalId = exit.portal;
-        for (const std::uint32_t other : cellsWithin(neighbours, exit.cell, kListSteps)) {
+        for (const std::uint32_t other : cellsWithin(neighbours, exit.cell, kListSteps))
             portal.stabs.push_back(static_cast<std::uint16_t>(firstCell + other));
-        }
         building.portals.push_back(std::move(portal));
     }
     return building;
@@ -75,11 +71,9 @@ std::vector<std::uint32_t> cellsWithin(const Neighbours& neighbours, std::uint32
     for (std::size_t step = 0; step < steps; ++step) {
         const std::size_t end = found.size();
         for (; begin < end; ++begin) {
-            for (const std::uint32_t next : neighbours[found[begin]]) {
-                if (std::find(found.begin(), found.end(), next) == found.end()) {
+            for (const std::uint32_t next : neighbours[found[begin]])
+                if (std::find(found.begin(), found.end(), next) == found.end())
                     found.push_back(next);
-                }
-            }
         }
     }
     std::sort(found.begin(), found.end());
@@ -106,17 +100,15 @@ dat::RecordId PlanWriter::add(CellsPlan plan, const Placement& at) {
         record.cellStructure = shape.structure;
         record.surfaces = shape.surfaces;
         record.position = toFrame(at);
-        for (std::size_t k = 0; k < cell.portals.size(); ++k) {
+        for (std::size_t k = 0; k < cell.portals.size(); ++k)
             record.portals.push_back(portalRecord(cell.portals[k], firstCell, shape.portalPolygons[k]));
-        }
         bool seesOutside = false;
         for (const std::uint32_t other : cellsWithin(neighbours, c, kListSteps)) {
             seesOutside = seesOutside || leadsOutside(plan.cells[other]);
             record.visibleCells.push_back(static_cast<std::uint16_t>(firstCell + other));
         }
-        for (const Furnishing& f : cell.statics) {
+        for (const Furnishing& f : cell.statics)
             record.statics.push_back({f.model, toFrame({place(at, f.at.origin), at.turn + f.at.turn})});
-        }
         record.flags = (seesOutside ? dat::EnvCell::kSeenOutside : 0u) |
                        (cell.statics.empty() ? 0u : dat::EnvCell::kHasStatics);
         sink_.records().envCells.push_back(std::move(record));

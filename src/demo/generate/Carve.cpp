@@ -13,9 +13,8 @@ namespace {
 constexpr double kNoArea = 1e-7;
 
 Vec3 crossing(Vec3 a, Vec3 b, const Plane& plane) {
-    if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) {
+    if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z))
         std::swap(a, b);
-    }
     const double da = plane.signedDistance(a);
     const double db = plane.signedDistance(b);
     return a + (b - a) * (da / (da - db));
@@ -28,9 +27,8 @@ Plane edgePlane(const Vec3& a, const Vec3& b, const Vec3& normal) {
 }
 
 void dropIfFlat(Polygon& polygon) {
-    if (polygon.size() < 3 || areaOf(polygon) < kNoArea) {
+    if (polygon.size() < 3 || areaOf(polygon) < kNoArea)
         polygon.clear();
-    }
 }
 
 } // namespace
@@ -46,12 +44,10 @@ Halves splitPolygon(std::span<const Vec3> polygon, const Plane& plane) {
         const Vec3& b = polygon[(i + 1) % polygon.size()];
         const int sa = side(a);
         const int sb = side(b);
-        if (sa >= 0) {
+        if (sa >= 0)
             out.front.push_back(a);
-        }
-        if (sa <= 0) {
+        if (sa <= 0)
             out.back.push_back(a);
-        }
         if (sa * sb < 0) {
             const Vec3 cut = crossing(a, b, plane);
             out.front.push_back(cut);
@@ -65,9 +61,8 @@ Halves splitPolygon(std::span<const Vec3> polygon, const Plane& plane) {
 
 Polygon commonPart(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& normal) {
     Polygon rest(a.begin(), a.end());
-    for (std::size_t i = 0; i < b.size() && !rest.empty(); ++i) {
+    for (std::size_t i = 0; i < b.size() && !rest.empty(); ++i)
         rest = splitPolygon(rest, edgePlane(b[i], b[(i + 1) % b.size()], normal)).front;
-    }
     return rest;
 }
 
@@ -76,9 +71,8 @@ std::vector<Polygon> withoutOpenings(const Polygon& wall, std::span<const Polygo
     std::vector<Polygon> pieces{wall};
     for (const Polygon& given : openings) {
         Polygon opening = given;
-        if (glm::dot(newellNormal(opening), normal) < 0.0) {
+        if (glm::dot(newellNormal(opening), normal) < 0.0)
             std::reverse(opening.begin(), opening.end());
-        }
         std::vector<Polygon> left;
         for (Polygon& piece : pieces) {
             if (commonPart(piece, opening, normal).empty()) {
@@ -89,9 +83,8 @@ std::vector<Polygon> withoutOpenings(const Polygon& wall, std::span<const Polygo
             for (std::size_t i = 0; i < opening.size() && !rest.empty(); ++i) {
                 Halves halves =
                     splitPolygon(rest, edgePlane(opening[i], opening[(i + 1) % opening.size()], normal));
-                if (!halves.back.empty()) {
+                if (!halves.back.empty())
                     left.push_back(std::move(halves.back));
-                }
                 rest = std::move(halves.front);
             }
         }
@@ -101,9 +94,8 @@ std::vector<Polygon> withoutOpenings(const Polygon& wall, std::span<const Polygo
 }
 
 Polygon facing(Polygon polygon, const Vec3& inside) {
-    if (planeOf(polygon).signedDistance(inside) < 0.0) {
+    if (planeOf(polygon).signedDistance(inside) < 0.0)
         std::reverse(polygon.begin(), polygon.end());
-    }
     return polygon;
 }
 

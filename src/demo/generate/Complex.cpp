@@ -46,9 +46,8 @@ public:
 
 private:
     std::uint32_t root(std::uint32_t i) {
-        while (parent_[i] != i) {
+        while (parent_[i] != i)
             i = parent_[i] = parent_[parent_[i]];
-        }
         return i;
     }
     std::vector<std::uint32_t> parent_;
@@ -56,9 +55,8 @@ private:
 
 Material materialOf(const Polygon& points, Random& random) {
     const double up = planeOf(points).n.z;
-    if (up > 0.7) {
+    if (up > 0.7)
         return random.chance(0.5) ? Material::Flagstones : Material::Planks;
-    }
     constexpr std::array kWalls{Material::StoneWall, Material::Brick, Material::InnerPlaster,
                                 Material::Rock,      Material::Rug,   Material::Beam};
     return kWalls[random.below(kWalls.size())];
@@ -77,23 +75,17 @@ public:
         solids_ = cutBox(min_, max_, count, random_);
         plan_.cells.resize(solids_.size());
         shells_.resize(solids_.size());
-        for (std::uint32_t c = 0; c < solids_.size(); ++c) {
-            for (const Solid::Side& wall : solids_[c].sides) {
+        for (std::uint32_t c = 0; c < solids_.size(); ++c)
+            for (const Solid::Side& wall : solids_[c].sides)
                 shells_[c].walls.push_back({wall.points, materialOf(wall.points, random_)});
-            }
-        }
         openFaces();
-        if (mix_.toGround) {
+        if (mix_.toGround)
             openOutside();
-        }
-        for (std::uint32_t c = 0; c < solids_.size(); ++c) {
+        for (std::uint32_t c = 0; c < solids_.size(); ++c)
             shell(c);
-        }
-        if (mix_.toGround) {
-            for (Face& face : facesOf(exterior_, true)) {
+        if (mix_.toGround)
+            for (Face& face : facesOf(exterior_, true))
                 plan_.exterior.add(std::move(face));
-            }
-        }
         return std::move(plan_);
     }
 
@@ -101,15 +93,12 @@ private:
     /// Faces in random order: those that join islands first of all, some of the others too.
     void openFaces() {
         std::vector<SharedFace> faces = sharedFaces(solids_, kLeastRadius);
-        for (std::size_t i = faces.size(); i > 1; --i) {
+        for (std::size_t i = faces.size(); i > 1; --i)
             std::swap(faces[i - 1], faces[random_.below(static_cast<std::uint32_t>(i))]);
-        }
         Islands islands(solids_.size());
-        for (const SharedFace& face : faces) {
-            if (islands.join(face.first, face.second) || random_.chance(0.3)) {
+        for (const SharedFace& face : faces)
+            if (islands.join(face.first, face.second) || random_.chance(0.3))
                 open(face);
-            }
-        }
     }
 
     void open(const SharedFace& face) {
@@ -139,15 +128,13 @@ private:
         for (std::uint32_t c = 0; c < solids_.size(); ++c) {
             for (std::uint32_t k = 0; k < solids_[c].sides.size(); ++k) {
                 const Solid::Side& side = solids_[c].sides[k];
-                if (side.cut < 4 && edgeDistance(side.points, centroidOf(side.points)) > 0.4) {
+                if (side.cut < 4 && edgeDistance(side.points, centroidOf(side.points)) > 0.4)
                     spots.push_back({c, k});
-                }
             }
         }
         for (std::size_t i = 0; i < spots.size(); ++i) {
-            if (i > 0 && !random_.chance(0.35)) {
+            if (i > 0 && !random_.chance(0.35))
                 continue;
-            }
             const Polygon& side = solids_[spots[i].cell].sides[spots[i].side].points;
             const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].portals.size());
             const Polygon opening = roundOpening(side, random_);

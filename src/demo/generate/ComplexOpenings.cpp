@@ -42,13 +42,11 @@ bool staysClear(const Polygon& polygon, const Plane& plane) {
 Halves halvesOf(const Polygon& polygon, Random& random) {
     for (int attempt = 0; attempt < 20; ++attempt) {
         const Plane line = randomLine(polygon, centroidOf(polygon), random);
-        if (!staysClear(polygon, line)) {
+        if (!staysClear(polygon, line))
             continue;
-        }
         Halves halves = splitPolygon(polygon, line);
-        if (areaOf(halves.front) > kLeastArea && areaOf(halves.back) > kLeastArea) {
+        if (areaOf(halves.front) > kLeastArea && areaOf(halves.back) > kLeastArea)
             return halves;
-        }
     }
     return {};
 }
@@ -68,9 +66,8 @@ Polygon shifted(Polygon polygon, const Polygon& face, Random& random) {
     const Axes axes = axesOf(face);
     const double a = kTurn * random.unit();
     const Vec3 by = (axes.u * std::cos(a) + axes.v * std::sin(a)) * random.between(0.012, 0.04);
-    for (Vec3& p : polygon) {
+    for (Vec3& p : polygon)
         p += by;
-    }
     return polygon;
 }
 
@@ -85,9 +82,8 @@ bool clearOf(const Polygon& a, const Polygon& b) {
         for (std::size_t i = 0; i < b.size(); ++i) {
             const Vec3& from = b[i];
             if (!isClear(glm::length(p - from)) ||
-                !isClear(distanceToSegment(p, from, b[(i + 1) % b.size()]).distance)) {
+                !isClear(distanceToSegment(p, from, b[(i + 1) % b.size()]).distance))
                 return false;
-            }
         }
         return true;
     });
@@ -132,27 +128,23 @@ std::vector<OpeningPair> makeOpenings(const Polygon& face, std::span<const Polyg
     }
     if (pick < mix.slivers + mix.twins) {
         const Halves halves = halvesOf(random.chance(0.5) ? face : roundOpening(face, random), random);
-        if (clean(halves.front, walls) && clean(halves.back, walls)) {
+        if (clean(halves.front, walls) && clean(halves.back, walls))
             return {{halves.front, halves.front, true}, {halves.back, halves.back, true}};
-        }
     }
     const double shape = random.unit();
-    if (shape < 0.2 && clean(face, walls)) {
+    if (shape < 0.2 && clean(face, walls))
         return {{face, face, true}};
-    }
     if (shape < 0.4) {
         const Halves halves = halvesOf(face, random);
         const Polygon& part = random.chance(0.5) ? halves.front : halves.back;
-        if (clean(part, walls)) {
+        if (clean(part, walls))
             return {{part, part, true}};
-        }
     }
     const Polygon round = roundOpening(face, random);
     if (random.chance(mix.inexact)) {
         const Polygon other = shifted(round, face, random);
-        if (fits(other, face)) {
+        if (fits(other, face))
             return {{round, other, false}};
-        }
     }
     return {{round, round, true}};
 }

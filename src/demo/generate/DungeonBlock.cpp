@@ -24,11 +24,9 @@ std::vector<std::uint16_t> dressed(const std::vector<std::uint16_t>& surfaces, s
     std::vector<std::uint16_t> out;
     for (const std::uint16_t surface : surfaces) {
         std::uint16_t replaced = surface;
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (surface == (surfaceId(kThemes[0][k]) & 0xFFFF)) {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (surface == (surfaceId(kThemes[0][k]) & 0xFFFF))
                 replaced = static_cast<std::uint16_t>(surfaceId(kThemes[theme][k]) & 0xFFFF);
-            }
-        }
         out.push_back(replaced);
     }
     return out;
@@ -58,17 +56,13 @@ public:
         layout_ = &layout;
         cells_.resize(layout.cells);
         neighbours_.resize(layout.cells);
-        for (const LatticeRoom& room : layout.rooms) {
+        for (const LatticeRoom& room : layout.rooms)
             writeRoom(room);
-        }
-        for (const Passage& passage : layout.passages) {
-            if (passage.cell != kNothing) {
+        for (const Passage& passage : layout.passages)
+            if (passage.cell != kNothing)
                 writePassage(passage);
-            }
-        }
-        for (const LatticeRoom& room : layout.rooms) {
+        for (const LatticeRoom& room : layout.rooms)
             furnish(room, notes);
-        }
         notePlaces(notes);
         finish();
     }
@@ -134,9 +128,8 @@ private:
             addPortal(passage.cell, shape, from.cell,
                       static_cast<std::uint16_t>(firstOpening(from, way) + k));
         }
-        if (passage.to == kNothing) {
+        if (passage.to == kNothing)
             return;
-        }
         const LatticeRoom& to = layout_->rooms[passage.to];
         for (std::uint16_t k = 0; k < count; ++k) {
             addPortal(passage.cell, shape, to.cell,
@@ -149,9 +142,8 @@ private:
     }
 
     void furnish(const LatticeRoom& room, WorldNotes& notes) {
-        if (room.form == Form::Box && random_.chance(0.5)) {
+        if (room.form == Form::Box && random_.chance(0.5))
             addStatic(room.cell, props_.lamp, {room.floor + Vec3(-2.0, 2.0, 0.0), 0.0});
-        }
         if (random_.chance(0.3)) {
             // Clear of the hatch in the middle; may touch a wall of a small room, and reach through it.
             const double x = random_.between(1.6, 2.6) * (random_.chance(0.5) ? 1.0 : -1.0);
@@ -161,11 +153,9 @@ private:
                           {room.floor + Vec3(x, y, 0.0), random_.between(0.0, 360.0)});
             }
         }
-        for (const std::size_t way : {std::size_t{1}, std::size_t{3}}) {
-            for (std::uint16_t k = 0; k < openingCount(room, way); ++k) {
+        for (const std::size_t way : {std::size_t{1}, std::size_t{3}})
+            for (std::uint16_t k = 0; k < openingCount(room, way); ++k)
                 furnishOpening(room, way, k, notes);
-            }
-        }
     }
 
     /// Sometimes a rod through it, a pane a little before it, or a door in it.
@@ -228,9 +218,8 @@ private:
 
     void finish() {
         for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-            for (const std::uint32_t other : cellsWithin(neighbours_, c, kDungeonListSteps)) {
+            for (const std::uint32_t other : cellsWithin(neighbours_, c, kDungeonListSteps))
                 cells_[c].visibleCells.push_back(wordOf(other));
-            }
             cells_[c].flags = cells_[c].statics.empty() ? 0u : dat::EnvCell::kHasStatics;
             records_.envCells.push_back(std::move(cells_[c]));
         }

@@ -55,9 +55,8 @@ Outline passageOutline(Door door) {
 
 Outline hatchOutline(Door door) {
     constexpr double kHalf = 1.0, kBevel = 0.5;
-    if (door == Door::Narrow) {
+    if (door == Door::Narrow)
         return {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
-    }
     return {{-kBevel, -kHalf}, {kBevel, -kHalf}, {kHalf, -kBevel}, {kHalf, kBevel},
             {kBevel, kHalf},   {-kBevel, kHalf}, {-kHalf, kBevel}, {-kHalf, -kBevel}};
 }

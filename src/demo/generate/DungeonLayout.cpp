@@ -17,19 +17,16 @@ class Grower {
 public:
     Grower(std::uint32_t cells, double overlapShare, Random random)
         : wanted_(cells), overlapShare_(overlapShare), random_(random), seed_(random_.next()) {
-        while (static_cast<std::uint64_t>(side_) * side_ * side_ < cells) {
+        while (static_cast<std::uint64_t>(side_) * side_ * side_ < cells)
             ++side_;
-        }
     }
 
     DungeonLayout run() {
         addRoom({static_cast<int>(side_) / 2, static_cast<int>(side_) / 2, static_cast<int>(side_) / 2}, 0);
-        while (out_.cells < wanted_) {
+        while (out_.cells < wanted_)
             grow();
-        }
-        for (LatticeRoom& room : out_.rooms) {
+        for (LatticeRoom& room : out_.rooms)
             room.form = formOf(room);
-        }
         return std::move(out_);
     }
 
@@ -72,35 +69,29 @@ private:
         const bool onwards = random_.chance(0.6);
         const std::uint32_t room = onwards ? count - 1 : random_.below(count);
         std::size_t way = random_.chance(0.15) ? 4 + random_.below(2) : random_.below(4);
-        if (onwards && random_.chance(0.6)) {
+        if (onwards && random_.chance(0.6))
             way = lastWay_;
-        }
         const std::uint32_t left = wanted_ - out_.cells;
         if (out_.crossings < overlapShare_ * out_.cells) {
             constexpr int kTries = 24; // three rooms in a row with free sides are not everywhere
-            for (int k = 0; k < kTries; ++k) {
-                if (addCrossing(random_.below(count))) {
+            for (int k = 0; k < kTries; ++k)
+                if (addCrossing(random_.below(count)))
                     return;
-                }
-            }
         }
         if (random_.chance(left == 1 ? 0.5 : 0.04)) {
             addDeadEnd(random_.below(count), random_.chance(0.5) ? 1 : 3);
             return;
         }
         const std::array<int, 3> node = step(out_.rooms[room].node, way, 1);
-        if (out_.rooms[room].doors[way] != Door::None || !inside(node)) {
+        if (out_.rooms[room].doors[way] != Door::None || !inside(node))
             return;
-        }
         std::uint32_t other = roomAt(node);
         if (other != kNothing &&
-            (out_.rooms[other].doors[opposite(way)] != Door::None || !random_.chance(0.35))) {
+            (out_.rooms[other].doors[opposite(way)] != Door::None || !random_.chance(0.35)))
             return; // a passage through here may have taken the other side
-        }
         if (other == kNothing) {
-            if (left < 2) {
+            if (left < 2)
                 return;
-            }
             const auto size = static_cast<std::uint8_t>(random_.below(kRoomSizes.size()));
             other = count;
             addRoom(node, size);
@@ -110,12 +101,10 @@ private:
     }
 
     Door pickDoor(std::uint32_t room, std::size_t way) {
-        if (way >= 4) {
+        if (way >= 4)
             return random_.chance(0.5) ? Door::Narrow : Door::Wide;
-        }
-        if (way < 2 && rowHash(out_.rooms[room].node) % 2 == 0) {
+        if (way < 2 && rowHash(out_.rooms[room].node) % 2 == 0)
             return Door::Wide;
-        }
         return static_cast<Door>(random_.below(4));
     }
 
@@ -141,9 +130,8 @@ private:
         const bool unevenTouch = gap <= 0.0 && a.floor.z != b.floor.z;
         if (unevenTouch) {
             const std::uint32_t newest = static_cast<std::uint32_t>(out_.rooms.size()) - 1;
-            if (isJoined(newest) || (from != newest && to != newest)) {
+            if (isJoined(newest) || (from != newest && to != newest))
                 return;
-            }
             out_.rooms[newest].size = 1;
             gap = gapBetween(a, b, way);
         }
@@ -163,9 +151,8 @@ private:
         passage.door = door;
         passage.length = length;
         if (length > 0.0) {
-            if (out_.cells >= wanted_) {
+            if (out_.cells >= wanted_)
                 return;
-            }
             passage.cell = out_.cells++;
         }
         const auto index = static_cast<std::uint32_t>(out_.passages.size());
@@ -181,9 +168,8 @@ private:
     void addDeadEnd(std::uint32_t room, std::size_t way) {
         const LatticeRoom& from = out_.rooms[room];
         const double half = way == 1 ? kRoomSizes[from.size].halfX : kRoomSizes[from.size].halfY;
-        if (from.doors[way] == Door::None && half + kDeadEnd <= kPitch / 2) {
+        if (from.doors[way] == Door::None && half + kDeadEnd <= kPitch / 2)
             addPassage(room, kNothing, way, static_cast<Door>(random_.below(4)), kDeadEnd);
-        }
     }
 
     /// From a room straight through its neighbour's space to the one behind.
@@ -192,9 +178,8 @@ private:
         const std::uint32_t middle = roomAt(step(out_.rooms[room].node, way, 1));
         const std::uint32_t far = roomAt(step(out_.rooms[room].node, way, 2));
         if (middle == kNothing || far == kNothing || out_.rooms[room].doors[way] != Door::None ||
-            out_.rooms[far].doors[opposite(way)] != Door::None) {
+            out_.rooms[far].doors[opposite(way)] != Door::None)
             return false;
-        }
         addPassage(room, far, way, static_cast<Door>(random_.below(4)),
                    gapBetween(out_.rooms[room], out_.rooms[far], way));
         ++out_.crossings;
@@ -203,14 +188,12 @@ private:
 
     Form formOf(const LatticeRoom& room) {
         const auto free = [&](Way way) { return room.doors[static_cast<std::size_t>(way)] == Door::None; };
-        if (!free(Way::Up) || !free(Way::Down) || !random_.chance(0.4)) {
+        if (!free(Way::Up) || !free(Way::Down) || !random_.chance(0.4))
             return Form::Box;
-        }
         std::vector<Form> forms;
         const auto offer = [&](Form form, bool possible) {
-            if (possible) {
+            if (possible)
                 forms.push_back(form);
-            }
         };
         const bool w = free(Way::West), e = free(Way::East), s = free(Way::South), n = free(Way::North);
         offer(Form::NoSouthWest, s && w);

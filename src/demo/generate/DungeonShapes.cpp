@@ -67,18 +67,14 @@ void addNotchWalls(std::vector<Face>& faces, const Rect& n, const RoomSize& s) {
     const auto add = [&](Side side, double at, double from, double to) {
         faces.push_back(planarFace(rectOnSide(side, at, {from, 0.0, to, s.height}), Material::StoneWall));
     };
-    if (n.u0 > -s.halfX) {
+    if (n.u0 > -s.halfX)
         add(Side::East, n.u0, n.v0, n.v1);
-    }
-    if (n.u1 < s.halfX) {
+    if (n.u1 < s.halfX)
         add(Side::West, n.u1, n.v0, n.v1);
-    }
-    if (n.v0 > -s.halfY) {
+    if (n.v0 > -s.halfY)
         add(Side::North, n.v0, n.u0, n.u1);
-    }
-    if (n.v1 < s.halfY) {
+    if (n.v1 < s.halfY)
         add(Side::South, n.v1, n.u0, n.u1);
-    }
 }
 
 struct RoomSide {
@@ -111,28 +107,25 @@ std::vector<Rect> holesIn(const RoomSide& side, const std::vector<Rect>& notches
                              : side.side == Side::South ? n.v0 <= side.at
                              : side.side == Side::North ? n.v1 >= side.at
                                                         : true;
-        if (side.side == Side::Floor || side.side == Side::Ceiling) {
+        if (side.side == Side::Floor || side.side == Side::Ceiling)
             out.push_back(n);
-        } else if (touches) {
+        else if (touches)
             out.push_back(alongY ? Rect{n.v0, 0.0, n.v1, s.height} : Rect{n.u0, 0.0, n.u1, s.height});
-        }
     }
     return out;
 }
 
 std::vector<Outline> outlinesOf(const LatticeRoom& room, Way way) {
     const Door door = room.doors[static_cast<std::size_t>(way)];
-    if (door == Door::None || way < Way::Down) {
+    if (door == Door::None || way < Way::Down)
         return openingOutlines(door);
-    }
     return {hatchOutline(door)};
 }
 
 void addWall(std::vector<Face>& faces, const Polygon& wall, std::span<const Polygon> holes,
              Material material) {
-    for (Polygon& piece : withoutOpenings(wall, holes)) {
+    for (Polygon& piece : withoutOpenings(wall, holes))
         faces.push_back(planarFace(std::move(piece), material));
-    }
 }
 
 } // namespace
@@ -147,13 +140,11 @@ std::vector<Face> roomShell(const LatticeRoom& room) {
             holes.push_back(facing(onWall(outline, side.way, size), {0.0, 0.0, size.height / 2}));
             portals.push_back(portalFace(holes.back()));
         }
-        for (const Rect& rect : withoutHoles(side.rect, holesIn(side, notches, size))) {
+        for (const Rect& rect : withoutHoles(side.rect, holesIn(side, notches, size)))
             addWall(faces, rectOnSide(side.side, side.at, rect), holes, side.material);
-        }
     }
-    for (const Rect& notch : notches) {
+    for (const Rect& notch : notches)
         addNotchWalls(faces, notch, size);
-    }
     faces.insert(faces.end(), portals.begin(), portals.end());
     return faces;
 }
@@ -179,9 +170,8 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
         return Vec3(end ? length : 0.0, p.x, p.y + (end ? rise : 0.0));
     };
     Vec3 inside(0.0);
-    for (const Vec2& p : section) {
+    for (const Vec2& p : section)
         inside += (at(p, false) + at(p, true)) * (0.5 / static_cast<double>(section.size()));
-    }
     std::vector<Face> faces, portals;
     for (std::size_t i = 0; i < section.size(); ++i) {
         const Vec2& p = section[i];
@@ -195,9 +185,8 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
     for (const bool end : {false, true}) {
         const auto polygon = [&](const Outline& outline) {
             Polygon out;
-            for (const Vec2& p : outline) {
+            for (const Vec2& p : outline)
                 out.push_back(at(p, end));
-            }
             return facing(std::move(out), inside);
         };
         std::vector<Polygon> holes;
@@ -245,9 +234,8 @@ Placement passagePlacement(const Passage& passage, const LatticeRoom& from) {
 
 const StoredShape& DungeonShapes::of(const LatticeRoom& room) {
     std::array<long long, 10> key{0, room.size, static_cast<long long>(room.form)};
-    for (std::size_t way = 0; way < kWays; ++way) {
+    for (std::size_t way = 0; way < kWays; ++way)
         key[3 + way] = static_cast<long long>(room.doors[way]);
-    }
     const auto found = shapes_.find(key);
     return found != shapes_.end() ? found->second
                                   : shapes_[key] = library_.add(roomShell(room), eyePoint(room.form));
@@ -262,9 +250,8 @@ const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
                                         eighths(rise),
                                         passage.to == kNothing ? 1 : 0};
     const auto found = shapes_.find(key);
-    if (found != shapes_.end()) {
+    if (found != shapes_.end())
         return found->second;
-    }
     const Vec3 middle = passage.way == Way::Up ? Vec3(0.0, 0.0, passage.length / 2)
                                                : Vec3(passage.length / 2, 0.0, rise / 2 + 1.0);
     return shapes_[key] = library_.add(passage.way == Way::Up ? shaftShell(passage.door, passage.length)

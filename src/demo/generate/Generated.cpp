@@ -46,9 +46,8 @@ Result<void> writeGeneratedWorld(const GeneratedSpec& spec, const std::filesyste
         return fail(ErrorCode::BadArgument, "size",
                     "a world of this kind has 1 to " + std::to_string(largest(spec.kind)) + " of them");
     }
-    if (!(spec.overlapShare >= 0.0 && spec.overlapShare <= 0.05)) {
+    if (!(spec.overlapShare >= 0.0 && spec.overlapShare <= 0.05))
         return fail(ErrorCode::BadArgument, "overlap share", "must lie between 0 and 0.05");
-    }
     return writeWorldFiles(build(spec), directory);
 }
 

@@ -29,15 +29,12 @@ public:
 
     House plan() {
         addGroundFloor();
-        if (s_.cellar) {
+        if (s_.cellar)
             addBelow();
-        }
-        if (s_.attic) {
+        if (s_.attic)
             addAttic();
-        }
-        for (std::uint32_t r = 0; r < rooms_.size(); ++r) {
+        for (std::uint32_t r = 0; r < rooms_.size(); ++r)
             addCell(r);
-        }
         link();
         addWalls();
         addRoof();
@@ -69,9 +66,8 @@ private:
         rooms_.push_back(
             room({inner_.u0, inner_.v0, inner_.u1, middle}, 0.0, s_.height, Material::InnerPlaster));
         rooms_[0].ways.push_back({{Side::South, door}, PlannedPortal::kOutside, true});
-        if (random_.chance(0.7)) {
+        if (random_.chance(0.7))
             window(rooms_[0], Side::South, -2.2 * doorX, 0.875);
-        }
         if (s_.divided) {
             rooms_[0].ways.push_back({{Side::North, door}, 1, true});
             rooms_.push_back(
@@ -80,11 +76,9 @@ private:
         }
         Room& back = rooms_.back();
         window(back, Side::North, doorX, 0.875);
-        for (const Side side : {Side::West, Side::East}) {
-            if (random_.chance(0.5)) {
+        for (const Side side : {Side::West, Side::East})
+            if (random_.chance(0.5))
                 window(back, side, 0.5 * (back.spec.min.y + back.spec.max.y), 0.875);
-            }
-        }
     }
 
     /// The hatch of the rearmost room, in a corner.
@@ -113,9 +107,8 @@ private:
         rooms_.push_back(room(inner_, s_.height, s_.height + kAtticHeight, Material::Plaster));
         rooms_[above].ways.push_back({{Side::Floor, hatch}, below, false});
         window(rooms_[above], Side::South, 0.25, s_.height + 0.75);
-        if (random_.chance(0.6)) {
+        if (random_.chance(0.6))
             window(rooms_[above], Side::East, 0.5 * s_.depth, s_.height + 0.75);
-        }
     }
 
     void addCell(std::uint32_t index) {
@@ -165,9 +158,8 @@ private:
 
     void furnish(PlannedCell& cell, const Room& room) {
         const Vec3 corner(room.spec.min.x + 0.6, room.spec.min.y + 0.6, room.spec.min.z);
-        if (random_.chance(0.7)) {
+        if (random_.chance(0.7))
             cell.statics.push_back({pickProp(props_, random_), {corner, random_.between(0.0, 90.0)}});
-        }
         if (random_.chance(0.3)) {
             // On the sill, half in and half out.
             const auto way = std::find_if(room.ways.begin(), room.ways.end(), [](const Way& w) {
@@ -186,9 +178,8 @@ private:
         for (std::uint32_t c = 0; c < rooms_.size(); ++c) {
             for (std::size_t k = 0; k < rooms_[c].ways.size(); ++k) {
                 const std::uint32_t to = rooms_[c].ways[k].to;
-                if (to == PlannedPortal::kOutside) {
+                if (to == PlannedPortal::kOutside)
                     continue;
-                }
                 const std::vector<Way>& theirs = rooms_[to].ways;
                 const auto back =
                     std::find_if(theirs.begin(), theirs.end(), [&](const Way& w) { return w.to == c; });
@@ -215,16 +206,13 @@ private:
                     addReveals(hole);
                 }
             }
-            for (const Rect& rect : withoutHoles(whole, holes)) {
+            for (const Rect& rect : withoutHoles(whole, holes))
                 mesh.add(flipped(planarFace(rectOnSide(side, outerPlane(side), rect), Material::Plaster)));
-            }
         }
-        for (const Opening& hole : holes_) {
+        for (const Opening& hole : holes_)
             portals.push_back(flipped(portalFace(rectOnSide(hole.side, innerPlane(hole.side), hole.rect))));
-        }
-        for (Face& portal : portals) {
+        for (Face& portal : portals)
             mesh.add(std::move(portal));
-        }
     }
 
     [[nodiscard]] double outerPlane(Side side) const {

@@ -9,9 +9,8 @@ HouseLeaves addHouseLeaves(ModelSink& sink) {
 void noteDoors(const std::vector<HouseOpening>& openings, const HouseLeaves& leaves, dat::BlockCoord block,
                const Placement& at, dat::RecordId firstCell, Random& random, WorldNotes& notes) {
     for (const HouseOpening& opening : openings) {
-        if (!random.chance(opening.door ? 0.5 : 0.4)) {
+        if (!random.chance(opening.door ? 0.5 : 0.4))
             continue;
-        }
         WorldNotes::Door door;
         door.cell = firstCell + opening.cell;
         door.portal = opening.portal;

@@ -17,9 +17,8 @@ std::size_t Land::indexOf(int vx, int vy) const {
 }
 
 void Land::setHeight(int vx, int vy, int heightIndex) {
-    if (vx >= 0 && vy >= 0 && vx < verticesX_ && vy < verticesY_) {
+    if (vx >= 0 && vy >= 0 && vx < verticesX_ && vy < verticesY_)
         heights_[indexOf(vx, vy)] = static_cast<std::uint8_t>(std::clamp(heightIndex, 1, 255));
-    }
 }
 
 int Land::heightIndexAt(int vx, int vy) const {
@@ -47,9 +46,8 @@ double Land::heightAt(double x, double y) const {
     const double fy = y / kLandcell - cy;
     const auto z = [&](int vx, int vy) { return heightOfIndex(heightIndexAt(vx, vy)); };
     const double sw = z(cx, cy), se = z(cx + 1, cy), ne = z(cx + 1, cy + 1), nw = z(cx, cy + 1);
-    if (splitsSouthWest(cx, cy)) {
+    if (splitsSouthWest(cx, cy))
         return fx >= fy ? sw + (se - sw) * fx + (ne - se) * fy : sw + (ne - nw) * fx + (nw - sw) * fy;
-    }
     return fx + fy <= 1.0 ? sw + (se - sw) * fx + (nw - sw) * fy
                           : ne + (nw - ne) * (1.0 - fx) + (se - ne) * (1.0 - fy);
 }
@@ -79,9 +77,8 @@ void Land::addTo(WorldRecords& records) const {
 
 void Land::addTo(WorldRecords& records, const std::function<bool(int, int)>& isLand) const {
     std::set<dat::RecordId> known;
-    for (const dat::LandBlockInfo& info : records.landBlockInfos) {
+    for (const dat::LandBlockInfo& info : records.landBlockInfos)
         known.insert(info.id);
-    }
     for (int bx = 0; bx < blocksX_; ++bx) {
         for (int by = 0; by < blocksY_; ++by) {
             if (isLand(bx, by)) {

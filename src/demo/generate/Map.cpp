@@ -75,12 +75,10 @@ private:
     }
     static TerrainKind coverOf(int index, double u, double v, std::uint32_t seed) {
         const double patch = fbm(u, v, 2 * kHills, 2 * kHills, 2, seed);
-        if (index < kSandBelow) {
+        if (index < kSandBelow)
             return patch > 0.2 ? TerrainKind::PackedDirt : TerrainKind::PatchyGrass;
-        }
-        if (index > kRockAbove) {
+        if (index > kRockAbove)
             return TerrainKind::BarrenRock;
-        }
         return patch > 0.25    ? TerrainKind::ForestFloor
                : patch > 0.0   ? TerrainKind::LushGrass
                : patch > -0.25 ? TerrainKind::Grassland
@@ -112,11 +110,9 @@ private:
     void level(int bx, int by) {
         const int vx = bx * kCellsPerBlock, vy = by * kCellsPerBlock;
         const int middle = land_.heightIndexAt(vx + kCellsPerBlock / 2, vy + kCellsPerBlock / 2);
-        for (int x = 1; x < kCellsPerBlock; ++x) {
-            for (int y = 1; y < kCellsPerBlock; ++y) {
+        for (int x = 1; x < kCellsPerBlock; ++x)
+            for (int y = 1; y < kCellsPerBlock; ++y)
                 land_.setHeight(vx + x, vy + y, middle + static_cast<int>(random_.below(2)));
-            }
-        }
     }
 
     void addDungeons() {
@@ -141,9 +137,8 @@ private:
         above("east", kAcross - 1, kAcross / 2);
         above("south", (firstColumn_ + kAcross) / 2, 0);
         above("north", (firstColumn_ + kAcross) / 2, kAcross - 1);
-        if (firstTown_) {
+        if (firstTown_)
             above("town", firstTown_->x, firstTown_->y);
-        }
     }
 
     static constexpr std::size_t kMostTownBlocks = 20'000;

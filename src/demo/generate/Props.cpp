@@ -68,9 +68,8 @@ dat::RecordId pickProp(const Props& props, Random& random) {
 }
 
 dat::RecordId addLeaf(ModelSink& sink, double width, double height, bool opaque) {
-    if (!opaque) {
+    if (!opaque)
         return cardModel(sink, 0.0, width, 0.0, height, Material::LampGlass);
-    }
     return boxModel(sink, {0.0, -0.03, 0.0}, {width, 0.03, height}, Material::Planks);
 }
 

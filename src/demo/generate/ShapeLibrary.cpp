@@ -14,9 +14,8 @@ void windPortals(std::vector<Face>& faces, const std::vector<bool>& outward) {
     std::size_t k = 0;
     for (Face& face : faces) {
         if (face.portal) {
-            if (k < outward.size() && outward[k]) {
+            if (k < outward.size() && outward[k])
                 face = flipped(std::move(face));
-            }
             ++k;
         }
     }
@@ -31,11 +30,9 @@ StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle,
     shape.cellBsp = buildSolidCellBsp(faces, middle);
     windPortals(faces, outwardPortals);
     EncodedMesh mesh = encodeMesh(faces);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        if (faces[i].portal) {
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (faces[i].portal)
             shape.portalPolygons.push_back(static_cast<std::uint16_t>(i));
-        }
-    }
     PhysicsMesh physics = physicsOf(faces, mesh.polygons);
     shape.physicsPolygons = std::move(physics.polygons);
     shape.physicsBsp = std::move(physics.tree);
@@ -52,9 +49,8 @@ StoredShape ShapeLibrary::add(std::vector<Face> faces, const Vec3& middle,
     stored.environment = static_cast<std::uint16_t>(environment.id & 0xFFFF);
     stored.structure = static_cast<std::uint16_t>(environment.cells.size());
     stored.portalPolygons.assign(shape.portalPolygons.begin(), shape.portalPolygons.end());
-    for (const dat::RecordId surface : mesh.surfaces) {
+    for (const dat::RecordId surface : mesh.surfaces)
         stored.surfaces.push_back(static_cast<std::uint16_t>(surface & 0xFFFF));
-    }
     environment.cells.emplace_back(stored.structure, std::move(shape));
     return stored;
 }

@@ -16,9 +16,8 @@ bool liesIn(const Polygon& opening, const Polygon& wall) {
 }
 
 Face portalSeenFrom(Polygon opening, const Vec3& normal) {
-    if (glm::dot(planeOf(opening).n, normal) < 0.0) {
+    if (glm::dot(planeOf(opening).n, normal) < 0.0)
         std::reverse(opening.begin(), opening.end());
-    }
     return portalFace(std::move(opening));
 }
 
@@ -51,9 +50,8 @@ std::vector<Shell::Wall> piecesOf(const Shell& shell, const std::vector<std::vec
                         hole.end());
             holes.push_back(std::move(hole));
         }
-        for (Polygon& piece : withoutOpenings(shell.walls[w].points, holes)) {
+        for (Polygon& piece : withoutOpenings(shell.walls[w].points, holes))
             pieces.push_back({std::move(piece), shell.walls[w].material});
-        }
     }
     return pieces;
 }
@@ -67,18 +65,15 @@ constexpr std::size_t kWaysToCut = 12;
 double clearanceOf(const std::vector<Shell::Wall>& pieces) {
     std::vector<Vec3> corners;
     for (const Shell::Wall& piece : pieces) {
-        for (const Vec3& p : piece.points) {
+        for (const Vec3& p : piece.points)
             if (std::none_of(corners.begin(), corners.end(),
-                             [&](const Vec3& q) { return glm::length(p - q) < 1e-9; })) {
+                             [&](const Vec3& q) { return glm::length(p - q) < 1e-9; }))
                 corners.push_back(p);
-            }
-        }
     }
     double least = 1e300;
     const auto consider = [&](double distance) {
-        if (distance > kSame) {
+        if (distance > kSame)
             least = std::min(least, distance);
-        }
     };
     for (const Vec3& p : corners) {
         for (const Shell::Wall& piece : pieces) {

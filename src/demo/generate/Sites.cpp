@@ -34,9 +34,8 @@ public:
 
     /// Exteriors in the order in which their cells were opened.
     void addExterior(const Shell& shell) {
-        for (Face& face : facesOf(shell, true)) {
+        for (Face& face : facesOf(shell, true))
             (face.portal ? exits_ : walls_).push_back(std::move(face));
-        }
     }
     void addOutside(Face face) { walls_.push_back(std::move(face)); }
 
@@ -45,14 +44,11 @@ public:
     }
 
     CellsPlan finish() {
-        for (std::size_t c = 0; c < shells_.size(); ++c) {
+        for (std::size_t c = 0; c < shells_.size(); ++c)
             plan_.cells[c].faces = facesOf(shells_[c]);
-        }
-        for (std::vector<Face>* faces : {&walls_, &exits_}) {
-            for (Face& face : *faces) {
+        for (std::vector<Face>* faces : {&walls_, &exits_})
+            for (Face& face : *faces)
                 plan_.exterior.add(std::move(face));
-            }
-        }
         return std::move(plan_);
     }
 
@@ -100,9 +96,8 @@ CellsPlan planVault(const Props& props, Random& random) {
             withoutFloor(boxShell({low.x, low.y, kFoot}, {high.x, high.y, 2.75}, Material::OldPlanks));
         const double x = middle.x + random.between(-0.5, 0.5);
         site.openOutside(hut, rectangle(Side::South, low.y, {x - 0.625, 0.0, x + 0.625, 2.125}), exterior);
-        if (random.chance(0.7)) {
+        if (random.chance(0.7))
             site.openOutside(hut, rectangle(Side::North, high.y, {x - 0.5, 0.875, x + 0.5, 1.875}), exterior);
-        }
         site.addExterior(exterior);
     }
     site.addStatic(hall, props.lamp, {{4.0, 2.0, kHallFloor}, 0.0});
@@ -173,12 +168,10 @@ CellsPlan planTower(const Props& props, Random& random) {
                 site.openOutside(cell, roundOpening(wall, random), exterior);
             }
         }
-        if (s == kStoreys - 1 && openTop) {
+        if (s == kStoreys - 1 && openTop)
             site.openOutside(cell, ring(kRadius, top), exterior);
-        }
-        if (random.chance(0.4)) {
+        if (random.chance(0.4))
             site.addStatic(cell, props.lamp, {{-2.0, -0.5, floor}, 0.0});
-        }
     }
     site.addExterior(exterior);
     for (int k = 0; k < kSides && !openTop; ++k) {
@@ -204,9 +197,8 @@ CellsPlan planCourt(const Props& props, Random& random) {
     site.openOutside(room, rectangle(Side::West, court.u1, {y, 0.875, y + 1.25, 2.125}), exterior);
     site.openOutside(room, rectangle(Side::North, court.v0, {-0.625, 0.0, 0.625, 2.25}), exterior);
     site.openOutside(room, rectangle(Side::South, low.y, {-0.625, 0.0, 0.625, 2.25}), exterior);
-    if (random.chance(0.5)) {
+    if (random.chance(0.5))
         site.openOutside(room, rectangle(Side::West, low.x, {y, 0.875, y + 1.25, 2.125}), exterior);
-    }
     site.addExterior(exterior);
     site.addStatic(room, props.pillar, {{-5.5, -3.5, 0.0}, 0.0});
     site.addStatic(room, props.lamp, {{6.0, 3.0, 0.0}, 0.0});

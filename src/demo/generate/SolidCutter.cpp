@@ -32,9 +32,8 @@ Solid boxSolid(const Vec3& min, const Vec3& max) {
 double volumeOf(const Solid& solid) {
     double sum = 0.0;
     const Vec3 apex = solid.sides.front().points.front();
-    for (const Solid::Side& side : solid.sides) {
+    for (const Solid::Side& side : solid.sides)
         sum += planeOf(side.points).signedDistance(apex) * areaOf(side.points) / 3.0;
-    }
     return sum;
 }
 
@@ -42,19 +41,17 @@ Vec3 randomDirection(Random& random) {
     for (;;) {
         const Vec3 v(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
         const double length = glm::length(v);
-        if (length > 0.2 && length < 1.0) {
+        if (length > 0.2 && length < 1.0)
             return v / length;
-        }
     }
 }
 
 Plane randomPlane(const Solid& solid, Random& random) {
     Vec3 n(0.0);
-    if (random.chance(0.34)) {
+    if (random.chance(0.34))
         n[static_cast<int>(random.below(3))] = 1.0;
-    } else {
+    else
         n = randomDirection(random);
-    }
     // Across the longest extent more often than not: fewer splinters.
     const Vec3 through = middleOf(solid) + randomDirection(random) * 0.3;
     return {n, -glm::dot(n, through)};
@@ -70,9 +67,8 @@ bool staysClear(const Solid& solid, const Plane& plane) {
 /// The polygon around the corners that a plane cuts out of a solid's sides, seen from the plane's front.
 Polygon capOf(std::vector<Vec3> points, const Vec3& normal) {
     Vec3 middle(0.0);
-    for (const Vec3& p : points) {
+    for (const Vec3& p : points)
         middle += p / static_cast<double>(points.size());
-    }
     const Vec3 u = glm::normalize(points.front() - middle);
     const Vec3 v = glm::cross(normal, u);
     std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
@@ -95,18 +91,14 @@ Parts cutSolid(const Solid& solid, const Plane& plane, std::int32_t number) {
     for (const Solid::Side& side : solid.sides) {
         Halves halves = splitPolygon(side.points, plane);
         if (!halves.front.empty() && !halves.back.empty()) {
-            for (const Vec3& p : halves.front) {
-                if (std::abs(plane.signedDistance(p)) < kOnCut) {
+            for (const Vec3& p : halves.front)
+                if (std::abs(plane.signedDistance(p)) < kOnCut)
                     onPlane.push_back(p);
-                }
-            }
         }
-        if (!halves.front.empty()) {
+        if (!halves.front.empty())
             parts.front.sides.push_back({std::move(halves.front), side.cut});
-        }
-        if (!halves.back.empty()) {
+        if (!halves.back.empty())
             parts.back.sides.push_back({std::move(halves.back), side.cut});
-        }
     }
     Polygon cap = capOf(std::move(onPlane), plane.n);
     parts.front.sides.push_back({cap, number});
@@ -119,14 +111,12 @@ std::optional<Parts> tryCut(const Solid& solid, std::int32_t number, Random& ran
     const double whole = volumeOf(solid);
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Plane plane = randomPlane(solid, random);
-        if (!staysClear(solid, plane)) {
+        if (!staysClear(solid, plane))
             continue;
-        }
         Parts parts = cutSolid(solid, plane, number);
         const double share = volumeOf(parts.front) / whole;
-        if (share > kLeastShare && share < 1.0 - kLeastShare) {
+        if (share > kLeastShare && share < 1.0 - kLeastShare)
             return parts;
-        }
     }
     return std::nullopt;
 }
@@ -176,28 +166,24 @@ std::vector<SharedFace> sharedFaces(const std::vector<Solid>& solids, double lea
     for (std::uint32_t s = 0; s < solids.size(); ++s) {
         for (std::uint32_t k = 0; k < solids[s].sides.size(); ++k) {
             const Solid::Side& side = solids[s].sides[k];
-            if (side.cut >= 6) {
+            if (side.cut >= 6)
                 byCut[side.cut].push_back({s, k, planeOf(side.points)});
-            }
         }
     }
     std::vector<SharedFace> out;
     for (const auto& [cut, refs] : byCut) {
         for (const Ref& a : refs) {
-            if (glm::dot(a.plane.n, refs.front().plane.n) < 0.0) {
+            if (glm::dot(a.plane.n, refs.front().plane.n) < 0.0)
                 continue;
-            }
             for (const Ref& b : refs) {
-                if (glm::dot(a.plane.n, b.plane.n) > 0.0) {
+                if (glm::dot(a.plane.n, b.plane.n) > 0.0)
                     continue;
-                }
                 const Polygon& mine = solids[a.solid].sides[a.side].points;
                 Polygon theirs = solids[b.solid].sides[b.side].points;
                 std::reverse(theirs.begin(), theirs.end());
                 Polygon both = commonPart(mine, theirs, a.plane.n);
-                if (!both.empty() && edgeDistance(both, centroidOf(both)) >= leastRadius) {
+                if (!both.empty() && edgeDistance(both, centroidOf(both)) >= leastRadius)
                     out.push_back({a.solid, b.solid, a.side, b.side, std::move(both)});
-                }
             }
         }
     }

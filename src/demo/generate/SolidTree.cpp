@@ -38,18 +38,15 @@ Parting part(const std::vector<Piece>& pieces, const Plane& plane) {
     Parting out;
     for (const Piece& piece : pieces) {
         if (inPlane(piece, plane)) {
-            if (!sameWay(piece.plane, plane)) {
+            if (!sameWay(piece.plane, plane))
                 out.back.push_back(piece);
-            }
             continue;
         }
         Halves halves = splitPolygon(piece.points, plane);
-        if (!halves.front.empty()) {
+        if (!halves.front.empty())
             out.front.push_back({std::move(halves.front), piece.plane});
-        }
-        if (isDeepBehind(halves.back, plane)) {
+        if (isDeepBehind(halves.back, plane))
             out.back.push_back({std::move(halves.back), piece.plane});
-        }
     }
     return out;
 }
@@ -68,9 +65,8 @@ private:
     std::int32_t node(const std::vector<Piece>& pieces) {
         const auto index = static_cast<std::int32_t>(tree_.nodes.size());
         tree_.nodes.emplace_back();
-        if (pieces.empty()) {
+        if (pieces.empty())
             return index;
-        }
         Parting best;
         std::size_t chosen = pieces.size();
         bool keepsMiddle = false;
@@ -83,18 +79,16 @@ private:
                 chosen = i;
                 keepsMiddle = keeps;
             }
-            if (best.back.empty()) {
+            if (best.back.empty())
                 break;
-            }
         }
         const Plane plane = pieces[chosen].plane;
         dat::BspNode n;
         n.tag = best.back.empty() ? dat::BspTag::BPIn : dat::BspTag::BPIN;
         n.plane = {Vec3f(plane.n), static_cast<float>(plane.d)};
         n.positive = node(best.front);
-        if (!best.back.empty()) {
+        if (!best.back.empty())
             n.negative = node(best.back);
-        }
         tree_.nodes[static_cast<std::size_t>(index)] = std::move(n);
         return index;
     }
@@ -107,9 +101,8 @@ private:
 
 dat::BspTree buildSolidCellBsp(const std::vector<Face>& faces, const Vec3& middle) {
     std::vector<Piece> pieces;
-    for (const Face& face : faces) {
+    for (const Face& face : faces)
         pieces.push_back({face.points, planeOf(face.points)});
-    }
     return SolidTreeBuilder(middle).build(pieces);
 }
 

@@ -55,9 +55,8 @@ public:
 private:
     static int acrossOf(std::uint32_t blocks) {
         int across = 1;
-        while (static_cast<std::uint32_t>(across * across) < blocks) {
+        while (static_cast<std::uint32_t>(across * across) < blocks)
             ++across;
-        }
         return across;
     }
     static int rowsOf(std::uint32_t blocks, int across) {
@@ -74,9 +73,8 @@ private:
         std::vector<HouseOpening> openings;
         shapeGround(kind, vx, vy, alongY);
         CellsPlan plan = planOf(kind, at, openings);
-        if (random_.chance(0.5)) {
+        if (random_.chance(0.5))
             at.turn += random_.between(-6.0, 6.0);
-        }
         const dat::BlockCoord coord = land_.blockAt(bx, by);
         const std::vector<PlannedCell> cells = plan.cells;
         const dat::RecordId first = block.add(std::move(plan), at);
@@ -117,9 +115,8 @@ private:
         }
         HouseSpec spec = randomHouse(random_, -4.0);
         spec.cellar = spec.cellar || kind == Site::Cellar;
-        if (kind == Site::Slope) {
+        if (kind == Site::Slope)
             at.turn += 90.0 * random_.below(4);
-        }
         House house = planHouse(spec, props_, random_);
         openings = std::move(house.openings);
         return std::move(house.plan);

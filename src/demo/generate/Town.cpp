@@ -33,9 +33,8 @@ public:
             const std::uint32_t houses = spec_.size / blocks_ + (b < spec_.size % blocks_ ? 1u : 0u);
             const Placement district =
                 town.build(static_cast<int>(b) % across_, static_cast<int>(b) / across_, houses);
-            if (b == 0) {
+            if (b == 0)
                 notePlaces(land_.blockAt(0, 0), Vec3(0.0), district);
-            }
         }
         for (std::uint32_t b = blocks_; b < static_cast<std::uint32_t>(across_ * landBlocksY()); ++b) {
             PlanWriter(sink_, shapes_,
@@ -50,9 +49,8 @@ public:
 private:
     static int acrossOf(std::uint32_t blocks) {
         int across = 1;
-        while (static_cast<std::uint32_t>(across * across) < blocks) {
+        while (static_cast<std::uint32_t>(across * across) < blocks)
             ++across;
-        }
         return across;
     }
     [[nodiscard]] int landBlocksY() const { return (land_.verticesY() - 1) / kCellsPerBlock; }

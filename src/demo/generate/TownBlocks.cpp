@@ -37,9 +37,8 @@ Placement TownBlocks::build(int bx, int by, std::uint32_t houses) {
             kLot * (static_cast<double>((column + 2) % kColumns) - 2.0) + random_.between(-2.0, 2.0);
         Placement at{place(district, {x, row.y + random_.between(-0.75, 0.75), 0.0}),
                      district.turn + row.turn};
-        if (random_.chance(0.3)) {
+        if (random_.chance(0.3))
             at.turn += random_.between(-7.0, 7.0);
-        }
         addHouse(block, coord, corner, at);
     }
     addFences(block, corner, district);
@@ -52,9 +51,8 @@ void TownBlocks::addHouse(PlanWriter& block, dat::BlockCoord coord, const Vec3& 
     House planned = planHouse(house, tools_.props, random_);
     const std::vector<PlannedCell> cells = planned.plan.cells;
     const dat::RecordId first = block.add(std::move(planned.plan), at);
-    if (tools_.notes.doorCount() < tools_.mostDoors) {
+    if (tools_.notes.doorCount() < tools_.mostDoors)
         noteDoors(planned.openings, tools_.leaves, coord, at, first, random_, tools_.notes);
-    }
     for (std::size_t c = 0; c < cells.size() && tools_.notes.placeCount() < kMostTownPlaces; ++c) {
         const Vec3 target = c == 0 ? Vec3(0.0, 0.0, 1.2) : cells[c].eye + Vec3(0.3, 1.0, -0.1);
         tools_.notes.addPlace(fmt::format("house.{}.{}", house_, c),

@@ -37,9 +37,8 @@ void WorldNotes::addPlace(const std::string& name, const Vec3& eye, const Vec3& 
     place["eye"] = list(eye);
     place["yaw"] = rounded(std::atan2(ahead.x, ahead.y) * kDegrees);
     place["pitch"] = rounded(std::atan2(ahead.z, std::hypot(ahead.x, ahead.y)) * kDegrees);
-    if (cell != 0) {
+    if (cell != 0)
         place["cell"] = cellName(cell);
-    }
     json_["places"][name] = std::move(place);
 }
 

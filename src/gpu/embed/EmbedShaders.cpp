@@ -25,14 +25,12 @@ struct Flattened {
 // The name in `#include "name"`, if the line is one.
 std::optional<std::string> includedName(const std::string& line) {
     const std::size_t hash = line.find_first_not_of(" \t");
-    if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) {
+    if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0)
         return std::nullopt;
-    }
     const std::size_t open = line.find('"', hash);
     const std::size_t close = open == std::string::npos ? open : line.find('"', open + 1);
-    if (close == std::string::npos) {
+    if (close == std::string::npos)
         return std::nullopt;
-    }
     return line.substr(open + 1, close - open - 1);
 }
 
@@ -41,9 +39,8 @@ public:
     explicit Flattener(fs::path root) : root_(std::move(root)) {}
 
     [[nodiscard]] bool add(const std::string& name, Flattened& out, std::set<std::string>& seen) {
-        if (!seen.insert(name).second) {
+        if (!seen.insert(name).second)
             return true;
-        }
         std::ifstream in(root_ / name);
         if (!in) {
             std::cerr << "embed-shaders: cannot read " << (root_ / name).string() << "\n";
@@ -78,9 +75,8 @@ private:
 
 void writeShader(std::ostream& out, const std::string& name, const Flattened& shader) {
     out << "    {\"" << name << "\", R\"glsl(" << shader.text << ")glsl\", {";
-    for (const std::string& file : shader.files) {
+    for (const std::string& file : shader.files)
         out << "\"" << file << "\", ";
-    }
     out << "}},\n";
 }
 
@@ -99,17 +95,15 @@ int main(int argc, char** argv) {
     for (int i = 4; i < argc; ++i) {
         Flattened shader;
         std::set<std::string> seen;
-        if (!flattener.add(argv[i], shader, seen)) {
+        if (!flattener.add(argv[i], shader, seen))
             return 1;
-        }
         writeShader(source, argv[i], shader);
     }
     source << "    };\n    return kShaders;\n}\n\n} // namespace limen::gpu\n";
     std::ofstream depfile(argv[2]);
     depfile << argv[1] << ":";
-    for (const std::string& dependency : flattener.dependencies()) {
+    for (const std::string& dependency : flattener.dependencies())
         depfile << " \\\n  " << dependency;
-    }
     depfile << "\n";
     return source.flush() && depfile.flush() ? 0 : 1;
 }
