@@ -3,7 +3,7 @@
 #include "TemporaryDirectory.h"
 
 #include "dat/Archive.h"
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "world/Places.h"
 
 #include <optional>
@@ -18,7 +18,7 @@ struct BuiltInFiles {
 
     /// Writes them. Errors: as writing and reading them.
     [[nodiscard]] Result<void> open() {
-        return demo::writeBuiltInWorld(directory.path())
+        return worlds::writeBuiltInWorld(directory.path())
             .and_then([&] { return dat::Archive::open(directory.path()); })
             .and_then([&](dat::Archive opened) {
                 archive.emplace(std::move(opened));

@@ -71,9 +71,9 @@ const world::Portal& anyBuildingPortal(const world::World& world, RandomGenerato
 
 } // namespace
 
-Result<world::World> generatedWorld(const demo::GeneratedSpec& spec) {
+Result<world::World> generatedWorld(const worlds::GeneratedSpec& spec) {
     const TemporaryDirectory directory("bench");
-    if (Result<void> written = demo::writeGeneratedWorld(spec, directory.path()); !written)
+    if (Result<void> written = worlds::writeGeneratedWorld(spec, directory.path()); !written)
         return tl::unexpected(written.error());
     const Result<dat::Archive> archive = dat::Archive::open(directory.path());
     if (!archive)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demo/Generated.h"
+#include "worlds/Generated.h"
 #include "visibility/Graph.h"
 #include "visibility/View.h"
 #include "world/World.h"
@@ -12,7 +12,7 @@ namespace limen::bench {
 
 /// Generates a world, writes it to a temporary directory and loads what a session there would: the landblocks
 /// around its first place, or that block alone if it is a dungeon. Errors: of writing and of loading.
-[[nodiscard]] Result<world::World> generatedWorld(const demo::GeneratedSpec& spec);
+[[nodiscard]] Result<world::World> generatedWorld(const worlds::GeneratedSpec& spec);
 
 /// The same world with every space a zone of its own, as if nothing could be merged.
 [[nodiscard]] world::World apart(world::World world);

@@ -1,7 +1,7 @@
 #include "HallScene.h"
 
 #include "core/Assert.h"
-#include "demo/generate/SolidCutter.h"
+#include "worlds/generate/SolidCutter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,18 +18,18 @@ constexpr double kDoorShare = 0.05;   ///< of the openings, between halls
 constexpr std::int32_t kFirstCut = 6; ///< planes before it are the box's sides
 
 /// Which faces are open: of those inside halls the largest, of those between halls any.
-std::vector<demo::SharedFace> openFaces(const std::vector<demo::Solid>& solids, const HallSpec& spec,
-                                        demo::Random& random) {
-    std::vector<demo::SharedFace> faces = demo::sharedFaces(solids, kLeastRadius);
+std::vector<worlds::SharedFace> openFaces(const std::vector<worlds::Solid>& solids, const HallSpec& spec,
+                                        worlds::Random& random) {
+    std::vector<worlds::SharedFace> faces = worlds::sharedFaces(solids, kLeastRadius);
     for (std::size_t i = faces.size(); i > 1; --i)
         std::swap(faces[i - 1], faces[random.below(static_cast<std::uint32_t>(i))]);
     // The largest solid is always cut next, so the first cuts part the box into halls.
     const std::int32_t firstInside = kFirstCut + static_cast<std::int32_t>(spec.halls) - 1;
-    const auto between = std::stable_partition(faces.begin(), faces.end(), [&](const demo::SharedFace& face) {
+    const auto between = std::stable_partition(faces.begin(), faces.end(), [&](const worlds::SharedFace& face) {
         return solids[face.first].sides[face.firstSide].cut >= firstInside;
     });
     std::stable_sort(faces.begin(), between, [](const auto& a, const auto& b) {
-        return demo::areaOf(a.points) > demo::areaOf(b.points);
+        return worlds::areaOf(a.points) > worlds::areaOf(b.points);
     });
     const auto doors = static_cast<std::ptrdiff_t>(kDoorShare * spec.openings);
     const std::ptrdiff_t inside = std::min<std::ptrdiff_t>(between - faces.begin(), spec.openings - doors);
@@ -38,7 +38,7 @@ std::vector<demo::SharedFace> openFaces(const std::vector<demo::Solid>& solids, 
     return faces;
 }
 
-visibility::Graph graphOf(const std::vector<demo::SharedFace>& faces, const HallSpec& spec) {
+visibility::Graph graphOf(const std::vector<worlds::SharedFace>& faces, const HallSpec& spec) {
     struct Side {
         std::uint32_t destination, face;
         bool first;
@@ -57,7 +57,7 @@ visibility::Graph graphOf(const std::vector<demo::SharedFace>& faces, const Hall
                           static_cast<std::uint32_t>(sides[c].size()), spec.merged ? 0 : c});
         for (const Side& side : sides[c]) {
             const auto index = static_cast<std::uint32_t>(portals.size());
-            demo::Polygon points = faces[side.face].points;
+            worlds::Polygon points = faces[side.face].points;
             if (!side.first)
                 std::reverse(points.begin(), points.end());
             std::uint32_t& other = portalOfFace[side.face];
@@ -74,14 +74,14 @@ visibility::Graph graphOf(const std::vector<demo::SharedFace>& faces, const Hall
     return std::move(*graph);
 }
 
-visibility::View randomView(const std::vector<demo::Solid>& solids, demo::Random& random) {
+visibility::View randomView(const std::vector<worlds::Solid>& solids, worlds::Random& random) {
     visibility::View view;
     view.root = random.below(static_cast<std::uint32_t>(solids.size()));
-    const demo::Solid& cell = solids[view.root];
-    const demo::Polygon& wall =
+    const worlds::Solid& cell = solids[view.root];
+    const worlds::Polygon& wall =
         cell.sides[random.below(static_cast<std::uint32_t>(cell.sides.size()))].points;
     const double share = 0.9 * random.unit();
-    view.eye = demo::middleOf(cell) * (1.0 - share) + demo::centroidOf(wall) * share;
+    view.eye = worlds::middleOf(cell) * (1.0 - share) + worlds::centroidOf(wall) * share;
     const double yaw = random.between(0.0, 2.0 * std::numbers::pi);
     const double pitch = random.between(-0.5, 0.5);
     view.forward = {std::sin(yaw) * std::cos(pitch), std::cos(yaw) * std::cos(pitch), std::sin(pitch)};
@@ -95,11 +95,11 @@ visibility::View randomView(const std::vector<demo::Solid>& solids, demo::Random
 } // namespace
 
 FloodScene hallScene(const HallSpec& spec) {
-    demo::Random random(spec.seed);
+    worlds::Random random(spec.seed);
     const double side = std::cbrt(kVolume * spec.cells);
-    const std::vector<demo::Solid> solids =
-        demo::cutBox(Vec3(0.0), Vec3(side * 1.5, side * 1.5, side / 2.25), spec.cells, random);
-    const std::vector<demo::SharedFace> faces = openFaces(solids, spec, random);
+    const std::vector<worlds::Solid> solids =
+        worlds::cutBox(Vec3(0.0), Vec3(side * 1.5, side * 1.5, side / 2.25), spec.cells, random);
+    const std::vector<worlds::SharedFace> faces = openFaces(solids, spec, random);
     std::vector<visibility::View> views;
     for (std::uint32_t i = 0; i < spec.views; ++i)
         views.push_back(randomView(solids, random));

@@ -7,8 +7,8 @@
 
 #include "app/HeapTuning.h"
 #include "app/SessionStream.h"
-#include "demo/Demo.h"
-#include "demo/Generated.h"
+#include "worlds/Demo.h"
+#include "worlds/Generated.h"
 #include "gpu/NullDevice.h"
 #include "world/Nearby.h"
 
@@ -194,9 +194,9 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
         addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
     };
     // The writers' memory is no part of a session's.
-    const Result<void> world = inChildProcess([&] { return demo::writeBuiltInWorld(builtIn.path()); });
+    const Result<void> world = inChildProcess([&] { return worlds::writeBuiltInWorld(builtIn.path()); });
     const Result<void> map = inChildProcess([&] {
-        return demo::writeGeneratedWorld({demo::GeneratedKind::Map, kMapCells}, generated.path());
+        return worlds::writeGeneratedWorld({worlds::GeneratedKind::Map, kMapCells}, generated.path());
     });
     measure("built-in world, null device", builtIn, true, world, *std::make_unique<gpu::NullDevice>());
     measure("whole map, null device", generated, false, map, *std::make_unique<gpu::NullDevice>());

@@ -129,7 +129,7 @@ std::vector<BenchRow> fineRows(AllocationCounter counter) {
         halls.merged = merged;
         addFineRows(hallScene(halls), counter, rows);
     }
-    Result<world::World> world = generatedWorld({demo::GeneratedKind::Complex, halls.cells, 3, 0.0});
+    Result<world::World> world = generatedWorld({worlds::GeneratedKind::Complex, halls.cells, 3, 0.0});
     if (!world) {
         rows.push_back(failedRow("flood/fine", world.error()));
         return rows;
@@ -148,7 +148,7 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
     std::vector<BenchRow> rows;
     SeenCounts wanted;
     for (const std::uint32_t size : {1000u, 10000u, 100000u}) {
-        const Result<world::World> world = generatedWorld({demo::GeneratedKind::Dungeon, size, kSeed, 0.02});
+        const Result<world::World> world = generatedWorld({worlds::GeneratedKind::Dungeon, size, kSeed, 0.02});
         if (!world) {
             rows.push_back(failedRow("flood/scale", world.error()));
             continue;
@@ -174,7 +174,7 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
 
 std::vector<BenchRow> townRows(AllocationCounter counter) {
     constexpr std::size_t kViews = 1000;
-    const Result<world::World> world = generatedWorld({demo::GeneratedKind::Town, 64, kSeed, 0.0});
+    const Result<world::World> world = generatedWorld({worlds::GeneratedKind::Town, 64, kSeed, 0.0});
     if (!world)
         return {failedRow("flood/town", world.error())};
     const visibility::Graph graph = graphOf(*world);

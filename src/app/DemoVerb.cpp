@@ -1,7 +1,7 @@
 #include "app/OutputFile.h"
 #include "app/Verbs.h"
-#include "demo/Demo.h"
-#include "demo/Generated.h"
+#include "worlds/Demo.h"
+#include "worlds/Generated.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace limen::app {
 namespace {
 
-using demo::GeneratedKind;
+using worlds::GeneratedKind;
 
 struct DemoChoice {
     std::string directory, output;
@@ -46,8 +46,8 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
     if (!kind && chosen.tuned)
         return fail(ErrorCode::BadArgument, "demo", "--size, --seed and --overlap go with another --kind");
     const Result<void> written =
-        kind ? demo::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap}, directory)
-             : demo::writeBuiltInWorld(directory);
+        kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap}, directory)
+             : worlds::writeBuiltInWorld(directory);
     if (!written)
         return tl::unexpected(written.error());
     const std::string what =

@@ -1,6 +1,6 @@
 #include "app/WorldSource.h"
 
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Result<WorldSource> openDirectory(const std::filesystem::path& directory) {
 Result<WorldSource> openBuiltIn() {
     const std::string key = programKey();
     for (int attempt = 0;; ++attempt) {
-        Result<BuiltInWorld> builtIn = openBuiltInWorld(cacheRoot(), key, demo::writeBuiltInWorld);
+        Result<BuiltInWorld> builtIn = openBuiltInWorld(cacheRoot(), key, worlds::writeBuiltInWorld);
         if (!builtIn)
             return tl::unexpected(builtIn.error());
         Result<WorldSource> source = openDirectory(builtIn->directory());

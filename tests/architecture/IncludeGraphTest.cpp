@@ -23,7 +23,7 @@ std::map<std::string, Names> allowedRooms() {
         {"core", {}},
         {"geometry", {"core"}},
         {"dat", {"core", "geometry"}},
-        {"demo", {"core", "geometry", "dat"}},
+        {"worlds", {"core", "geometry", "dat"}},
         {"world", {"core", "geometry", "dat"}},
         {"motion", {"core", "geometry", "dat", "world"}},
         {"visibility", {"core", "geometry"}},
@@ -32,7 +32,7 @@ std::map<std::string, Names> allowedRooms() {
         {"reference", {"core", "geometry", "dat", "world", "motion"}},
         {"check", {"core", "geometry", "dat", "world", "motion", "reference"}},
         {"app",
-         {"core", "geometry", "dat", "demo", "world", "motion", "visibility", "frame", "gpu", "reference",
+         {"core", "geometry", "dat", "worlds", "world", "motion", "visibility", "frame", "gpu", "reference",
           "check"}},
     };
 }
@@ -80,16 +80,21 @@ std::vector<Include> includesUnder(const fs::path& folder) {
     return found;
 }
 
+/// Procedural worlds stand beside src/; every other room is a folder of it.
+fs::path folderOf(const std::string& room) {
+    return room == "worlds" ? kRoot / room : kRoot / "src" / room;
+}
+
 /// The room an include names, or "" for a library's.
 std::string roomOf(const std::string& include) {
     const std::string first = include.substr(0, include.find('/'));
     const bool isRoom =
-        first.size() < include.size() && !first.starts_with('.') && fs::is_directory(kRoot / "src" / first);
+        first.size() < include.size() && !first.starts_with('.') && fs::is_directory(folderOf(first));
     return isRoom ? first : "";
 }
 
 std::vector<std::string> roomsThere() {
-    std::vector<std::string> rooms;
+    std::vector<std::string> rooms{"worlds"};
     for (const auto& entry : fs::directory_iterator(kRoot / "src"))
         if (entry.is_directory())
             rooms.push_back(entry.path().filename());
@@ -105,14 +110,14 @@ TEST(IncludeGraph, everyRoomIsKnown) {
     const auto allowed = allowedRooms();
     for (const std::string& room : roomsThere())
         EXPECT_TRUE(allowed.contains(room))
-            << "src/" << room << " has no line in the table of allowed includes";
+            << room << " has no line in the table of allowed includes";
 }
 
 TEST(IncludeGraph, noRoomIncludesOneItMayNotKnow) {
     const auto allowed = allowedRooms();
     std::size_t seen = 0;
     for (const std::string& room : roomsThere()) {
-        for (const Include& include : includesUnder(kRoot / "src" / room)) {
+        for (const Include& include : includesUnder(folderOf(room))) {
             const std::string other = roomOf(include.name);
             seen += other.empty() ? 0 : 1;
             EXPECT_TRUE(other.empty() || other == room || allowed.at(room).contains(other))
@@ -124,7 +129,7 @@ TEST(IncludeGraph, noRoomIncludesOneItMayNotKnow) {
 
 TEST(IncludeGraph, relativeIncludesDoNotClimbOut) {
     for (const std::string& room : roomsThere()) {
-        for (const Include& include : includesUnder(kRoot / "src" / room)) {
+        for (const Include& include : includesUnder(folderOf(room))) {
             const bool climbs = include.name.starts_with("..");
             EXPECT_TRUE(!climbs || include.name == "../../shaders/include/SharedLayout.h") << include.place();
         }
@@ -135,7 +140,7 @@ TEST(IncludeGraph, onlyGpuAndAppKnowOpenGl) {
     for (const std::string& room : roomsThere()) {
         if (room == "gpu" || room == "app")
             continue;
-        for (const Include& include : includesUnder(kRoot / "src" / room))
+        for (const Include& include : includesUnder(folderOf(room)))
             EXPECT_FALSE(isGlHeader(include.name)) << include.place();
     }
 }
@@ -185,11 +190,11 @@ Names linkedRooms(const fs::path& cmakeLists) {
 TEST(LinkGraph, noRoomLinksOneItMayNotKnow) {
     const auto allowed = allowedRooms();
     for (const std::string& room : roomsThere()) {
-        for (const std::string& other : linkedRooms(kRoot / "src" / room / "CMakeLists.txt")) {
+        for (const std::string& other : linkedRooms(folderOf(room) / "CMakeLists.txt")) {
             // gpu may link nothing of frame's but its headers; the library itself brings world and visibility
             // along.
             EXPECT_TRUE(other == room || allowed.at(room).contains(other))
-                << "src/" << room << " links limen::" << other;
+                << room << " links limen::" << other;
         }
     }
 }

@@ -1,6 +1,6 @@
 // Clusters spare questions and change no answer: against asking for each instance, over generated worlds with things that move.
 #include "NaiveSelection.h"
-#include "demo/GeneratedWorlds.h"
+#include "worlds/GeneratedWorlds.h"
 
 #include "frame/Selection.h"
 #include "frame/WorldGraph.h"
@@ -13,7 +13,7 @@
 namespace limen::test {
 namespace {
 
-using demo::GeneratedKind;
+using worlds::GeneratedKind;
 
 /// Things that move: copies of what stands still, elsewhere, each a member of one to three spaces that follow one another.
 world::DynamicState movedCopies(const world::World& world, std::uint32_t count, std::mt19937& random) {
@@ -105,7 +105,7 @@ TEST(SelectionProperty, choosesWhatAskingForEachInstanceChooses) {
     Tally tally;
     const auto compareKind = [&](GeneratedKind kind, std::uint32_t size, std::uint32_t seeds, int radius) {
         for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-            const demo::test::GeneratedWorld files({kind, size, seed});
+            const worlds::test::GeneratedWorld files({kind, size, seed});
             compareViews(files.load(files.blocks()[files.blocks().size() / 2], seed % 2 == 0, radius), seed,
                          tally);
         }

@@ -1,6 +1,6 @@
 // What must hold of the flood for any world: over generated complexes of convex cells, loaded from dats.
 // LIMEN_TEST_WORLDS: how many worlds are tried (200).
-#include "demo/GeneratedWorlds.h"
+#include "worlds/GeneratedWorlds.h"
 
 #include "frame/FrameView.h"
 #include "frame/WorldGraph.h"
@@ -28,12 +28,12 @@ std::uint32_t worldCount() {
 }
 
 struct Complex {
-    demo::test::GeneratedWorld files;
+    worlds::test::GeneratedWorld files;
     world::World world;
     visibility::Graph graph;
 
     Complex(std::uint32_t seed, bool mergeZones)
-        : files({demo::GeneratedKind::Complex, 4 + seed % 29, seed}),
+        : files({worlds::GeneratedKind::Complex, 4 + seed % 29, seed}),
           world(files.load(files.blocks().front(), mergeZones)), graph(graphOf(world)) {}
 
     static visibility::Graph graphOf(const world::World& world) {
@@ -178,7 +178,7 @@ TEST(WorldFloodProperty, theVisibleSetHoldsEverySpaceThatARayOfTheReferenceEndsI
                 const Vec3 direction = directionOf(view, screenOf(i % kSide, i / kSide));
                 const reference::Answer answer = scene.trace(view.root, {view.eye, direction, 0.0});
                 ASSERT_TRUE(seen[answer.space])
-                    << demo::test::nameOf(complex.files.spec()) << ", view " << v << ", ray " << i
+                    << worlds::test::nameOf(complex.files.spec()) << ", view " << v << ", ray " << i
                     << ": space " << answer.space << " is hit and not among the seen";
                 farther += answer.spacesVisited > 2 ? 1 : 0;
             }
@@ -201,7 +201,7 @@ TEST(WorldFloodProperty, theOwnerOfAPixelIsTheLeafOfTheChainThatItsRayFinds) {
                 const auto owner = chainOfOwner(set, screen);
                 const auto ray = chainOfRay(complex.world, view, directionOf(view, screen));
                 ASSERT_TRUE(owner == ray || isChainNearby(complex.world, view, screen, owner))
-                    << demo::test::nameOf(complex.files.spec()) << ", view " << v << ", ray " << i
+                    << worlds::test::nameOf(complex.files.spec()) << ", view " << v << ", ray " << i
                     << ": chain of " << ray.size() << " spaces, owner of depth " << owner.size();
                 farther += ray.size() > 2 ? 1 : 0;
             }

@@ -1,5 +1,5 @@
 // Zones are disjoint and closed: held against a count of crossings that knows nothing of how zones are made.
-#include "demo/GeneratedWorlds.h"
+#include "worlds/GeneratedWorlds.h"
 
 #include <gtest/gtest.h>
 
@@ -88,16 +88,16 @@ Faults faultsOf(const world::World& world, const world::Zone& zone, std::mt19937
 TEST(ZoneProperty, cellsOfOneZoneAreClosedAndDisjoint) {
     std::size_t inside = 0;
     for (std::uint32_t seed = 1; seed <= 40; ++seed) {
-        for (const auto kind : {demo::GeneratedKind::Complex, demo::GeneratedKind::Dungeon}) {
-            const demo::test::GeneratedWorld files({kind, 30, seed, 0.05});
+        for (const auto kind : {worlds::GeneratedKind::Complex, worlds::GeneratedKind::Dungeon}) {
+            const worlds::test::GeneratedWorld files({kind, 30, seed, 0.05});
             const world::World world = files.load(files.blocks().front());
             std::mt19937 random(seed);
             for (const world::Zone& zone : world.zones) {
                 if (zone.spaceCount < 2)
                     continue; // alone it need be neither
                 const Faults faults = faultsOf(world, zone, random);
-                EXPECT_EQ(faults.open, 0u) << demo::test::nameOf(files.spec());
-                EXPECT_EQ(faults.shared, 0u) << demo::test::nameOf(files.spec());
+                EXPECT_EQ(faults.open, 0u) << worlds::test::nameOf(files.spec());
+                EXPECT_EQ(faults.shared, 0u) << worlds::test::nameOf(files.spec());
                 inside += faults.inside;
             }
         }

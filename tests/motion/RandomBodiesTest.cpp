@@ -2,8 +2,8 @@
 // wall, be stuck where there is room, or be in a space that its position contradicts.
 // LIMEN_TEST_BODIES: how many in each kind of world (48); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them;
 // LIMEN_TEST_BODY: only the one of that number.
-#include "demo/Demo.h"
-#include "demo/GeneratedWorlds.h"
+#include "worlds/Demo.h"
+#include "worlds/GeneratedWorlds.h"
 #include "geometry/Compass.h"
 #include "motion/DoorUse.h"
 #include "motion/Locate.h"
@@ -15,8 +15,8 @@
 namespace limen::motion {
 namespace {
 
-using demo::GeneratedKind;
-using demo::test::GeneratedWorld;
+using worlds::GeneratedKind;
+using worlds::test::GeneratedWorld;
 using world::kOutside;
 
 constexpr double kBodyFrame = 1.0 / 30.0;
@@ -287,7 +287,7 @@ std::vector<dat::BlockCoord> blocksOfPlaces(const world::WorldFile& file) {
 TEST(RandomBodies, stayInTheBuiltInWorld) {
     const Share share;
     const test::TempDir directory;
-    ASSERT_TRUE(demo::writeBuiltInWorld(directory.path()));
+    ASSERT_TRUE(worlds::writeBuiltInWorld(directory.path()));
     const Result<dat::Archive> archive = dat::Archive::open(directory.path());
     const Result<world::WorldFile> file = world::loadWorldFile(directory.path());
     ASSERT_TRUE(archive && file);
@@ -323,7 +323,7 @@ TEST_P(RandomBodiesInGenerated, stayInTheirWorlds) {
         const std::vector<dat::BlockCoord> blocks = blocksOfPlaces(generated.file());
         ASSERT_FALSE(blocks.empty());
         const Part part(generated.archive(), blocks[w % blocks.size()], generated.file());
-        liveIn(part, demo::test::nameOf(generated.spec()), w * kBodiesEach,
+        liveIn(part, worlds::test::nameOf(generated.spec()), w * kBodiesEach,
                std::min((w + 1) * kBodiesEach, share.all), 1, lived);
     }
     RecordProperty("bodies", static_cast<int>(lived));

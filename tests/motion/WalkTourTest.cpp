@@ -1,6 +1,6 @@
 // A body walks the built-in world's tour, through rooms, up and down stairs, into a cellar, an inn, a tower, a cave and a dungeon, and
 // over the land between them.
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "motion/Body.h"
 #include "motion/Locate.h"
 #include "support/LoadTestWorld.h"
@@ -88,7 +88,7 @@ bool isFlown(std::size_t point) {
 
 struct BuiltIn {
     BuiltIn() {
-        EXPECT_TRUE(demo::writeBuiltInWorld(directory.path()));
+        EXPECT_TRUE(worlds::writeBuiltInWorld(directory.path()));
         archive = dat::Archive::open(directory.path());
         file = world::loadWorldFile(directory.path());
         EXPECT_TRUE(archive && file);

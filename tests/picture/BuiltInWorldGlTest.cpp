@@ -1,7 +1,7 @@
 // The built-in world, drawn and held against the ray rule: its places, its tour, and random eyes.
 #include "picture/PictureWorld.h"
 
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 #include "world/Places.h"
@@ -29,7 +29,7 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
     static void SetUpTestSuite() {
         directory() =
             std::filesystem::temp_directory_path() / ("limen-built-in-" + std::to_string(::getpid()));
-        const auto written = demo::writeBuiltInWorld(directory());
+        const auto written = worlds::writeBuiltInWorld(directory());
         ASSERT_TRUE(written) << written.error().message();
         const auto file = world::loadWorldFile(directory());
         ASSERT_TRUE(file) << file.error().message();
@@ -355,7 +355,7 @@ TEST_P(BuiltInWorld, everyViewTakesFewCallsAndTheSameForTheSameStages) {
 TEST(SealedDungeon, case22_isCleanAndNothingElseIsVisited) {
     const auto directory =
         std::filesystem::temp_directory_path() / ("limen-sealed-" + std::to_string(::getpid()));
-    ASSERT_TRUE(demo::writeBuiltInWorld(directory));
+    ASSERT_TRUE(worlds::writeBuiltInWorld(directory));
     const auto file = world::loadWorldFile(directory);
     ASSERT_TRUE(file);
     const auto place = std::find_if(file->places.begin(), file->places.end(),
@@ -383,7 +383,7 @@ TEST(SealedDungeon, case22_isCleanAndNothingElseIsVisited) {
 TEST(FarAway, aLeafSeenEdgeOnStaysBehindTheOneBeforeIt) {
     const auto directory =
         std::filesystem::temp_directory_path() / ("limen-far-" + std::to_string(::getpid()));
-    ASSERT_TRUE(demo::writeBuiltInWorld(directory));
+    ASSERT_TRUE(worlds::writeBuiltInWorld(directory));
     const auto file = world::loadWorldFile(directory);
     ASSERT_TRUE(file);
     struct View {
@@ -418,7 +418,7 @@ TEST(FarAway, aLeafSeenEdgeOnStaysBehindTheOneBeforeIt) {
 TEST(FlatWall, hidesTheCellBehindIt) {
     const auto directory =
         std::filesystem::temp_directory_path() / ("limen-flat-" + std::to_string(::getpid()));
-    ASSERT_TRUE(demo::writeBuiltInWorld(directory));
+    ASSERT_TRUE(worlds::writeBuiltInWorld(directory));
     const auto file = world::loadWorldFile(directory);
     ASSERT_TRUE(file);
     const Vec3 eye(32677.017, 34849.88199995707, 11.321882788676314);

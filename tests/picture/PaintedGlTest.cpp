@@ -3,7 +3,7 @@
 #include "picture/PictureWorld.h"
 #include "support/TemporaryDirectory.h"
 
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 #include "world/Places.h"
@@ -51,7 +51,7 @@ Counts compare(const Picture& a, const Picture& b) {
 
 struct Painted : ::testing::Test {
     Painted() {
-        const auto written = demo::writeBuiltInWorld(directory.path());
+        const auto written = worlds::writeBuiltInWorld(directory.path());
         EXPECT_TRUE(written) << written.error().message();
         file = *world::loadWorldFile(directory.path());
         const dat::BlockCoord home = world::blockAt(file.places.front().eye);

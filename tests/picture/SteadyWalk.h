@@ -3,7 +3,7 @@
 #include "support/TemporaryDirectory.h"
 
 #include "dat/Archive.h"
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "frame/Planner.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
@@ -28,7 +28,7 @@ struct Tour {
 
     explicit Tour(std::size_t step) {
         const TemporaryDirectory directory;
-        EXPECT_TRUE(demo::writeBuiltInWorld(directory.path()));
+        EXPECT_TRUE(worlds::writeBuiltInWorld(directory.path()));
         const auto archive = dat::Archive::open(directory.path());
         const auto file = world::loadWorldFile(directory.path());
         EXPECT_TRUE(archive && file && !file->tour.empty());

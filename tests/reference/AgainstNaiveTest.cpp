@@ -11,7 +11,7 @@
 #include "picture/NaiveTracer.h"
 #include "reference/TracedWorld.h"
 
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "motion/Locate.h"
 #include "world/Places.h"
 
@@ -136,7 +136,7 @@ void expectAgreement(const Tally& tally) {
 
 TEST(AgainstNaive, theBuiltInWorld) {
     const TempDir directory;
-    const auto written = demo::writeBuiltInWorld(directory.path());
+    const auto written = worlds::writeBuiltInWorld(directory.path());
     ASSERT_TRUE(written) << written.error().message();
     const auto file = world::loadWorldFile(directory.path());
     ASSERT_TRUE(file && !file->places.empty());

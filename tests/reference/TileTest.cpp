@@ -3,7 +3,7 @@
 // angles and telescopes.
 #include "reference/Picture.h"
 
-#include "demo/Demo.h"
+#include "worlds/Demo.h"
 #include "motion/DynamicStateBuilder.h"
 #include "reference/DynamicStateMaker.h"
 #include "reference/TracedWorld.h"
@@ -149,7 +149,7 @@ Seen compareAllOver(const world::World& world, int views, unsigned seed, bool wi
 
 TEST(Tile, everyAnswerIsThatOfItsRayAllOverTheBuiltInWorld) {
     const TempDir directory;
-    const auto written = demo::writeBuiltInWorld(directory.path());
+    const auto written = worlds::writeBuiltInWorld(directory.path());
     ASSERT_TRUE(written) << written.error().message();
     const auto file = world::loadWorldFile(directory.path());
     ASSERT_TRUE(file && !file->places.empty());
@@ -169,7 +169,7 @@ TEST(Tile, everyAnswerIsThatOfItsRayAllOverTheBuiltInWorld) {
 
 TEST(Tile, everyAnswerIsThatOfItsRayInTheTourOfTheBuiltInWorld) {
     const TempDir directory;
-    ASSERT_TRUE(demo::writeBuiltInWorld(directory.path()));
+    ASSERT_TRUE(worlds::writeBuiltInWorld(directory.path()));
     const auto file = world::loadWorldFile(directory.path());
     const auto archive = dat::Archive::open(directory.path());
     ASSERT_TRUE(file && archive);

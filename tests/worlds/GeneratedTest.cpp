@@ -1,0 +1,141 @@
+// What holds for generated worlds of every kind, size and seed.
+#include "worlds/GeneratedWorlds.h"
+#include "motion/Locate.h"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <random>
+
+namespace limen::worlds::test {
+namespace {
+
+std::vector<GeneratedSpec> specs() {
+    std::vector<GeneratedSpec> out;
+    for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+        out.push_back({GeneratedKind::Dungeon, seed * 3 % 47 + 1, seed});
+        out.push_back({GeneratedKind::Town, seed % 7 + 1, seed});
+        out.push_back({GeneratedKind::Complex, seed * 5 % 37 + 1, seed});
+        out.push_back({GeneratedKind::Terrain, seed % 6 + 1, seed});
+    }
+    return out;
+}
+
+class EveryGeneratedWorld : public ::testing::TestWithParam<GeneratedSpec> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryGeneratedWorld, ::testing::ValuesIn(specs()), [](const auto& spec) {
+    std::string name = nameOf(spec.param);
+    std::erase_if(name, [](char c) { return c == ','; });
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+});
+
+/// Corners of a portal that bend its outline; others are there for its neighbours' sake.
+std::size_t bendsOf(std::span<const Vec3> corners) {
+    std::size_t bends = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3& a = corners[i];
+        const Vec3 along = glm::normalize(corners[(i + 2) % corners.size()] - a);
+        bends += glm::length(glm::cross(corners[(i + 1) % corners.size()] - a, along)) > 0.0005 ? 1 : 0;
+    }
+    return bends;
+}
+
+/// Portal by portal: a way back, or a shut opening is wrong.
+void expectPaired(const world::World& world) {
+    for (const world::Portal& portal : world.portals) {
+        ASSERT_NE(portal.destination, world::kNone);
+        ASSERT_NE(portal.reciprocal, world::kNone);
+        EXPECT_GE(bendsOf(world::cornersOf(world, portal)), 3u);
+        EXPECT_LE(bendsOf(world::cornersOf(world, portal)), 12u);
+    }
+}
+
+std::size_t cellsOf(const world::World& world) {
+    return world.spaces.size() - 1;
+}
+
+/// Points around a block's cells that a tree says its cell holds lie where the cell is.
+void expectTreesHoldNothingFarOff(const world::World& world, std::uint32_t seed) {
+    constexpr double kSlack = 0.02; // metres
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<> random(-30.0, 30.0);
+    for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s) {
+        const Aabb& bounds = world.spaces[s].bounds;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 at = bounds.centre() + Vec3(random(random), random(random), random(random));
+            const bool isNear = glm::all(glm::greaterThan(at, bounds.min - kSlack)) &&
+                                glm::all(glm::lessThan(at, bounds.max + kSlack));
+            EXPECT_TRUE(isNear || !motion::cellContains(world, s, at)) << s;
+        }
+    }
+}
+
+void expectPlacesInTheirCells(const GeneratedWorld& generated, const world::World& world,
+                              dat::BlockCoord block) {
+    for (const world::Place& place : generated.file().places) {
+        if (place.cell == 0 || !(dat::blockOf(place.cell) == block))
+            continue;
+        const world::SpaceIndex space = world::findCell(world, place.cell);
+        ASSERT_NE(space, world::kNone) << place.name;
+        EXPECT_TRUE(motion::cellContains(world, space, place.eye)) << place.name;
+    }
+}
+
+TEST_P(EveryGeneratedWorld, loadsWithoutFindingsAndHangsTogether) {
+    const GeneratedWorld generated(GetParam());
+    ASSERT_FALSE(generated.blocks().empty());
+    EXPECT_FALSE(generated.file().places.empty());
+    std::size_t cells = 0;
+    for (const dat::BlockCoord block : generated.blocks()) {
+        const world::World world = generated.load(block);
+        EXPECT_EQ(limen::test::findingsOf(world), "");
+        expectPaired(world);
+        expectPlacesInTheirCells(generated, world, block);
+        expectTreesHoldNothingFarOff(world, GetParam().seed);
+        cells += cellsOf(world);
+        const bool dungeon = world.spaces[world::kOutside].portalCount == 0;
+        if (cellsOf(world) > 0)
+            EXPECT_EQ(reachedFrom(world, dungeon ? 1 : world::kOutside), cellsOf(world));
+    }
+    const GeneratedSpec& spec = GetParam();
+    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex)
+        EXPECT_EQ(cells, spec.size);
+    else
+        EXPECT_GE(cells, spec.size);
+}
+
+std::string bytesOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Generated, theSameSpecGivesTheSameBytesAndAnotherSeedOthers) {
+    for (const GeneratedKind kind :
+         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain}) {
+        const GeneratedWorld one({kind, 9, 5}), same({kind, 9, 5}), other({kind, 9, 6});
+        for (const char* name : {"client_portal.dat", "client_cell_1.dat", "world.json"}) {
+            const std::string bytes = bytesOf(one.directory() / name);
+            EXPECT_FALSE(bytes.empty());
+            EXPECT_TRUE(bytes == bytesOf(same.directory() / name)) << nameOf(one.spec()) << " " << name;
+        }
+        EXPECT_FALSE(bytesOf(one.directory() / "client_cell_1.dat") ==
+                     bytesOf(other.directory() / "client_cell_1.dat"));
+    }
+}
+
+TEST(Generated, sizesAndSharesOutOfRangeAreErrors) {
+    const limen::test::TempDir directory;
+    for (const GeneratedSpec& spec :
+         {GeneratedSpec{GeneratedKind::Dungeon, 0, 1}, GeneratedSpec{GeneratedKind::Dungeon, 1000001, 1},
+          GeneratedSpec{GeneratedKind::Town, 2001, 1}, GeneratedSpec{GeneratedKind::Complex, 5001, 1},
+          GeneratedSpec{GeneratedKind::Terrain, 501, 1}, GeneratedSpec{GeneratedKind::Dungeon, 5, 1, 0.3}}) {
+        const Result<void> written = writeGeneratedWorld(spec, directory.path());
+        ASSERT_FALSE(written.has_value());
+        EXPECT_EQ(written.error().code, ErrorCode::BadArgument);
+    }
+    const Result<void> nowhere = writeGeneratedWorld({GeneratedKind::Dungeon, 5, 1}, "/proc/nowhere");
+    ASSERT_FALSE(nowhere.has_value());
+    EXPECT_EQ(nowhere.error().code, ErrorCode::Unreadable);
+}
+
+} // namespace
+} // namespace limen::worlds::test

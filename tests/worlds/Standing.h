@@ -1,0 +1,30 @@
+#pragma once
+
+#include "worlds/BuiltIn.h"
+
+#include <string>
+
+namespace limen::worlds::test {
+
+/// A polygon where it stands on the map.
+struct Standing {
+    enum class Kind { Shell, Exterior, Object, Portal };
+    Kind kind = Kind::Object;
+    std::string name;         ///< who it belongs to, for messages
+    std::vector<Vec3> points; ///< global
+    Plane plane;
+    Aabb box;
+    bool twoSided = false;
+};
+
+/// All polygons of buildings and cells, their furniture and what stands around them; no terrain, no scenery.
+[[nodiscard]] std::vector<Standing> standingPolygons();
+
+/// What both polygons cover, seen along the first one's normal: area in m² (0 if none) and how far the second
+/// lies from the first's plane there, at most.
+struct Overlap {
+    double area = 0.0, apart = 0.0;
+};
+[[nodiscard]] Overlap overlapOf(const Standing& a, const Standing& b);
+
+} // namespace limen::worlds::test

@@ -1,0 +1,12 @@
+#include "worlds/Demo.h"
+
+#include "worlds/BuiltInWorld.h"
+#include "worlds/WorldFiles.h"
+
+namespace limen::worlds {
+
+Result<void> writeBuiltInWorld(const std::filesystem::path& directory) {
+    return writeWorldFiles(buildBuiltInWorld(), directory);
+}
+
+} // namespace limen::worlds

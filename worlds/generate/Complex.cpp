@@ -1,0 +1,227 @@
+#include "worlds/RegionBuilder.h"
+#include "worlds/generate/BlockPlan.h"
+#include "worlds/generate/ComplexOpenings.h"
+#include "worlds/generate/Kinds.h"
+#include "worlds/generate/Land.h"
+#include "worlds/generate/Props.h"
+#include "worlds/generate/Shell.h"
+#include "worlds/generate/SmallPictures.h"
+#include "worlds/generate/SolidCutter.h"
+#include "worlds/generate/WorldNotes.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+namespace limen::worlds {
+
+namespace {
+
+constexpr dat::BlockCoord kBlock{0x30, 0x40};
+constexpr double kVolume = 60.0; ///< cubic metres a cell, on average
+constexpr double kLeastRadius = 0.12;
+constexpr int kComplexGround = 40;
+constexpr std::size_t kMostComplexPlaces = 48;
+
+OpeningMix mixOf(Random& random) {
+    OpeningMix mix;
+    mix.inexact = random.chance(0.25) ? 0.3 : 0.0;
+    mix.reversed = random.chance(0.5) ? 0.5 : 0.0;
+    mix.twins = random.chance(0.3) ? 0.5 : 0.12;
+    mix.toGround = random.chance(0.34);
+    return mix;
+}
+
+/// Which cells hang together already.
+class Islands {
+public:
+    explicit Islands(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    /// False if they hung together before.
+    bool join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+        return a != b;
+    }
+
+private:
+    std::uint32_t root(std::uint32_t i) {
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    std::vector<std::uint32_t> parent_;
+};
+
+Material materialOf(const Polygon& points, Random& random) {
+    const double up = planeOf(points).n.z;
+    if (up > 0.7)
+        return random.chance(0.5) ? Material::Flagstones : Material::Planks;
+    constexpr std::array kWalls{Material::StoneWall, Material::Brick, Material::InnerPlaster,
+                                Material::Rock,      Material::Rug,   Material::Beam};
+    return kWalls[random.below(kWalls.size())];
+}
+
+class ComplexBuilder {
+public:
+    ComplexBuilder(const Props& props, const OpeningMix& mix, Random random)
+        : props_(props), mix_(mix), random_(random) {}
+
+    /// The box stands on z = 0 around the origin of the plan.
+    CellsPlan build(std::uint32_t count) {
+        const double side = std::ceil(std::cbrt(kVolume * count));
+        max_ = Vec3(side / 2, side / 2, side);
+        min_ = Vec3(-side / 2, -side / 2, 0.0);
+        solids_ = cutBox(min_, max_, count, random_);
+        plan_.cells.resize(solids_.size());
+        shells_.resize(solids_.size());
+        for (std::uint32_t c = 0; c < solids_.size(); ++c)
+            for (const Solid::Side& wall : solids_[c].sides)
+                shells_[c].walls.push_back({wall.points, materialOf(wall.points, random_)});
+        openFaces();
+        if (mix_.toGround)
+            openOutside();
+        for (std::uint32_t c = 0; c < solids_.size(); ++c)
+            shell(c);
+        if (mix_.toGround)
+            for (Face& face : facesOf(exterior_, true))
+                plan_.exterior.add(std::move(face));
+        return std::move(plan_);
+    }
+
+private:
+    /// Faces in random order: those that join islands first of all, some of the others too.
+    void openFaces() {
+        std::vector<SharedFace> faces = sharedFaces(solids_, kLeastRadius);
+        for (std::size_t i = faces.size(); i > 1; --i)
+            std::swap(faces[i - 1], faces[random_.below(static_cast<std::uint32_t>(i))]);
+        Islands islands(solids_.size());
+        for (const SharedFace& face : faces)
+            if (islands.join(face.first, face.second) || random_.chance(0.3))
+                open(face);
+    }
+
+    void open(const SharedFace& face) {
+        const std::array<Polygon, 2> walls{solids_[face.first].sides[face.firstSide].points,
+                                           solids_[face.second].sides[face.secondSide].points};
+        for (const OpeningPair& pair : makeOpenings(face.points, walls, mix_, random_)) {
+            const auto a = static_cast<std::uint16_t>(plan_.cells[face.first].portals.size());
+            const auto b = static_cast<std::uint16_t>(plan_.cells[face.second].portals.size());
+            add(face.first, pair.first, {face.second, b, pair.exact});
+            add(face.second, pair.second, {face.first, a, pair.exact});
+        }
+    }
+
+    void add(std::uint32_t cell, const Polygon& polygon, PlannedPortal portal) {
+        portal.insidePositive = !random_.chance(mix_.reversed);
+        plan_.cells[cell].portals.push_back(portal);
+        shells_[cell].openings.push_back(polygon);
+    }
+
+    /// Ways out through the upright sides of the box, at least one.
+    void openOutside() {
+        exterior_ = boxShell(min_, max_, Material::StoneWall);
+        struct Spot {
+            std::uint32_t cell, side;
+        };
+        std::vector<Spot> spots;
+        for (std::uint32_t c = 0; c < solids_.size(); ++c) {
+            for (std::uint32_t k = 0; k < solids_[c].sides.size(); ++k) {
+                const Solid::Side& side = solids_[c].sides[k];
+                if (side.cut < 4 && edgeDistance(side.points, centroidOf(side.points)) > 0.4)
+                    spots.push_back({c, k});
+            }
+        }
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+            if (i > 0 && !random_.chance(0.35))
+                continue;
+            const Polygon& side = solids_[spots[i].cell].sides[spots[i].side].points;
+            const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].portals.size());
+            const Polygon opening = roundOpening(side, random_);
+            add(spots[i].cell, opening, {PlannedPortal::kOutside, dat::kNoPortal});
+            plan_.exits.push_back({spots[i].cell, index});
+            exterior_.openings.push_back(opening);
+        }
+    }
+
+    void shell(std::uint32_t c) {
+        PlannedCell& cell = plan_.cells[c];
+        cell.eye = middleOf(solids_[c]);
+        cell.faces = facesOf(shells_[c]);
+        furnish(cell);
+    }
+
+    /// Things that hang in the middle of the cell, some in its openings.
+    void furnish(PlannedCell& cell) {
+        if (random_.chance(0.4)) {
+            const std::array<dat::RecordId, 6> things{props_.crate,  props_.rod,  props_.pole,
+                                                      props_.screen, props_.pane, props_.lamp};
+            cell.statics.push_back({things[random_.below(things.size())],
+                                    {cell.eye + Vec3(0.35, 0.2, -0.6), random_.between(0.0, 360.0)}});
+        }
+        for (const Face& face : cell.faces) {
+            const Vec3 n = planeOf(face.points).n;
+            // From one side only: two in the same place could not be told apart.
+            const bool isOurs = n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
+            if (face.portal && isOurs && random_.chance(0.16)) {
+                const bool upright = std::abs(n.z) > 0.7;
+                cell.statics.push_back(
+                    {upright ? props_.pole : props_.rod,
+                     {centroidOf(face.points), upright ? 0.0 : std::atan2(n.y, n.x) * 57.29577951308232}});
+            }
+        }
+    }
+
+    const Props& props_;
+    OpeningMix mix_;
+    Random random_;
+    Vec3 min_{0.0}, max_{0.0};
+    std::vector<Solid> solids_;
+    std::vector<Shell> shells_; ///< by cell
+    Shell exterior_;
+    CellsPlan plan_;
+};
+
+} // namespace
+
+WorldRecords buildComplex(const GeneratedSpec& spec) {
+    WorldRecords records;
+    addSmallMaterials(records);
+    ModelSink sink(records);
+    ShapeLibrary shapes(records);
+    const Props props = addProps(sink);
+    Random random(seedOf(spec));
+    const OpeningMix mix = mixOf(random);
+    const Land land(kBlock, 1, 1, mix.toGround ? kComplexGround : 0);
+    // Without land the block is a dungeon.
+    const Placement at{{96.0, 96.0, heightOfIndex(kComplexGround) + 0.125},
+                       mix.toGround ? random.between(0.0, 360.0) : 0.0};
+    CellsPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
+    WorldNotes notes;
+    const std::vector<PlannedCell> cells = plan.cells;
+    PlanWriter block(sink, shapes, kBlock);
+    const dat::RecordId first = block.add(std::move(plan), at);
+    if (mix.toGround) {
+        addRegion(sink, addPlants(sink));
+        const double away = 12.0 + std::cbrt(kVolume * spec.size);
+        notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
+                       blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);
+    }
+    const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostComplexPlaces);
+    for (std::size_t c = 0; c < cells.size(); c += step) {
+        const Vec3 target =
+            cells[c].portals.empty()
+                ? cells[c].eye + Vec3(1.0, 0.0, 0.0)
+                : centroidOf(std::find_if(cells[c].faces.begin(), cells[c].faces.end(), [](const Face& f) {
+                                 return f.portal;
+                             })->points);
+        notes.addPlace(fmt::format("cell.{}", c), blockToGlobal(kBlock, place(at, cells[c].eye)),
+                       blockToGlobal(kBlock, place(at, target)), first + static_cast<dat::RecordId>(c));
+    }
+    block.finish();
+    land.addTo(records);
+    records.worldFile = notes.take();
+    return records;
+}
+
+} // namespace limen::worlds

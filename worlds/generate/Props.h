@@ -1,0 +1,26 @@
+#pragma once
+
+#include "worlds/Models.h"
+#include "worlds/generate/Random.h"
+
+namespace limen::worlds {
+
+/// Things that stand in generated worlds; on z = 0 around their origin unless said otherwise.
+struct Props {
+    dat::RecordId crate = 0, pillar = 0;
+    dat::RecordId screen = 0; ///< a cut-out lattice, 1.2 m along x
+    dat::RecordId pane = 0;   ///< clear red glass, 1 × 1 m in the plane y = 0, around its origin
+    dat::RecordId rod = 0;    ///< 1.6 m along x, around its origin
+    dat::RecordId pole = 0;   ///< 1.6 m along z, around its origin
+    dat::RecordId fence = 0;  ///< 3 m along x, from the origin
+    dat::RecordId lamp = 0;   ///< a candle on the floor that lights its room
+};
+[[nodiscard]] Props addProps(ModelSink& sink);
+
+/// What stands on a floor: one of crate, pillar, screen, lamp.
+[[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
+
+/// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.
+[[nodiscard]] dat::RecordId addLeaf(ModelSink& sink, double width, double height, bool opaque);
+
+} // namespace limen::worlds

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "dat/Ids.h"
+#include "geometry/Vec.h"
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+namespace limen::worlds {
+
+/// Collects what `world.json` says (docs/world-file.md).
+class WorldNotes {
+public:
+    WorldNotes();
+
+    /// An eye at a global position that looks at another; `cell` 0 is outside.
+    void addPlace(const std::string& name, const Vec3& eye, const Vec3& target, dat::RecordId cell);
+
+    struct Leaf {
+        dat::RecordId model = 0;
+        Vec3 hinge{0.0};    ///< global
+        double yaw = 0.0;   ///< compass degrees of the leaf's +y when closed
+        double swing = 0.0; ///< degrees clockwise when open
+    };
+    struct Door {
+        dat::RecordId cell = 0;
+        std::uint16_t portal = 0;
+        bool opaque = true;
+        double open = 0.0;
+    };
+    void addDoor(const Door& door, std::span<const Leaf> leaves);
+    [[nodiscard]] std::size_t doorCount() const { return json_["doors"].size(); }
+    [[nodiscard]] std::size_t placeCount() const { return json_["places"].size(); }
+
+    [[nodiscard]] nlohmann::ordered_json take() { return std::move(json_); }
+
+private:
+    nlohmann::ordered_json json_;
+};
+
+} // namespace limen::worlds
