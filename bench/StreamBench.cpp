@@ -5,8 +5,8 @@
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
 
-#include "app/HeapTuning.h"
-#include "app/SessionStream.h"
+#include "engine/HeapTuning.h"
+#include "engine/SessionStream.h"
 #include "worlds/Demo.h"
 #include "worlds/Generated.h"
 #include "gpu/NullDevice.h"
@@ -47,7 +47,7 @@ struct Land {
     std::vector<dat::BlockCoord> blocks;
     Vec3 from{0.0}, to{0.0};
 
-    explicit Land(const app::WorldSource& source) {
+    explicit Land(const engine::WorldSource& source) {
         for (int x = 0; x < world::kMapSize; ++x) {
             for (int y = 0; y < world::kMapSize; ++y) {
                 const dat::BlockCoord block{x, y};
@@ -111,17 +111,17 @@ void giveBackFreeMemory() {
 #endif
 }
 
-Result<Flight> fly(const std::shared_ptr<const app::WorldSource>& source, const Land& land,
+Result<Flight> play::fly(const std::shared_ptr<const engine::WorldSource>& source, const Land& land,
                    gpu::Device& device) {
     giveBackFreeMemory();
-    app::SessionOptions options;
+    engine::SessionOptions options;
     options.load.radius = kNear;
     options.load.farRadius = kFar;
-    app::Session session(source, options, device);
+    engine::Session session(source, options, device);
     if (Result<void> loaded = session.load(world::blockAt(land.from)); !loaded)
         return tl::unexpected(loaded.error());
-    app::SessionStream stream(session);
-    app::FrameEye eye;
+    engine::SessionStream stream(session);
+    engine::FrameEye eye;
     eye.size = {64, 36};
     const Vec3 way = land.to - land.from;
     eye.camera.heading.yaw = glm::degrees(std::atan2(way.x, way.y));
@@ -178,12 +178,12 @@ void addRows(const std::string& scene, const Result<Flight>& flight, std::vector
 } // namespace
 
 std::vector<BenchRow> benchStream(AllocationCounter) {
-    app::tuneHeap(); // as in the viewer
+    engine::tuneHeap(); // as in the viewer
     const TemporaryDirectory builtIn("stream-built-in"), generated("stream-generated");
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory, bool whole,
                              const Result<void>& written, gpu::Device& device) {
-        Result<app::WorldSource> source = app::openWorldSource(directory.path().string());
+        Result<engine::WorldSource> source = engine::openWorldSource(directory.path().string());
         if (!written || !source) {
             addRows(scene, tl::unexpected(written ? source.error() : written.error()), rows);
             return;
@@ -191,7 +191,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
         Land land(*source);
         if (!whole)
             land.keepPart(source->file.places);
-        addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
+        addRows(scene, play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device), rows);
     };
     // The writers' memory is no part of a session's.
     const Result<void> world = inChildProcess([&] { return worlds::writeBuiltInWorld(builtIn.path()); });
@@ -208,16 +208,16 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
 }
 
 std::vector<BenchRow> benchStreamOver(const std::string& dat) {
-    app::tuneHeap();
+    engine::tuneHeap();
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, gpu::Device& device) {
-        Result<app::WorldSource> source = app::openWorldSource(dat);
+        Result<engine::WorldSource> source = engine::openWorldSource(dat);
         if (!source) {
             addRows(scene, tl::unexpected(source.error()), rows);
             return;
         }
         const Land land(*source);
-        addRows(scene, fly(std::make_shared<const app::WorldSource>(std::move(*source)), land, device), rows);
+        addRows(scene, play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device), rows);
     };
     measure(dat + ", null device", *std::make_unique<gpu::NullDevice>());
     if (const std::optional<HeadlessDriver> driver = openDriver())

@@ -8,7 +8,7 @@ namespace limen::bench {
 /// that draws, what of the near tier is missing, and how much memory there is. Takes two minutes.
 [[nodiscard]] std::vector<BenchRow> benchStream(AllocationCounter counter);
 
-/// The same over a data set of the user's, from the south-western end of what has ground to the north-eastern; `dat`: as app::openWorldSource
+/// The same over a data set of the user's, from the south-western end of what has ground to the north-eastern; `dat`: as engine::openWorldSource
 /// takes it. The retail map takes 23 minutes a device.
 [[nodiscard]] std::vector<BenchRow> benchStreamOver(const std::string& dat);
 

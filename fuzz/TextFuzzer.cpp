@@ -1,7 +1,7 @@
 #include "Check.h"
 
-#include "app/ShotRequest.h"
-#include "app/WalkRecord.h"
+#include "cli/ShotRequest.h"
+#include "play/WalkRecord.h"
 #include "world/Places.h"
 
 // Any text as what people may write by hand, or cut short: a world file, a recorded walk, a line of a views file. The first byte picks. What
@@ -16,14 +16,14 @@ void expectReason(const Result<T>& read) {
 }
 
 void checkWalk(const std::string& text) {
-    const Result<app::WalkRecord> walk = app::parseWalk(text, "walk");
+    const Result<play::WalkRecord> walk = play::parseWalk(text, "walk");
     expectReason(walk);
     if (!walk)
         return;
-    std::string again = app::beginningLine(walk->start);
-    for (const app::RecordedFrame& frame : walk->frames)
-        again += app::frameLine(frame);
-    const Result<app::WalkRecord> same = app::parseWalk(again, "walk");
+    std::string again = play::beginningLine(walk->start);
+    for (const play::RecordedFrame& frame : walk->frames)
+        again += play::frameLine(frame);
+    const Result<play::WalkRecord> same = play::parseWalk(again, "walk");
     FUZZ_CHECK(same.has_value() && same->start == walk->start && same->frames.size() == walk->frames.size());
 }
 
@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         checkWalk(text);
         break;
     default:
-        expectReason(app::parseView(text, "views:1"));
+        expectReason(cli::parseView(text, "views:1"));
     }
     return 0;
 }

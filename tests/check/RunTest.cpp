@@ -1,6 +1,6 @@
 #include "check/Run.h"
 
-#include "app/Camera.h"
+#include "engine/Camera.h"
 #include "check/House.h"
 
 #include <atomic>
@@ -37,7 +37,7 @@ struct TracingDrawer final : Drawer {
     void expect(dat::BlockCoord block) override { expected.push_back(block); }
     const world::DynamicState& dynamics() const override { return still; }
     reference::Camera cameraOf(const View& view, world::SpaceIndex root) override {
-        const app::CameraBasis axes = app::basisOf({view.yaw, view.pitch});
+        const engine::CameraBasis axes = engine::basisOf({view.yaw, view.pitch});
         reference::Camera camera{view.eye, axes.right, axes.up, axes.forward};
         camera.tanHalfY = std::tan(view.fov * 0.00872664625997165);
         camera.tanHalfX = camera.tanHalfY * view.width / view.height;
@@ -76,7 +76,7 @@ struct SmallRun {
     House house;
     TracingDrawer drawer{house};
     RunRequest request;
-    Progress progress;
+    cli::Progress progress;
 
     explicit SmallRun(std::size_t views = 60) {
         const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
@@ -283,9 +283,9 @@ TEST(Run, withoutAHelpersWorldTheDrawerDrawsAll) {
 
 TEST(Run, savesItsStateAtTheEnd) {
     SmallRun small(10);
-    Progress last;
+    cli::Progress last;
     RunEvents events;
-    events.saved = [&](const Progress& state) {
+    events.saved = [&](const cli::Progress& state) {
         last = state;
         return Result<void>{};
     };

@@ -1,6 +1,6 @@
 #include "check/Views.h"
 
-#include "app/ShotRequest.h"
+#include "cli/ShotRequest.h"
 #include "check/House.h"
 #include "check/Report.h"
 #include "motion/Locate.h"
@@ -182,20 +182,20 @@ TEST(Views, sweepsComeCloseFromBothSidesAndTouchThePlane) {
 }
 
 /// Calls `see` with what `limen shot` understands of a command.
-void readAsShot(const std::string& command, const std::function<void(const app::ViewRequest&)>& see) {
-    const auto words = app::splitArguments(command);
+void readAsShot(const std::string& command, const std::function<void(const cli::ViewRequest&)>& see) {
+    const auto words = cli::splitArguments(command);
     ASSERT_TRUE(words);
     ASSERT_EQ((*words)[0], "limen");
     ASSERT_EQ((*words)[1], "shot");
     CLI::App program;
-    app::ViewArguments arguments;
-    app::OutputPaths outputs;
-    app::addViewOptions(program, arguments);
-    app::addOutputOptions(program, outputs);
+    cli::ViewArguments arguments;
+    cli::OutputPaths outputs;
+    cli::addViewOptions(program, arguments);
+    cli::addOutputOptions(program, outputs);
     std::vector<std::string> rest(words->rbegin(), words->rend() - 2); // CLI11 takes them last first
     program.parse(rest);
     EXPECT_EQ(outputs.ids, "ids.npy");
-    const auto request = app::checkView(arguments);
+    const auto request = cli::checkView(arguments);
     ASSERT_TRUE(request) << request.error().message();
     see(*request);
 }
@@ -203,7 +203,7 @@ void readAsShot(const std::string& command, const std::function<void(const app::
 TEST(Views, theReproducingCommandGivesTheSameViewToTheBit) {
     const House house;
     for (const View& view : allViews(house.around())) {
-        readAsShot(shotCommand(view, ""), [&](const app::ViewRequest& request) {
+        readAsShot(shotCommand(view, ""), [&](const cli::ViewRequest& request) {
             ASSERT_TRUE(request.eye && request.yaw && request.pitch && request.root);
             EXPECT_EQ(*request.eye, view.eye);
             EXPECT_EQ(*request.yaw, view.yaw);
@@ -211,7 +211,7 @@ TEST(Views, theReproducingCommandGivesTheSameViewToTheBit) {
             EXPECT_EQ(request.fov, view.fov);
             EXPECT_EQ(request.size.width, view.width);
             EXPECT_EQ(request.size.height, view.height);
-            EXPECT_EQ(request.root->kind == app::RootChoice::Kind::Cell ? request.root->cell : 0, view.root);
+            EXPECT_EQ(request.root->kind == cli::RootChoice::Kind::Cell ? request.root->cell : 0, view.root);
         });
     }
 }

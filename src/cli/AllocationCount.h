@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace limen::cli {
+
+/// How many heap allocations this program has made through `new`; 0 in sanitizer builds, where nobody counts.
+[[nodiscard]] std::uint64_t allocationCount();
+
+} // namespace limen::cli

@@ -1,0 +1,62 @@
+#include "cli/Console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace limen::cli {
+namespace {
+
+void write(std::FILE* file, std::string_view text) {
+    // A failure shows in ferror, which flush() asks at the end.
+    (void)std::fwrite(text.data(), 1, text.size(), file);
+}
+
+} // namespace
+
+void Console::data(std::string_view text) const {
+    write(out_, text);
+}
+
+void Console::note(std::string_view text) const {
+    write(err_, fmt::format("{}\n", text));
+}
+
+void Console::error(const Error& error) const {
+    std::string line = fmt::format("limen: {}", error.message());
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+            c = ' ';
+    note(line);
+}
+
+bool Console::flush() const {
+    return std::fflush(out_) == 0 && std::ferror(out_) == 0;
+}
+
+bool Console::isTerminal() const {
+    return ::isatty(::fileno(err_)) == 1;
+}
+
+Progress::Progress(const Console& console, std::string_view what, std::size_t total)
+    : console_(console), what_(what), total_(total) {}
+
+Progress::~Progress() {
+    if (shown_)
+        write(console_.err(), "\r\x1b[K"); // the bar leaves no trace
+}
+
+void Progress::step(std::size_t done) {
+    const Clock::time_point now = Clock::now();
+    const bool due = now - start_ > std::chrono::seconds(1) && now - drawn_ > std::chrono::milliseconds(100);
+    if (!due || total_ == 0 || !console_.isTerminal())
+        return;
+    constexpr std::size_t kWidth = 30;
+    const std::size_t filled = kWidth * std::min(done, total_) / total_;
+    write(console_.err(), fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{}", what_, "", filled, "",
+                                      kWidth - filled, done, total_));
+    (void)std::fflush(console_.err());
+    drawn_ = now;
+    shown_ = true;
+}
+
+} // namespace limen::cli

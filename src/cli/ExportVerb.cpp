@@ -1,0 +1,205 @@
+#include "cli/DatFiles.h"
+#include "output/Gltf.h"
+#include "output/OutputFile.h"
+#include "cli/Parse.h"
+#include "dat/Describe.h"
+#include "world/Loader.h"
+#include "world/Single.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace limen::cli {
+namespace {
+
+enum class Format { Natural, Json, Png, Gltf, Raw };
+
+struct ExportArguments {
+    std::string dat, directory = ".";
+    std::vector<std::string> ids;
+    Format format = Format::Natural;
+};
+
+struct Exported {
+    std::string extension, bytes;
+};
+
+/// An id that both files may have: of the portal if it has it.
+const dat::File& fileOf(const dat::Archive& archive, dat::RecordId id) {
+    for (const dat::File* file : {&archive.portal(), archive.highres()}) {
+        if (file == nullptr)
+            continue;
+        const auto entry = file->find(id);
+        if (entry && *entry)
+            return *file;
+    }
+    return archive.cell();
+}
+
+Format naturalOf(dat::RecordKind kind) {
+    switch (kind) {
+    case dat::RecordKind::Surface:
+    case dat::RecordKind::SurfaceTexture:
+    case dat::RecordKind::RenderSurface:
+        return Format::Png;
+    case dat::RecordKind::GfxObj:
+    case dat::RecordKind::Setup:
+    case dat::RecordKind::EnvCell:
+    case dat::RecordKind::LandBlockInfo:
+        return Format::Gltf;
+    default:
+        return Format::Json;
+    }
+}
+
+Result<Exported> asJson(const dat::File& file, dat::RecordId id) {
+    dat::Bytes scratch;
+    const Result<dat::ByteView> payload = file.read(id, scratch);
+    if (!payload)
+        return tl::unexpected(payload.error());
+    const Result<std::string> text = dat::describe(file.role(), id, *payload);
+    if (!text)
+        return tl::unexpected(text.error());
+    return Exported{"json", *text};
+}
+
+/// As `limen dat pack` takes it.
+Result<Exported> asBytes(const dat::File& file, dat::RecordId id) {
+    dat::Bytes scratch;
+    return file.read(id, scratch).map([](dat::ByteView payload) {
+        return Exported{"bin", std::string(reinterpret_cast<const char*>(payload.data()), payload.size())};
+    });
+}
+
+Result<Exported> asPng(const dat::Archive& archive, dat::RecordId id) {
+    const Result<world::Image> image = world::loadPicture(archive, id);
+    if (!image)
+        return tl::unexpected(image.error());
+    const Result<std::vector<std::byte>> png = output::encodePng(image->width, image->height, image->rgba);
+    if (!png)
+        return tl::unexpected(png.error());
+    return Exported{"png", std::string(reinterpret_cast<const char*>(png->data()), png->size())};
+}
+
+/// A cell with what stands in it, or a landblock without its ground.
+Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat::RecordKind kind) {
+    const Result<world::World> world = world::loadWorld(
+        archive, dat::blockOf(id),
+        {.radius = 0, .detail = std::numeric_limits<double>::infinity()}); // the nearest of all levels
+    if (!world)
+        return tl::unexpected(world.error());
+    const world::SpaceIndex cell =
+        kind == dat::RecordKind::EnvCell ? world::findCell(*world, id) : world::kNone;
+    if (kind == dat::RecordKind::EnvCell && cell == world::kNone)
+        return fail(ErrorCode::NotFound, hexId(id), "the cell cannot be read");
+    std::vector<world::InstanceIndex> instances;
+    for (world::InstanceIndex i = 0; i < world->instances.size(); ++i)
+        if (cell == world::kNone || world->instances[i].placedIn == cell)
+            instances.push_back(i);
+    const Result<std::string> bytes = output::encodeGlb(*world, instances, world->blocks.front().origin());
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    return Exported{"glb", *bytes};
+}
+
+Result<Exported> asGltf(const dat::Archive& archive, dat::RecordId id, dat::RecordKind kind) {
+    switch (kind) {
+    case dat::RecordKind::EnvCell:
+    case dat::RecordKind::LandBlockInfo:
+        return placesAsGltf(archive, id, kind);
+    case dat::RecordKind::GfxObj:
+    case dat::RecordKind::Setup:
+        break;
+    default:
+        return fail(ErrorCode::BadArgument, hexId(id),
+                    fmt::format("a {} has no shape to write as glTF", dat::nameOf(kind)));
+    }
+    const Result<world::World> world = world::loadModel(archive, id);
+    if (!world)
+        return tl::unexpected(world.error());
+    std::vector<world::InstanceIndex> instances(world->instances.size());
+    std::iota(instances.begin(), instances.end(), 0u);
+    const Result<std::string> bytes = output::encodeGlb(*world, instances, world->blocks.front().origin());
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    return Exported{"glb", *bytes};
+}
+
+Result<Exported> exported(const dat::Archive& archive, dat::RecordId id, Format wanted) {
+    const dat::File& file = fileOf(archive, id);
+    const dat::RecordKind kind = dat::kindOf(file.role(), id);
+    switch (wanted == Format::Natural ? naturalOf(kind) : wanted) {
+    case Format::Png:
+        return asPng(archive, id);
+    case Format::Gltf:
+        return asGltf(archive, id, kind);
+    case Format::Raw:
+        return asBytes(file, id);
+    case Format::Json:
+    case Format::Natural:
+        break;
+    }
+    return asJson(file, id);
+}
+
+Result<Exit> runExport(const ExportArguments& arguments, const Console& console) {
+    std::vector<dat::RecordId> ids;
+    for (const std::string& text : arguments.ids) {
+        const Result<dat::RecordId> id = parseRecordId("ID", text);
+        if (!id)
+            return tl::unexpected(id.error());
+        ids.push_back(*id);
+    }
+    const Result<engine::WorldSource> source = engine::openWorldSource(arguments.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    if (Result<void> made = output::makeDirectory(arguments.directory); !made)
+        return tl::unexpected(made.error());
+    for (const dat::RecordId id : ids) {
+        const Result<Exported> out = exported(source->archive, id, arguments.format);
+        if (!out)
+            return tl::unexpected(out.error());
+        const std::filesystem::path path =
+            std::filesystem::path(arguments.directory) / fmt::format("{:08X}.{}", id, out->extension);
+        if (Result<void> written = output::writeFile(path, std::string_view(out->bytes)); !written)
+            return tl::unexpected(written.error());
+        console.data(path.string() + "\n");
+    }
+    return Exit::Done;
+}
+
+} // namespace
+
+void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
+    const auto arguments = std::make_shared<ExportArguments>();
+    CLI::App* verb = dat.add_subcommand("export", "writes records as PNG, glTF, JSON or bytes");
+    verb->add_option("ID", arguments->ids, "records' ids in hexadecimal, e.g. 0x0200001A")
+        ->required()
+        ->type_name("");
+    verb->add_option("--dat", arguments->dat, "a directory of dat files; the built-in world unless said")
+        ->type_name("DIR");
+    verb->add_option("-o", arguments->directory, "the directory to write to, made if it is missing (.)")
+        ->type_name("DIR");
+    verb->add_option_function<std::string>(
+            "--as",
+            [arguments](const std::string& text) {
+                arguments->format = text == "json"  ? Format::Json
+                                    : text == "png" ? Format::Png
+                                    : text == "raw" ? Format::Raw
+                                                    : Format::Gltf;
+            },
+            "how (pictures as PNG; models, cells and landblocks as binary glTF; the rest as JSON); raw: its "
+            "bytes, for limen "
+            "dat pack")
+        ->type_name("png|gltf|json|raw")
+        ->check(CLI::IsMember({"png", "gltf", "json", "raw"}));
+    verb->footer("Each becomes a file named by its id; the names are printed. A cell comes with what stands "
+                 "in it, a landblock "
+                 "(0xXXYYFFFE) without its ground.");
+    verb->callback([&console, &choice, arguments] {
+        choice.run = [&console, arguments] { return runExport(*arguments, console); };
+    });
+}
+
+} // namespace limen::cli

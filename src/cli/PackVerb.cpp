@@ -1,0 +1,189 @@
+#include "cli/DatFiles.h"
+#include "output/OutputFile.h"
+#include "cli/Parse.h"
+#include "dat/Describe.h"
+#include "dat/Writer.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+
+namespace limen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackArguments {
+    std::vector<std::string> inputs, without;
+    std::string output, base, role;
+};
+
+constexpr const char* kExtension = ".bin";
+constexpr std::size_t kLargestRecord = std::size_t{1} << 28;
+
+/// What a file is to be.
+struct Target {
+    dat::FileRole role = dat::FileRole::Portal;
+    dat::FileTraits traits;
+};
+
+Result<Target> targetNamed(const std::string& role) {
+    for (const Target& target : {Target{dat::FileRole::Portal, dat::FileTraits::portal()},
+                                 Target{dat::FileRole::Cell, dat::FileTraits::cell()},
+                                 Target{dat::FileRole::Highres, dat::FileTraits::highres()},
+                                 Target{dat::FileRole::Local, dat::FileTraits::local()}})
+        if (role == nameOfRole(target.role))
+            return target;
+    return fail(ErrorCode::BadArgument, "--role",
+                "say what file it is to be, or which one it is based on (--base)");
+}
+
+/// The same as a file that there is.
+Target targetLike(const dat::File& file) {
+    const dat::Header& header = file.header();
+    return {file.role(),
+            {header.blockSize, header.type, header.subset, header.engineVersion, header.gameVersion,
+             header.minorVersion}};
+}
+
+/// Files that are records, in the order of their names.
+Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
+    std::vector<fs::path> files;
+    for (const std::string& input : inputs) {
+        std::error_code error;
+        if (!fs::is_directory(input, error)) {
+            files.emplace_back(input);
+            continue;
+        }
+        const std::size_t before = files.size();
+        for (fs::directory_iterator entry(input, error), end; !error && entry != end; entry.increment(error))
+            if (entry->path().extension() == kExtension)
+                files.push_back(entry->path());
+        if (error)
+            return fail(ErrorCode::NotFound, input, error.message());
+        if (files.size() == before)
+            return fail(ErrorCode::NotFound, input, "holds no records: files like 0200001A.bin");
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Result<dat::RecordId> idOf(const fs::path& file) {
+    const Result<dat::RecordId> id = parseRecordId(file.string(), file.stem().string());
+    if (!id || file.extension() != kExtension)
+        return fail(ErrorCode::BadArgument, file.string(),
+                    "is not named by a record's id, as 0200001A.bin is");
+    return *id;
+}
+
+/// Puts a file's records with those that are there. Errors: one that is no such record.
+Result<void> addFile(const fs::path& file, dat::FileRole role, dat::Writer& writer) {
+    const Result<dat::RecordId> id = idOf(file);
+    if (!id)
+        return tl::unexpected(id.error());
+    const Result<std::string> text = output::readTextFile(file, kLargestRecord); // of bytes, whatever they are
+    if (!text)
+        return tl::unexpected(text.error());
+    const auto* begin = reinterpret_cast<const std::byte*>(text->data());
+    dat::Bytes payload(begin, begin + text->size());
+    if (const Result<std::string> decoded = dat::describe(role, *id, payload); !decoded)
+        return fail(decoded.error().code, file.string(), decoded.error().message());
+    writer.add(*id, std::move(payload));
+    return {};
+}
+
+/// Takes over what a file holds, as it is stored.
+Result<void> addBase(const dat::File& base, const std::vector<dat::RecordId>& without, dat::Writer& writer) {
+    Result<void> added;
+    dat::Bytes scratch;
+    const Result<void> walked = base.forEach([&](const dat::Entry& entry) {
+        if (std::find(without.begin(), without.end(), entry.id) != without.end())
+            return true;
+        const Result<dat::ByteView> payload = base.read(entry, scratch);
+        if (!payload) {
+            added = tl::unexpected(payload.error());
+            return false;
+        }
+        constexpr std::uint16_t kCompressed = 1;
+        writer.add(entry.id, dat::Bytes(payload->begin(), payload->end()), (entry.flags & kCompressed) != 0);
+        return true;
+    });
+    return walked ? added : walked;
+}
+
+Result<std::vector<dat::RecordId>> idsOf(const std::vector<std::string>& texts) {
+    std::vector<dat::RecordId> ids;
+    for (const std::string& text : texts) {
+        const Result<dat::RecordId> id = parseRecordId("--without", text);
+        if (!id)
+            return tl::unexpected(id.error());
+        ids.push_back(*id);
+    }
+    return ids;
+}
+
+Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
+    if (Result<void> writable = output::checkWritable(arguments.output); !writable)
+        return tl::unexpected(writable.error());
+    const Result<std::vector<fs::path>> files = filesOf(arguments.inputs);
+    const Result<std::vector<dat::RecordId>> without = idsOf(arguments.without);
+    if (!files || !without)
+        return tl::unexpected(files ? without.error() : files.error());
+    std::optional<dat::File> base;
+    if (!arguments.base.empty()) {
+        Result<dat::File> opened = dat::File::open(arguments.base);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        base = std::move(*opened);
+    }
+    const Result<Target> target = base ? Result<Target>(targetLike(*base)) : targetNamed(arguments.role);
+    if (!target)
+        return tl::unexpected(target.error());
+    dat::Writer writer(target->traits);
+    if (base) {
+        if (Result<void> added = addBase(*base, *without, writer); !added)
+            return tl::unexpected(added.error());
+    }
+    Progress progress(console, "pack", files->size());
+    for (std::size_t i = 0; i < files->size(); ++i) {
+        if (Result<void> added = addFile((*files)[i], target->role, writer); !added)
+            return tl::unexpected(added.error());
+        progress.step(i + 1);
+    }
+    base.reset(); // it may be what is written over
+    if (Result<void> written = writer.write(arguments.output); !written)
+        return tl::unexpected(written.error());
+    console.note(fmt::format("{}: a {} file", arguments.output, nameOfRole(target->role)));
+    return Exit::Done;
+}
+
+} // namespace
+
+void addPackVerb(CLI::App& dat, const Console& console, Choice& choice) {
+    const auto arguments = std::make_shared<PackArguments>();
+    CLI::App* verb = dat.add_subcommand("pack", "writes a dat file from records");
+    verb->add_option(
+            "INPUT", arguments->inputs,
+            "files named by their ids, 0200001A.bin (limen dat export --as raw), or directories of them")
+        ->type_name("");
+    verb->add_option("-o,--output", arguments->output, "the dat file to write")
+        ->required()
+        ->type_name("FILE");
+    CLI::Option* base =
+        verb->add_option("--base", arguments->base,
+                         "a dat file whose records are taken over, but for those that are given")
+            ->type_name("FILE");
+    verb->add_option("--role", arguments->role, "what file it is to be")
+        ->check(CLI::IsMember({"portal", "cell", "highres", "local"}))
+        ->excludes(base);
+    verb->add_option("--without", arguments->without, "records of the base that are left out")
+        ->type_name("ID")
+        ->needs(base);
+    verb->footer("What is no such record is refused. limen dat verify tells whether all fits together.");
+    verb->callback([&console, &choice, arguments] {
+        choice.run = [&console, arguments] { return runPack(*arguments, console); };
+    });
+}
+
+} // namespace limen::cli

@@ -1,0 +1,128 @@
+#include "play/FrameSource.h"
+#include "output/OutputFile.h"
+#include "output/Picture.h"
+#include "cli/Verbs.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace limen::cli {
+namespace {
+
+struct TourOptions {
+    engine::SessionOptions session;
+    play::PathArguments path;
+    std::string directory;
+    bool json = false;
+};
+
+constexpr std::size_t kTourFrames = 120; // unless said
+constexpr std::size_t kSheetTiles = 24;
+
+/// One line of `--json`.
+std::string statsLine(const engine::Session& session, const engine::FrameEye& eye, std::size_t frame) {
+    const engine::FrameFigures figures = session.figures();
+    const auto number = [](double v) {
+        return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
+    };
+    nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+    for (const engine::StageFigures& stage : figures.stages)
+        stages[stage.name] = {
+            {"draws", stage.draws}, {"cpu_ms", number(stage.cpuMs)}, {"gpu_ms", number(stage.gpuMs)}};
+    const nlohmann::ordered_json line{
+        {"frame", frame},
+        {"root", engine::spaceName(session.loaded().world, eye.root)},
+        {"visits", session.visible().visits.size()},
+        {"cells", engine::cellsSeen(session.loaded().world, session.visible()).size()},
+        {"drawn", session.plan().counts.instancesDrawn},
+        {"gl_calls", figures.glCalls},
+        {"flood_ms", number(figures.floodMs)},
+        {"plan_ms", number(figures.planMs)},
+        {"submit_ms", number(figures.submitMs)},
+        {"stages", std::move(stages)},
+        {"command", engine::reproduction(session.loaded().world, eye, session.source().datOption)}};
+    return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, const TourOptions& options,
+                        const Console& console) {
+    const std::size_t count = frames.count();
+    const std::filesystem::path directory = options.directory;
+    output::ContactSheet sheet(count, kSheetTiles, 6, 320);
+    Progress progress(console, "tour", count);
+    for (std::size_t frame = 0; frame < count; ++frame) {
+        const Result<const engine::FrameEye*> next = frames.next();
+        if (!next)
+            return tl::unexpected(next.error());
+        const engine::FrameEye& eye = **next;
+        if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
+            return drawn;
+        const output::Picture picture =
+            output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
+        if (Result<void> written = output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
+            !written)
+            return written;
+        if (sheet.wants(frame))
+            sheet.add(picture, fmt::format("{} {}", frame, engine::spaceName(session.loaded().world, eye.root)));
+        if (options.json)
+            console.data(statsLine(session, eye, frame));
+        progress.step(frame + 1);
+    }
+    return output::writePicture(directory / "contact.png", sheet.compose());
+}
+
+Result<engine::HeadlessSession> openTour(const TourOptions& options, std::optional<play::FramesRequest>& request) {
+    if (Result<void> made = output::makeDirectory(options.directory); !made)
+        return tl::unexpected(made.error());
+    if (Result<void> writable = output::checkWritable(std::filesystem::path(options.directory) / "contact.png");
+        !writable)
+        return tl::unexpected(writable.error());
+    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    Result<play::FramesRequest> checked = play::checkFrames(options.path, kTourFrames, source->file);
+    if (!checked)
+        return tl::unexpected(checked.error());
+    request = std::move(*checked);
+    return engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
+}
+
+Result<Exit> runTour(const TourOptions& options, const Console& console) {
+    std::optional<play::FramesRequest> request;
+    Result<engine::HeadlessSession> headless = openTour(options, request);
+    if (!headless)
+        return tl::unexpected(headless.error());
+    engine::Session& session = *headless->session;
+    const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
+    if (!frames)
+        return tl::unexpected(frames.error());
+    if (const std::string findings = engine::findingsLine(session.loaded().world); !findings.empty())
+        console.note(findings);
+    if (Result<void> drawn = drawFrames(session, **frames, options, console); !drawn)
+        return tl::unexpected(drawn.error());
+    if (const std::string difference = play::differenceLine(**frames); !difference.empty())
+        console.note(difference);
+    console.note(fmt::format("The frames and contact.png are in {}", options.directory));
+    return Exit::Done;
+}
+
+} // namespace
+
+void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb = program.add_subcommand("tour", "walks a camera path and writes its frames");
+    const auto options = std::make_shared<TourOptions>();
+    verb->add_option("-o,--output", options->directory,
+                     "the directory for frame-NNNNN.png and contact.png; made if it is missing")
+        ->required()
+        ->type_name("DIR");
+    play::addPathOptions(*verb, options->path, kTourFrames);
+    verb->add_flag("--json", options->json, "one JSON object for each frame on standard output");
+    engine::addSessionOptions(*verb, options->session);
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runTour(*options, console); };
+    });
+}
+
+} // namespace limen::cli

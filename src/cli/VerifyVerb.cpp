@@ -1,0 +1,126 @@
+#include "cli/DatFiles.h"
+#include "cli/Parse.h"
+#include "dat/Verify.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace limen::cli {
+namespace {
+
+struct VerifyArguments {
+    std::string path;
+    std::size_t most = 50;
+    bool json = false;
+};
+
+/// What was read, kind by kind.
+struct KindLine {
+    const char* name = "";
+    dat::VerifyReport::Sum sum;
+};
+std::vector<KindLine> linesOf(const dat::VerifyReport& report) {
+    std::vector<KindLine> lines;
+    for (std::size_t i = 0; i < report.byKind.size(); ++i)
+        if (report.byKind[i].records > 0)
+            lines.push_back({dat::nameOf(static_cast<dat::RecordKind>(i)), report.byKind[i]});
+    return lines;
+}
+
+std::string jsonOf(const dat::VerifyReport& report, double seconds) {
+    nlohmann::ordered_json kinds = nlohmann::ordered_json::object();
+    std::uint64_t records = 0, bytes = 0;
+    for (const KindLine& line : linesOf(report)) {
+        kinds[line.name] = {{"records", line.sum.records}, {"bytes", line.sum.bytes}};
+        records += line.sum.records;
+        bytes += line.sum.bytes;
+    }
+    nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+    for (const dat::Fault& fault : report.faults) {
+        faults.push_back({{"file", nameOfRole(fault.role)},
+                          {"id", hexId(fault.id)},
+                          {"type", dat::nameOf(dat::kindOf(fault.role, fault.id))},
+                          {"fault", dat::nameOf(fault.kind)},
+                          {"what", fault.what}});
+    }
+    const auto count = [&](dat::Fault::Kind kind) {
+        return report.faultCounts[static_cast<std::size_t>(kind)];
+    };
+    const nlohmann::ordered_json json{{"records", records},
+                                      {"bytes", bytes},
+                                      {"seconds", seconds},
+                                      {"unreadable", count(dat::Fault::Kind::Unreadable)},
+                                      {"changed", count(dat::Fault::Kind::Changed)},
+                                      {"unresolved", count(dat::Fault::Kind::Unresolved)},
+                                      {"warnings", report.warnings},
+                                      {"kinds", kinds},
+                                      {"faults", faults}};
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string textOf(const dat::VerifyReport& report) {
+    std::string text;
+    for (const KindLine& line : linesOf(report))
+        text +=
+            fmt::format("{:<18} {:>9} records {:>13} bytes\n", line.name, line.sum.records, line.sum.bytes);
+    for (const dat::Fault& fault : report.faults) {
+        text += fmt::format("{} {} {}: {}\n", nameOfRole(fault.role),
+                            dat::nameOf(dat::kindOf(fault.role, fault.id)), hexId(fault.id), fault.what);
+    }
+    const auto& counts = report.faultCounts;
+    const std::uint64_t all = counts[0] + counts[1] + counts[2];
+    if (all > report.faults.size())
+        text += fmt::format("... and {} more\n", all - report.faults.size());
+    text += fmt::format("{} unreadable, {} changed, {} unresolved\n", counts[0], counts[1], counts[2]);
+    return text;
+}
+
+Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console) {
+    const Result<DatFiles> files = openDatFiles(arguments.path);
+    if (!files)
+        return tl::unexpected(files.error());
+    std::optional<Progress> progress;
+    dat::VerifyOptions options;
+    options.mostFaults = arguments.most;
+    options.progress = [&](std::size_t total, std::size_t done) {
+        if (!progress)
+            progress.emplace(console, "verify", total);
+        if (done % 256 == 0)
+            progress->step(done);
+    };
+    const auto start = std::chrono::steady_clock::now();
+    dat::VerifyReport report = dat::verify(files->list, options);
+    progress.reset();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (const dat::File* file : files->list)
+        for (const std::string& warning : file->warnings())
+            report.warnings.push_back(fmt::format("{}: {}", file->name(), warning));
+    console.data(arguments.json ? jsonOf(report, seconds) : textOf(report));
+    for (const std::string& warning : report.warnings)
+        console.note(fmt::format("limen: {}", warning));
+    return report.isClean() ? Exit::Done : Exit::Finding;
+}
+
+} // namespace
+
+void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice) {
+    const auto arguments = std::make_shared<VerifyArguments>();
+    CLI::App* verb = dat.add_subcommand(
+        "verify", "reads every record, writes it again in memory and looks up whatever it names");
+    verb->add_option("PATH", arguments->path, "a dat file or a directory; the built-in world unless said")
+        ->type_name("");
+    verb->add_option("--most", arguments->most, "faults that are printed (50); all are counted")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
+    verb->add_flag("--json", arguments->json, "one JSON object");
+    verb->footer("Exit 1 if anything is not as it should be. A single file is not blamed for what another "
+                 "would hold.");
+    verb->callback([&console, &choice, arguments] {
+        choice.run = [&console, arguments] { return runVerify(*arguments, console); };
+    });
+}
+
+} // namespace limen::cli

@@ -1,0 +1,229 @@
+#include "engine/DecisionHash.h"
+#include "engine/HeapTuning.h"
+#include "output/OutputFile.h"
+#include "cli/ShotRequest.h"
+#include "cli/Verbs.h"
+#include "engine/ViewOfEye.h"
+#include "viewer/ViewerState.h"
+#include "play/WalkRecord.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <utility>
+
+namespace limen::cli {
+namespace {
+
+struct ViewOptions {
+    engine::SessionOptions session;
+    ViewArguments view;
+    std::string frames, step, screenshot, screenshots, record, keys;
+    bool json = false, tell = false, play::fly = false, chase = false;
+};
+
+/// Where and how the window opens.
+struct Opening {
+    ViewRequest view;
+    engine::Viewpoint stand;
+};
+
+/// As the options say; without a position where the world begins (firstPlace).
+Result<Opening> openingOf(const ViewOptions& options, const world::WorldFile& file) {
+    ViewArguments arguments = options.view;
+    const bool nowhere = arguments.eye.empty() && arguments.at.empty();
+    const world::Place* place = nowhere ? engine::firstPlace(file) : nullptr;
+    if (nowhere && place == nullptr)
+        return fail(ErrorCode::BadArgument, "--eye",
+                    "this world's world.json names no place to begin at; give --eye X,Y,Z or --at PLACE");
+    if (nowhere)
+        arguments.eye = "0,0,0"; // stands for the place while the rest is checked
+    Result<ViewRequest> view = checkView(arguments);
+    if (!view)
+        return tl::unexpected(view.error());
+    Result<engine::Viewpoint> stand = nowhere ? engine::viewpointAt(*place) : engine::viewpointOf(*view, file);
+    if (!stand)
+        return tl::unexpected(stand.error());
+    stand->camera.fovDegrees = view->fov;
+    return Opening{std::move(*view), std::move(*stand)};
+}
+
+/// Of the file that was named, or the one in the user's configuration, if that is there.
+Result<viewer::ViewerKeys> keysOf(const ViewOptions& options) {
+    const bool isNamed = !options.keys.empty();
+    std::filesystem::path file = isNamed ? std::filesystem::path(options.keys) : viewer::keysPath();
+    return viewer::readKeyBindings(file, isNamed).map([&](viewer::KeyBindings bindings) {
+        return viewer::ViewerKeys{std::move(bindings), std::move(file)};
+    });
+}
+
+/// How the window's frames go on.
+struct Script {
+    std::size_t frames = 0; ///< leaves after so many; 0: when somebody does
+    double step = 0.0;      ///< seconds that each takes; 0: what the clock says
+    viewer::ViewerKeys keys;
+};
+
+Result<Script> scriptOf(const ViewOptions& options) {
+    constexpr double kStep = 1.0 / 60.0; // with --frames the result must not depend on the machine's speed
+    Script script;
+    if (!options.frames.empty()) {
+        const Result<double> frames = parseNumberBetween("--frames", options.frames, 1.0, 1e9);
+        if (!frames)
+            return tl::unexpected(frames.error());
+        script.frames = static_cast<std::size_t>(*frames);
+        script.step = kStep;
+    }
+    if (!options.step.empty()) {
+        const Result<double> step = parseNumberBetween("--step", options.step, 0.001, 1.0);
+        if (!step)
+            return tl::unexpected(step.error());
+        script.step = *step;
+    }
+    if (!options.screenshot.empty() && script.frames == 0)
+        return fail(ErrorCode::BadArgument, "--screenshot",
+                    "is taken of the last frame; give --frames N as well");
+    Result<viewer::ViewerKeys> keys = keysOf(options);
+    if (!keys)
+        return tl::unexpected(keys.error());
+    script.keys = std::move(*keys);
+    return script;
+}
+
+Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session& session, const engine::FrameEye& start,
+                  Script script, const ViewOptions& options, const Console& console) {
+    viewer::Viewer viewer(window, device, session, start, std::move(script.keys), options.screenshots);
+    if (!options.fly)
+        viewer.act({play::PlayAct::Kind::Walk});
+    if (options.chase)
+        viewer.act({play::PlayAct::Kind::Chase});
+    std::size_t frames = 0;
+    std::string record =
+        play::beginningLine(check::shotOptions(engine::viewOf(start, session.loaded().world)), session.options().load);
+    while (!viewer.isLeaving() && !window.isLost() && (script.frames == 0 || frames < script.frames)) {
+        if (script.frames == 0 && !window.isShown()) {
+            viewer.rest();
+            continue;
+        }
+        if (Result<void> drawn = viewer.frame(script.step); !drawn)
+            return tl::unexpected(drawn.error());
+        ++frames;
+        if (!options.record.empty())
+            record +=
+                play::frameLine({viewer.input(), engine::decisionHash(viewer.eye(), session.visible(), session.dynamics()),
+                           viewer.stream().shown(), viewer.stream().hasRefused()});
+        if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
+            console.note("limen: what is near cannot be loaded: " + fault);
+        if (!viewer.probed().empty())
+            console.data(viewer.probed());
+        if (frames == script.frames && !options.screenshot.empty()) {
+            if (Result<void> written = output::writePicture(options.screenshot, window.read()); !written)
+                return tl::unexpected(written.error());
+        }
+        window.show();
+        if (options.tell) {
+            console.data(viewer::stateJson(session, viewer, frames));
+            (void)console.flush();
+        }
+    }
+    if (!options.record.empty()) {
+        if (Result<void> written = output::writeFile(options.record, record); !written)
+            return tl::unexpected(written.error());
+    }
+    if (window.isLost())
+        return fail(ErrorCode::Driver, "view", "the display has gone away");
+    if (options.json)
+        console.data(viewer::stateJson(session, viewer, frames));
+    return Exit::Done;
+}
+
+Result<Exit> runView(const ViewOptions& options, const Console& console) {
+    engine::tuneHeap();
+    Result<Script> script = scriptOf(options);
+    if (!script)
+        return tl::unexpected(script.error());
+    for (const std::string& output : {options.screenshot, options.record})
+        if (Result<void> writable = output.empty() ? Result<void>{} : output::checkWritable(output); !writable)
+            return tl::unexpected(writable.error());
+    if (Result<void> made = options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
+        !made)
+        return tl::unexpected(made.error());
+    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    const Result<Opening> opening = openingOf(options, source->file);
+    if (!opening)
+        return tl::unexpected(opening.error());
+    const Result<std::unique_ptr<viewer::Window>> window = viewer::Window::open("Limen", opening->view.size);
+    if (!window)
+        return tl::unexpected(window.error());
+    const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
+    if (!device)
+        return tl::unexpected(device.error());
+    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session, **device);
+    if (Result<void> loaded = session.load(opening->stand.centre); !loaded)
+        return tl::unexpected(loaded.error());
+    Result<engine::FrameEye> start = engine::placeEye(session.loaded(), opening->stand, opening->view.size);
+    if (!start)
+        return tl::unexpected(start.error());
+    if (Result<void> applied = engine::applyDynamics(session.loaded(), session.source().file, opening->view, *start);
+        !applied)
+        return tl::unexpected(applied.error());
+    return loop(**window, **device, session, *start, std::move(*script), options, console);
+}
+
+/// The keys as they are without a file.
+std::string keysFooter() {
+    std::string text = "What keys do, with the names for --keys:\n";
+    for (const viewer::HelpLine& line : viewer::helpLines(viewer::KeyBindings()))
+        text += fmt::format("  {:<24}{:<12}{}\n", line.keys, line.action ? viewer::factsOf(*line.action).name : "",
+                            line.does);
+    return text;
+}
+
+} // namespace
+
+void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb = program.add_subcommand("view", "opens a window to walk through a world");
+    const auto options = std::make_shared<ViewOptions>();
+    options->session.load.farRadius = 12;
+    addViewOptions(*verb, options->view);
+    verb->add_option("--frames", options->frames, "leaves after N frames, for scripts")
+        ->type_name("N")
+        ->group("Scripts");
+    verb->add_option("--step", options->step,
+                     "every frame takes so long, however long it takes (default: what the clock says; with "
+                     "--frames 1/60)")
+        ->type_name("SECONDS")
+        ->group("Scripts");
+    verb->add_option("--screenshots", options->screenshots,
+                     "directory for the pictures that a key keeps (default: the current one)")
+        ->type_name("DIR")
+        ->group("View");
+    verb->add_option("--screenshot", options->screenshot, "the window's last frame, PNG")
+        ->type_name("FILE")
+        ->group("Scripts");
+    verb->add_option("--record", options->record,
+                     "what was done in each frame, for the --walk of tour, probe and check")
+        ->type_name("FILE")
+        ->group("Scripts");
+    verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");
+    verb->add_flag("--chase", options->chase, "begins with the eye behind the body; C changes that")
+        ->group("View")
+        ->excludes("--fly");
+    verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
+    verb->add_flag("--tell", options->tell, "prints the same after every frame, a line each")
+        ->group("Scripts");
+    engine::addSessionOptions(*verb, options->session);
+    verb->add_option("--keys", options->keys,
+                     "which keys do what, JSON; the help page in the window writes it (default: "
+                     "limen/keys.json in the user's configuration)")
+        ->type_name("FILE")
+        ->group("View");
+    verb->footer(keysFooter());
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runView(*options, console); };
+    });
+}
+
+} // namespace limen::cli

@@ -1,0 +1,88 @@
+#include "play/FootWalk.h"
+#include "output/OutputFile.h"
+#include "play/PathWalk.h"
+#include "cli/Verbs.h"
+#include "gpu/NullDevice.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+
+namespace limen::cli {
+namespace {
+
+struct WalkOptions {
+    engine::SessionOptions session;
+    play::PathArguments path;
+    std::string output;
+    play::FootWalkOptions foot;
+};
+
+template <class List>
+std::string listed(const char* title, const List& list) {
+    return list.empty() ? std::string() : fmt::format("{}{}", title, fmt::join(list, ", "));
+}
+
+Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
+    const Result<play::PathRequest> request = play::checkPath(options.path, 1);
+    if (!request)
+        return tl::unexpected(request.error());
+    if (Result<void> writable = output::checkWritable(options.output); !writable)
+        return tl::unexpected(writable.error());
+    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    const Result<std::vector<engine::Viewpoint>> points = play::wayPointsOf(options.path, source->file);
+    if (!points)
+        return tl::unexpected(points.error());
+    gpu::NullDevice device; // nobody looks
+    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session, device);
+    const Result<play::PathStart> start = play::startPath(session, *points, *request);
+    if (!start)
+        return tl::unexpected(start.error());
+    Progress progress(console, "walk", points->size());
+    const Result<play::FootWalk> walk = play::walkOnFoot(session, start->eye, *points, options.foot,
+                                             [&](std::size_t done) { progress.step(done); });
+    if (!walk)
+        return tl::unexpected(walk.error());
+    std::string text = play::beginningLine(walk->record.start);
+    for (const play::RecordedFrame& frame : walk->record.frames)
+        text += play::frameLine(frame);
+    if (Result<void> written = output::writeFile(options.output, text); !written)
+        return tl::unexpected(written.error());
+    console.note(fmt::format("{} frames to {} way points{}{}", walk->record.frames.size(), points->size(),
+                             listed("; not reached: ", walk->missed), listed("; jumped to ", walk->jumps)));
+    return Exit::Done;
+}
+
+} // namespace
+
+void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
+    CLI::App* verb =
+        program.add_subcommand("walk", "walks a path on foot and writes what was done in each frame");
+    const auto options = std::make_shared<WalkOptions>();
+    verb->add_option("-o,--output", options->output, "the walk, for --walk of tour, probe and check")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--path", options->path.path,
+                     "way points, one line of shot's options each; the world's own tour unless said")
+        ->type_name("FILE");
+    verb->add_option("--size", options->path.size, "picture size in pixels (960x540)")->type_name("WxH");
+    verb->add_option("--fov", options->path.fov, "vertical field of view (60)")->type_name("DEG");
+    verb->add_option("--time", options->path.time, "time of day, 0 and 1 midnight (0.5)")->type_name("0..1");
+    verb->add_option("--fps", options->foot.fps, "frames for each second of walking (30)")
+        ->type_name("F")
+        ->check(CLI::Range(5.0, 1000.0));
+    verb->add_flag("--chase", options->foot.chase, "the eye behind the body");
+    verb->add_flag("--run", options->foot.run, "runs");
+    engine::addSessionOptions(*verb, options->session);
+    verb->footer(
+        "Straight from way point to way point, through doors; where no way leads on foot, to the next place\n"
+        "that the world names. Nothing is drawn: no driver is needed.");
+    verb->callback([&console, &choice, options] {
+        choice.run = [&console, options] { return runWalk(*options, console); };
+    });
+}
+
+} // namespace limen::cli

@@ -1,0 +1,164 @@
+#include "engine/BuiltInWorld.h"
+
+#include "core/Hash.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <span>
+#include <unistd.h>
+#include <vector>
+
+namespace limen::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 3> kFiles{"client_portal.dat", "client_cell_1.dat", "world.json"};
+constexpr std::size_t kKept = 6; ///< worlds of that many programs stay in the cache
+
+bool isComplete(const fs::path& directory) {
+    return std::all_of(kFiles.begin(), kFiles.end(), [&](const char* name) {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(directory / name, error);
+        return !error && size > 0;
+    });
+}
+
+void removeQuietly(const fs::path& path) {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+}
+
+/// Removes all but the youngest few worlds; `current` always stays. Half-written ones of an hour ago go as
+/// well.
+void prune(const fs::path& root, const fs::path& current) {
+    struct Old {
+        fs::file_time_type time;
+        fs::path path;
+    };
+    std::vector<Old> worlds;
+    std::error_code error;
+    for (fs::directory_iterator it(root, error), end; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        const fs::file_time_type time = fs::last_write_time(it->path(), ignored);
+        const bool halfWritten = it->path().extension() == ".tmp";
+        if (halfWritten && fs::file_time_type::clock::now() - time > std::chrono::hours(1))
+            removeQuietly(it->path());
+        else if (!halfWritten && it->path() != current && it->is_directory(ignored))
+            worlds.push_back({time, it->path()});
+    }
+    std::sort(worlds.begin(), worlds.end(), [](const Old& a, const Old& b) { return a.time > b.time; });
+    for (std::size_t i = kKept - 1; i < worlds.size(); ++i)
+        removeQuietly(worlds[i].path);
+}
+
+/// A directory of its own under the system's temporary one.
+Result<fs::path> temporaryDirectory() {
+    std::error_code error;
+    std::string pattern = (fs::temp_directory_path(error) / "limen-XXXXXX").string();
+    if (error || ::mkdtemp(pattern.data()) == nullptr)
+        return fail(
+            ErrorCode::Unreadable, pattern,
+            "no place to write the built-in world; set XDG_CACHE_HOME to a directory that can be written");
+    return fs::path(pattern);
+}
+
+Result<BuiltInWorld> writeTemporary(const WorldWriter& write) {
+    Result<fs::path> directory = temporaryDirectory();
+    if (!directory)
+        return tl::unexpected(directory.error());
+    BuiltInWorld world(*directory, true);
+    if (const Result<void> written = write(world.directory()); !written)
+        return tl::unexpected(written.error());
+    return world;
+}
+
+/// Writes into `staging` and moves it to `place`; false if another process was there first or the move
+/// failed.
+Result<bool> writeAndMove(const fs::path& staging, const fs::path& place, const WorldWriter& write) {
+    if (const Result<void> written = write(staging); !written) {
+        removeQuietly(staging);
+        return tl::unexpected(written.error());
+    }
+    std::error_code error;
+    fs::rename(staging, place, error);
+    if (error)
+        removeQuietly(staging);
+    return !error;
+}
+
+} // namespace
+
+BuiltInWorld::BuiltInWorld(BuiltInWorld&& other) noexcept
+    : directory_(std::move(other.directory_)), temporary_(std::exchange(other.temporary_, false)) {}
+
+BuiltInWorld& BuiltInWorld::operator=(BuiltInWorld&& other) noexcept {
+    std::swap(directory_, other.directory_);
+    std::swap(temporary_, other.temporary_);
+    return *this;
+}
+
+BuiltInWorld::~BuiltInWorld() {
+    if (temporary_)
+        removeQuietly(directory_);
+}
+
+fs::path cacheRoot() {
+    const auto absolute = [](const char* name) -> fs::path {
+        const char* value = std::getenv(name);
+        const fs::path path = value != nullptr ? value : "";
+        return path.is_absolute() ? path : fs::path();
+    };
+    if (const fs::path cache = absolute("XDG_CACHE_HOME"); !cache.empty())
+        return cache / "limen";
+    if (const fs::path home = absolute("HOME"); !home.empty())
+        return home / ".cache" / "limen";
+    return {};
+}
+
+std::string programKey() {
+    Hash hash;
+    std::ifstream program("/proc/self/exe", std::ios::binary);
+    std::vector<char> chunk(1u << 20);
+    while (program.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || program.gcount() > 0) {
+        const auto got = static_cast<std::size_t>(program.gcount());
+        hash.addWords(std::as_bytes(std::span(chunk).first(got)));
+    }
+    return fmt::format("{:016x}", hash.value());
+}
+
+Result<BuiltInWorld> openBuiltInWorld(const fs::path& root, const std::string& key,
+                                      const WorldWriter& write) {
+    if (root.empty())
+        return writeTemporary(write);
+    const fs::path place = root / key;
+    if (isComplete(place))
+        return BuiltInWorld(place, false);
+    const fs::path staging = root / fmt::format("{}.{}.tmp", key, ::getpid());
+    std::error_code error;
+    removeQuietly(staging);
+    fs::create_directories(staging, error);
+    if (error)
+        return writeTemporary(write);
+    if (fs::exists(place, error)) // there, but not whole
+        removeQuietly(place);
+    const Result<bool> moved = writeAndMove(staging, place, write);
+    if (!moved)
+        return tl::unexpected(moved.error());
+    if (!isComplete(place))
+        return writeTemporary(write);
+    prune(root, place);
+    return BuiltInWorld(place, false);
+}
+
+void discardBuiltInWorld(const BuiltInWorld& world) {
+    removeQuietly(world.directory());
+}
+
+} // namespace limen::engine

@@ -1,0 +1,60 @@
+#include "engine/Camera.h"
+
+#include <numbers>
+
+namespace limen::engine {
+namespace {
+
+struct SinCos {
+    double sin = 0.0, cos = 1.0;
+};
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90: a camera that looks along an axis must
+/// not miss a portal's plane by a rounding of pi.
+SinCos sinCosDegrees(double degrees) {
+    const double turned = std::remainder(degrees, 360.0); // -180..180, exact
+    const double quarter = std::nearbyint(turned / 90.0);
+    const double rest = (turned - quarter * 90.0) * (std::numbers::pi / 180.0);
+    const double s = std::sin(rest), c = std::cos(rest);
+    switch (static_cast<int>(quarter) & 3) {
+    case 0:
+        return {s, c};
+    case 1:
+        return {c, -s};
+    case 2:
+        return {-s, -c};
+    default:
+        return {-c, s};
+    }
+}
+
+} // namespace
+
+CameraBasis basisOf(const Heading& heading) {
+    const SinCos yaw = sinCosDegrees(heading.yaw), pitch = sinCosDegrees(heading.pitch);
+    return {Vec3(yaw.cos, -yaw.sin, 0.0), Vec3(-yaw.sin * pitch.sin, -yaw.cos * pitch.sin, pitch.cos),
+            Vec3(yaw.sin * pitch.cos, yaw.cos * pitch.cos, pitch.sin)};
+}
+
+Heading headingOf(const Vec3& direction) {
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const double flat = std::hypot(direction.x, direction.y);
+    const double yaw =
+        flat > 1e-9 * std::abs(direction.z) ? std::atan2(direction.x, direction.y) * kDegrees : 0.0;
+    return {yaw < 0.0 ? yaw + 360.0 : yaw, std::atan2(direction.z, flat) * kDegrees};
+}
+
+visibility::View viewOf(const Camera& camera, cli::PixelSize size, std::uint32_t root) {
+    const CameraBasis basis = basisOf(camera.heading);
+    visibility::View view;
+    view.eye = camera.eye;
+    view.right = basis.right;
+    view.up = basis.up;
+    view.forward = basis.forward;
+    view.tanHalfY = std::tan(camera.fovDegrees * (std::numbers::pi / 360.0));
+    view.tanHalfX = view.tanHalfY * static_cast<double>(size.width) / static_cast<double>(size.height);
+    view.root = root;
+    return view;
+}
+
+} // namespace limen::engine

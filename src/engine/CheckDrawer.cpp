@@ -1,0 +1,119 @@
+#include "engine/CheckDrawer.h"
+
+#include "output/RegionOverlay.h"
+#include "output/TracedFrame.h"
+#include "engine/ViewOfEye.h"
+#include "core/Assert.h"
+
+namespace limen::engine {
+
+namespace {
+
+/// Draws with a context of its own what another session has loaded.
+class HelpingDrawer final : public check::Drawer {
+public:
+    HelpingDrawer(const Session& helped, HeadlessSession headless, bool outlines, bool multisampled)
+        : helped_(helped), headless_(std::move(headless)),
+          drawer_(*headless_.session, outlines, multisampled) {}
+
+    Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override {
+        const std::shared_ptr<const LoadedWorld> there = helped_.shareLoaded();
+        LIMEN_ASSERT(there && there->centre == block, "what is to be drawn is loaded");
+        if (Result<void> shown = headless_.session->show(std::make_shared<LoadedWorld>(*there)); !shown)
+            return tl::unexpected(shown.error());
+        return std::shared_ptr<const world::World>(there, &there->world);
+    }
+    reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override {
+        return drawer_.cameraOf(view, root);
+    }
+    Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override {
+        return drawer_.draw(view, root, colour);
+    }
+    check::IdColour idColour() const override { return drawer_.idColour(); }
+    const world::DynamicState& dynamics() const override { return drawer_.dynamics(); }
+
+private:
+    const Session& helped_;
+    HeadlessSession headless_;
+    CheckDrawer drawer_;
+};
+
+} // namespace
+
+Result<std::unique_ptr<check::Drawer>> CheckDrawer::makeHelper() {
+    // Not bindless: zink (Mesa 25.0) crashes where two contexts sample by handles at a time. Array pages give the same pictures.
+    SessionOptions options = session_.options();
+    options.textures = gpu::TextureMode::ArrayPages;
+    Result<HeadlessSession> headless = openHeadless(session_.shareSource(), options);
+    if (!headless)
+        return tl::unexpected(headless.error());
+    return std::make_unique<HelpingDrawer>(session_, std::move(*headless), outlines_, multisampled_);
+}
+
+void CheckDrawer::expect(dat::BlockCoord block) {
+    expected_ = block;
+    coming_ = std::async(std::launch::async, [this, block] { return session_.read(block); });
+}
+
+Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord block) {
+    if (!session_.isLoaded() || !(session_.loaded().centre == block)) {
+        Result<std::shared_ptr<LoadedWorld>> read =
+            coming_.valid() && expected_ == block ? coming_.get() : session_.read(block);
+        if (!read)
+            return tl::unexpected(read.error());
+        if (Result<void> shown = session_.show(std::move(*read)); !shown)
+            return tl::unexpected(shown.error());
+    }
+    const std::shared_ptr<const LoadedWorld> loaded = session_.shareLoaded();
+    return std::shared_ptr<const world::World>(loaded, &loaded->world);
+}
+
+reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
+    reference::Camera camera = output::tracedCamera(eyeOf(view, session_.loaded().world, root));
+    if (multisampled_)
+        camera.place = Vec2(0.0); // samples have places of their own
+    return camera;
+}
+
+Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour) {
+    const DrawOptions options{.ids = true,
+                              .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
+                              .layers = !colour}; // counting takes the place of painting
+    if (Result<void> drawn = session.draw(eye, options); !drawn)
+        return tl::unexpected(drawn.error());
+    const gpu::RenderTarget& target = session.target();
+    check::DrawnImages images;
+    images.width = eye.size.width;
+    images.height = eye.size.height;
+    images.ids = target.readIds();
+    images.depth = target.readDepth();
+    images.nearPlane = frame::FrameView{}.nearPlane;
+    if (colour) {
+        images.colour = target.readColour();
+        return images;
+    }
+    for (const gpu::LayerSum& layers : target.readLayers())
+        images.layers.push_back({layers.count, layers.hash});
+    return images;
+}
+
+Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
+    const FrameEye eye = eyeOf(view, session_.loaded().world, root);
+    Result<check::DrawnImages> images = multisampled_ ? drawSamples(eye) : drawImages(session_, eye, colour);
+    if (images && outlines_)
+        images->outlines = output::regionOutlines(session_.visible());
+    return images;
+}
+
+Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameEye& eye) {
+    if (Result<void> drawn = session_.draw(eye, {.shading = gpu::Shading::FlatIds}); !drawn)
+        return tl::unexpected(drawn.error());
+    check::DrawnImages images;
+    images.width = eye.size.width;
+    images.height = eye.size.height;
+    images.colour = session_.target().readColour();
+    images.samples = session_.target().samplePositions();
+    return images;
+}
+
+} // namespace limen::engine

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/Session.h"
+#include "check/Run.h"
+#include "frame/IdColour.h"
+
+#include <future>
+
+namespace limen::engine {
+
+/// What a check of one frame holds against the traced one: ids, depth and layers; with `colour`, what is painted instead of layers.
+/// One sample a pixel. Errors: those of drawing.
+[[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour);
+
+/// Draws the views of a check through the path of every other verb. The session must outlive it.
+class CheckDrawer final : public check::Drawer {
+public:
+    /// `outlines`: keep the regions of visits, for pictures of findings. `multisampled`: draw flat by id, with the session's
+    /// samples a pixel.
+    CheckDrawer(Session& session, bool outlines, bool multisampled)
+        : session_(session), outlines_(outlines), multisampled_(multisampled) {}
+
+    Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override;
+    void expect(dat::BlockCoord block) override;
+    reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override;
+    Result<check::DrawnImages> draw(const check::View& view, world::SpaceIndex root, bool colour) override;
+    check::IdColour idColour() const override { return &frame::colourOfId; }
+    const world::DynamicState& dynamics() const override { return session_.dynamics(); }
+    Result<std::unique_ptr<check::Drawer>> makeHelper() override;
+
+private:
+    using Reading = std::future<Result<std::shared_ptr<LoadedWorld>>>;
+
+    [[nodiscard]] Result<check::DrawnImages> drawSamples(const FrameEye& eye);
+
+    Session& session_;
+    bool outlines_, multisampled_;
+    dat::BlockCoord expected_; ///< what coming_ reads
+    Reading coming_;
+};
+
+} // namespace limen::engine

@@ -1,0 +1,40 @@
+#include "engine/DayGroup.h"
+
+#include "world/Sky.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace limen::engine {
+namespace {
+
+std::string labels(const dat::SkyDesc& sky) {
+    std::string text;
+    for (std::uint32_t group = 0; group < sky.dayGroups.size(); ++group)
+        text += (group > 0 ? ", " : "") + dayGroupLabel(sky, group);
+    return text;
+}
+
+} // namespace
+
+std::string dayGroupLabel(const dat::SkyDesc& sky, std::uint32_t group) {
+    const std::string& name = sky.dayGroups[group].name;
+    const auto alike = std::count_if(sky.dayGroups.begin(), sky.dayGroups.end(),
+                                     [&](const dat::DayGroup& other) { return other.name == name; });
+    if (name.empty())
+        return std::to_string(group);
+    return alike > 1 ? fmt::format("{} ({})", name, group) : name;
+}
+
+Result<std::uint32_t> dayGroupOf(const dat::SkyDesc& sky, const std::string& text) {
+    if (text.empty())
+        return 0u;
+    if (const std::optional<std::uint32_t> group = world::dayGroupNamed(sky, text))
+        return *group;
+    return fail(ErrorCode::NotFound, "--day",
+                sky.dayGroups.empty() ? "this world's data has no kinds of days"
+                                      : fmt::format("there is no kind of day '{}' in this world: it has {}",
+                                                    text, labels(sky)));
+}
+
+} // namespace limen::engine

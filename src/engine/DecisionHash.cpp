@@ -1,0 +1,39 @@
+#include "engine/DecisionHash.h"
+
+#include "core/Hash.h"
+
+namespace limen::engine {
+namespace {
+
+void add(Hash& hash, const Vec3& v) {
+    hash.add(v.x);
+    hash.add(v.y);
+    hash.add(v.z);
+}
+
+} // namespace
+
+std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& visible,
+                           const world::DynamicState& dynamics) {
+    Hash hash;
+    add(hash, eye.camera.eye);
+    for (const double value : {eye.camera.heading.yaw, eye.camera.heading.pitch, eye.time, eye.seconds})
+        hash.add(value);
+    hash.add(eye.root);
+    hash.add(eye.dayGroup);
+    hash.add(eye.weather);
+    for (const visibility::Visit& visit : visible.visits)
+        for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})
+            hash.add(value);
+    for (const world::Instance& instance : dynamics.instances) {
+        for (const std::uint32_t value : {instance.mesh, instance.block, std::uint32_t{instance.memberCount}})
+            hash.add(value);
+        hash.addWords(std::as_bytes(std::span(&instance.linear, 1)));
+        hash.addWords(std::as_bytes(std::span(&instance.origin, 1)));
+        hash.add(instance.opacity);
+    }
+    hash.addWords(std::as_bytes(std::span(dynamics.closed)));
+    return hash.value();
+}
+
+} // namespace limen::engine

@@ -1,0 +1,18 @@
+#include "engine/HeapTuning.h"
+
+#include <cstdlib> // defines __GLIBC__, where it is that library
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace limen::engine {
+
+void tuneHeap() {
+#ifdef __GLIBC__
+    constexpr int kLarge = 1 << 20; // bytes
+    (void)mallopt(M_ARENA_MAX, 1);
+    (void)mallopt(M_MMAP_THRESHOLD, kLarge);
+#endif
+}
+
+} // namespace limen::engine

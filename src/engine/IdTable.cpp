@@ -1,0 +1,63 @@
+#include "engine/IdTable.h"
+
+#include "cli/Parse.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace limen::engine {
+namespace {
+
+constexpr std::array<const char*, 8> kKindNames{"shell",  "terrain", "exterior", "scenery",
+                                                "static", "dynamic", "filling",  "sky"};
+
+std::uint32_t polygonCount(const world::World& world, const world::Instance& instance) {
+    return instance.mesh < world.meshes.size() ? world.meshes[instance.mesh].polygonCount : 0;
+}
+
+} // namespace
+
+std::string spaceName(const world::World& world, world::SpaceIndex space) {
+    if (space == world::kOutside)
+        return "outside";
+    return space < world.spaces.size() ? cli::hexId(world.spaces[space].cellId) : "none";
+}
+
+IdTable::IdTable(const world::World& world) : world_(world) {
+    for (const auto* instances : {&world.instances, &world.movingParts}) {
+        for (const world::Instance& instance : *instances)
+            if (polygonCount(world, instance) > 0)
+                byId_.push_back(&instance);
+    }
+    std::sort(byId_.begin(), byId_.end(), [](const auto* a, const auto* b) { return a->idBase < b->idBase; });
+}
+
+const world::Instance* IdTable::instance(std::uint32_t id) const {
+    const auto after =
+        std::upper_bound(byId_.begin(), byId_.end(), id,
+                         [](std::uint32_t wanted, const world::Instance* i) { return wanted < i->idBase; });
+    if (after == byId_.begin())
+        return nullptr;
+    const world::Instance* found = *(after - 1);
+    return id - found->idBase < polygonCount(world_, *found) ? found : nullptr;
+}
+
+IdMeaning IdTable::meaning(std::uint32_t id, const world::DynamicState& dynamics) const {
+    if (id == kVoidPixel)
+        return {"none", "void", cli::hexId(0), "", 0};
+    if (id == kSkyPixel)
+        return {"outside", "sky", cli::hexId(0), "", 0};
+    const world::Instance* known = instance(id);
+    if (known == nullptr)
+        return {"none", "unknown", cli::hexId(0), "", id};
+    const auto here = std::find_if(dynamics.instances.begin(), dynamics.instances.end(),
+                                   [&](const world::Instance& i) { return i.idBase == known->idBase; });
+    const world::Instance& found = here != dynamics.instances.end() ? *here : *known;
+    const std::uint32_t number = id - found.idBase;
+    const std::size_t info = world_.meshes[found.mesh].firstPolygonInfo + std::size_t{number};
+    const std::uint32_t polygon = info < world_.polygonIds.size() ? world_.polygonIds[info] : number;
+    return {spaceName(world_, found.placedIn), kKindNames.at(static_cast<std::size_t>(found.kind)),
+            cli::hexId(found.record), fmt::format("{:016X}", found.object), polygon};
+}
+
+} // namespace limen::engine

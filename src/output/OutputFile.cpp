@@ -1,0 +1,173 @@
+#include "output/OutputFile.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace limen::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> refused(const fs::path& path, std::string what) {
+    return fail(ErrorCode::Unreadable, path.string(), std::move(what));
+}
+
+std::string reason(int error) {
+    return std::strerror(error);
+}
+
+/// The file that a path leads to: a link is written through, not replaced.
+fs::path target(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_symlink(fs::symlink_status(path, ignored)))
+        return path;
+    const fs::path resolved = fs::canonical(path, ignored);
+    return ignored ? path : resolved;
+}
+
+bool isDeviceOrPipe(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() { (void)close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] bool isOpen() const { return fd_ >= 0; }
+    [[nodiscard]] int get() const { return fd_; }
+    /// False if the system only now says that the bytes did not arrive.
+    [[nodiscard]] bool close() {
+        const int fd = fd_;
+        fd_ = -1;
+        return fd < 0 || ::close(fd) == 0;
+    }
+
+private:
+    int fd_;
+};
+
+/// A new file beside `path`, removed again unless it is moved into place.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const fs::path& path)
+        : name_(path.parent_path() /
+                fmt::format(".{}.{}.tmp", path.filename().string().substr(0, 200), ::getpid())),
+          file_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
+          present_(file_.isOpen()) {}
+    ~TemporaryFile() {
+        if (present_)
+            (void)::unlink(name_.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    [[nodiscard]] bool made() const { return present_; }
+    [[nodiscard]] Descriptor& file() { return file_; }
+    [[nodiscard]] bool moveTo(const fs::path& path) {
+        present_ = ::rename(name_.c_str(), path.c_str()) != 0;
+        return !present_;
+    }
+
+private:
+    fs::path name_;
+    Descriptor file_;
+    bool present_;
+};
+
+bool writeAll(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+} // namespace
+
+Result<void> checkWritable(const fs::path& path) {
+    if (path.empty())
+        return refused(path, "the name of an output file is empty");
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        return refused(path, "is a directory, not a file to write");
+    const fs::path place = target(path);
+    if (fs::exists(place, ignored) && ::access(place.c_str(), W_OK) != 0)
+        return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+    if (isDeviceOrPipe(place))
+        return {};
+    if (const TemporaryFile probe(place); !probe.made())
+        return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+    return {};
+}
+
+Result<void> writeFile(const fs::path& path, std::span<const std::byte> bytes) {
+    const fs::path place = target(path);
+    if (isDeviceOrPipe(place)) {
+        Descriptor device(::open(place.c_str(), O_WRONLY | O_CLOEXEC));
+        if (!device.isOpen() || !writeAll(device.get(), bytes) || !device.close())
+            return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+        return {};
+    }
+    TemporaryFile temporary(place);
+    if (!temporary.made() || !writeAll(temporary.file().get(), bytes) || !temporary.file().close() ||
+        !temporary.moveTo(place))
+        return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+    return {};
+}
+
+Result<void> writeFile(const fs::path& path, std::string_view text) {
+    return writeFile(path, std::as_bytes(std::span(text)));
+}
+
+Result<void> writePicture(const fs::path& path, const Picture& picture) {
+    const Result<std::vector<std::byte>> png = encodePng(picture);
+    if (!png)
+        return tl::unexpected(png.error());
+    return writeFile(path, *png);
+}
+
+Result<void> makeDirectory(const fs::path& path) {
+    std::error_code error, ignored;
+    fs::create_directories(path, error);
+    if (!fs::is_directory(path, ignored))
+        return refused(path, fmt::format("no directory can be made there: {}",
+                                         error ? error.message() : "a file has that name"));
+    return {};
+}
+
+Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        return refused(path, "is a directory, not a file to read");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!file)
+        return refused(path, fmt::format("cannot be read: {}", reason(errno)));
+    std::string text;
+    char chunk[4096];
+    std::size_t got = 0;
+    while ((got = std::fread(chunk, 1, sizeof chunk, file.get())) > 0) {
+        text.append(chunk, got);
+        if (text.size() > limit)
+            return refused(path, fmt::format("is longer than the {} bytes that make sense here", limit));
+    }
+    if (std::ferror(file.get()) != 0)
+        return refused(path, fmt::format("cannot be read: {}", reason(errno)));
+    return text;
+}
+
+} // namespace limen::output

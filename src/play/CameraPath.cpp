@@ -1,0 +1,80 @@
+#include "play/CameraPath.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+
+namespace limen::play {
+
+namespace {
+
+constexpr double kLongStretch = 1.0; ///< seconds
+
+/// True for a path that was sampled closely: its author has chosen the pace by where the samples lie.
+bool isRecording(std::span<const world::Place> points) {
+    constexpr std::size_t kFewest = 32;
+    constexpr double kLongestStep = 1.05; // metres
+    if (points.size() < kFewest)
+        return false;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (glm::length(points[i].eye - points[i - 1].eye) > kLongestStep)
+            return false;
+    return true;
+}
+
+double secondsBetween(const world::Place& from, const world::Place& to) {
+    const double walk = glm::length(to.eye - from.eye) / CameraPath::kWalkingSpeed;
+    const double turn = std::max(std::abs(shortTurn(from.yaw, to.yaw)), std::abs(to.pitch - from.pitch)) /
+                        CameraPath::kTurningSpeed;
+    return std::max(walk, turn);
+}
+
+} // namespace
+
+double shortTurn(double a, double b) {
+    return std::remainder(b - a, 360.0);
+}
+
+CameraPath::CameraPath(std::span<const world::Place> wayPoints)
+    : wayPoints_(wayPoints.begin(), wayPoints.end()) {
+    const bool recording = isRecording(wayPoints);
+    double time = 0.0;
+    for (std::size_t i = 0; i < wayPoints_.size(); ++i) {
+        if (i > 0)
+            time += recording ? kRecordedStep : secondsBetween(wayPoints_[i - 1], wayPoints_[i]);
+        times_.push_back(time);
+    }
+}
+
+engine::Camera CameraPath::at(double time) const {
+    LIMEN_ASSERT(!empty(), "a path of no way points is nowhere");
+    const double clamped = std::clamp(time, 0.0, seconds());
+    const auto after = std::upper_bound(times_.begin(), times_.end(), clamped);
+    const std::size_t last = wayPoints_.size() - 1;
+    const std::size_t from =
+        std::min<std::size_t>(static_cast<std::size_t>(after - times_.begin()) - 1, last);
+    const std::size_t to = std::min(from + 1, last);
+    const double span = times_[to] - times_[from];
+    const double t = span > 0.0 ? (clamped - times_[from]) / span : 0.0;
+    // On a long stretch the head starts and ends its turn gently; the feet keep their pace. Way points close together
+    // are a curve already.
+    const double turned = span > kLongStretch ? t * t * (3.0 - 2.0 * t) : t;
+    engine::Camera camera;
+    camera.eye = wayPoints_[from].eye + (wayPoints_[to].eye - wayPoints_[from].eye) * t;
+    camera.heading.yaw = wayPoints_[from].yaw + shortTurn(wayPoints_[from].yaw, wayPoints_[to].yaw) * turned;
+    camera.heading.pitch = wayPoints_[from].pitch + (wayPoints_[to].pitch - wayPoints_[from].pitch) * turned;
+    return camera;
+}
+
+void CameraPath::cornersBetween(double from, double to, std::vector<Vec3>& out) const {
+    out.clear();
+    for (std::size_t i = 0; i < times_.size(); ++i)
+        if (times_[i] > from && times_[i] < to)
+            out.push_back(wayPoints_[i].eye);
+}
+
+double CameraPath::timeOfFrame(std::size_t frame, std::size_t count) const {
+    return count < 2 ? 0.0 : seconds() * static_cast<double>(frame) / static_cast<double>(count - 1);
+}
+
+} // namespace limen::play

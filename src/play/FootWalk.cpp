@@ -1,0 +1,148 @@
+#include "play/FootWalk.h"
+
+#include "engine/DecisionHash.h"
+#include "engine/ViewOfEye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limen::play {
+namespace {
+
+constexpr double kReached = 0.15; // metres from a way point, on the level
+constexpr double kPace = 2.5;     // metres a second: half of what is run, so that steps do not lead past
+constexpr double kLevel = 1.0;    // metres that it may be above or below
+constexpr double kTurn = 240.0;   // degrees a second
+constexpr double kNod = 60.0;     // likewise
+constexpr double kAhead = 40.0;   // degrees beside which one turns before one goes
+constexpr double kPatience = 1.5; // seconds without getting nearer
+constexpr double kSwing = 1.5;    // seconds that a door takes, and to get back to where it was met
+constexpr std::size_t kTries = 8; // way points that are missed one after the other before it jumps
+constexpr double kNearer = 0.02;  // metres that count as nearer
+constexpr double kAtPlace = 1.0;  // metres from a place to a way point that lies there
+constexpr double kWayPointHeight = 1.7; // way points are eyes
+
+double levelDistance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+class Walker {
+public:
+    Walker(engine::Session& session, const engine::FrameEye& start, const std::vector<engine::Viewpoint>& points,
+           const FootWalkOptions& options)
+        : session_(session), play_(session, start), points_(points), options_(options), size_(start.size) {
+        walk_.record.start = check::shotOptions(engine::viewOf(start, session.loaded().world));
+    }
+
+    Result<FootWalk> run(const std::function<void(std::size_t)>& done) {
+        acts_.push_back({PlayAct::Kind::Walk});
+        if (options_.chase)
+            acts_.push_back({PlayAct::Kind::Chase});
+        if (Result<void> began = frame({}); !began)
+            return tl::unexpected(began.error());
+        for (std::size_t i = 0, missed = 0; i < points_.size();) {
+            const Result<bool> there = goTo(points_[i]);
+            if (!there)
+                return tl::unexpected(there.error());
+            if (!*there)
+                walk_.missed.push_back(i);
+            missed = *there ? 0 : missed + 1;
+            i = missed < kTries ? i + 1 : jumpBeyond(i - missed + 1);
+            missed %= kTries;
+            if (done)
+                done(std::min(i, points_.size()));
+        }
+        return std::move(walk_);
+    }
+
+private:
+    [[nodiscard]] Vec3 feet() const { return play_.walk().body().standing.feet; }
+    [[nodiscard]] static Vec3 feetAt(const engine::Viewpoint& point) {
+        return point.camera.eye - Vec3(0.0, 0.0, kWayPointHeight);
+    }
+
+    /// False where it gets no farther.
+    Result<bool> goTo(const engine::Viewpoint& point) {
+        const Vec3 target = feetAt(point);
+        const double reached = std::max(kReached, kPace / options_.fps);
+        double best = levelDistance(feet(), target), waited = 0.0;
+        while (best >= reached) {
+            if (waited > kPatience)
+                return false;
+            if (waited > 0.5 * kPatience && openTheDoor())
+                waited = -kSwing; // its leaf may push one back first
+            if (Result<void> stepped = frame(towards(target, point.camera.heading.pitch)); !stepped)
+                return tl::unexpected(stepped.error());
+            const double now = levelDistance(feet(), target);
+            waited = now < best - kNearer ? 0.0 : waited + 1.0 / options_.fps;
+            best = waited == 0.0 ? now : best;
+        }
+        return std::abs(feet().z - target.z) < kLevel;
+    }
+
+    [[nodiscard]] PlayInput towards(const Vec3& target, double pitch) const {
+        const engine::Heading& heading = play_.eye().camera.heading;
+        const Vec3 way = target - feet();
+        const double turn = std::remainder(glm::degrees(std::atan2(way.x, way.y)) - heading.yaw, 360.0);
+        PlayInput input;
+        input.turnRight = std::clamp(turn, -kTurn / options_.fps, kTurn / options_.fps);
+        input.turnUp = std::clamp(pitch - heading.pitch, -kNod / options_.fps, kNod / options_.fps);
+        input.forward = std::abs(turn) < kAhead ? 1.0 : 0.0;
+        input.fast = options_.run;
+        return input;
+    }
+
+    bool openTheDoor() {
+        const std::optional<std::size_t> door = play_.doorInReach();
+        if (!door || play_.opens(*door))
+            return false;
+        acts_.push_back({PlayAct::Kind::Use});
+        return true;
+    }
+
+    Result<void> frame(PlayInput input) {
+        input.seconds = 1.0 / options_.fps;
+        input.size = size_;
+        input.acts = std::exchange(acts_, {});
+        if (Result<void> stepped = play_.step(input); !stepped)
+            return stepped;
+        if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
+            return drawn;
+        const std::uint64_t decided = engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics());
+        walk_.record.frames.push_back({std::move(input), decided, {}});
+        return {};
+    }
+
+    /// The way point after `from` at which a place lies, which is gone to with the next frame; none: their number.
+    std::size_t jumpBeyond(std::size_t from) {
+        const std::vector<world::Place>& places = session_.source().file.places;
+        for (std::size_t i = from + 1; i < points_.size(); ++i) {
+            for (std::size_t p = 0; p < places.size(); ++p) {
+                if (glm::length(places[p].eye - points_[i].camera.eye) > kAtPlace)
+                    continue;
+                acts_.push_back({PlayAct::Kind::Place, static_cast<double>(p)});
+                walk_.jumps.push_back(places[p].name);
+                return i;
+            }
+        }
+        return points_.size();
+    }
+
+    engine::Session& session_;
+    Play play_;
+    const std::vector<engine::Viewpoint>& points_;
+    const FootWalkOptions& options_;
+    const cli::PixelSize size_;
+    std::vector<PlayAct> acts_; ///< of the next frame
+    FootWalk walk_;
+};
+
+} // namespace
+
+Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameEye& start, const std::vector<engine::Viewpoint>& points,
+                            const FootWalkOptions& options, const std::function<void(std::size_t)>& done) {
+    return Walker(session, start, points, options).run(done);
+}
+
+} // namespace limen::play

@@ -1,0 +1,233 @@
+#include "play/Walk.h"
+
+#include "motion/Locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limen::play {
+namespace {
+
+constexpr int kRadius = 1;     // landblocks around the body's whose solids are known
+constexpr double kHeld = 0.01; // metres that an eye which nothing holds may be short of where it belongs
+
+/// A body fades when the eye comes near its head, and is gone before the eye is in it.
+double opacityAt(double metres) {
+    constexpr double kGone = 0.6, kSolid = 1.2;
+    return std::clamp((metres - kGone) / (kSolid - kGone), 0.0, 1.0);
+}
+
+} // namespace
+
+Walk::Reading Walk::read(const std::shared_ptr<const engine::WorldSource>& source,
+                         std::shared_ptr<const engine::LoadedWorld> loaded, dat::BlockCoord centre) {
+    Result<world::Solids> solids = world::loadSolids(source->archive, loaded->world, centre, kRadius);
+    if (!solids)
+        return tl::unexpected(solids.error());
+    motion::Collisions collisions(loaded->world, std::move(*solids));
+    return std::make_shared<const Surroundings>(Surroundings{std::move(loaded), std::move(collisions)});
+}
+
+Result<void> Walk::begin(const engine::Session& session, const engine::FrameEye& eye) {
+    const world::World& world = session.loaded().world;
+    const Vec3 feet = eye.camera.eye - Vec3(0.0, 0.0, shape_.eyeHeight);
+    const Vec3 middle = shape_.capsule.middle(feet);
+    body_ = motion::bodyAt({feet, motion::sweep(world, eye.root, eye.camera.eye, middle)});
+    lag_ = 0.0;
+    yaw_ = eye.camera.heading.yaw;
+    speed_ = metres_ = 0.0;
+    chase_ = {};
+    drop(); // what was coming is of elsewhere
+    Reading around = read(session.shareSource(), session.shareLoaded(), blockOfBody(session.loaded()));
+    if (!around)
+        return tl::unexpected(around.error());
+    around_ = std::move(*around);
+    isOn_ = true;
+    return {};
+}
+
+void Walk::end(engine::FrameEye& eye) {
+    drop();
+    eye.body.reset();
+    eye.isHeld = false;
+}
+
+void Walk::drop() {
+    isOn_ = false;
+    coming_ = {};
+    next_ = {};
+    background_.discard(std::move(around_));
+    around_.reset();
+}
+
+dat::BlockCoord Walk::blockOfBody(const engine::LoadedWorld& loaded) const {
+    const motion::Standing& here = body_.standing;
+    return here.space == world::kOutside ? world::blockAt(here.feet)
+                                         : dat::blockOf(loaded.world.spaces[here.space].cellId);
+}
+
+void Walk::follow(const engine::LoadedWorld& before, const engine::LoadedWorld& now) {
+    for (motion::Standing* standing : {&body_.standing, &body_.safe}) {
+        if (standing->space == world::kOutside)
+            continue;
+        standing->space = world::findCell(now.world, before.world.spaces[standing->space].cellId);
+        if (standing->space == world::kNone) // its block is damaged or was left out: look again
+            standing->space = motion::locate(now.world, shape_.capsule.middle(standing->feet)).space;
+    }
+}
+
+Walk::Coming Walk::beginToRead(const engine::Session& session, std::shared_ptr<const engine::LoadedWorld> loaded,
+                               dat::BlockCoord centre) {
+    Coming coming{loaded, centre, {}};
+    coming.reading = background_.run([source = session.shareSource(), loaded = std::move(loaded), centre] {
+        return read(source, loaded, centre);
+    });
+    return coming;
+}
+
+Result<void> Walk::takeSurroundings(const engine::Session& session, dat::BlockCoord centre) {
+    Coming& coming = next_.isOf(session.shareLoaded(), centre) ? next_ : coming_;
+    Reading around = coming.isOf(session.shareLoaded(), centre)
+                         ? coming.reading.get()
+                         : read(session.shareSource(), session.shareLoaded(), centre);
+    coming_ = {};
+    next_ = {};
+    if (!around)
+        return tl::unexpected(around.error());
+    background_.discard(std::exchange(around_, std::move(*around)));
+    return {};
+}
+
+bool Walk::prepare(const engine::Session& session, const std::shared_ptr<const engine::LoadedWorld>& next) {
+    const dat::BlockCoord here = blockOfBody(session.loaded());
+    if (!next_.isOf(next, here))
+        next_ = beginToRead(session, next, here);
+    return engine::Background::isReady(next_.reading);
+}
+
+Result<void> Walk::keepSurroundings(const engine::Session& session) {
+    const bool isOfAnother = around_->loaded != session.shareLoaded();
+    if (isOfAnother) {
+        follow(*around_->loaded, session.loaded());
+        coming_ = {};
+    }
+    const dat::BlockCoord here = blockOfBody(session.loaded());
+    if (isOfAnother)
+        return takeSurroundings(session, here);
+    if (around_->collisions.centre() == here)
+        return {};
+    if (!coming_.isOf(session.shareLoaded(), here))
+        coming_ = beginToRead(session, session.shareLoaded(), here);
+    // Within this distance the old ones still hold what is around. Waiting for a time instead would make a walk depend on the disk.
+    constexpr double kTaken = 24.0;
+    return world::metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
+               ? takeSurroundings(session, here)
+               : Result<void>{};
+}
+
+void Walk::chase(bool isChased) {
+    isChased_ = isChased;
+    chase_ = {}; // it starts from the head
+}
+
+void Walk::keepDistance(double metres) {
+    chaseShape_.distance = std::clamp(metres, kNearest, kFarthest);
+}
+
+motion::BodyEye Walk::head(const world::World& world) const {
+    motion::BodyShape smooth = shape_;
+    smooth.eyeHeight += lag_;
+    return motion::eyeOf(body_, world, smooth);
+}
+
+void Walk::smooth(double fellOrRose, double seconds) {
+    constexpr double kQuick = 10.0;   // a second: how fast the eye comes after
+    constexpr double kLeast = 0.0005; // metres, and it is there
+    constexpr double kMost = 0.6;
+    lag_ = std::clamp((lag_ - fellOrRose) * std::exp(-kQuick * seconds), -kMost, kMost);
+    if (std::abs(lag_) < kLeast)
+        lag_ = 0.0;
+}
+
+/// Where it looks, or, seen from behind, turns to where it goes.
+void Walk::face(const WalkInput& input, double seconds, double yaw) {
+    constexpr double kTurn = 540.0; // degrees a second
+    if (!isChased_) {
+        yaw_ = yaw;
+        return;
+    }
+    if (input.forward == 0.0 && input.right == 0.0)
+        return;
+    const double towards = yaw + glm::degrees(std::atan2(input.right, input.forward));
+    const double turn = std::remainder(towards - yaw_, 360.0);
+    yaw_ = std::remainder(yaw_ + std::clamp(turn, -kTurn * seconds, kTurn * seconds), 360.0);
+}
+
+/// What its legs do: at the speed that is asked of them, where it gets on at all.
+void Walk::stride(const WalkInput& input, const Vec3& from) {
+    constexpr double kStill = 1e-4; // metres
+    const double way = std::hypot(body_.standing.feet.x - from.x, body_.standing.feet.y - from.y);
+    const bool goes = body_.isOnGround && way > kStill && (input.forward != 0.0 || input.right != 0.0);
+    speed_ = !goes ? 0.0 : input.run ? shape_.runSpeed : shape_.walkSpeed;
+    metres_ += goes ? way : 0.0;
+}
+
+void Walk::carryEye(const engine::Session& session, double seconds, engine::FrameEye& eye) {
+    const world::World& world = session.loaded().world;
+    motion::BodyEye at = head(world);
+    double opacity = 0.0;
+    if (isChased_) {
+        chase_ = motion::chased(chase_, body_, engine::basisOf(eye.camera.heading).forward, seconds,
+                                around_->collisions, doors_, lag_, shape_, chaseShape_);
+        opacity = opacityAt(glm::length(chase_.eye.position - at.position));
+        at = chase_.eye;
+    }
+    eye.camera.eye = at.position;
+    eye.root = at.space;
+    eye.rootAmbiguous = false;
+    eye.isHeld = isChased_ && chase_.arm < chaseShape_.distance - kHeld;
+    eye.player = shape_.capsule.middle(body_.standing.feet);
+    eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity, speed_, metres_};
+}
+
+void Walk::readDoors(const world::World& world, const engine::FrameEye& eye) {
+    doors_.clear();
+    for (std::size_t i = 0; i < world.doors.size(); ++i) {
+        const double open = i < eye.eachDoor.size() ? eye.eachDoor[i] : world.doors[i].open;
+        doors_.push_back(eye.doors.value_or(open));
+    }
+}
+
+void Walk::passDoors(motion::DoorUse& doors, double seconds) {
+    doors.pass(seconds, around_->collisions, body_, shape_);
+}
+
+double Walk::swingAllDoors(double from, double to) {
+    return motion::swingAll(from, to, body_, around_->collisions, doors_, shape_);
+}
+
+Result<void> Walk::step(const engine::Session& session, const WalkInput& input, engine::FrameEye& eye) {
+    if (Result<void> kept = keepSurroundings(session); !kept)
+        return kept;
+    readDoors(session.loaded().world, eye);
+    motion::BodyInput asked;
+    asked.forward = input.forward;
+    asked.right = input.right;
+    asked.yaw = eye.camera.heading.yaw;
+    asked.run = input.run;
+    asked.jump = input.jump;
+    constexpr double kLongest = 0.25; // after a stall it does not leap; on a slow machine it still gets on
+    const double seconds = std::clamp(input.seconds, 0.0, kLongest);
+    const motion::BodyState before = body_;
+    body_ = motion::moved(body_, asked, seconds, around_->collisions, doors_, shape_);
+    const bool isOnFoot = before.isOnGround && body_.isOnGround;
+    smooth(isOnFoot ? body_.standing.feet.z - before.standing.feet.z : 0.0, seconds);
+    face(input, seconds, eye.camera.heading.yaw);
+    if (seconds > 0.0) // else its space only has another number
+        stride(input, before.standing.feet);
+    carryEye(session, seconds, eye);
+    return {};
+}
+
+} // namespace limen::play

@@ -1,0 +1,258 @@
+#include "viewer/KeyBindings.h"
+
+#include "output/OutputFile.h"
+#include "core/Assert.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace limen::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<ActionFacts, kActions> kFacts{{
+    {"forward", When::Always, "forward", {"W", "Up"}},
+    {"back", When::Always, "back", {"S", "Down"}},
+    {"left", When::Always, "to the left", {"A", "Left"}},
+    {"right", When::Always, "to the right", {"D", "Right"}},
+    {"run", When::Always, "run, or fly fast", {"LeftShift", "RightShift"}},
+    {"jump", When::Walking, "jump", {"Space", ""}},
+    {"rise", When::Flying, "flying: up", {"E", "Space"}},
+    {"sink", When::Flying, "flying: down", {"Q", "LeftControl"}},
+    {"use", When::Walking, "open or shut the door before you", {"E", ""}},
+    {"walk", When::Always, "walk or fly", {"G", ""}},
+    {"chase", When::Always, "the eye behind the body, or in its head", {"C", ""}},
+    {"doors", When::Always, "open or shut all doors", {"O", ""}},
+    {"rain", When::Always, "rain", {"R", ""}},
+    {"later", When::Always, "an hour later", {"T", ""}},
+    {"help", When::Always, "this help", {"F1", ""}},
+    {"ids", When::Always, "ids as colours", {"F2", ""}},
+    {"regions", When::Always, "regions of the visits", {"F3", ""}},
+    {"panel", When::Always, "the panel", {"F4", ""}},
+    {"check", When::Always, "check this view against traced rays", {"F5", ""}},
+    {"probe", When::Always, "tell what changes on standard output", {"F6", ""}},
+    {"freeze", When::Always, "keep the visits of this view, to look at them from elsewhere", {"F7", ""}},
+    {"portals", When::Always, "portals, and why rays pass them or not", {"F8", ""}},
+    {"depth", When::Always, "distances as greys", {"F9", ""}},
+    {"full_screen", When::Always, "full screen", {"F11", ""}},
+    {"screenshot", When::Always, "keep the picture as a file", {"F12", ""}},
+    {"leave", When::Always, "leave", {"Escape", ""}},
+    {"place_1", When::Always, "go to the first place", {"1", ""}},
+    {"place_2", When::Always, "go to the second place", {"2", ""}},
+    {"place_3", When::Always, "go to the third place", {"3", ""}},
+    {"place_4", When::Always, "go to the fourth place", {"4", ""}},
+    {"place_5", When::Always, "go to the fifth place", {"5", ""}},
+    {"place_6", When::Always, "go to the sixth place", {"6", ""}},
+    {"place_7", When::Always, "go to the seventh place", {"7", ""}},
+    {"place_8", When::Always, "go to the eighth place", {"8", ""}},
+    {"place_9", When::Always, "go to the ninth place", {"9", ""}},
+}};
+
+constexpr bool areKeysKnown() {
+    for (const ActionFacts& facts : kFacts)
+        if (!keyNamed(facts.keys[0]) || (!facts.keys[1].empty() && !keyNamed(facts.keys[1])))
+            return false;
+    return true;
+}
+static_assert(areKeysKnown());
+
+constexpr Action actionAt(std::size_t index) {
+    return static_cast<Action>(index);
+}
+
+bool meet(When a, When b) {
+    return a == When::Always || b == When::Always || a == b;
+}
+
+bool has(std::span<const KeyCode> keys, KeyCode key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+/// Another action that the key does at the times of this one.
+std::optional<Action> rivalOf(const KeyBindings& bindings, Action action, KeyCode key) {
+    for (const Action other : bindings.actionsOf(key))
+        if (other != action && meet(factsOf(other).when, factsOf(action).when))
+            return other;
+    return std::nullopt;
+}
+
+/// Of one entry of a file: a name, or a list of them.
+Result<std::vector<KeyCode>> keysIn(const Json& json, const std::string& where) {
+    const Json list = json.is_array() ? json : Json::array({json});
+    std::vector<KeyCode> keys;
+    for (const Json& item : list) {
+        if (!item.is_string())
+            return fail(ErrorCode::Malformed, where, "is neither the name of a key nor a list of such names");
+        const std::string& name = item.get_ref<const std::string&>();
+        const std::optional<KeyCode> key = keyNamed(name);
+        if (!key)
+            return fail(ErrorCode::Malformed, where, fmt::format("there is no key '{}'", name));
+        if (!has(keys, *key))
+            keys.push_back(*key);
+    }
+    return keys;
+}
+
+/// Errors: a key that does two things at the same time.
+Result<void> checkRivals(const KeyBindings& bindings, const std::string& name, const Json& json) {
+    for (std::size_t i = 0; i < kActions; ++i) {
+        const Action action = actionAt(i);
+        if (!json.contains(factsOf(action).name))
+            continue; // whoever took its key is told
+        for (const KeyCode key : bindings.keysOf(action)) {
+            if (const std::optional<Action> rival = rivalOf(bindings, action, key))
+                return fail(ErrorCode::Malformed, fmt::format("{}, {}", name, factsOf(action).name),
+                            fmt::format("{} is the key of {} already", nameOf(key), factsOf(*rival).name));
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+const ActionFacts& factsOf(Action action) {
+    LIMEN_ASSERT(static_cast<std::size_t>(action) < kActions, "an action");
+    return kFacts[static_cast<std::size_t>(action)];
+}
+
+std::optional<Action> actionNamed(std::string_view name) {
+    const auto found =
+        std::find_if(kFacts.begin(), kFacts.end(), [&](const auto& facts) { return facts.name == name; });
+    return found == kFacts.end()
+               ? std::nullopt
+               : std::make_optional(actionAt(static_cast<std::size_t>(found - kFacts.begin())));
+}
+
+KeyBindings::KeyBindings() {
+    for (std::size_t i = 0; i < kActions; ++i) {
+        for (const std::string_view name : kFacts[i].keys)
+            if (!name.empty())
+                keys_[i].push_back(*keyNamed(name));
+    }
+}
+
+std::vector<Action> KeyBindings::actionsOf(KeyCode key) const {
+    std::vector<Action> actions;
+    for (std::size_t i = 0; i < kActions; ++i)
+        if (has(keys_[i], key))
+            actions.push_back(actionAt(i));
+    return actions;
+}
+
+void KeyBindings::bind(Action action, KeyCode key, bool adds) {
+    LIMEN_ASSERT(!nameOf(key).empty(), "a key with a name: others cannot be written to a file");
+    while (const std::optional<Action> rival = rivalOf(*this, action, key)) {
+        std::vector<KeyCode>& keys = keys_[static_cast<std::size_t>(*rival)];
+        keys.erase(std::find(keys.begin(), keys.end(), key));
+    }
+    if (!adds)
+        keys_[static_cast<std::size_t>(action)].clear();
+    if (!has(keysOf(action), key))
+        keys_[static_cast<std::size_t>(action)].push_back(key);
+}
+
+std::string keysText(const KeyBindings& bindings, Action action) {
+    std::vector<std::string_view> names;
+    for (const KeyCode key : bindings.keysOf(action))
+        names.push_back(nameOf(key));
+    return names.empty() ? "no key" : fmt::format("{}", fmt::join(names, " or "));
+}
+
+Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string& name) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object())
+        return fail(ErrorCode::Malformed, name, "is not a JSON object of actions and their keys");
+    KeyBindings bindings;
+    std::vector<std::pair<Action, std::vector<KeyCode>>> entries;
+    for (const auto& [entry, value] : json.items()) {
+        const std::string where = fmt::format("{}, {}", name, entry);
+        const std::optional<Action> action = actionNamed(entry);
+        if (!action)
+            return fail(ErrorCode::Malformed, where, "there is no such action");
+        Result<std::vector<KeyCode>> keys = keysIn(value, where);
+        if (!keys)
+            return tl::unexpected(keys.error());
+        entries.emplace_back(*action, std::move(*keys));
+    }
+    for (const auto& [action, keys] : entries)
+        bindings.set(action, keys);
+    if (Result<void> checked = checkRivals(bindings, name, json); !checked)
+        return tl::unexpected(checked.error());
+    return bindings;
+}
+
+std::string keyBindingsJson(const KeyBindings& bindings) {
+    Json json = Json::object();
+    const KeyBindings first;
+    for (std::size_t i = 0; i < kActions; ++i) {
+        const std::span<const KeyCode> keys = bindings.keysOf(actionAt(i)),
+                                       before = first.keysOf(actionAt(i));
+        if (std::equal(keys.begin(), keys.end(), before.begin(), before.end()))
+            continue;
+        Json names = Json::array();
+        for (const KeyCode key : keys)
+            names.push_back(nameOf(key));
+        json[std::string(kFacts[i].name)] = std::move(names);
+    }
+    return json.dump(1) + "\n";
+}
+
+fs::path keysPath() {
+    const auto absolute = [](const char* name) -> fs::path {
+        const char* value = std::getenv(name);
+        const fs::path path = value != nullptr ? value : "";
+        return path.is_absolute() ? path : fs::path();
+    };
+    if (const fs::path config = absolute("XDG_CONFIG_HOME"); !config.empty())
+        return config / "limen" / "keys.json";
+    if (const fs::path home = absolute("HOME"); !home.empty())
+        return home / ".config" / "limen" / "keys.json";
+    return {};
+}
+
+Result<KeyBindings> readKeyBindings(const fs::path& file, bool mustExist) {
+    constexpr std::size_t kLongest = 1u << 20; // bytes
+    std::error_code error;
+    if (!mustExist && (file.empty() || !fs::exists(file, error)))
+        return KeyBindings();
+    const Result<std::string> text = output::readTextFile(file, kLongest);
+    if (!text)
+        return tl::unexpected(text.error());
+    return parseKeyBindings(*text, file.string());
+}
+
+Result<void> writeKeyBindings(const fs::path& file, const KeyBindings& bindings) {
+    if (file.empty())
+        return fail(ErrorCode::Unreadable, "keys", "no place to keep them; name a file with --keys");
+    if (Result<void> made = file.has_parent_path() ? output::makeDirectory(file.parent_path()) : Result<void>{};
+        !made)
+        return made;
+    return output::writeFile(file, std::string_view(keyBindingsJson(bindings)));
+}
+
+std::vector<HelpLine> helpLines(const KeyBindings& bindings) {
+    std::vector<HelpLine> lines{{"drag the mouse", "look around", {}},
+                                {"wheel", "the eye behind the body, farther from it, or nearer", {}},
+                                {"click", "tell what is there", {}}};
+    for (std::size_t i = 0; i < kActions; ++i)
+        lines.push_back({keysText(bindings, actionAt(i)), std::string(kFacts[i].does), actionAt(i)});
+    return lines;
+}
+
+std::string greeting(const KeyBindings& bindings) {
+    const auto first = [&](Action action) {
+        const auto keys = bindings.keysOf(action);
+        return keys.empty() ? std::string_view("no key") : nameOf(keys.front());
+    };
+    return fmt::format(
+        "{} {} {} {}   walk      drag the mouse   look around      {}   open a door      {}   all keys",
+        first(Action::Forward), first(Action::Left), first(Action::Back), first(Action::Right),
+        first(Action::Use), first(Action::Help));
+}
+
+} // namespace limen::viewer

@@ -1,0 +1,328 @@
+#include "engine/DayGroup.h"
+#include "viewer/PanelParts.h"
+#include "engine/VisitTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+// The panel, section by section.
+namespace limen::viewer::panel {
+namespace {
+
+/// Median and p95, or a dash.
+std::string windowText(const TimeWindow& window) {
+    return window.count() == 0 ? std::string("-")
+                               : fmt::format("{:.3f} {:.3f}", window.median(), window.p95());
+}
+
+void drawStages(const PanelFacts& facts) {
+    if (!ImGui::BeginTable("stages", 4))
+        return;
+    for (const char* heading : {"stage", "draws", "CPU ms, p95", "GPU ms, p95"})
+        ImGui::TableSetupColumn(heading);
+    ImGui::TableHeadersRow();
+    const std::vector<engine::StageFigures>& stages = facts.figures.stages;
+    for (std::size_t i = 0; i < stages.size() && i < facts.times.stages.size(); ++i) {
+        const StageWindows& times = facts.times.stages[i];
+        for (const std::string& text : {stages[i].name, fmt::format("{}", stages[i].draws),
+                                        windowText(times.cpu), windowText(times.gpu)}) {
+            ImGui::TableNextColumn();
+            line(text);
+        }
+    }
+    ImGui::EndTable();
+}
+
+/// The last seconds' frames, from nothing up to twice the p95.
+void drawFrameTimes(const TimeWindow& frame) {
+    if (frame.count() == 0)
+        return;
+    const auto value = [](void* window, int index) {
+        return static_cast<float>(
+            static_cast<const TimeWindow*>(window)->value(static_cast<std::size_t>(index)));
+    };
+    // ImGui takes what it hands back as it is, but not as const.
+    ImGui::PlotLines("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()), 0,
+                     nullptr, 0.0f, static_cast<float>(2.0 * frame.p95()), {-1.0f, 40.0f});
+}
+
+/// How the one at the keys gets about.
+std::string footingOf(const PanelFacts& facts) {
+    if (facts.body == nullptr)
+        return "flying";
+    return fmt::format("body in {}, {}{}", engine::spaceName(facts.world, facts.body->standing.space),
+                       facts.body->isOnGround ? "on the ground" : "in the air",
+                       facts.body->recoveries > 0
+                           ? fmt::format(", fell out of the world {} times", facts.body->recoveries)
+                           : "");
+}
+
+void drawFigures(const PanelFacts& facts) {
+    const engine::Camera& camera = facts.eye.camera;
+    const TimeWindow& frame = facts.times.frame;
+    line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
+    drawFrameTimes(frame);
+    line(fmt::format("root {}", engine::spaceName(facts.world, facts.eye.root)));
+    line(footingOf(facts));
+    line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
+    line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));
+    line(fmt::format("{} visits, {} cells seen", facts.visible.visits.size(),
+                     engine::cellsSeen(facts.world, facts.visible).size()));
+    if (facts.visible.counts.visitsCut > 0)
+        line(fmt::format("{} visits LEFT OUT: budget", facts.visible.counts.visitsCut));
+    line(fmt::format("{} drawn, {} culled, {} triangles", facts.plan.counts.instancesDrawn,
+                     facts.plan.counts.instancesCulled, facts.plan.counts.triangles));
+    line(fmt::format("flood {:.3f} ms, plan {:.3f} ms, {} GL calls", facts.figures.floodMs,
+                     facts.figures.planMs, facts.figures.glCalls));
+    const gpu::DeviceObjects& resident = facts.figures.resident;
+    line(fmt::format("{} textures, {} handles, {:.0f} MiB of buffers", resident.textures,
+                     resident.residentHandles, static_cast<double>(resident.bufferBytes) / (1 << 20)));
+    line(fmt::format("ring {:.1f} MiB, {} stalls, {:.1f} KiB this frame",
+                     static_cast<double>(resident.ringBytes) / (1 << 20), facts.figures.ringStalls,
+                     static_cast<double>(facts.figures.bytesWritten) / 1024.0));
+    if (!facts.figures.trouble.empty())
+        line("goes on without culling: " + facts.figures.trouble);
+    drawStages(facts);
+}
+
+void drawQuality(PanelChoice& choice) {
+    const char* name = choice.quality ? engine::kQualities[*choice.quality].name : "as the options say";
+    if (!ImGui::BeginCombo("quality", name))
+        return;
+    for (std::size_t i = 0; i < engine::kQualities.size(); ++i)
+        if (ImGui::Selectable(engine::kQualities[i].name, choice.quality == i))
+            choice.quality = i;
+    ImGui::EndCombo();
+}
+
+void drawDay(const dat::SkyDesc& sky, PanelChoice& choice) {
+    if (sky.dayGroups.size() < 2 || choice.dayGroup >= sky.dayGroups.size())
+        return;
+    if (!ImGui::BeginCombo("day", engine::dayGroupLabel(sky, choice.dayGroup).c_str()))
+        return;
+    for (std::uint32_t group = 0; group < sky.dayGroups.size(); ++group) {
+        ImGui::PushID(static_cast<int>(group));
+        if (ImGui::Selectable(engine::dayGroupLabel(sky, group).c_str(), choice.dayGroup == group))
+            choice.dayGroup = group;
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
+    if (!ImGui::CollapsingHeader("World", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    float hours = static_cast<float>(choice.time * 24.0);
+    if (ImGui::SliderFloat("time", &hours, 0.0f, 24.0f, "%.1f h"))
+        choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
+    drawDay(sky, choice);
+    bool rain = choice.weather == Weather::Rain;
+    if (ImGui::Checkbox("rain", &rain))
+        choice.weather = rain ? Weather::Rain : Weather::Clear;
+    drawQuality(choice);
+    int doors = choice.doors ? 1 : 0;
+    ImGui::RadioButton("doors at rest", &doors, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("all", &doors, 1);
+    if (doors == 0) {
+        choice.doors.reset();
+        return;
+    }
+    choice.doors = choice.doors.value_or(0.0);
+    float open = static_cast<float>(100.0 * *choice.doors);
+    if (ImGui::SliderFloat("open", &open, 0.0f, 100.0f,
+                           "%.0f %%")) // else doors that swing keep all their digits
+        choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
+}
+
+/// Draws a visit and all it leads to. Yields the first visit after them; `hovered` becomes the one under the mouse.
+std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isShown, int& hovered) {
+    bool isOpen = false;
+    if (isShown) {
+        // The number is the identity: the rest of the label changes from frame to frame.
+        isOpen = ImGui::TreeNodeEx(reinterpret_cast<const void*>(std::uintptr_t{visit}),
+                                   ImGuiTreeNodeFlags_DefaultOpen, "%s",
+                                   engine::visitLabel(facts.world, facts.visible, visit).c_str());
+        if (ImGui::IsItemHovered())
+            hovered = static_cast<int>(visit);
+    }
+    if (isOpen) {
+        const std::vector<std::string> besides = engine::seenBesides(facts.world, facts.visible, visit);
+        if (!besides.empty())
+            ImGui::TextDisabled("%s", fmt::format("and {}", fmt::join(besides, ", ")).c_str());
+    }
+    std::uint32_t next = visit + 1;
+    const std::vector<visibility::Visit>& visits = facts.visible.visits;
+    while (next < visits.size() && visits[next].depth > visits[visit].depth) // depth-first
+        next = drawVisit(facts, next, isOpen, hovered);
+    if (isOpen)
+        ImGui::TreePop();
+    return next;
+}
+
+/// The tree of visits: why each room is drawn. The region of the one under the mouse is filled.
+void drawVisits(const PanelFacts& facts) {
+    if (facts.visible.visits.empty() || !ImGui::CollapsingHeader("Visits", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    int hovered = -1;
+    drawVisit(facts, 0, true, hovered);
+    if (hovered < 0)
+        return;
+    std::vector<ImVec2> points;
+    for (const Vec2& corner :
+         engine::regionNdc(facts.visible, facts.visible.visits[static_cast<std::size_t>(hovered)]))
+        points.push_back(screenPoint(corner));
+    if (points.size() > 2)
+        ImGui::GetBackgroundDrawList()->AddConvexPolyFilled(points.data(), static_cast<int>(points.size()),
+                                                            IM_COL32(255, 220, 80, 90));
+}
+
+/// How many portals came to what, most first, and below each which they are.
+void drawPortalList(const PanelFacts& facts) {
+    if (facts.portals.empty() || !ImGui::CollapsingHeader("Portals", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    const auto counts = countFates(facts.portals);
+    for (std::size_t i = counts.size(); i-- > 0;) {
+        const auto fate = static_cast<visibility::PortalFate>(i);
+        if (counts[i] == 0)
+            continue;
+        ImGui::PushStyleColor(ImGuiCol_Text, inkOf(colourOf(fate), 255));
+        const bool isOpen =
+            ImGui::TreeNode(nameOf(fate).data(), "%s", fmt::format("{} {}", counts[i], nameOf(fate)).c_str());
+        ImGui::PopStyleColor();
+        if (!isOpen)
+            continue;
+        for (const PortalTrace& trace : facts.portals)
+            if (trace.fate == fate)
+                line(portalLabel(facts.world, trace));
+        ImGui::TreePop();
+    }
+}
+
+/// What is told of a landblock under the mouse.
+void drawBlockHint(const ResidentBlock& block) {
+    ImGui::BeginTooltip();
+    line(fmt::format("{:02X}{:02X}{}{}", block.coord.x & 0xFF, block.coord.y & 0xFF,
+                     block.holdsEye ? ", the eye's" : "", block.holdsPlayer ? ", the player's" : ""));
+    if (block.state == ResidentBlock::State::Absent)
+        line("not loaded");
+    else
+        line(fmt::format("{}, {} cells, {} building portals", block.hasTerrain ? "terrain" : "no terrain",
+                         block.cells, block.buildingPortals));
+    ImGui::EndTooltip();
+}
+
+ImU32 inkOf(const ResidentBlock& block) {
+    if (block.state == ResidentBlock::State::Absent)
+        return IM_COL32(50, 50, 50, 255);
+    if (block.cells == 0)
+        return block.hasTerrain ? IM_COL32(60, 110, 60, 255) : IM_COL32(90, 90, 60, 255);
+    return block.hasTerrain ? IM_COL32(120, 190, 90, 255) : IM_COL32(110, 130, 210, 255);
+}
+
+/// The landblocks around the eye, north up; eye and player are marked.
+void drawResidency(const ResidencyMap& map) {
+    if (!ImGui::CollapsingHeader("Residency"))
+        return;
+    line(fmt::format("{} blocks, {} with terrain, {} cells, {} building portals", map.loaded, map.terrains,
+                     map.cells, map.buildingPortals));
+    const float size = scaled(16.0f), gap = scaled(2.0f);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (int i = 0; i < map.side * map.side; ++i) {
+        const ResidentBlock& block = map.blocks[static_cast<std::size_t>(i)];
+        const ImVec2 from(corner.x + static_cast<float>(i % map.side) * size,
+                          corner.y + static_cast<float>(i / map.side) * size);
+        const ImVec2 to(from.x + size - gap, from.y + size - gap);
+        list->AddRectFilled(from, to, inkOf(block));
+        if (block.holdsEye)
+            list->AddRect(from, to, IM_COL32(255, 255, 255, 255), 0.0f, 0, gap);
+        if (block.holdsPlayer)
+            list->AddCircleFilled({(from.x + to.x) * 0.5f, (from.y + to.y) * 0.5f}, size * 0.2f,
+                                  IM_COL32(255, 220, 80, 255));
+        if (ImGui::IsMouseHoveringRect(from, to))
+            drawBlockHint(block);
+    }
+    const float side = static_cast<float>(map.side) * size;
+    ImGui::Dummy({side, side});
+    ImGui::TextDisabled(
+        "%s", "green: terrain, bright: with cells, blue: cells alone;\nframe: the eye, dot: the player");
+}
+
+void drawPicked(const engine::Picked* picked) {
+    if (picked == nullptr || !ImGui::CollapsingHeader("Picked", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    for (const std::string& text : engine::pickedLines(*picked))
+        line(text);
+}
+
+/// What the colours over the frame say, kind by kind.
+void drawVerdict(const ViewVerdict* verdict) {
+    if (verdict == nullptr || !ImGui::CollapsingHeader("Checked", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    const check::Comparison& comparison = verdict->comparison;
+    line(fmt::format("{} wrong of {} pixels, {:.1f} s", comparison.findings(), comparison.verdicts.size(),
+                     verdict->seconds));
+    for (std::size_t i = 1; i < check::kVerdictCount; ++i) // what agrees is the rest
+        if (comparison.counts[i] > 0)
+            line(fmt::format("{} {}", comparison.counts[i], check::kVerdictNames[i]));
+}
+
+/// What was found wrong with the data.
+void drawFindings(std::span<const world::Finding> findings) {
+    constexpr std::size_t kMost = 20;
+    const std::string title = fmt::format("Warnings ({})###warnings", findings.size());
+    if (findings.empty() || !ImGui::CollapsingHeader(title.c_str()))
+        return;
+    for (const world::Finding& finding : findings.first(std::min(findings.size(), kMost)))
+        line(fmt::format("{} {}", cli::hexId(finding.record), finding.what));
+    if (findings.size() > kMost)
+        line(fmt::format("and {} more", findings.size() - kMost));
+}
+
+int drawPlaces(std::span<const world::Place> places) {
+    int clicked = -1;
+    if (!places.empty() && ImGui::CollapsingHeader("Places")) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::string label =
+                i < 9 ? fmt::format("{}  {}", i + 1, places[i].name) : fmt::format("   {}", places[i].name);
+            if (ImGui::Selectable(label.c_str()))
+                clicked = static_cast<int>(i);
+        }
+    }
+    return clicked;
+}
+
+} // namespace
+
+PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
+    ImGui::SetNextWindowPos({scaled(8.0f), scaled(8.0f)}, ImGuiCond_FirstUseEver);
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const ImVec2 most{std::max(room.x - scaled(16.0f), 1.0f), std::max(room.y - scaled(16.0f), 1.0f)};
+    ImGui::SetNextWindowSizeConstraints({std::min(scaled(330.0f), most.x), 0.0f},
+                                        most); // the rest is scrolled
+    ImGui::SetNextWindowBgAlpha(0.75f);
+    const std::string title =
+        fmt::format("Limen ({} for help)###panel", keysText(facts.bindings, Action::Help));
+    ImGui::Begin(title.c_str(), nullptr,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    drawControls(facts.world.sky.desc, choice);
+    drawFigures(facts);
+    drawVerdict(facts.verdict);
+    drawPicked(facts.picked);
+    drawVisits(facts);
+    drawPortalList(facts);
+    drawResidency(facts.residency);
+    drawFindings(facts.world.findings);
+    choice.place = drawPlaces(facts.places);
+    if (ImGui::CollapsingHeader("Driver")) {
+        line(facts.figures.driver);
+        line(facts.figures.textures);
+    }
+    ImGui::End();
+    return choice;
+}
+
+} // namespace limen::viewer::panel

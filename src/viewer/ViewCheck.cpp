@@ -1,0 +1,30 @@
+#include "viewer/ViewCheck.h"
+
+#include "engine/CheckDrawer.h"
+#include "output/TracedFrame.h"
+
+#include <chrono>
+
+namespace limen::viewer {
+
+Result<ViewVerdict> ViewCheck::check(engine::Session& session, const engine::FrameEye& eye) {
+    const auto start = std::chrono::steady_clock::now();
+    if (world_ != session.shareLoaded()) {
+        traced_.reset(); // refers to the world that goes
+        world_ = session.shareLoaded();
+        traced_.emplace(world_->world);
+    }
+    const Result<check::DrawnImages> drawn = engine::drawImages(session, eye, false);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    traced_->setDynamics(session.dynamics());
+    const output::TracedFrame traced = output::traceFrame(traced_->scene(), eye);
+    check::ViewRetracer retracer(*traced_, traced.camera);
+    ViewVerdict verdict;
+    check::compare(*drawn, traced.picture, retracer, verdict.comparison);
+    verdict.picture = output::pictureOfVerdicts(eye.size.width, eye.size.height, verdict.comparison);
+    verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return verdict;
+}
+
+} // namespace limen::viewer

@@ -1,0 +1,340 @@
+#include "viewer/Viewer.h"
+
+#include "viewer/Screenshots.h"
+#include "engine/ViewOfEye.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <utility>
+
+namespace limen::viewer {
+namespace {
+
+/// The options of `shot` that are the session's and change pictures.
+std::string pictureOptions(const engine::SessionOptions& options) {
+    const world::LoadOptions usual;
+    std::string text;
+    if (options.load.radius != usual.radius)
+        text += fmt::format(" --radius {}", options.load.radius);
+    if (options.load.detail != usual.detail)
+        text += fmt::format(" --detail {}", options.load.detail);
+    if (options.samples > 1)
+        text += fmt::format(" --msaa {}", options.samples);
+    return text;
+}
+
+bool isSameView(const engine::FrameEye& a, const engine::FrameEye& b) {
+    return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
+           a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
+           a.size.height == b.size.height && a.time == b.time && a.dayGroup == b.dayGroup &&
+           a.weather == b.weather && a.doors == b.doors && a.eachDoor == b.eachDoor && a.body == b.body;
+}
+
+} // namespace
+
+Viewer::Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, engine::FrameEye start, ViewerKeys keys,
+               std::filesystem::path screenshots)
+    : window_(window), device_(device), session_(session), panel_(window), stream_(session),
+      play_(session, std::move(start), &stream_), bindings_(std::move(keys.bindings)),
+      keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
+    start_ = eye().camera.eye;
+    lastSeconds_ = window_.seconds();
+    device_.restoreState(); // the panel has set up its own things
+}
+
+Result<void> Viewer::frame(double fixedSeconds) {
+    window_.poll(panel_.takes(), bindings_);
+    const double now = window_.seconds();
+    frameSeconds_ = now - lastSeconds_;
+    lastSeconds_ = now;
+    takeKeys();
+    if (Result<void> moved = play_.step(takeInput(fixedSeconds > 0.0 ? fixedSeconds : frameSeconds_)); !moved)
+        return moved;
+    if (stream_.hasRefused())
+        notice("that place cannot be loaded");
+    if (const std::optional<PixelPlace> clicked = window_.clicked()) {
+        if (Result<void> picked = pick(*clicked); !picked)
+            return picked;
+    }
+    if (wantsCheck_) {
+        if (Result<void> checked = check(); !checked)
+            return checked;
+    }
+    if (wantsPicture_) {
+        if (Result<void> kept = keepPicture(); !kept)
+            return kept;
+    }
+    if (verdict_ && !isSameView(eye(), checkedFrom_))
+        verdict_.reset();
+    const std::optional<frame::Highlight> pulse = selectionPulse();
+    engine::DrawOptions options{.ids = switches_.ids || switches_.depth};
+    if (pulse)
+        options.highlights = std::span(&*pulse, 1);
+    if (Result<void> drawn = session_.draw(eye(), options); !drawn)
+        return drawn;
+    probed_ = probe_ ? probe_->see({frames_, eye().seconds, session_.loaded().world, eye(),
+                                    session_.visible(), session_.plan(), session_.figures().glCalls})
+                     : std::string();
+    overlay();
+    return {};
+}
+
+bool Viewer::isAtStart() {
+    constexpr double kUnderWay = 1.5; // metres; who has got so far knows how
+    hasLeft_ = hasLeft_ || glm::length(eye().camera.eye - start_) > kUnderWay;
+    return !hasLeft_;
+}
+
+void Viewer::rest() {
+    window_.rest();
+    lastSeconds_ = window_.seconds();
+}
+
+std::string Viewer::doorInReach() const {
+    const std::optional<std::size_t> door = play_.doorInReach();
+    return door ? session_.loaded().world.doors[*door].name : std::string();
+}
+
+std::string Viewer::noticeText() const {
+    if (lastSeconds_ < notice_.until)
+        return notice_.text;
+    return play_.goingTo().empty() ? std::string() : fmt::format("going to {} ...", play_.goingTo());
+}
+
+std::vector<std::string> Viewer::openDoors() const {
+    std::vector<std::string> names;
+    const std::vector<world::Door>& doors = session_.loaded().world.doors;
+    for (std::size_t i = 0; i < doors.size(); ++i)
+        if (eye().doors.value_or(i < eye().eachDoor.size() ? eye().eachDoor[i] : doors[i].open) > 0.0)
+            names.push_back(doors[i].name);
+    return names;
+}
+
+void Viewer::takeKeys() {
+    if (rebinding_ && !window_.pressedKeys().empty()) {
+        rebind(window_.pressedKeys().front());
+        return;
+    }
+    for (const Action action : window_.pressed())
+        press(action);
+}
+
+void Viewer::press(Action action) {
+    switch (action) {
+    case Action::Help:
+        switches_.help = !switches_.help;
+        return;
+    case Action::Ids:
+        switches_.ids = !switches_.ids;
+        return;
+    case Action::Depth:
+        switches_.depth = !switches_.depth;
+        return;
+    case Action::Regions:
+        switches_.regions = !switches_.regions;
+        return;
+    case Action::Portals:
+        switches_.portals = !switches_.portals;
+        return;
+    case Action::Panel:
+        switches_.panel = !switches_.panel;
+        return;
+    case Action::Check:
+        wantsCheck_ = true;
+        return;
+    case Action::Probe:
+        probe_ = probe_ ? std::nullopt : std::make_optional<output::Probe>();
+        return;
+    case Action::Freeze:
+        freeze();
+        return;
+    case Action::Screenshot:
+        wantsPicture_ = true;
+        return;
+    case Action::FullScreen:
+        window_.switchFullScreen();
+        return;
+    case Action::Walk:
+        return act({play::PlayAct::Kind::Walk});
+    case Action::Chase:
+        return act({play::PlayAct::Kind::Chase});
+    case Action::Doors:
+        return act({play::PlayAct::Kind::Doors});
+    case Action::Use:
+        return act({play::PlayAct::Kind::Use});
+    case Action::Rain:
+        return act({play::PlayAct::Kind::Weather});
+    case Action::Later:
+        return act({play::PlayAct::Kind::Time, std::fmod(eye().time + 1.0 / 24.0, 1.0)});
+    case Action::Leave:
+        leaving_ = true;
+        return;
+    default:
+        if (action >= Action::Place1)
+            act({play::PlayAct::Kind::Place, static_cast<double>(action) - static_cast<double>(Action::Place1)});
+    }
+}
+
+void Viewer::rebind(KeyCode key) {
+    const Rebinding wanted = *std::exchange(rebinding_, std::nullopt);
+    if (key == keyNamed("Escape"))
+        return;
+    KeyBindings changed = bindings_;
+    changed.bind(wanted.action, key, wanted.adds);
+    keepBindings(std::move(changed));
+}
+
+void Viewer::keepBindings(KeyBindings bindings) {
+    bindings_ = std::move(bindings);
+    const Result<void> written = writeKeyBindings(keysFile_, bindings_);
+    notice(written ? "keys kept in " + keysFile_.string() : written.error().message());
+}
+
+Result<void> Viewer::keepPicture() {
+    wantsPicture_ = false;
+    if (Result<void> drawn = session_.draw(eye(), {}); !drawn)
+        return drawn;
+    const output::Picture picture =
+        output::pictureFromRgba(eye().size.width, eye().size.height, session_.target().readColour());
+    const Result<std::filesystem::path> kept =
+        keepScreenshot(screenshots_, picture,
+                       engine::reproduction(session_.loaded().world, eye(), session_.source().datOption) +
+                           pictureOptions(session_.options()));
+    notice(kept ? kept->string() : kept.error().message()); // a full disk is no reason to leave
+    return {};
+}
+
+void Viewer::notice(std::string text) {
+    constexpr double kShown = 4.0; // seconds
+    notice_ = {std::move(text), lastSeconds_ + kShown};
+}
+
+void Viewer::freeze() {
+    if (frozen_)
+        frozen_.reset();
+    else
+        frozen_ = FrozenFlood{engine::viewOf(eye().camera, eye().size, eye().root), session_.visible(), portalsNow()};
+}
+
+std::vector<PortalTrace> Viewer::portalsNow() {
+    session_.tracePortals(eye(), trace_);
+    return portalTraces(trace_);
+}
+
+ResidencyMap Viewer::residency() const {
+    const world::World& world = session_.loaded().world;
+    const dat::BlockCoord here = blockOf(world, eye().root, eye().camera.eye);
+    const dat::BlockCoord player = eye().body ? blockOf(world, eye().body->space, eye().body->feet) : here;
+    return residencyMap(world, here, player, session_.options().load.radius + 1);
+}
+
+const play::PlayInput& Viewer::takeInput(double seconds) {
+    const HeldInput& held = window_.held();
+    for (const play::PlayAct& done :
+         wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::Walk::kNearest}))
+        act(done);
+    input_ = inputOf(held, seconds);
+    input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
+    input_.size = window_.size();
+    input_.acts = std::exchange(acts_, {});
+    return input_;
+}
+
+Result<void> Viewer::pick(const PixelPlace& place) {
+    if (place.x >= eye().size.width || place.y >= eye().size.height)
+        return {}; // the window has shrunk since
+    Result<engine::Picked> picked = session_.pick(eye(), place.x, place.y);
+    if (!picked)
+        return tl::unexpected(picked.error());
+    const bool isSame = picked_ && picked->object != 0 && picked->object == picked_->object &&
+                        picked->meaning.polygon == picked_->meaning.polygon;
+    picked_ =
+        isSame || picked->meaning.kind == "void" ? std::nullopt : std::make_optional(std::move(*picked));
+    return {};
+}
+
+Result<void> Viewer::check() {
+    wantsCheck_ = false;
+    if (verdict_) {
+        verdict_.reset();
+        return {};
+    }
+    Result<ViewVerdict> verdict = viewCheck_.check(session_, eye());
+    if (!verdict)
+        return tl::unexpected(verdict.error());
+    verdict_ = std::move(*verdict);
+    checkedFrom_ = eye();
+    return {};
+}
+
+std::optional<frame::Highlight> Viewer::selectionPulse() const {
+    constexpr double kPulse = 1.2; // seconds
+    constexpr std::uint32_t kYellow = 0x0040D0FFu;
+    if (!picked_ || picked_->object == 0 || picked_->isLandscape)
+        return {};
+    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye().seconds / kPulse);
+    const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
+    return frame::Highlight{picked_->object, kYellow | strength << 24};
+}
+
+void Viewer::take(const PanelChoice& choice) {
+    if (choice.time != eye().time)
+        act({play::PlayAct::Kind::Time, choice.time});
+    if (choice.dayGroup != eye().dayGroup)
+        act({play::PlayAct::Kind::Day, static_cast<double>(choice.dayGroup)});
+    if (choice.weather != eye().weather)
+        act({play::PlayAct::Kind::Weather});
+    if (choice.doors != eye().doors)
+        act({play::PlayAct::Kind::AllDoors, choice.doors.value_or(-1.0)});
+    if (choice.quality && choice.quality != session_.options().quality)
+        act({play::PlayAct::Kind::Quality, static_cast<double>(*choice.quality)});
+    if (choice.place >= 0)
+        act({play::PlayAct::Kind::Place, static_cast<double>(choice.place)});
+    if (choice.rebinding)
+        rebinding_ = choice.rebinding;
+    if (choice.keysAsAtFirst)
+        keepBindings(KeyBindings());
+}
+
+void Viewer::overlay() {
+    const std::vector<std::uint32_t> ids =
+        switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
+    const std::vector<float> distances =
+        switches_.depth ? session_.target().readDistances(session_.plan().constants) : std::vector<float>{};
+    device_.presentToWindow(session_.target().handle(), eye().size.width, eye().size.height);
+    const engine::FrameFigures figures = session_.figures();
+    if (frames_++ > 0) // the first is no frame: it began when the window opened
+        times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
+    const std::optional<std::size_t> door = play_.doorInReach();
+    const std::string said = noticeText();
+    portals_ = !switches_.portals ? std::vector<PortalTrace>{} : frozen_ ? frozen_->portals : portalsNow();
+    const ResidencyMap blocks = residency();
+    const PanelFacts facts{.world = session_.loaded().world,
+                           .eye = eye(),
+                           .visible = session_.visible(),
+                           .plan = session_.plan(),
+                           .figures = figures,
+                           .times = times_,
+                           .body = walk().isOn() ? &walk().body() : nullptr,
+                           .door = door ? &session_.loaded().world.doors[*door] : nullptr,
+                           .doorOpens = door && play_.opens(*door),
+                           .picked = picked_ ? &*picked_ : nullptr,
+                           .verdict = verdict_ ? &*verdict_ : nullptr,
+                           .frozen = frozen_ ? &*frozen_ : nullptr,
+                           .portals = portals_,
+                           .residency = blocks,
+                           .quality = session_.options().quality,
+                           .places = session_.source().file.places,
+                           .ids = ids,
+                           .distances = distances,
+                           .bindings = bindings_,
+                           .rebinding = rebinding_,
+                           .notice = said,
+                           .greets = isAtStart()};
+    const PanelChoice choice = panel_.draw(facts, switches_);
+    device_.restoreState();
+    take(choice);
+}
+
+} // namespace limen::viewer

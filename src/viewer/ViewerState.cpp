@@ -1,0 +1,78 @@
+#include "viewer/ViewerState.h"
+
+#include <nlohmann/json.hpp>
+
+namespace limen::viewer {
+namespace {
+
+nlohmann::ordered_json pickedJson(const std::optional<engine::Picked>& picked) {
+    if (!picked)
+        return nullptr;
+    const engine::IdMeaning& meaning = picked->meaning;
+    return {{"kind", meaning.kind},       {"record", meaning.record}, {"object", meaning.object},
+            {"polygon", meaning.polygon}, {"space", meaning.space},   {"chain", picked->chain}};
+}
+
+nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
+    if (!verdict)
+        return nullptr;
+    return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
+}
+
+/// How many portals came to what, as far as they are shown.
+nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    const auto counts = countFates(portals);
+    for (std::size_t i = counts.size(); i-- > 0;)
+        if (counts[i] > 0)
+            json[std::string(nameOf(static_cast<visibility::PortalFate>(i)))] = counts[i];
+    return json;
+}
+
+} // namespace
+
+std::string stateJson(const engine::Session& session, const Viewer& viewer, std::size_t frames) {
+    const engine::FrameEye& eye = viewer.eye();
+    const nlohmann::ordered_json json{
+        {"frames", frames},
+        {"eye", {eye.camera.eye.x, eye.camera.eye.y, eye.camera.eye.z}},
+        {"yaw", eye.camera.heading.yaw},
+        {"pitch", eye.camera.heading.pitch},
+        {"root", engine::spaceName(session.loaded().world, eye.root)},
+        {"seconds", eye.seconds},
+        {"time", eye.time},
+        {"day", eye.dayGroup},
+        {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
+        {"doors", eye.doors ? nlohmann::ordered_json(*eye.doors) : nlohmann::ordered_json(nullptr)},
+        {"open_doors", viewer.openDoors()},
+        {"visits", session.visible().visits.size()},
+        {"overlays",
+         {{"help", viewer.switches().help},
+          {"ids", viewer.switches().ids},
+          {"depth", viewer.switches().depth},
+          {"regions", viewer.switches().regions},
+          {"portals", viewer.switches().portals},
+          {"panel", viewer.switches().panel}}},
+        {"walking", viewer.walk().isOn()},
+        {"chased", viewer.walk().isChased()},
+        {"frozen_visits", viewer.frozenVisits()},
+        {"portals", fatesJson(viewer.portals())},
+        {"ui_scale", uiScaleOf(viewer.sizes()).units},
+        {"body", engine::bodyJson(session.loaded().world, eye.body)},
+        {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
+        {"picked", pickedJson(viewer.picked())},
+        {"checked", verdictJson(viewer.verdict())},
+        {"size", {eye.size.width, eye.size.height}},
+        {"distance", viewer.walk().distance()},
+        {"loaded", {session.loaded().centre.x, session.loaded().centre.y}},
+        {"going_to", viewer.goingTo()},
+        {"door", viewer.doorInReach()},
+        {"notice", viewer.noticeText()},
+        {"rebinding", viewer.rebinding() ? nlohmann::ordered_json(factsOf(viewer.rebinding()->action).name)
+                                         : nlohmann::ordered_json(nullptr)},
+        {"keys", nlohmann::ordered_json::parse(keyBindingsJson(viewer.bindings()))},
+        {"gl_calls", session.figures().glCalls}};
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; // paths are any bytes
+}
+
+} // namespace limen::viewer

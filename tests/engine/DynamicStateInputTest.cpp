@@ -1,0 +1,83 @@
+// Hard cases 18 and 23 of docs/cases.md: weather follows the player; all else follows the eye.
+#include "engine/DynamicStateInput.h"
+#include "motion/Locate.h"
+#include "support/MovingHut.h"
+
+namespace limen::engine {
+namespace {
+
+struct HutWorld {
+    test::MovingHut hut;
+    world::World world = hut.load();
+    Vec3 inside = hut.at({12, 12, 3.6}), outside = hut.at({6, 12, 3.6});
+
+    [[nodiscard]] FrameEye eye(const Vec3& at, const Vec3& player, Weather weather = Weather::Rain) const {
+        FrameEye eye;
+        eye.camera.eye = at;
+        eye.camera.heading = {37.0, 4.0};
+        eye.root = motion::locate(world, at).space;
+        eye.player = player;
+        eye.weather = weather;
+        eye.seconds = 3.5;
+        return eye;
+    }
+};
+
+TEST(DynamicStateInput, case18_itRainsExactlyWhileThePlayerIsOutside) {
+    const HutWorld f;
+    ASSERT_NE(f.eye(f.inside, f.inside).root, world::kOutside);
+    for (const Vec3& eye : {f.inside, f.outside}) {
+        EXPECT_TRUE(dynamicsInput(f.world, f.eye(eye, f.outside)).rain);
+        EXPECT_FALSE(dynamicsInput(f.world, f.eye(eye, f.inside)).rain);
+        EXPECT_FALSE(dynamicsInput(f.world, f.eye(eye, f.outside, Weather::Clear)).rain);
+    }
+}
+
+TEST(DynamicStateInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOutside) {
+    HutWorld f;
+    EXPECT_FALSE(dynamicsInput(f.world, f.eye(f.outside, f.outside)).weather) << "there is none";
+    f.world.sky.weather.resize(1);
+    for (const Vec3& at : {f.inside, f.outside}) {
+        FrameEye eye = f.eye(at, f.outside, Weather::Clear);
+        eye.dayGroup = 2;
+        eye.time = 0.25;
+        const auto hour = dynamicsInput(f.world, eye).weather;
+        ASSERT_TRUE(hour);
+        EXPECT_EQ(hour->dayGroup, 2u);
+        EXPECT_EQ(hour->time, 0.25);
+        EXPECT_FALSE(dynamicsInput(f.world, f.eye(at, f.inside)).weather);
+    }
+}
+
+TEST(DynamicStateInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
+    const HutWorld f;
+    FrameEye eye = f.eye(f.inside, f.inside);
+    eye.root = world::kOutside; // as an explicit root says, whatever the position says
+    EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
+}
+
+TEST(DynamicStateInput, case18_aBodyIsInTheSpaceItSays) {
+    const HutWorld f;
+    FrameEye eye = f.eye(f.outside, f.outside);
+    eye.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
+    EXPECT_FALSE(dynamicsInput(f.world, eye).rain) << "the body is inside, whatever else is said";
+    EXPECT_EQ(dynamicsInput(f.world, eye).player, eye.body);
+    eye.body->space = world::kOutside; // as in a cave whose cells are nowhere by their place
+    EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
+}
+
+TEST(DynamicStateInput, case23_nothingButTheWeatherDependsOnThePlayer) {
+    const HutWorld f;
+    const motion::DynamicStateInput in = dynamicsInput(f.world, f.eye(f.outside, f.inside, Weather::Clear)),
+                                    out = dynamicsInput(f.world, f.eye(f.outside, f.outside, Weather::Clear));
+    EXPECT_EQ(in.seconds, out.seconds);
+    EXPECT_EQ(in.eye, out.eye);
+    EXPECT_EQ(in.right, out.right);
+    EXPECT_EQ(in.up, out.up);
+    EXPECT_EQ(in.forward, out.forward);
+    EXPECT_EQ(in.rain, out.rain);
+    EXPECT_EQ(in.allDoors, out.allDoors);
+}
+
+} // namespace
+} // namespace limen::engine

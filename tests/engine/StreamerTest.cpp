@@ -1,0 +1,285 @@
+#include "engine/Streamer.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace limen::engine {
+namespace {
+
+constexpr dat::BlockCoord kHome{100, 100};
+const world::LoadOptions kLoad{.radius = 4, .farRadius = 12};
+
+/// Does what it is told when the test says so, and keeps count: what is read is shown, dropped, or failed, once.
+class FakeTasks final : public StreamTasks {
+public:
+    void beginToRead(const StreamTarget& target) override {
+        EXPECT_FALSE(isReading || isRead || isUploading) << "one thing at a time";
+        isReading = true;
+        framesToRead = std::max(framesToRead, eachRead);
+        read.push_back(target);
+    }
+    std::optional<Result<void>> pollRead() override {
+        EXPECT_TRUE(isReading);
+        if (framesToRead > 0) {
+            --framesToRead;
+            return std::nullopt;
+        }
+        isReading = false;
+        if (fails)
+            return Result<void>(fail(ErrorCode::NotFound, "dat", "nothing there"));
+        isRead = true;
+        return Result<void>{};
+    }
+    Result<void> beginToUpload() override {
+        EXPECT_TRUE(isRead);
+        isRead = false;
+        isUploading = true;
+        return {};
+    }
+    Result<bool> advance() override {
+        ++slices;
+        if (!isUploading)
+            return true;
+        if (framesToUpload > 0) {
+            --framesToUpload;
+            return false;
+        }
+        if (uploadFails) {
+            isUploading = false;
+            return fail(ErrorCode::Driver, "", "out of memory");
+        }
+        return true;
+    }
+    void drop() override {
+        EXPECT_TRUE(isRead || isUploading);
+        isRead = isUploading = false;
+        ++dropped;
+    }
+    void show() override {
+        EXPECT_TRUE(isUploading);
+        isUploading = false;
+        shown.push_back(read.back());
+    }
+
+    bool isReading = false, isRead = false, isUploading = false, fails = false, uploadFails = false;
+    int framesToRead = 0, framesToUpload = 0, slices = 0;
+    int eachRead = 0; ///< frames that every one takes
+    std::size_t dropped = 0;
+    std::vector<StreamTarget> read, shown;
+};
+
+StreamEye eyeAt(double x, double y) {
+    const Vec3 position{x, y, 0.0};
+    return {position, world::blockAt(position)};
+}
+
+/// Metres from the south-west corner of kHome.
+StreamEye eyeFromHome(double x, double y) {
+    return eyeAt(kHome.x * world::kBlockSize + x, kHome.y * world::kBlockSize + y);
+}
+
+/// A streamer with what it has shown.
+struct Streamed {
+    FakeTasks tasks;
+    Streamer streamer{tasks};
+    StreamTarget shown{kHome, kLoad};
+    bool step(const StreamEye& eye, const world::LoadOptions& wanted = kLoad) {
+        const bool isNew = streamer.step(shown, eye, wanted);
+        if (isNew)
+            shown = tasks.shown.back();
+        return isNew;
+    }
+    /// Frames until something is shown, at most `most`.
+    int framesUntilShown(const StreamEye& eye, int most = 100) {
+        for (int i = 1; i <= most; ++i)
+            if (step(eye))
+                return i;
+        return 0;
+    }
+};
+
+TEST(Streamer, doesNothingWhileTheEyeIsAtHome) {
+    Streamed s;
+    for (const StreamEye& eye :
+         {eyeFromHome(96, 96), eyeFromHome(0, 191), eyeFromHome(-23, 50), eyeFromHome(215, 215)})
+        EXPECT_FALSE(s.step(eye));
+    EXPECT_TRUE(s.tasks.read.empty());
+    EXPECT_EQ(s.tasks.slices, 4) << "what is not shown any more is freed all the same";
+}
+
+TEST(Streamer, readsUploadsAndShowsWhatIsAroundAnEyeThatHasLeft) {
+    Streamed s;
+    s.tasks.framesToRead = 5;
+    s.tasks.framesToUpload = 7;
+    const StreamEye eye = eyeFromHome(220, 96);
+    const int frames = s.framesUntilShown(eye);
+    EXPECT_GE(frames, 12);
+    EXPECT_LE(frames, 16);
+    ASSERT_EQ(s.tasks.read.size(), 1u);
+    EXPECT_EQ(s.tasks.read[0], (StreamTarget{{kHome.x + 1, kHome.y}, kLoad}));
+    EXPECT_EQ(s.tasks.dropped, 0u);
+    for (int i = 0; i < 10; ++i)
+        EXPECT_FALSE(s.step(eye));
+    EXPECT_EQ(s.tasks.read.size(), 1u);
+}
+
+TEST(Streamer, readsNothingForWhoWalksToAndFroAlongABorder) {
+    Streamed s;
+    for (int i = 0; i < 200; ++i)
+        s.step(eyeFromHome(192.0 + 20.0 * std::sin(i * 0.3), 96));
+    EXPECT_TRUE(s.tasks.read.empty());
+    EXPECT_GT(s.framesUntilShown(eyeFromHome(217, 96)), 0);
+    for (int i = 0; i < 200; ++i)
+        s.step(eyeFromHome(192.0 + 20.0 * std::sin(i * 0.3), 96));
+    EXPECT_EQ(s.tasks.read.size(), 1u) << "nor back";
+}
+
+TEST(Streamer, dropsWhatIsReadForAnEyeThatHasGoneBack) {
+    Streamed s;
+    s.tasks.framesToRead = 3;
+    s.step(eyeFromHome(220, 96));
+    for (int i = 0; i < 10; ++i)
+        EXPECT_FALSE(s.step(eyeFromHome(10, 96)));
+    EXPECT_EQ(s.tasks.dropped, 1u);
+    EXPECT_EQ(s.tasks.read.size(), 1u);
+    EXPECT_EQ(s.streamer.phase(), Streamer::Phase::Idle);
+}
+
+TEST(Streamer, aJumpBeyondAllThatIsLoadedIsFollowed) {
+    Streamed s;
+    s.tasks.framesToRead = 2;
+    s.tasks.framesToUpload = 3;
+    s.step(eyeFromHome(220, 96)); // on its way already
+    const StreamEye far = eyeAt(20 * world::kBlockSize, 7 * world::kBlockSize);
+    ASSERT_GT(s.framesUntilShown(far), 0);
+    EXPECT_EQ(s.shown.centre, far.block);
+    EXPECT_EQ(s.tasks.dropped, 1u);
+}
+
+TEST(Streamer, whoWaitsToGoFarAwayIsNotServedHalfTheWay) {
+    Streamed s;
+    s.tasks.framesToRead = 5;
+    s.step(eyeFromHome(220, 96)); // the next block is on its way
+    StreamEye there = eyeFromHome(96 + 3 * world::kBlockSize, 96);
+    there.isAway = true;
+    s.tasks.eachRead = 2;
+    ASSERT_GT(s.framesUntilShown(there), 0);
+    EXPECT_EQ(s.shown.centre, there.block);
+    ASSERT_EQ(s.tasks.shown.size(), 1u);
+    EXPECT_EQ(s.tasks.dropped, 1u);
+}
+
+TEST(Streamer, itIsToldWhetherAPlaceHasFailed) {
+    Streamed s;
+    s.tasks.fails = true;
+    StreamEye there = eyeFromHome(96 + 3 * world::kBlockSize, 96);
+    there.isAway = true;
+    EXPECT_FALSE(s.streamer.hasFailed({there.block, kLoad}));
+    for (int i = 0; i < 5; ++i)
+        EXPECT_FALSE(s.step(there));
+    EXPECT_TRUE(s.streamer.hasFailed({there.block, kLoad}));
+    EXPECT_FALSE(s.streamer.hasFailed({kHome, kLoad}));
+}
+
+// Else who is faster than what comes would never see anything but the place he came from.
+TEST(Streamer, showsWhatIsNearerThanWhatIsShownThoughTheEyeHasGoneOn) {
+    Streamed s;
+    s.tasks.eachRead = 20;
+    std::size_t shown = 0;
+    for (int frame = 0; frame < 400; ++frame) {
+        shown += s.step(eyeFromHome(96.0 + 15.0 * frame, 96)) ? 1 : 0; // 900 m a second
+        if (frame > 60)
+            EXPECT_LE(std::abs(s.shown.centre.x - eyeFromHome(96.0 + 15.0 * frame, 96).block.x), 6);
+    }
+    EXPECT_GE(shown, 10u);
+}
+
+TEST(Streamer, whatCannotBeLoadedIsToldOnceAndTheRestGoesOn) {
+    Streamed s;
+    s.tasks.fails = true;
+    const StreamEye beyond = eyeFromHome(220, 96);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_FALSE(s.step(beyond));
+    EXPECT_EQ(s.tasks.read.size(), 1u) << "not tried again and again";
+    EXPECT_NE(s.streamer.takeFault(), "");
+    EXPECT_EQ(s.streamer.takeFault(), "") << "told once";
+    s.tasks.fails = false;
+    EXPECT_GT(s.framesUntilShown(eyeFromHome(220 + 192, 96)), 0) << "the next block";
+    EXPECT_GT(s.framesUntilShown(beyond), 0) << "tried again, coming back";
+}
+
+TEST(Streamer, anUploadThatFailsIsToldAndLeavesWhatIsShown) {
+    Streamed s;
+    s.tasks.uploadFails = true;
+    EXPECT_EQ(s.framesUntilShown(eyeFromHome(220, 96), 20), 0);
+    EXPECT_NE(s.streamer.takeFault().find("out of memory"), std::string::npos);
+    EXPECT_EQ(s.tasks.read.size(), 1u);
+}
+
+TEST(Streamer, otherOptionsAreReadWhereTheEyeIs) {
+    Streamed s;
+    world::LoadOptions wide = kLoad;
+    wide.radius = 6;
+    s.tasks.framesToRead = 2;
+    s.step(eyeFromHome(96, 96), wide);
+    EXPECT_EQ(s.tasks.read.size(), 1u);
+    wide.radius = 2; // meanwhile
+    for (int i = 0; i < 20; ++i)
+        s.step(eyeFromHome(96, 96), wide);
+    EXPECT_EQ(s.shown, (StreamTarget{kHome, wide}));
+    EXPECT_EQ(s.tasks.dropped, 1u);
+    EXPECT_EQ(s.tasks.shown.size(), 1u);
+}
+
+TEST(Streamer, whatSomebodyElseHasShownEndsWhatWasComing) {
+    for (const int framesToRead : {0, 4}) {
+        Streamed s;
+        s.tasks.framesToRead = framesToRead;
+        s.tasks.framesToUpload = 4;
+        for (int i = 0; i < 3; ++i)
+            s.step(eyeFromHome(220, 96));
+        s.shown.centre = {50, 60}; // a place was gone to, which is loaded at once
+        const StreamEye there = eyeAt(50.5 * world::kBlockSize, 60.5 * world::kBlockSize);
+        for (int i = 0; i < 20; ++i)
+            EXPECT_FALSE(s.step(there));
+        EXPECT_EQ(s.tasks.dropped, 1u);
+        // Back again: what was coming would fit, and yet was made to follow another scene.
+        EXPECT_GT(s.framesUntilShown(eyeFromHome(220, 96)), 0);
+        EXPECT_EQ(s.tasks.read.size(), 2u);
+    }
+}
+
+TEST(Streamer, inADungeonThePositionSaysNothing) {
+    Streamed s;
+    StreamEye eye = eyeAt(5.0, 7.0); // cells may lie anywhere
+    eye.block = kHome;
+    EXPECT_FALSE(s.step(eye));
+    EXPECT_TRUE(s.tasks.read.empty());
+    eye.block = {7, 9};
+    EXPECT_GT(s.framesUntilShown(eye), 0);
+    EXPECT_EQ(s.shown.centre, (dat::BlockCoord{7, 9}));
+}
+
+// Whatever an eye does, what was read is shown or dropped once; and when it stands still, what is around it is shown in the end.
+RC_GTEST_PROP(Streamer, comesToRestAroundTheEye, ()) {
+    Streamed s;
+    Vec3 at(kHome.x * world::kBlockSize, kHome.y * world::kBlockSize, 0.0);
+    const int frames = *rc::gen::inRange(0, 200);
+    for (int i = 0; i < frames; ++i) {
+        const double step = *rc::gen::element(0.1, 5.0, 60.0, 2000.0);
+        at.x = std::clamp(at.x + step * *rc::gen::inRange(-2, 3), 0.0, 254.0 * world::kBlockSize);
+        at.y = std::clamp(at.y + step * *rc::gen::inRange(-2, 3), 0.0, 254.0 * world::kBlockSize);
+        s.tasks.framesToRead = std::max(s.tasks.framesToRead, *rc::gen::inRange(-5, 4));
+        s.tasks.framesToUpload = std::max(s.tasks.framesToUpload, *rc::gen::inRange(-5, 4));
+        s.step(eyeAt(at.x, at.y));
+    }
+    const StreamEye rest = eyeAt(at.x, at.y);
+    for (int i = 0; i < 60; ++i)
+        s.step(rest);
+    RC_ASSERT(s.streamer.phase() == Streamer::Phase::Idle);
+    RC_ASSERT(world::metresBeside(s.shown.centre, rest.position) <= Streamer::kLeash);
+    RC_ASSERT(s.tasks.read.size() == s.tasks.shown.size() + s.tasks.dropped);
+}
+
+} // namespace
+} // namespace limen::engine

@@ -1,0 +1,78 @@
+#include "engine/ViewOfEye.h"
+
+#include "support/SmallWorld.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::engine {
+namespace {
+
+world::World worldWithDoors() {
+    world::World world = test::smallWorld();
+    world.doors.resize(3);
+    for (std::size_t i = 0; i < 3; ++i)
+        world.doors[i].name = std::string(1, static_cast<char>('a' + i));
+    world.doors[1].open = 0.5;
+    return world;
+}
+
+FrameEye someEye() {
+    FrameEye eye;
+    eye.camera = {{1, 2, 3}, {30, -5}, 75};
+    eye.size = {640, 360};
+    eye.root = 1;
+    eye.player = {4, 5, 6};
+    eye.time = 0.25;
+    eye.seconds = 7.5;
+    eye.dayGroup = 2;
+    eye.weather = Weather::Rain;
+    eye.eachDoor = {0.0, 0.5, 0.75};
+    return eye;
+}
+
+void expectSame(const FrameEye& a, const FrameEye& b) {
+    EXPECT_EQ(a.camera.eye, b.camera.eye);
+    EXPECT_EQ(a.camera.heading.yaw, b.camera.heading.yaw);
+    EXPECT_EQ(a.camera.heading.pitch, b.camera.heading.pitch);
+    EXPECT_EQ(a.camera.fovDegrees, b.camera.fovDegrees);
+    EXPECT_EQ(a.size, b.size);
+    EXPECT_EQ(a.root, b.root);
+    EXPECT_EQ(a.body, b.body);
+    EXPECT_EQ(a.time, b.time);
+    EXPECT_EQ(a.seconds, b.seconds);
+    EXPECT_EQ(a.dayGroup, b.dayGroup);
+    EXPECT_EQ(a.weather, b.weather);
+    EXPECT_EQ(a.doors, b.doors);
+}
+
+TEST(ViewOfEye, thereAndBackIsTheSame) {
+    const world::World world = worldWithDoors();
+    FrameEye eye = someEye();
+    expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
+    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).player, eye.player);
+    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).eachDoor, eye.eachDoor);
+    eye.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5};
+    expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
+    eye.doors = 0.25;
+    expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
+}
+
+TEST(ViewOfEye, namesOnlyDoorsThatDoNotRest) {
+    const check::View view = viewOf(someEye(), worldWithDoors());
+    ASSERT_EQ(view.eachDoor.size(), 1u);
+    EXPECT_EQ(view.eachDoor[0].name, "c");
+    EXPECT_EQ(view.eachDoor[0].open, 0.75);
+}
+
+TEST(ViewOfEye, shotOptionsSayAllOfIt) {
+    FrameEye eye = someEye();
+    eye.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5, 2.2, 17.5};
+    EXPECT_EQ(
+        check::shotOptions(viewOf(eye, worldWithDoors())),
+        "--eye=1,2,3 --yaw=30 --pitch=-5 --fov=75 --size=640x360 --root=0xA9B40105 --time=0.25 --seconds=7.5 "
+        "--door='c=0.75' --day=2 --weather=rain --body=7,8,9 --body-yaw=180 --body-root=0xA9B40105 "
+        "--body-opacity=0.5 --body-speed=2.2 --body-metres=17.5");
+}
+
+} // namespace
+} // namespace limen::engine

@@ -1,0 +1,195 @@
+#include "viewer/KeyBindings.h"
+
+#include "support/TemporaryDirectory.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace limen::viewer {
+namespace {
+
+KeyCode key(std::string_view name) {
+    return keyNamed(name).value();
+}
+
+std::string parseError(const std::string& text) {
+    const Result<KeyBindings> parsed = parseKeyBindings(text, "keys.json");
+    return parsed ? "none" : parsed.error().message();
+}
+
+std::vector<Action> all() {
+    std::vector<Action> actions;
+    for (std::size_t i = 0; i < kActions; ++i)
+        actions.push_back(static_cast<Action>(i));
+    return actions;
+}
+
+TEST(KeyNames, areFoundWhateverTheirCaseAndNamedBack) {
+    EXPECT_EQ(keyNamed("escape"), keyNamed("Escape"));
+    EXPECT_EQ(nameOf(key("lEFTSHIFT")), "LeftShift");
+    EXPECT_EQ(keyNamed("w"), static_cast<KeyCode>('W'));
+    EXPECT_FALSE(keyNamed("Esc"));
+    EXPECT_FALSE(keyNamed(""));
+    EXPECT_EQ(nameOf(static_cast<KeyCode>(7)), "");
+    std::set<std::string_view> names;
+    std::set<KeyCode> codes;
+    for (const KeyName& known : kKeyNames) {
+        EXPECT_TRUE(names.insert(known.name).second) << known.name;
+        EXPECT_TRUE(codes.insert(known.code).second) << known.name;
+    }
+}
+
+TEST(KeyBindings, everyActionHasANameOfItsOwnAndAKeyAtFirst) {
+    const KeyBindings bindings;
+    for (const Action action : all()) {
+        EXPECT_EQ(actionNamed(factsOf(action).name), action);
+        EXPECT_FALSE(factsOf(action).does.empty());
+        EXPECT_FALSE(bindings.keysOf(action).empty()) << factsOf(action).name;
+    }
+    EXPECT_FALSE(actionNamed("fly"));
+}
+
+TEST(KeyBindings, atFirstNoKeyDoesTwoThingsAtATime) {
+    const KeyBindings bindings;
+    for (const Action action : all()) {
+        for (const KeyCode bound : bindings.keysOf(action)) {
+            const std::vector<Action> actions = bindings.actionsOf(bound);
+            ASSERT_LE(actions.size(), 2u) << nameOf(bound);
+            if (actions.size() == 2) {
+                EXPECT_NE(factsOf(actions[0]).when, factsOf(actions[1]).when) << nameOf(bound);
+                EXPECT_NE(factsOf(actions[0]).when, When::Always) << nameOf(bound);
+                EXPECT_NE(factsOf(actions[1]).when, When::Always) << nameOf(bound);
+            }
+        }
+    }
+}
+
+TEST(KeyBindings, greetingNamesTheKeysAsTheyAre) {
+    KeyBindings bindings;
+    EXPECT_NE(greeting(bindings).find("W A S D   walk"), std::string::npos);
+    EXPECT_NE(greeting(bindings).find("F1   all keys"), std::string::npos);
+    bindings.bind(Action::Forward, key("Z"), false);
+    bindings.set(Action::Use, {});
+    EXPECT_NE(greeting(bindings).find("Z A S D   walk"), std::string::npos);
+    EXPECT_NE(greeting(bindings).find("no key   open a door"), std::string::npos);
+}
+
+TEST(KeyBindings, aFileChangesTheKeysOfTheActionsThatItNames) {
+    const Result<KeyBindings> parsed = parseKeyBindings(
+        R"({"forward": ["Z", "up", "z"], "left": "Q", "sink": "LeftControl", "rain": []})", "f");
+    ASSERT_TRUE(parsed) << parsed.error().message();
+    EXPECT_EQ(keysText(*parsed, Action::Forward), "Z or Up");
+    EXPECT_EQ(keysText(*parsed, Action::Left), "Q");
+    EXPECT_EQ(keysText(*parsed, Action::Rain), "no key");
+    EXPECT_EQ(keysText(*parsed, Action::Back), "S or Down");
+    EXPECT_EQ(parsed->actionsOf(key("Q")), std::vector<Action>{Action::Left});
+    EXPECT_TRUE(parsed->actionsOf(key("W")).empty());
+    EXPECT_EQ(parseKeyBindings("{}", "f"), KeyBindings());
+}
+
+TEST(KeyBindings, whatIsWrongWithAFileIsSaidWithTheEntry) {
+    EXPECT_EQ(parseError("[]"), "keys.json: is not a JSON object of actions and their keys");
+    EXPECT_EQ(parseError("{"), "keys.json: is not a JSON object of actions and their keys");
+    EXPECT_EQ(parseError(R"({"fly": "F"})"), "keys.json, fly: there is no such action");
+    EXPECT_EQ(parseError(R"({"use": "Esc"})"), "keys.json, use: there is no key 'Esc'");
+    EXPECT_EQ(parseError(R"({"use": 3})"),
+              "keys.json, use: is neither the name of a key nor a list of such names");
+    EXPECT_EQ(parseError(R"({"use": ["F", null]})"),
+              "keys.json, use: is neither the name of a key nor a list of such names");
+    EXPECT_EQ(parseError(R"({"use": "F", "walk": "F"})"), "keys.json, use: F is the key of walk already");
+    EXPECT_EQ(parseError(R"({"rain": "W"})"), "keys.json, rain: W is the key of forward already");
+    EXPECT_EQ(parseError(R"({"rain": "E"})"), "keys.json, rain: E is the key of rise already");
+    EXPECT_EQ(parseError(R"({"use": "Q", "jump": "E"})"), "none") << "one walks, the other flies";
+}
+
+TEST(KeyBindings, aKeyIsTakenFromWhatItDidAtTheSameTimes) {
+    KeyBindings bindings;
+    bindings.bind(Action::Rain, key("E"), false);
+    EXPECT_EQ(keysText(bindings, Action::Rain), "E");
+    EXPECT_EQ(keysText(bindings, Action::Use), "no key");
+    EXPECT_EQ(keysText(bindings, Action::Rise), "Space");
+    bindings.bind(Action::Use, key("F"), false);
+    bindings.bind(Action::Use, key("Q"), true); // also the key to sink, of those who fly
+    EXPECT_EQ(keysText(bindings, Action::Use), "F or Q");
+    EXPECT_EQ(keysText(bindings, Action::Sink), "Q or LeftControl");
+    bindings.bind(Action::Use, key("Q"), true);
+    EXPECT_EQ(keysText(bindings, Action::Use), "F or Q") << "it is there already";
+}
+
+TEST(KeyBindings, whatIsWrittenIsReadBackTheSame) {
+    EXPECT_EQ(keyBindingsJson(KeyBindings()), "{}\n");
+    KeyBindings bindings;
+    bindings.bind(Action::Forward, key("Z"), true);
+    bindings.bind(Action::Leave, key("\\"), false);
+    bindings.bind(Action::Rain, key("E"), false);
+    EXPECT_EQ(parseKeyBindings(keyBindingsJson(bindings), "f"), bindings) << keyBindingsJson(bindings);
+}
+
+TEST(KeyBindings, areKeptInAFileWhoseDirectoryIsMade) {
+    const test::TemporaryDirectory directory;
+    const std::filesystem::path file = directory.path() / "a" / "b" / "keys.json";
+    EXPECT_EQ(readKeyBindings(file, false), KeyBindings());
+    EXPECT_FALSE(readKeyBindings(file, true));
+    KeyBindings bindings;
+    bindings.bind(Action::Use, key("F"), false);
+    ASSERT_TRUE(writeKeyBindings(file, bindings));
+    EXPECT_EQ(readKeyBindings(file, true), bindings);
+    std::ofstream(file) << R"({"use": "nothing"})";
+    const Result<KeyBindings> wrong = readKeyBindings(file, false);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().message(), file.string() + ", use: there is no key 'nothing'");
+    EXPECT_FALSE(writeKeyBindings("", bindings));
+}
+
+/// A variable of the environment, put back at the end.
+class Variable {
+public:
+    explicit Variable(const char* name) : name_(name) {
+        if (const char* value = std::getenv(name))
+            before_ = value;
+    }
+    ~Variable() { set(before_); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+    void set(const std::optional<std::string>& value) const {
+        if (value)
+            ::setenv(name_, value->c_str(), 1);
+        else
+            ::unsetenv(name_);
+    }
+
+private:
+    const char* name_;
+    std::optional<std::string> before_;
+};
+
+TEST(KeyBindings, theirFileIsInTheUsersConfiguration) {
+    const Variable home("HOME"), config("XDG_CONFIG_HOME");
+    home.set("/home/somebody");
+    config.set("/configuration");
+    EXPECT_EQ(keysPath(), "/configuration/limen/keys.json");
+    config.set("not/absolute");
+    EXPECT_EQ(keysPath(), "/home/somebody/.config/limen/keys.json");
+    config.set({});
+    home.set({});
+    EXPECT_TRUE(keysPath().empty());
+}
+
+TEST(KeyBindings, helpShowsTheKeysThatAreBound) {
+    KeyBindings bindings;
+    bindings.bind(Action::Use, key("F"), false);
+    std::set<Action> told;
+    for (const HelpLine& line : helpLines(bindings)) {
+        if (!line.action)
+            continue;
+        EXPECT_EQ(line.keys, keysText(bindings, *line.action));
+        EXPECT_EQ(line.does, factsOf(*line.action).does);
+        told.insert(*line.action);
+    }
+    EXPECT_EQ(told.size(), kActions);
+}
+
+} // namespace
+} // namespace limen::viewer
