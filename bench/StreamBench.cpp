@@ -6,11 +6,11 @@
 #include "TemporaryDirectory.h"
 
 #include "engine/HeapTuning.h"
-#include "engine/SessionStream.h"
-#include "worlds/Demo.h"
-#include "worlds/Generated.h"
+#include "engine/StreamedResidency.h"
 #include "gpu/NullDevice.h"
 #include "world/Nearby.h"
+#include "worlds/Demo.h"
+#include "worlds/Generated.h"
 
 #include <fmt/format.h>
 #include <fstream>
@@ -112,7 +112,7 @@ void giveBackFreeMemory() {
 }
 
 Result<Flight> play::fly(const std::shared_ptr<const engine::WorldSource>& source, const Land& land,
-                   gpu::Device& device) {
+                         gpu::Device& device) {
     giveBackFreeMemory();
     engine::SessionOptions options;
     options.load.radius = kNear;
@@ -120,8 +120,8 @@ Result<Flight> play::fly(const std::shared_ptr<const engine::WorldSource>& sourc
     engine::Session session(source, options, device);
     if (Result<void> loaded = session.load(world::blockAt(land.from)); !loaded)
         return tl::unexpected(loaded.error());
-    engine::SessionStream stream(session);
-    engine::FrameEye eye;
+    engine::StreamedResidency stream(session);
+    engine::FrameRequest eye;
     eye.size = {64, 36};
     const Vec3 way = land.to - land.from;
     eye.camera.heading.yaw = glm::degrees(std::atan2(way.x, way.y));
@@ -130,17 +130,17 @@ Result<Flight> play::fly(const std::shared_ptr<const engine::WorldSource>& sourc
     auto due = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < frames; ++i) {
         Vec3 at = land.from + way * (static_cast<double>(i) / static_cast<double>(frames));
-        const double ground = world::terrainHeight(session.loaded().world, at.x, at.y);
+        const double ground = world::terrainHeight(session.part().world, at.x, at.y);
         at.z = std::isfinite(ground) ? ground + kAbove : kAbove;
-        eye.camera.eye = eye.player = at;
-        eye.seconds = static_cast<double>(i) * kFrame;
+        eye.camera.eye = eye.scene.player = at;
+        eye.scene.seconds = static_cast<double>(i) * kFrame;
         const double cpu = threadSeconds();
         flight.wall.push_back(
             secondsOf([&] { flight.shown += stream.follow(at, eye.root, nullptr) ? 1 : 0; }));
         flight.cpu.push_back(threadSeconds() - cpu);
         if (const std::string fault = stream.takeFault(); !fault.empty())
             return fail(ErrorCode::NotFound, "stream", fault);
-        flight.missing += isAllThere(session.loaded().world, land, world::blockAt(at)) ? 0 : 1;
+        flight.missing += isAllThere(session.part().world, land, world::blockAt(at)) ? 0 : 1;
         if (Result<void> drawn = session.draw(eye, {}); !drawn)
             return tl::unexpected(drawn.error());
         flight.mostMiB = std::max(flight.mostMiB, i % 20 == 0 ? residentMiB() : 0.0);
@@ -191,7 +191,9 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
         Land land(*source);
         if (!whole)
             land.keepPart(source->file.places);
-        addRows(scene, play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device), rows);
+        addRows(scene,
+                play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
+                rows);
     };
     // The writers' memory is no part of a session's.
     const Result<void> world = inChildProcess([&] { return worlds::writeBuiltInWorld(builtIn.path()); });
@@ -217,7 +219,9 @@ std::vector<BenchRow> benchStreamOver(const std::string& dat) {
             return;
         }
         const Land land(*source);
-        addRows(scene, play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device), rows);
+        addRows(scene,
+                play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
+                rows);
     };
     measure(dat + ", null device", *std::make_unique<gpu::NullDevice>());
     if (const std::optional<HeadlessDriver> driver = openDriver())

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dat/records/Mesh.h"
-#include "worlds/Mesh.h"
 #include "geometry/Plane.h"
+#include "worlds/Mesh.h"
 
 #include <span>
 

@@ -1,10 +1,10 @@
 #include "worlds/Fillings.h"
 
 #include "core/Assert.h"
+#include "geometry/Plane.h"
 #include "worlds/Cottages.h"
 #include "worlds/Inn.h"
 #include "worlds/MeetingHall.h"
-#include "geometry/Plane.h"
 
 #include <cmath>
 #include <fmt/format.h>

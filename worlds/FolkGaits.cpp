@@ -1,8 +1,8 @@
 #include "worlds/FolkGaits.h"
 
+#include "geometry/Angles.h"
 #include "worlds/Effects.h"
 #include "worlds/MotionCommands.h"
-#include "geometry/Angles.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,8 +1,8 @@
 #include "worlds/FolkModels.h"
 
+#include "geometry/Angles.h"
 #include "worlds/FolkClothes.h"
 #include "worlds/FolkGaits.h"
-#include "geometry/Angles.h"
 
 namespace limen::worlds {
 

@@ -1,8 +1,8 @@
 #include "worlds/Mesh.h"
 
 #include "core/Assert.h"
-#include "worlds/Noise.h"
 #include "geometry/Plane.h"
+#include "worlds/Noise.h"
 
 #include <map>
 #include <numbers>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dat/records/Mesh.h"
-#include "worlds/Materials.h"
 #include "geometry/Bounds.h"
+#include "worlds/Materials.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
+#include "geometry/Angles.h"
 #include "worlds/Noise.h"
 #include "worlds/Painters.h"
-#include "geometry/Angles.h"
 
 namespace limen::worlds {
 

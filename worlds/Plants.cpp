@@ -1,7 +1,7 @@
 #include "worlds/Plants.h"
 
-#include "worlds/Noise.h"
 #include "geometry/Angles.h"
+#include "worlds/Noise.h"
 
 namespace limen::worlds {
 

@@ -1,12 +1,15 @@
-#include "engine/CheckDrawer.h"
-#include "output/CheckPicture.h"
-#include "engine/DayGroup.h"
-#include "play/FrameSource.h"
-#include "output/OutputFile.h"
-#include "cli/Verbs.h"
-#include "engine/ViewOfEye.h"
 #include "check/Run.h"
+#include "cli/Parse.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
+#include "cli/Verbs.h"
+#include "engine/CheckDrawer.h"
+#include "engine/CheckView.h"
+#include "engine/DayGroup.h"
 #include "gpu/NullDevice.h"
+#include "output/CheckPicture.h"
+#include "output/OutputFile.h"
+#include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -68,24 +71,28 @@ Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary
 
 /// Plays a walk again without a picture; each of its frames is looked at.
 Result<check::RunRequest> addWalk(const CheckOptions& options,
-                                  const std::shared_ptr<const engine::WorldSource>& source, const Console& console,
-                                  check::RunRequest request) {
+                                  const std::shared_ptr<const engine::WorldSource>& source,
+                                  const Console& console, check::RunRequest request) {
     Result<play::WalkRecord> record = play::readWalk(options.walk);
     if (!record)
         return tl::unexpected(record.error());
+    const Result<engine::ViewRequest> start = walkStart(*record);
+    if (!start)
+        return tl::unexpected(start.error());
     gpu::NullDevice device;
     engine::Session session(source, options.session, device);
-    const Result<std::unique_ptr<play::ReplayedFrames>> frames = play::ReplayedFrames::open(session, std::move(*record));
+    const Result<std::unique_ptr<play::ReplayedFrames>> frames =
+        play::ReplayedFrames::open(session, std::move(*record), *start);
     if (!frames)
         return tl::unexpected(frames.error());
     std::vector<check::View> views;
     for (std::size_t i = 0; i < (*frames)->count(); ++i) {
-        const Result<const engine::FrameEye*> eye = (*frames)->next();
+        const Result<const engine::FrameRequest*> eye = (*frames)->next();
         if (!eye)
             return tl::unexpected(eye.error());
         if (Result<void> drawn = session.draw(**eye, {}); !drawn)
             return tl::unexpected(drawn.error());
-        views.push_back(engine::viewOf(**eye, session.loaded().world));
+        views.push_back(engine::viewOf(**eye, session.part().world));
         views.back().kind = check::Kind::Path;
         views.back().width = request.width;
         views.back().height = request.height;
@@ -110,10 +117,10 @@ Result<check::RunRequest> requestOf(const CheckOptions& options,
     if (!doors)
         return tl::unexpected(doors.error());
     request.doors = *doors;
-    const Result<Weather> weather = parseWeather("--weather", options.weather);
+    const Result<engine::Weather> weather = parseWeather("--weather", options.weather);
     if (!weather)
         return tl::unexpected(weather.error());
-    request.rain = *weather == Weather::Rain;
+    request.rain = *weather == engine::Weather::Rain;
     const Result<dat::Region> region = source->archive.load<dat::Region>(dat::kRegionId);
     const Result<std::uint32_t> day = engine::dayGroupOf(region ? region->sky : dat::SkyDesc(), options.day);
     if (!day)
@@ -121,7 +128,7 @@ Result<check::RunRequest> requestOf(const CheckOptions& options,
     request.dayGroup = *day;
     request.threads = std::max(1u, std::thread::hardware_concurrency());
     if (!options.size.empty()) {
-        const Result<PixelSize> size = parseSize("--size", options.size);
+        const Result<engine::PixelSize> size = parseSize("--size", options.size);
         if (!size)
             return tl::unexpected(size.error());
         request.width = request.sweepWidth = size->width;
@@ -209,7 +216,8 @@ check::RunEvents eventsOf(const CheckOptions& options, const Console& console, P
                 return {};
             const std::string name =
                 fmt::format("finding-{:08}-{}.png", finding.number, check::nameOf(finding.view.kind));
-            return output::writePicture(std::filesystem::path(options.directory) / name, output::pictureOfFinding(finding));
+            return output::writePicture(std::filesystem::path(options.directory) / name,
+                                        output::pictureOfFinding(finding));
         };
     }
     return events;
@@ -227,8 +235,8 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     Result<check::Progress> progress = progressOf(options, nameOfRun(options, context.worldOptions));
     if (!progress)
         return tl::unexpected(progress.error());
-    Result<engine::HeadlessSession> headless =
-        engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
+    Result<engine::HeadlessSession> headless = engine::openHeadless(
+        std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     const Result<check::RunRequest> request = requestOf(options, headless->session->shareSource(), console);
@@ -284,7 +292,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "keeps the state of the run in this file, and continues from it if it is there")
         ->type_name("FILE");
     verb->add_flag("--json", options->json, "the result as one JSON object");
-    engine::addSessionOptions(*verb, options->session);
+    addSessionOptions(*verb, options->session);
     verb->footer("With --msaa 4 pictures are drawn flat by id and judged by colour, sample by sample.\n"
                  "Exit codes: 0 every pixel is right, 1 some are not, 2 it could not be done.");
     verb->callback([&console, &choice, options] {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cli/Verbs.h"
-#include "engine/WorldSource.h"
 #include "dat/File.h"
+#include "engine/WorldSource.h"
 
 #include <memory>
 

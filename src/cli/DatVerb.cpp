@@ -44,9 +44,9 @@ std::string entryLine(const dat::File& file, const dat::Entry& entry, bool json)
     const char* kind = dat::nameOf(dat::kindOf(file.role(), entry.id));
     const bool compressed = (entry.flags & 1u) != 0;
     if (!json)
-        return fmt::format("{}  {:<14} {:>9}  {}{}\n", hexId(entry.id), kind, entry.size,
+        return fmt::format("{}  {:<14} {:>9}  {}{}\n", dat::idText(entry.id), kind, entry.size,
                            nameOfRole(file.role()), compressed ? "  compressed" : "");
-    const nlohmann::ordered_json object{{"id", hexId(entry.id)},
+    const nlohmann::ordered_json object{{"id", dat::idText(entry.id)},
                                         {"type", kind},
                                         {"size", entry.size},
                                         {"file", nameOfRole(file.role())},
@@ -97,10 +97,10 @@ Result<const dat::File*> holderOf(const DatFiles& files, dat::RecordId id, const
             holders.push_back(file);
     }
     if (holders.empty())
-        return fail(ErrorCode::NotFound, hexId(id),
+        return fail(ErrorCode::NotFound, dat::idText(id),
                     "no file here holds this record; limen dat ls lists what there is");
     if (holders.size() > 1 && in.empty() && holders[1]->role() != dat::FileRole::Highres)
-        return fail(ErrorCode::BadArgument, hexId(id),
+        return fail(ErrorCode::BadArgument, dat::idText(id),
                     fmt::format("both the {} and the {} file hold this id; say --in {}",
                                 nameOfRole(holders[0]->role()), nameOfRole(holders[1]->role()),
                                 nameOfRole(holders[0]->role())));

@@ -1,5 +1,5 @@
-#include "output/OutputFile.h"
 #include "cli/Verbs.h"
+#include "output/OutputFile.h"
 #include "worlds/Demo.h"
 #include "worlds/Generated.h"
 

@@ -1,8 +1,8 @@
 #include "cli/DatFiles.h"
-#include "output/Gltf.h"
-#include "output/OutputFile.h"
 #include "cli/Parse.h"
 #include "dat/Describe.h"
+#include "output/Gltf.h"
+#include "output/OutputFile.h"
 #include "world/Loader.h"
 #include "world/Single.h"
 
@@ -92,7 +92,7 @@ Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat
     const world::SpaceIndex cell =
         kind == dat::RecordKind::EnvCell ? world::findCell(*world, id) : world::kNone;
     if (kind == dat::RecordKind::EnvCell && cell == world::kNone)
-        return fail(ErrorCode::NotFound, hexId(id), "the cell cannot be read");
+        return fail(ErrorCode::NotFound, dat::idText(id), "the cell cannot be read");
     std::vector<world::InstanceIndex> instances;
     for (world::InstanceIndex i = 0; i < world->instances.size(); ++i)
         if (cell == world::kNone || world->instances[i].placedIn == cell)
@@ -112,7 +112,7 @@ Result<Exported> asGltf(const dat::Archive& archive, dat::RecordId id, dat::Reco
     case dat::RecordKind::Setup:
         break;
     default:
-        return fail(ErrorCode::BadArgument, hexId(id),
+        return fail(ErrorCode::BadArgument, dat::idText(id),
                     fmt::format("a {} has no shape to write as glTF", dat::nameOf(kind)));
     }
     const Result<world::World> world = world::loadModel(archive, id);

@@ -1,8 +1,8 @@
 #include "cli/DatFiles.h"
-#include "output/OutputFile.h"
 #include "cli/Parse.h"
 #include "dat/Describe.h"
 #include "dat/Writer.h"
+#include "output/OutputFile.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -82,7 +82,8 @@ Result<void> addFile(const fs::path& file, dat::FileRole role, dat::Writer& writ
     const Result<dat::RecordId> id = idOf(file);
     if (!id)
         return tl::unexpected(id.error());
-    const Result<std::string> text = output::readTextFile(file, kLargestRecord); // of bytes, whatever they are
+    const Result<std::string> text =
+        output::readTextFile(file, kLargestRecord); // of bytes, whatever they are
     if (!text)
         return tl::unexpected(text.error());
     const auto* begin = reinterpret_cast<const std::byte*>(text->data());

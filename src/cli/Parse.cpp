@@ -79,10 +79,10 @@ Result<Vec3> parseVec3(std::string_view option, std::string_view text) {
     return value;
 }
 
-Result<PixelSize> parseSize(std::string_view option, std::string_view text) {
+Result<engine::PixelSize> parseSize(std::string_view option, std::string_view text) {
     const std::string_view clean = trimmed(text);
     const char* const end = clean.data() + clean.size();
-    PixelSize size{0, 0};
+    engine::PixelSize size{0, 0};
     const auto width = std::from_chars(clean.data(), end, size.width);
     const bool hasCross = width.ec != std::errc::invalid_argument && width.ptr != end &&
                           (*width.ptr == 'x' || *width.ptr == 'X');
@@ -92,30 +92,31 @@ Result<PixelSize> parseSize(std::string_view option, std::string_view text) {
     if (height.ec == std::errc::invalid_argument || height.ptr != end)
         return bad(option, text, "a size WxH in pixels");
     const bool overflow = width.ec != std::errc{} || height.ec != std::errc{};
-    if (overflow || size.width == 0 || size.height == 0 || size.width > kMaxSide || size.height > kMaxSide)
-        return bad(option, text, fmt::format("between 1x1 and {0}x{0} pixels", kMaxSide));
+    if (overflow || size.width == 0 || size.height == 0 || size.width > engine::kMaxSide ||
+        size.height > engine::kMaxSide)
+        return bad(option, text, fmt::format("between 1x1 and {0}x{0} pixels", engine::kMaxSide));
     return size;
 }
 
-Result<RootChoice> parseRoot(std::string_view option, std::string_view text) {
+Result<engine::RootChoice> parseRoot(std::string_view option, std::string_view text) {
     const std::string_view clean = trimmed(text);
     if (clean == "auto")
-        return RootChoice{};
+        return engine::RootChoice{};
     if (clean == "outside")
-        return RootChoice{RootChoice::Kind::Outside, 0};
+        return engine::RootChoice{engine::RootChoice::Rule::Outside, 0};
     std::uint32_t cell = 0;
     const bool hex = readHex(clean, 8, cell);
     const std::uint32_t low = cell & 0xFFFFu;
     if (!hex || low < dat::kFirstCell || low > dat::kLastCell)
         return bad(option, text, "auto, outside or a cell id such as 0xA9B40105");
-    return RootChoice{RootChoice::Kind::Cell, cell};
+    return engine::RootChoice{engine::RootChoice::Rule::Cell, cell};
 }
 
-Result<Weather> parseWeather(std::string_view option, std::string_view text) {
+Result<engine::Weather> parseWeather(std::string_view option, std::string_view text) {
     if (trimmed(text) == "clear")
-        return Weather::Clear;
+        return engine::Weather::Clear;
     if (trimmed(text) == "rain")
-        return Weather::Rain;
+        return engine::Weather::Rain;
     return bad(option, text, "clear or rain");
 }
 
@@ -170,10 +171,6 @@ Result<std::vector<std::string>> splitArguments(std::string_view line) {
     if (inWord)
         arguments.push_back(std::move(current));
     return arguments;
-}
-
-std::string hexId(std::uint32_t id) {
-    return fmt::format("0x{:08X}", id);
 }
 
 } // namespace limen::cli

@@ -28,7 +28,7 @@ bool isHexWord(std::string_view text) {
 /// The block and, for eight digits, the root that a block word or cell id names.
 struct BlockAndRoot {
     dat::BlockCoord block;
-    RootChoice root;
+    engine::RootChoice root;
 };
 
 Result<BlockAndRoot> parseBlock(std::string_view option, std::string_view text) {
@@ -42,9 +42,9 @@ Result<BlockAndRoot> parseBlock(std::string_view option, std::string_view text) 
         return bad(option, fmt::format("{} is beyond the map, whose last landblock is 0xFEFE", text));
     const std::uint32_t low = id & 0xFFFFu;
     if (wholeId && low >= dat::kFirstCell && low <= dat::kLastCell)
-        result.root = {RootChoice::Kind::Cell, id};
+        result.root = {engine::RootChoice::Rule::Cell, id};
     else if (wholeId && low >= 1 && low <= 0x40)
-        result.root = {RootChoice::Kind::Outside, 0};
+        result.root = {engine::RootChoice::Rule::Outside, 0};
     return result;
 }
 

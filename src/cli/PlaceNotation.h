@@ -18,13 +18,10 @@ struct PlacePosition {
     bool onGround = false;       ///< map coordinates: stand on the ground there
     std::optional<double> yaw;   ///< degrees, where the notation holds a heading
     std::optional<double> pitch; ///< degrees
-    RootChoice root;             ///< Auto unless the notation names a cell or landcell
+    engine::RootChoice root;     ///< Auto unless the notation names a cell or landcell
 };
 
 using PlaceNotation = std::variant<PlaceName, PlacePosition>;
-
-/// How high above the ground an eye stands that map coordinates put there, in metres.
-inline constexpr double kEyeHeight = 1.7;
 
 /// Understands every notation of a place but the option --eye:
 ///   cottage.cellar                       a name

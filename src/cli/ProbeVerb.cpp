@@ -1,7 +1,9 @@
-#include "play/FrameSource.h"
-#include "output/Probe.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
 #include "gpu/NullDevice.h"
+#include "output/Probe.h"
+#include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -11,7 +13,7 @@ namespace {
 
 struct ProbeOptions {
     engine::SessionOptions session;
-    play::PathArguments path;
+    PathArguments path;
 };
 
 constexpr std::size_t kProbeFrames = 2000; // unless said
@@ -20,11 +22,12 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<play::FramesRequest> request = play::checkFrames(options.path, kProbeFrames, source->file);
+    Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, source->file);
     if (!request)
         return tl::unexpected(request.error());
     gpu::NullDevice device; // what is decided does not depend on a driver
-    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session, device);
+    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
+                            device);
     const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
     if (!frames)
         return tl::unexpected(frames.error());
@@ -32,12 +35,12 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     output::Probe probe;
     Progress progress(console, "probe", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
-        const Result<const engine::FrameEye*> eye = (*frames)->next();
+        const Result<const engine::FrameRequest*> eye = (*frames)->next();
         if (!eye)
             return tl::unexpected(eye.error());
         if (Result<void> drawn = session.draw(**eye, {}); !drawn)
             return tl::unexpected(drawn.error());
-        const std::string lines = probe.see({frame, (*eye)->seconds, session.loaded().world, **eye,
+        const std::string lines = probe.see({frame, (*eye)->scene.seconds, session.part().world, **eye,
                                              session.visible(), session.plan(), session.figures().glCalls});
         if (!lines.empty())
             console.data(lines);
@@ -55,8 +58,8 @@ void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb = program.add_subcommand(
         "probe", "tells what a frame decides while a camera walks a path, as JSON lines");
     const auto options = std::make_shared<ProbeOptions>();
-    play::addPathOptions(*verb, options->path, kProbeFrames);
-    engine::addSessionOptions(*verb, options->session);
+    addPathOptions(*verb, options->path, kProbeFrames);
+    addSessionOptions(*verb, options->session);
     verb->footer(
         "With --walk it exits with 1 if the walk came out otherwise than when it was recorded.\n"
         "A line for every change: root (with the eye's way there), visits, spaces seen, outside, stages, "

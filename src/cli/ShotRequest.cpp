@@ -1,10 +1,15 @@
 #include "cli/ShotRequest.h"
 
+#include "cli/Parse.h"
+#include "cli/PlaceNotation.h"
 #include "output/OutputFile.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <optional>
+#include <variant>
 
 namespace limen::cli {
 namespace {
@@ -34,10 +39,25 @@ Result<Vec3> positionNearMap(std::string_view option, std::string_view text) {
     return value;
 }
 
-Result<void> checkPosition(const ViewArguments& a, ViewRequest& view) {
-    if (Result<void> r = take(a.eye, "--eye", positionNearMap, view.eye); !r)
+void takePlace(const PlaceNotation& notation, engine::ViewRequest& view) {
+    if (const auto* name = std::get_if<PlaceName>(&notation)) {
+        view.place = name->name;
+        return;
+    }
+    const auto& position = std::get<PlacePosition>(notation);
+    view.eye = position.eye;
+    view.isOnGround = position.onGround;
+    view.yaw = position.yaw;
+    view.pitch = position.pitch;
+    view.root = view.root.value_or(position.root);
+}
+
+Result<void> checkPosition(const ViewArguments& a, engine::ViewRequest& view) {
+    std::optional<Vec3> eye;
+    if (Result<void> r = take(a.eye, "--eye", positionNearMap, eye); !r)
         return r;
-    if (Result<void> r = take(a.at, "--at", parsePlace, view.at); !r)
+    std::optional<PlaceNotation> at;
+    if (Result<void> r = take(a.at, "--at", parsePlace, at); !r)
         return r;
     if (Result<void> r = take(a.player, "--player", positionNearMap, view.player); !r)
         return r;
@@ -45,10 +65,14 @@ Result<void> checkPosition(const ViewArguments& a, ViewRequest& view) {
         return r;
     if (view.player && !a.body.empty())
         return fail(ErrorCode::BadArgument, "--player", "the player is where --body is; give one of the two");
-    if (view.eye && view.at)
+    if (eye && at)
         return fail(ErrorCode::BadArgument, "--at", "give either --eye or --at, not both");
-    if (!view.eye && !view.at)
-        return fail(ErrorCode::BadArgument, "--eye", "missing: give --eye X,Y,Z or --at PLACE");
+    if (!eye && !at)
+        return fail(ErrorCode::BadArgument, "--eye", "no viewpoint given; use --at PLACE or --eye X,Y,Z");
+    if (eye)
+        view.eye = *eye;
+    else
+        takePlace(*at, view);
     return {};
 }
 
@@ -122,7 +146,7 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
 namespace {
 
 /// NAME=0..1; the name may have any letters, '=' too.
-Result<void> checkDoors(const ViewArguments& a, ViewRequest& view) {
+Result<void> checkDoors(const ViewArguments& a, engine::ViewRequest& view) {
     for (const std::string& text : a.eachDoor) {
         const std::size_t sign = text.rfind('=');
         if (sign == std::string::npos || sign == 0)
@@ -130,21 +154,21 @@ Result<void> checkDoors(const ViewArguments& a, ViewRequest& view) {
         const Result<double> open = parseNumberBetween("--door", text.substr(sign + 1), 0.0, 1.0);
         if (!open)
             return tl::unexpected(open.error());
-        view.eachDoor.push_back({text.substr(0, sign), *open});
+        view.scene.eachDoor.push_back({text.substr(0, sign), *open});
     }
-    if (view.doors && !view.eachDoor.empty())
+    if (view.scene.doors && !view.scene.eachDoor.empty())
         return fail(ErrorCode::BadArgument, "--door",
                     "says nothing where --doors speaks for all; give one of the two");
     return {};
 }
 
-Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
+Result<void> checkBody(const ViewArguments& a, engine::ViewRequest& view) {
     if (a.body.empty()) {
         if (!(a.bodyYaw + a.bodyRoot + a.bodyOpacity + a.bodySpeed + a.bodyMetres).empty())
             return fail(ErrorCode::BadArgument, "--body", "missing: where the body's feet are, X,Y,Z");
         return {};
     }
-    BodyRequest& body = view.body.emplace();
+    engine::BodyRequest& body = view.scene.body.emplace();
     const auto opacity = [](std::string_view option, std::string_view text) {
         return parseNumberBetween(option, text, 0.0, 1.0);
     };
@@ -163,8 +187,8 @@ Result<void> checkBody(const ViewArguments& a, ViewRequest& view) {
 
 } // namespace
 
-Result<ViewRequest> checkView(const ViewArguments& a) {
-    ViewRequest view;
+Result<engine::ViewRequest> checkView(const ViewArguments& a) {
+    engine::ViewRequest view;
     if (Result<void> r = checkPosition(a, view); !r)
         return tl::unexpected(r.error());
     const auto between = [](double low, double high) {
@@ -180,14 +204,14 @@ Result<ViewRequest> checkView(const ViewArguments& a) {
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.size, "--size", parseSize, view.size); !r)
         return tl::unexpected(r.error());
-    if (Result<void> r = take(a.time, "--time", between(0.0, 1.0), view.time); !r)
+    if (Result<void> r = take(a.time, "--time", between(0.0, 1.0), view.scene.time); !r)
         return tl::unexpected(r.error());
-    view.day = a.day;
-    if (Result<void> r = take(a.weather, "--weather", parseWeather, view.weather); !r)
+    view.scene.day = a.day;
+    if (Result<void> r = take(a.weather, "--weather", parseWeather, view.scene.weather); !r)
         return tl::unexpected(r.error());
-    if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.seconds); !r)
+    if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.scene.seconds); !r)
         return tl::unexpected(r.error());
-    if (Result<void> r = take(a.doors, "--doors", parseDoors, view.doors); !r)
+    if (Result<void> r = take(a.doors, "--doors", parseDoors, view.scene.doors); !r)
         return tl::unexpected(r.error());
     if (Result<void> r = checkDoors(a, view); !r)
         return tl::unexpected(r.error());
@@ -238,7 +262,7 @@ Result<ListedView> readView(std::string_view line, const std::string& where, con
     } catch (const CLI::Error& error) {
         return fail(ErrorCode::BadArgument, where, error.what());
     }
-    Result<ViewRequest> view = checkView(arguments);
+    Result<engine::ViewRequest> view = checkView(arguments);
     if (!view)
         return fail(ErrorCode::BadArgument, where, view.error().message());
     return ListedView{std::move(*view), outputsOf(outputs, commonOutputs, directory, index)};
@@ -246,7 +270,7 @@ Result<ListedView> readView(std::string_view line, const std::string& where, con
 
 } // namespace
 
-Result<ViewRequest> parseView(std::string_view line, const std::string& where) {
+Result<engine::ViewRequest> parseView(std::string_view line, const std::string& where) {
     return readView(line, where, {}, {}, {}, 0).map([](ListedView listed) { return std::move(listed.view); });
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "engine/Camera.h"
-#include "cli/PlaceNotation.h"
-#include "check/View.h"
+#include "engine/ViewRequest.h"
 
 #include <filesystem>
 #include <optional>
@@ -30,47 +28,20 @@ struct OutputPaths {
     [[nodiscard]] std::vector<std::filesystem::path> all() const; ///< those that are asked for
 };
 
-/// The player's body in a frame.
-struct BodyRequest {
-    Vec3 feet{0.0};
-    double yaw = 0.0;
-    RootChoice root;
-    double opacity = 1.0;
-    double speed = 0.0, metres = 0.0;
-};
-
-/// One frame, checked as far as that goes without a world.
-struct ViewRequest {
-    std::optional<Vec3> eye;
-    std::optional<PlaceNotation> at;
-    std::optional<double> yaw, pitch; ///< degrees
-    double fov = 60.0;                ///< vertical, degrees
-    PixelSize size;
-    std::optional<RootChoice> root; ///< only if it was given
-    std::optional<Vec3> player;
-    double time = 0.5; ///< fraction of the day
-    std::string day;   ///< a day group, as world::dayGroupNamed reads it; empty: the first
-    Weather weather = Weather::Clear;
-    double seconds = 0.0;        ///< since the world began
-    std::optional<double> doors; ///< how far all doors stand open, 0..1; none: each as eachDoor says
-    std::vector<check::View::DoorState> eachDoor; ///< doors that do not rest
-    std::optional<BodyRequest> body;
-};
-
 /// Adds the options of ViewArguments to a command. `withSize` leaves out --size where the verb has one for
 /// all frames.
 void addViewOptions(CLI::App& command, ViewArguments& arguments);
 void addOutputOptions(CLI::App& command, OutputPaths& outputs);
 
 /// Checks every argument. Errors: the first that makes no sense; no eye, or two.
-[[nodiscard]] Result<ViewRequest> checkView(const ViewArguments& arguments);
+[[nodiscard]] Result<engine::ViewRequest> checkView(const ViewArguments& arguments);
 
 /// The same, of one line of them. `where` begins messages.
-[[nodiscard]] Result<ViewRequest> parseView(std::string_view line, const std::string& where);
+[[nodiscard]] Result<engine::ViewRequest> parseView(std::string_view line, const std::string& where);
 
 /// One view of a views file.
 struct ListedView {
-    ViewRequest view;
+    engine::ViewRequest view;
     OutputPaths outputs;
 };
 

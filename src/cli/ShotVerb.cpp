@@ -1,10 +1,13 @@
+#include "cli/SessionArguments.h"
+#include "cli/ShotRequest.h"
+#include "cli/Verbs.h"
+#include "engine/CheckView.h"
+#include "engine/Session.h"
+#include "output/FrameJson.h"
 #include "output/Npy.h"
 #include "output/OutputFile.h"
 #include "output/RegionOverlay.h"
-#include "engine/Session.h"
-#include "cli/ShotRequest.h"
 #include "output/TracedFrame.h"
-#include "cli/Verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -38,10 +41,12 @@ std::vector<float> depthOf(const engine::Session& session, std::span<const std::
 }
 
 /// The picture for people, and the one with the visits outlined.
-Result<void> writePictures(engine::Session& session, const engine::FrameEye& eye, const OutputPaths& outputs) {
+Result<void> writePictures(engine::Session& session, const engine::FrameRequest& eye,
+                           const OutputPaths& outputs) {
     if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
         return drawn;
-    output::Picture picture = output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
+    output::Picture picture =
+        output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, picture); !written)
             return written;
@@ -53,48 +58,46 @@ Result<void> writePictures(engine::Session& session, const engine::FrameEye& eye
 }
 
 /// Ids, depth and the frame as JSON, from a picture of their own with cut-outs tested exactly.
-Result<void> writeMeasurements(engine::Session& session, const engine::FrameEye& eye, const OutputPaths& outputs) {
+Result<void> writeMeasurements(engine::Session& session, const engine::FrameRequest& eye,
+                               const OutputPaths& outputs) {
     if (Result<void> drawn = session.draw(eye, {.ids = true}); !drawn)
         return drawn;
     const std::vector<std::uint32_t> ids = session.target().readIds();
     if (!outputs.ids.empty()) {
-        if (Result<void> written =
-                output::writeFile(outputs.ids, output::encodeNpy(eye.size.width, eye.size.height, std::span(ids)));
+        if (Result<void> written = output::writeFile(
+                outputs.ids, output::encodeNpy(eye.size.width, eye.size.height, std::span(ids)));
             !written)
             return written;
     }
     if (!outputs.depth.empty()) {
         const std::vector<float> depth = depthOf(session, ids);
-        if (Result<void> written =
-                output::writeFile(outputs.depth, output::encodeNpy(eye.size.width, eye.size.height, std::span(depth)));
+        if (Result<void> written = output::writeFile(
+                outputs.depth, output::encodeNpy(eye.size.width, eye.size.height, std::span(depth)));
             !written)
             return written;
     }
     if (outputs.json.empty())
         return {};
     nlohmann::ordered_json json =
-        engine::frameJson(session.loaded().world, session.loaded().ids, eye, session.dynamics(), session.visible(),
-                  session.plan(), session.figures(), ids);
-    json["command"] = engine::reproduction(session.loaded().world, eye, session.source().datOption);
-    return output::writeFile(outputs.json, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+        output::frameJson(session.part().world, session.part().ids, eye, session.dynamics(),
+                          session.visible(), session.plan(), session.figures(), ids);
+    json["command"] = engine::reproduction(session.part().world, eye, session.source().datOption);
+    return output::writeFile(outputs.json,
+                             json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-Result<engine::FrameEye> engine::eyeOf(const engine::LoadedWorld& loaded, const world::WorldFile& file, const ListedView& listed,
-                       const engine::Viewpoint& stand, const Console& console) {
-    Result<engine::FrameEye> eye = engine::placeEye(loaded, stand, listed.view.size);
-    if (!eye)
-        return eye;
-    if (Result<void> applied = engine::applyDynamics(loaded, file, listed.view, *eye); !applied)
-        return tl::unexpected(applied.error());
-    if (eye->rootAmbiguous)
+Result<engine::FrameRequest> requestOf(const engine::LoadedPart& part, const world::WorldFile& file,
+                                       const engine::ViewRequest& view, const Console& console) {
+    Result<engine::FrameRequest> request = engine::frameRequest(part.world, file, view);
+    if (request && request->isRootAmbiguous)
         console.note(fmt::format("limen: several cells claim the eye; {} is taken, --root names another",
-                                 engine::spaceName(loaded.world, eye->root)));
-    return eye;
+                                 engine::spaceName(part.world, request->root)));
+    return request;
 }
 
-Result<void> shoot(engine::Session& session, const ListedView& listed, const engine::Viewpoint& stand,
-                   const Console& console) {
-    const Result<engine::FrameEye> eye = engine::eyeOf(session.loaded(), session.source().file, listed, stand, console);
+Result<void> shoot(engine::Session& session, const ListedView& listed, const Console& console) {
+    const Result<engine::FrameRequest> eye =
+        requestOf(session.part(), session.source().file, listed.view, console);
     if (!eye)
         return tl::unexpected(eye.error());
     const OutputPaths& outputs = listed.outputs;
@@ -109,7 +112,7 @@ Result<void> shoot(engine::Session& session, const ListedView& listed, const eng
 
 Result<std::vector<ListedView>> viewsOf(const ShotOptions& options) {
     if (options.views.empty()) {
-        Result<ViewRequest> view = checkView(options.view);
+        Result<engine::ViewRequest> view = checkView(options.view);
         if (!view)
             return tl::unexpected(view.error());
         return std::vector<ListedView>{{std::move(*view), options.outputs}};
@@ -133,11 +136,11 @@ Result<void> checkAllOutputs(const ShotOptions& options, const std::vector<Liste
 }
 
 /// The order to draw in: views of one landblock together, so that each part of the world is loaded once.
-std::vector<std::size_t> drawingOrder(const std::vector<engine::Viewpoint>& stands) {
-    std::vector<std::size_t> order(stands.size());
+std::vector<std::size_t> drawingOrder(const std::vector<ListedView>& views) {
+    std::vector<std::size_t> order(views.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const dat::BlockCoord &x = stands[a].centre, &y = stands[b].centre;
+        const dat::BlockCoord x = engine::centreOf(views[a].view), y = engine::centreOf(views[b].view);
         return std::pair(x.x, x.y) < std::pair(y.x, y.y);
     });
     return order;
@@ -150,13 +153,14 @@ Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
 }
 
 /// One view traced instead of drawn.
-Result<void> trace(engine::LoadedWorld& loaded, reference::Scene& scene, const engine::WorldSource& source,
-                   const ListedView& listed, const engine::Viewpoint& stand, const Console& console) {
-    const Result<engine::FrameEye> eye = engine::eyeOf(loaded, source.file, listed, stand, console);
+Result<void> trace(engine::PartPlanner& loaded, reference::Scene& scene, const engine::WorldSource& source,
+                   const ListedView& listed, const Console& console) {
+    const engine::LoadedPart& part = *loaded.part;
+    const Result<engine::FrameRequest> eye = requestOf(part, source.file, listed.view, console);
     if (!eye)
         return tl::unexpected(eye.error());
     world::DynamicState dynamics;
-    loaded.dynamicsBuilder.at(engine::dynamicsInput(loaded.world, *eye), dynamics);
+    loaded.dynamics.at(engine::dynamicsInput(part.world, *eye), dynamics);
     scene.setDynamics(dynamics);
     const output::TracedFrame frame = output::traceFrame(scene, *eye);
     const OutputPaths& outputs = listed.outputs;
@@ -171,11 +175,12 @@ Result<void> trace(engine::LoadedWorld& loaded, reference::Scene& scene, const e
         !written)
         return written;
     if (Result<void> written = writeIfAsked(
-            outputs.depth, [&] { return output::encodeNpy(width, height, std::span<const float>(frame.depth())); });
+            outputs.depth,
+            [&] { return output::encodeNpy(width, height, std::span<const float>(frame.depth())); });
         !written)
         return written;
     return writeIfAsked(outputs.json, [&] {
-        return output::tracedJson(loaded.world, loaded.ids, *eye, dynamics, frame, source.datOption)
+        return output::tracedJson(part.world, part.ids, *eye, dynamics, frame, source.datOption)
                    .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                "\n";
     });
@@ -183,26 +188,28 @@ Result<void> trace(engine::LoadedWorld& loaded, reference::Scene& scene, const e
 
 /// All views traced: no device, no GL.
 Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& options,
-                       const std::vector<ListedView>& views, const std::vector<engine::Viewpoint>& stands,
-                       const Console& console) {
-    std::unique_ptr<engine::LoadedWorld> loaded;
+                       const std::vector<ListedView>& views, const Console& console) {
+    std::unique_ptr<engine::PartPlanner> loaded;
     std::optional<reference::Scene> scene;
     Progress progress(console, "shot", views.size());
     std::size_t done = 0;
-    for (const std::size_t i : drawingOrder(stands)) {
-        if (!loaded || loaded->centre != stands[i].centre) {
+    for (const std::size_t i : drawingOrder(views)) {
+        const engine::PartTarget target{engine::centreOf(views[i].view), options.session.load};
+        if (!loaded || !(loaded->part->target == target)) {
             const bool first = !loaded;
             scene.reset(); // it refers to the world that goes
-            Result<std::unique_ptr<engine::LoadedWorld>> next =
-                engine::LoadedWorld::load(source.archive, stands[i].centre, options.session.load, source.file.moving);
+            loaded.reset();
+            Result<std::shared_ptr<const engine::LoadedPart>> next =
+                engine::loadPart(source.archive, target, source.file.moving);
             if (!next)
                 return tl::unexpected(next.error());
-            loaded = std::move(*next);
-            scene.emplace(loaded->world);
-            if (const std::string findings = engine::findingsLine(loaded->world); first && !findings.empty())
+            loaded = std::make_unique<engine::PartPlanner>(std::move(*next));
+            scene.emplace(loaded->part->world);
+            if (const std::string findings = engine::findingsLine(loaded->part->world);
+                first && !findings.empty())
                 console.note(findings);
         }
-        if (Result<void> traced = trace(*loaded, *scene, source, views[i], stands[i], console); !traced)
+        if (Result<void> traced = trace(*loaded, *scene, source, views[i], console); !traced)
             return tl::unexpected(traced.error());
         progress.step(++done);
     }
@@ -220,7 +227,7 @@ Result<void> checkTraceable(const std::vector<ListedView>& views) {
 }
 
 Result<Exit> runShot(const ShotOptions& options, const Console& console) {
-    const Result<std::vector<ListedView>> views = viewsOf(options);
+    Result<std::vector<ListedView>> views = viewsOf(options);
     if (!views)
         return tl::unexpected(views.error());
     if (Result<void> traceable = options.reference ? checkTraceable(*views) : Result<void>{}; !traceable)
@@ -230,29 +237,29 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    std::vector<engine::Viewpoint> stands;
-    for (const ListedView& listed : *views) {
-        Result<engine::Viewpoint> stand = engine::viewpointOf(listed.view, source->file);
-        if (!stand)
-            return tl::unexpected(stand.error());
-        stands.push_back(*stand);
+    for (ListedView& listed : *views) {
+        Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(listed.view), source->file);
+        if (!resolved)
+            return tl::unexpected(resolved.error());
+        listed.view = std::move(*resolved);
     }
     if (options.reference)
-        return runTraced(*source, options, *views, stands, console);
-    Result<engine::HeadlessSession> headless =
-        engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
+        return runTraced(*source, options, *views, console);
+    Result<engine::HeadlessSession> headless = engine::openHeadless(
+        std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
     Progress progress(console, "shot", views->size());
     std::size_t done = 0;
-    for (const std::size_t i : drawingOrder(stands)) {
+    for (const std::size_t i : drawingOrder(*views)) {
         const bool first = !session.isLoaded();
-        if (Result<void> loaded = session.load(stands[i].centre); !loaded)
+        if (Result<void> loaded = session.load(engine::centreOf((*views)[i].view)); !loaded)
             return tl::unexpected(loaded.error());
-        if (const std::string findings = engine::findingsLine(session.loaded().world); first && !findings.empty())
+        if (const std::string findings = engine::findingsLine(session.part().world);
+            first && !findings.empty())
             console.note(findings);
-        if (Result<void> shot = shoot(session, (*views)[i], stands[i], console); !shot)
+        if (Result<void> shot = shoot(session, (*views)[i], console); !shot)
             return tl::unexpected(shot.error());
         progress.step(++done);
     }
@@ -275,7 +282,7 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
             "trace the rule ray by ray instead of drawing, without GL: the picture is one colour an id, the "
             "JSON's cells are those that rays end in, its visits and stages are empty")
         ->group("Output");
-    engine::addSessionOptions(*verb, options->session);
+    addSessionOptions(*verb, options->session);
     verb->footer("Nothing is written unless asked for.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runShot(*options, console); };

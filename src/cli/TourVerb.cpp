@@ -1,7 +1,9 @@
-#include "play/FrameSource.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
+#include "cli/Verbs.h"
 #include "output/OutputFile.h"
 #include "output/Picture.h"
-#include "cli/Verbs.h"
+#include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,7 +15,7 @@ namespace {
 
 struct TourOptions {
     engine::SessionOptions session;
-    play::PathArguments path;
+    PathArguments path;
     std::string directory;
     bool json = false;
 };
@@ -22,7 +24,7 @@ constexpr std::size_t kTourFrames = 120; // unless said
 constexpr std::size_t kSheetTiles = 24;
 
 /// One line of `--json`.
-std::string statsLine(const engine::Session& session, const engine::FrameEye& eye, std::size_t frame) {
+std::string statsLine(const engine::Session& session, const engine::FrameRequest& eye, std::size_t frame) {
     const engine::FrameFigures figures = session.figures();
     const auto number = [](double v) {
         return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
@@ -33,16 +35,16 @@ std::string statsLine(const engine::Session& session, const engine::FrameEye& ey
             {"draws", stage.draws}, {"cpu_ms", number(stage.cpuMs)}, {"gpu_ms", number(stage.gpuMs)}};
     const nlohmann::ordered_json line{
         {"frame", frame},
-        {"root", engine::spaceName(session.loaded().world, eye.root)},
+        {"root", engine::spaceName(session.part().world, eye.root)},
         {"visits", session.visible().visits.size()},
-        {"cells", engine::cellsSeen(session.loaded().world, session.visible()).size()},
+        {"cells", engine::cellsSeen(session.part().world, session.visible()).size()},
         {"drawn", session.plan().counts.instancesDrawn},
         {"gl_calls", figures.glCalls},
         {"flood_ms", number(figures.floodMs)},
         {"plan_ms", number(figures.planMs)},
         {"submit_ms", number(figures.submitMs)},
         {"stages", std::move(stages)},
-        {"command", engine::reproduction(session.loaded().world, eye, session.source().datOption)}};
+        {"command", engine::reproduction(session.part().world, eye, session.source().datOption)}};
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -53,19 +55,21 @@ Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, con
     output::ContactSheet sheet(count, kSheetTiles, 6, 320);
     Progress progress(console, "tour", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
-        const Result<const engine::FrameEye*> next = frames.next();
+        const Result<const engine::FrameRequest*> next = frames.next();
         if (!next)
             return tl::unexpected(next.error());
-        const engine::FrameEye& eye = **next;
+        const engine::FrameRequest& eye = **next;
         if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
             return drawn;
         const output::Picture picture =
             output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
-        if (Result<void> written = output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
+        if (Result<void> written =
+                output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
             !written)
             return written;
         if (sheet.wants(frame))
-            sheet.add(picture, fmt::format("{} {}", frame, engine::spaceName(session.loaded().world, eye.root)));
+            sheet.add(picture,
+                      fmt::format("{} {}", frame, engine::spaceName(session.part().world, eye.root)));
         if (options.json)
             console.data(statsLine(session, eye, frame));
         progress.step(frame + 1);
@@ -73,20 +77,23 @@ Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, con
     return output::writePicture(directory / "contact.png", sheet.compose());
 }
 
-Result<engine::HeadlessSession> openTour(const TourOptions& options, std::optional<play::FramesRequest>& request) {
+Result<engine::HeadlessSession> openTour(const TourOptions& options,
+                                         std::optional<play::FramesRequest>& request) {
     if (Result<void> made = output::makeDirectory(options.directory); !made)
         return tl::unexpected(made.error());
-    if (Result<void> writable = output::checkWritable(std::filesystem::path(options.directory) / "contact.png");
+    if (Result<void> writable =
+            output::checkWritable(std::filesystem::path(options.directory) / "contact.png");
         !writable)
         return tl::unexpected(writable.error());
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<play::FramesRequest> checked = play::checkFrames(options.path, kTourFrames, source->file);
+    Result<play::FramesRequest> checked = checkFrames(options.path, kTourFrames, source->file);
     if (!checked)
         return tl::unexpected(checked.error());
     request = std::move(*checked);
-    return engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
+    return engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)),
+                                options.session);
 }
 
 Result<Exit> runTour(const TourOptions& options, const Console& console) {
@@ -98,7 +105,7 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
     if (!frames)
         return tl::unexpected(frames.error());
-    if (const std::string findings = engine::findingsLine(session.loaded().world); !findings.empty())
+    if (const std::string findings = engine::findingsLine(session.part().world); !findings.empty())
         console.note(findings);
     if (Result<void> drawn = drawFrames(session, **frames, options, console); !drawn)
         return tl::unexpected(drawn.error());
@@ -117,9 +124,9 @@ void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "the directory for frame-NNNNN.png and contact.png; made if it is missing")
         ->required()
         ->type_name("DIR");
-    play::addPathOptions(*verb, options->path, kTourFrames);
+    addPathOptions(*verb, options->path, kTourFrames);
     verb->add_flag("--json", options->json, "one JSON object for each frame on standard output");
-    engine::addSessionOptions(*verb, options->session);
+    addSessionOptions(*verb, options->session);
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runTour(*options, console); };
     });

@@ -41,7 +41,7 @@ std::string jsonOf(const dat::VerifyReport& report, double seconds) {
     nlohmann::ordered_json faults = nlohmann::ordered_json::array();
     for (const dat::Fault& fault : report.faults) {
         faults.push_back({{"file", nameOfRole(fault.role)},
-                          {"id", hexId(fault.id)},
+                          {"id", dat::idText(fault.id)},
                           {"type", dat::nameOf(dat::kindOf(fault.role, fault.id))},
                           {"fault", dat::nameOf(fault.kind)},
                           {"what", fault.what}});
@@ -68,7 +68,7 @@ std::string textOf(const dat::VerifyReport& report) {
             fmt::format("{:<18} {:>9} records {:>13} bytes\n", line.name, line.sum.records, line.sum.bytes);
     for (const dat::Fault& fault : report.faults) {
         text += fmt::format("{} {} {}: {}\n", nameOfRole(fault.role),
-                            dat::nameOf(dat::kindOf(fault.role, fault.id)), hexId(fault.id), fault.what);
+                            dat::nameOf(dat::kindOf(fault.role, fault.id)), dat::idText(fault.id), fault.what);
     }
     const auto& counts = report.faultCounts;
     const std::uint64_t all = counts[0] + counts[1] + counts[2];

@@ -1,11 +1,12 @@
+#include "cli/SessionArguments.h"
+#include "cli/ShotRequest.h"
+#include "cli/Verbs.h"
+#include "engine/CheckView.h"
 #include "engine/DecisionHash.h"
 #include "engine/HeapTuning.h"
 #include "output/OutputFile.h"
-#include "cli/ShotRequest.h"
-#include "cli/Verbs.h"
-#include "engine/ViewOfEye.h"
-#include "viewer/ViewerState.h"
 #include "play/WalkRecord.h"
+#include "viewer/ViewerState.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,33 +20,30 @@ struct ViewOptions {
     engine::SessionOptions session;
     ViewArguments view;
     std::string frames, step, screenshot, screenshots, record, keys;
-    bool json = false, tell = false, play::fly = false, chase = false;
+    bool json = false, tell = false, fly = false, chase = false;
 };
 
-/// Where and how the window opens.
-struct Opening {
-    ViewRequest view;
-    engine::Viewpoint stand;
-};
-
-/// As the options say; without a position where the world begins (firstPlace).
-Result<Opening> openingOf(const ViewOptions& options, const world::WorldFile& file) {
+/// The first frame, as the options say; without a viewpoint at the world's own first place.
+Result<engine::ViewRequest> openingOf(const ViewOptions& options, const world::WorldFile& file) {
     ViewArguments arguments = options.view;
-    const bool nowhere = arguments.eye.empty() && arguments.at.empty();
-    const world::Place* place = nowhere ? engine::firstPlace(file) : nullptr;
-    if (nowhere && place == nullptr)
+    if (!arguments.eye.empty() || !arguments.at.empty())
+        return checkView(arguments).and_then(
+            [&](engine::ViewRequest view) { return engine::resolvePlace(std::move(view), file); });
+    const world::Place* place = engine::firstPlace(file);
+    if (place == nullptr)
         return fail(ErrorCode::BadArgument, "--eye",
                     "this world's world.json names no place to begin at; give --eye X,Y,Z or --at PLACE");
-    if (nowhere)
-        arguments.eye = "0,0,0"; // stands for the place while the rest is checked
-    Result<ViewRequest> view = checkView(arguments);
+    arguments.eye = "0,0,0"; // stands for the place while the other options are checked
+    Result<engine::ViewRequest> view = checkView(arguments);
     if (!view)
-        return tl::unexpected(view.error());
-    Result<engine::Viewpoint> stand = nowhere ? engine::viewpointAt(*place) : engine::viewpointOf(*view, file);
-    if (!stand)
-        return tl::unexpected(stand.error());
-    stand->camera.fovDegrees = view->fov;
-    return Opening{std::move(*view), std::move(*stand)};
+        return view;
+    const engine::ViewRequest there = engine::requestAt(*place);
+    view->eye = there.eye;
+    view->yaw = there.yaw;
+    view->pitch = there.pitch;
+    view->root = there.root;
+    view->player.reset();
+    return view;
 }
 
 /// Of the file that was named, or the one in the user's configuration, if that is there.
@@ -90,16 +88,17 @@ Result<Script> scriptOf(const ViewOptions& options) {
     return script;
 }
 
-Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session& session, const engine::FrameEye& start,
-                  Script script, const ViewOptions& options, const Console& console) {
+Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session& session,
+                  const engine::FrameRequest& start, Script script, const ViewOptions& options,
+                  const Console& console) {
     viewer::Viewer viewer(window, device, session, start, std::move(script.keys), options.screenshots);
     if (!options.fly)
-        viewer.act({play::PlayAct::Kind::Walk});
+        viewer.act({play::PlayActKind::Walk});
     if (options.chase)
-        viewer.act({play::PlayAct::Kind::Chase});
+        viewer.act({play::PlayActKind::Chase});
     std::size_t frames = 0;
-    std::string record =
-        play::beginningLine(check::shotOptions(engine::viewOf(start, session.loaded().world)), session.options().load);
+    std::string record = play::beginningLine(check::shotOptions(engine::viewOf(start, session.part().world)),
+                                             session.options().load);
     while (!viewer.isLeaving() && !window.isLost() && (script.frames == 0 || frames < script.frames)) {
         if (script.frames == 0 && !window.isShown()) {
             viewer.rest();
@@ -109,9 +108,9 @@ Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session
             return tl::unexpected(drawn.error());
         ++frames;
         if (!options.record.empty())
-            record +=
-                play::frameLine({viewer.input(), engine::decisionHash(viewer.eye(), session.visible(), session.dynamics()),
-                           viewer.stream().shown(), viewer.stream().hasRefused()});
+            record += play::frameLine(
+                {viewer.input(), engine::decisionHash(viewer.eye(), session.visible(), session.dynamics()),
+                 viewer.stream().shown(), viewer.stream().hasRefused()});
         if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
             console.note("limen: what is near cannot be loaded: " + fault);
         if (!viewer.probed().empty())
@@ -143,32 +142,33 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     if (!script)
         return tl::unexpected(script.error());
     for (const std::string& output : {options.screenshot, options.record})
-        if (Result<void> writable = output.empty() ? Result<void>{} : output::checkWritable(output); !writable)
+        if (Result<void> writable = output.empty() ? Result<void>{} : output::checkWritable(output);
+            !writable)
             return tl::unexpected(writable.error());
-    if (Result<void> made = options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
+    if (Result<void> made =
+            options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
         !made)
         return tl::unexpected(made.error());
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<Opening> opening = openingOf(options, source->file);
+    const Result<engine::ViewRequest> opening = openingOf(options, source->file);
     if (!opening)
         return tl::unexpected(opening.error());
-    const Result<std::unique_ptr<viewer::Window>> window = viewer::Window::open("Limen", opening->view.size);
+    const Result<std::unique_ptr<viewer::Window>> window = viewer::Window::open("Limen", opening->size);
     if (!window)
         return tl::unexpected(window.error());
     const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
     if (!device)
         return tl::unexpected(device.error());
-    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session, **device);
-    if (Result<void> loaded = session.load(opening->stand.centre); !loaded)
+    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
+                            **device);
+    if (Result<void> loaded = session.load(engine::centreOf(*opening)); !loaded)
         return tl::unexpected(loaded.error());
-    Result<engine::FrameEye> start = engine::placeEye(session.loaded(), opening->stand, opening->view.size);
+    const Result<engine::FrameRequest> start =
+        engine::frameRequest(session.part().world, session.source().file, *opening);
     if (!start)
         return tl::unexpected(start.error());
-    if (Result<void> applied = engine::applyDynamics(session.loaded(), session.source().file, opening->view, *start);
-        !applied)
-        return tl::unexpected(applied.error());
     return loop(**window, **device, session, *start, std::move(*script), options, console);
 }
 
@@ -176,8 +176,8 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
 std::string keysFooter() {
     std::string text = "What keys do, with the names for --keys:\n";
     for (const viewer::HelpLine& line : viewer::helpLines(viewer::KeyBindings()))
-        text += fmt::format("  {:<24}{:<12}{}\n", line.keys, line.action ? viewer::factsOf(*line.action).name : "",
-                            line.does);
+        text += fmt::format("  {:<24}{:<12}{}\n", line.keys,
+                            line.action ? viewer::factsOf(*line.action).name : "", line.does);
     return text;
 }
 
@@ -214,7 +214,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
     verb->add_flag("--tell", options->tell, "prints the same after every frame, a line each")
         ->group("Scripts");
-    engine::addSessionOptions(*verb, options->session);
+    addSessionOptions(*verb, options->session);
     verb->add_option("--keys", options->keys,
                      "which keys do what, JSON; the help page in the window writes it (default: "
                      "limen/keys.json in the user's configuration)")

@@ -1,8 +1,10 @@
-#include "play/FootWalk.h"
-#include "output/OutputFile.h"
-#include "play/PathWalk.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
 #include "gpu/NullDevice.h"
+#include "output/OutputFile.h"
+#include "play/FootWalk.h"
+#include "play/PathWalk.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,7 +16,7 @@ namespace {
 
 struct WalkOptions {
     engine::SessionOptions session;
-    play::PathArguments path;
+    PathArguments path;
     std::string output;
     play::FootWalkOptions foot;
 };
@@ -25,7 +27,7 @@ std::string listed(const char* title, const List& list) {
 }
 
 Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
-    const Result<play::PathRequest> request = play::checkPath(options.path, 1);
+    const Result<play::PathRequest> request = checkPath(options.path, 1);
     if (!request)
         return tl::unexpected(request.error());
     if (Result<void> writable = output::checkWritable(options.output); !writable)
@@ -33,17 +35,18 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<std::vector<engine::Viewpoint>> points = play::wayPointsOf(options.path, source->file);
+    const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, source->file);
     if (!points)
         return tl::unexpected(points.error());
     gpu::NullDevice device; // nobody looks
-    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session, device);
+    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
+                            device);
     const Result<play::PathStart> start = play::startPath(session, *points, *request);
     if (!start)
         return tl::unexpected(start.error());
     Progress progress(console, "walk", points->size());
     const Result<play::FootWalk> walk = play::walkOnFoot(session, start->eye, *points, options.foot,
-                                             [&](std::size_t done) { progress.step(done); });
+                                                         [&](std::size_t done) { progress.step(done); });
     if (!walk)
         return tl::unexpected(walk.error());
     std::string text = play::beginningLine(walk->record.start);
@@ -76,7 +79,7 @@ void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->check(CLI::Range(5.0, 1000.0));
     verb->add_flag("--chase", options->foot.chase, "the eye behind the body");
     verb->add_flag("--run", options->foot.run, "runs");
-    engine::addSessionOptions(*verb, options->session);
+    addSessionOptions(*verb, options->session);
     verb->footer(
         "Straight from way point to way point, through doors; where no way leads on foot, to the next place\n"
         "that the world names. Nothing is drawn: no driver is needed.");

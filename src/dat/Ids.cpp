@@ -1,5 +1,7 @@
 #include "dat/Ids.h"
 
+#include <fmt/format.h>
+
 namespace limen::dat {
 namespace {
 
@@ -121,6 +123,10 @@ const char* nameOf(RecordKind kind) {
         return "Other";
     }
     return "Other";
+}
+
+std::string idText(RecordId id) {
+    return fmt::format("0x{:08X}", id);
 }
 
 } // namespace limen::dat

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace limen::dat {
 
@@ -46,6 +47,8 @@ enum class FileRole { Portal, Cell, Highres, Local };
     return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
 }
 [[nodiscard]] const char* nameOf(RecordKind kind);
+/// "0x%08X".
+[[nodiscard]] std::string idText(RecordId id);
 
 /// A landblock's place on the map, 0..254 each way: x grows to the east, y to the north.
 struct BlockCoord {

@@ -44,7 +44,7 @@ Heading headingOf(const Vec3& direction) {
     return {yaw < 0.0 ? yaw + 360.0 : yaw, std::atan2(direction.z, flat) * kDegrees};
 }
 
-visibility::View viewOf(const Camera& camera, cli::PixelSize size, std::uint32_t root) {
+visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root) {
     const CameraBasis basis = basisOf(camera.heading);
     visibility::View view;
     view.eye = camera.eye;

@@ -1,18 +1,29 @@
 #pragma once
 
-#include "cli/Parse.h"
+#include "geometry/Vec.h"
 #include "visibility/View.h"
+
+#include <cstdint>
 
 namespace limen::engine {
 
-/// A direction of sight, in degrees: yaw 0 north (+Y), 90 east (+X); pitch 90 straight up.
+/// Width and height of a picture in pixels.
+struct PixelSize {
+    std::uint32_t width = 1280, height = 720;
+    friend bool operator==(const PixelSize&, const PixelSize&) = default;
+};
+
+/// The largest picture side that is drawn, in pixels.
+inline constexpr std::uint32_t kMaxSide = 16384;
+
+/// A viewing direction in degrees: yaw 0 is north (+Y), 90 is east (+X); pitch 90 is straight up.
 struct Heading {
     double yaw = 0.0, pitch = 0.0;
 };
 
-/// An eye and its perspective, as people give it.
+/// A perspective camera in the user's terms.
 struct Camera {
-    Vec3 eye{0.0}; ///< global
+    Vec3 eye{0.0}; ///< global, metres
     Heading heading;
     double fovDegrees = 60.0; ///< vertical
 };
@@ -23,10 +34,10 @@ struct CameraBasis {
 };
 [[nodiscard]] CameraBasis basisOf(const Heading& heading);
 
-/// The heading that looks along a direction of any length but zero; straight up or down has yaw 0.
+/// The heading along a direction of any non-zero length. Straight up and straight down have yaw 0.
 [[nodiscard]] Heading headingOf(const Vec3& direction);
 
-/// The view that the flood takes. `root` is an index of the graph's spaces.
-[[nodiscard]] visibility::View viewOf(const Camera& camera, cli::PixelSize size, std::uint32_t root);
+/// The camera as the flood takes it. `root` is an index of the graph's spaces.
+[[nodiscard]] visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root);
 
 } // namespace limen::engine

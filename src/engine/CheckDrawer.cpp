@@ -1,9 +1,7 @@
 #include "engine/CheckDrawer.h"
 
-#include "output/RegionOverlay.h"
-#include "output/TracedFrame.h"
-#include "engine/ViewOfEye.h"
 #include "core/Assert.h"
+#include "engine/CheckView.h"
 
 namespace limen::engine {
 
@@ -17,9 +15,9 @@ public:
           drawer_(*headless_.session, outlines, multisampled) {}
 
     Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override {
-        const std::shared_ptr<const LoadedWorld> there = helped_.shareLoaded();
-        LIMEN_ASSERT(there && there->centre == block, "what is to be drawn is loaded");
-        if (Result<void> shown = headless_.session->show(std::make_shared<LoadedWorld>(*there)); !shown)
+        const std::shared_ptr<const LoadedPart> there = helped_.sharePart();
+        LIMEN_ASSERT(there && there->target.centre == block, "what is to be drawn is loaded");
+        if (Result<void> shown = headless_.session->show(std::make_unique<PartPlanner>(there)); !shown)
             return tl::unexpected(shown.error());
         return std::shared_ptr<const world::World>(there, &there->world);
     }
@@ -56,26 +54,26 @@ void CheckDrawer::expect(dat::BlockCoord block) {
 }
 
 Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord block) {
-    if (!session_.isLoaded() || !(session_.loaded().centre == block)) {
-        Result<std::shared_ptr<LoadedWorld>> read =
+    if (!session_.isLoaded() || !(session_.part().target.centre == block)) {
+        Result<std::unique_ptr<PartPlanner>> read =
             coming_.valid() && expected_ == block ? coming_.get() : session_.read(block);
         if (!read)
             return tl::unexpected(read.error());
         if (Result<void> shown = session_.show(std::move(*read)); !shown)
             return tl::unexpected(shown.error());
     }
-    const std::shared_ptr<const LoadedWorld> loaded = session_.shareLoaded();
+    const std::shared_ptr<const LoadedPart> loaded = session_.sharePart();
     return std::shared_ptr<const world::World>(loaded, &loaded->world);
 }
 
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
-    reference::Camera camera = output::tracedCamera(eyeOf(view, session_.loaded().world, root));
+    reference::Camera camera = engine::tracedCamera(requestOf(view, session_.part().world, root));
     if (multisampled_)
         camera.place = Vec2(0.0); // samples have places of their own
     return camera;
 }
 
-Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour) {
+Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& eye, bool colour) {
     const DrawOptions options{.ids = true,
                               .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
                               .layers = !colour}; // counting takes the place of painting
@@ -98,14 +96,14 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, boo
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
-    const FrameEye eye = eyeOf(view, session_.loaded().world, root);
+    const FrameRequest eye = requestOf(view, session_.part().world, root);
     Result<check::DrawnImages> images = multisampled_ ? drawSamples(eye) : drawImages(session_, eye, colour);
     if (images && outlines_)
-        images->outlines = output::regionOutlines(session_.visible());
+        images->outlines = regionOutlines(session_.visible());
     return images;
 }
 
-Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameEye& eye) {
+Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameRequest& eye) {
     if (Result<void> drawn = session_.draw(eye, {.shading = gpu::Shading::FlatIds}); !drawn)
         return tl::unexpected(drawn.error());
     check::DrawnImages images;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/Session.h"
 #include "check/Run.h"
+#include "engine/Session.h"
 #include "frame/IdColour.h"
 
 #include <future>
@@ -10,7 +10,7 @@ namespace limen::engine {
 
 /// What a check of one frame holds against the traced one: ids, depth and layers; with `colour`, what is painted instead of layers.
 /// One sample a pixel. Errors: those of drawing.
-[[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameEye& eye, bool colour);
+[[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& eye, bool colour);
 
 /// Draws the views of a check through the path of every other verb. The session must outlive it.
 class CheckDrawer final : public check::Drawer {
@@ -29,9 +29,9 @@ public:
     Result<std::unique_ptr<check::Drawer>> makeHelper() override;
 
 private:
-    using Reading = std::future<Result<std::shared_ptr<LoadedWorld>>>;
+    using Reading = std::future<Result<std::unique_ptr<PartPlanner>>>;
 
-    [[nodiscard]] Result<check::DrawnImages> drawSamples(const FrameEye& eye);
+    [[nodiscard]] Result<check::DrawnImages> drawSamples(const FrameRequest& eye);
 
     Session& session_;
     bool outlines_, multisampled_;

@@ -13,15 +13,16 @@ void add(Hash& hash, const Vec3& v) {
 
 } // namespace
 
-std::uint64_t decisionHash(const FrameEye& eye, const visibility::VisibleSet& visible,
+std::uint64_t decisionHash(const FrameRequest& eye, const visibility::VisibleSet& visible,
                            const world::DynamicState& dynamics) {
     Hash hash;
     add(hash, eye.camera.eye);
-    for (const double value : {eye.camera.heading.yaw, eye.camera.heading.pitch, eye.time, eye.seconds})
+    for (const double value :
+         {eye.camera.heading.yaw, eye.camera.heading.pitch, eye.scene.time, eye.scene.seconds})
         hash.add(value);
     hash.add(eye.root);
-    hash.add(eye.dayGroup);
-    hash.add(eye.weather);
+    hash.add(eye.scene.dayGroup);
+    hash.add(eye.scene.weather);
     for (const visibility::Visit& visit : visible.visits)
         for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})
             hash.add(value);

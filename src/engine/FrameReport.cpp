@@ -1,101 +1,8 @@
 #include "engine/FrameReport.h"
 
-#include "engine/ViewOfEye.h"
-
 #include <algorithm>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace limen::engine {
-namespace {
-
-using Json = nlohmann::ordered_json;
-constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
-
-/// Null for what JSON cannot say.
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-Json vector(const Vec3& v) {
-    return {number(v.x), number(v.y), number(v.z)};
-}
-
-Json visitsJson(const world::World& world, const visibility::VisibleSet& visible) {
-    Json list = Json::array();
-    for (const visibility::Visit& visit : visible.visits) {
-        Json region = Json::array();
-        for (const Vec2& corner : regionNdc(visible, visit))
-            region.push_back({number(corner.x), number(corner.y)});
-        Json portal = nullptr;
-        if (visit.portal != kNoIndex && visit.portal < world.portals.size()) {
-            const world::Portal& through = world.portals[visit.portal];
-            portal = {{"space", spaceName(world, through.space)}, {"index", through.recordIndex}};
-        }
-        list.push_back({{"zone", visit.hole ? Json(nullptr) : Json(visit.zone)},
-                        {"space", spaceName(world, visit.space)},
-                        {"parent", visit.parent == kNoIndex ? -1 : static_cast<std::int64_t>(visit.parent)},
-                        {"portal", std::move(portal)},
-                        {"hole", visit.hole},
-                        {"shut", visit.shut},
-                        {"depth", visit.depth},
-                        {"region", std::move(region)}});
-    }
-    return list;
-}
-
-Json idsJson(const IdTable& table, const world::DynamicState& dynamics, std::span<const std::uint32_t> ids) {
-    std::vector<std::uint32_t> distinct(ids.begin(), ids.end());
-    std::sort(distinct.begin(), distinct.end());
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    Json map = Json::object();
-    for (const std::uint32_t id : distinct) {
-        const IdMeaning meaning = table.meaning(id, dynamics);
-        map[std::to_string(id)] = {{"space", meaning.space},
-                                   {"kind", meaning.kind},
-                                   {"record", meaning.record},
-                                   {"object", meaning.object},
-                                   {"polygon", meaning.polygon}};
-    }
-    return map;
-}
-
-Json countsJson(const visibility::VisibleSet& visible, const frame::PlanCounts& plan) {
-    const visibility::FloodCounts& flood = visible.counts;
-    return {{"visits", visible.visits.size()},
-            {"visits_cut", flood.visitsCut},
-            {"portals_tested", flood.portalsTested},
-            {"portals_admitted", flood.portalsAdmitted},
-            {"cycles_split", flood.cyclesSplit},
-            {"cells_seen", plan.cellsSeen},
-            {"ownership_triangles", plan.ownershipTriangles},
-            {"tested", plan.instancesTested},
-            {"culled", plan.instancesCulled},
-            {"drawn", plan.instancesDrawn},
-            {"drawn_ungated", plan.drawsUngated},
-            {"triangles", plan.triangles}};
-}
-
-Json figuresJson(const FrameFigures& figures) {
-    Json stages = Json::array();
-    for (const StageFigures& stage : figures.stages)
-        stages.push_back({{"name", stage.name},
-                          {"draws", stage.draws},
-                          {"cpu_ms", number(stage.cpuMs)},
-                          {"gpu_ms", number(stage.gpuMs)}});
-    return stages;
-}
-
-Json residentJson(const gpu::DeviceObjects& resident) {
-    return {{"buffers", resident.buffers},
-            {"buffer_bytes", resident.bufferBytes},
-            {"ring_bytes", resident.ringBytes},
-            {"textures", resident.textures},
-            {"texture_handles", resident.residentHandles},
-            {"programs", resident.programs},
-            {"targets", resident.targets}};
-}
-
-} // namespace
 
 std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible, const visibility::Visit& visit) {
     constexpr double kAtEye = 1e-12; // metres forward; nearer than any surface a file can hold
@@ -106,6 +13,13 @@ std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible, const visibil
     return corners;
 }
 
+std::vector<std::vector<Vec2>> regionOutlines(const visibility::VisibleSet& visible) {
+    std::vector<std::vector<Vec2>> outlines;
+    for (const visibility::Visit& visit : visible.visits)
+        outlines.push_back(regionNdc(visible, visit));
+    return outlines;
+}
+
 std::vector<dat::RecordId> cellsSeen(const world::World& world, const visibility::VisibleSet& visible) {
     std::vector<dat::RecordId> cells;
     for (const visibility::SeenSpace& seen : visible.seen)
@@ -114,65 +28,6 @@ std::vector<dat::RecordId> cellsSeen(const world::World& world, const visibility
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
-}
-
-Json bodyJson(const world::World& world, const std::optional<motion::PlayerBody>& body) {
-    if (!body)
-        return nullptr;
-    return {{"feet", vector(body->feet)},
-            {"yaw", number(body->yaw)},
-            {"space", spaceName(world, body->space)},
-            {"opacity", number(body->opacity)}};
-}
-
-Json frameJson(const world::World& world, const IdTable& table, const FrameEye& eye,
-               const world::DynamicState& dynamics, const visibility::VisibleSet& visible,
-               const frame::FramePlan& plan, const FrameFigures& figures,
-               std::span<const std::uint32_t> ids) {
-    Json cells = Json::array();
-    for (const dat::RecordId cell : cellsSeen(world, visible))
-        cells.push_back(cli::hexId(cell));
-    const auto voids = std::count(ids.begin(), ids.end(), kVoidPixel);
-    Json report{{"eye", vector(eye.camera.eye)},
-                {"yaw", number(eye.camera.heading.yaw)},
-                {"pitch", number(eye.camera.heading.pitch)},
-                {"fov", number(eye.camera.fovDegrees)},
-                {"size", {eye.size.width, eye.size.height}},
-                {"player", vector(eye.player)},
-                {"body", bodyJson(world, eye.body)},
-                {"time", number(eye.time)},
-                {"day", eye.dayGroup},
-                {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
-                {"seconds", number(eye.seconds)},
-                {"doors", eye.doors ? number(*eye.doors) : Json()},
-                {"root", spaceName(world, eye.root)},
-                {"root_ambiguous", eye.rootAmbiguous},
-                {"cells", std::move(cells)},
-                {"visits", visitsJson(world, visible)},
-                {"counts", countsJson(visible, plan.counts)},
-                {"stages", figuresJson(figures)},
-                {"gl_calls", figures.glCalls},
-                {"timings",
-                 {{"flood_ms", number(figures.floodMs)},
-                  {"plan_ms", number(figures.planMs)},
-                  {"submit_ms", number(figures.submitMs)},
-                  {"gpu_ms", number(figures.gpuMs)}}},
-                {"driver", figures.driver},
-                {"textures", figures.textures},
-                {"bytes_written", figures.bytesWritten},
-                {"ring_stalls", figures.ringStalls},
-                {"resident", residentJson(figures.resident)}};
-    if (!figures.trouble.empty())
-        report["trouble"] = figures.trouble;
-    if (!ids.empty()) {
-        report["void_pixels"] = voids;
-        report["ids"] = idsJson(table, dynamics, ids);
-    }
-    return report;
-}
-
-std::string reproduction(const world::World& world, const FrameEye& eye, const std::string& datOption) {
-    return "limen shot" + datOption + " " + check::shotOptions(viewOf(eye, world));
 }
 
 } // namespace limen::engine

@@ -20,7 +20,7 @@ std::uint32_t polygonCount(const world::World& world, const world::Instance& ins
 std::string spaceName(const world::World& world, world::SpaceIndex space) {
     if (space == world::kOutside)
         return "outside";
-    return space < world.spaces.size() ? cli::hexId(world.spaces[space].cellId) : "none";
+    return space < world.spaces.size() ? dat::idText(world.spaces[space].cellId) : "none";
 }
 
 IdTable::IdTable(const world::World& world) : world_(world) {
@@ -44,12 +44,12 @@ const world::Instance* IdTable::instance(std::uint32_t id) const {
 
 IdMeaning IdTable::meaning(std::uint32_t id, const world::DynamicState& dynamics) const {
     if (id == kVoidPixel)
-        return {"none", "void", cli::hexId(0), "", 0};
+        return {"none", "void", dat::idText(0), "", 0};
     if (id == kSkyPixel)
-        return {"outside", "sky", cli::hexId(0), "", 0};
+        return {"outside", "sky", dat::idText(0), "", 0};
     const world::Instance* known = instance(id);
     if (known == nullptr)
-        return {"none", "unknown", cli::hexId(0), "", id};
+        return {"none", "unknown", dat::idText(0), "", id};
     const auto here = std::find_if(dynamics.instances.begin(), dynamics.instances.end(),
                                    [&](const world::Instance& i) { return i.idBase == known->idBase; });
     const world::Instance& found = here != dynamics.instances.end() ? *here : *known;
@@ -57,7 +57,7 @@ IdMeaning IdTable::meaning(std::uint32_t id, const world::DynamicState& dynamics
     const std::size_t info = world_.meshes[found.mesh].firstPolygonInfo + std::size_t{number};
     const std::uint32_t polygon = info < world_.polygonIds.size() ? world_.polygonIds[info] : number;
     return {spaceName(world_, found.placedIn), kKindNames.at(static_cast<std::size_t>(found.kind)),
-            cli::hexId(found.record), fmt::format("{:016X}", found.object), polygon};
+            dat::idText(found.record), fmt::format("{:016X}", found.object), polygon};
 }
 
 } // namespace limen::engine

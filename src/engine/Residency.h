@@ -1,27 +1,30 @@
 #pragma once
 
 #include "dat/Ids.h"
-#include "world/World.h"
+#include "engine/LoadedPart.h"
 
 namespace limen::engine {
-
-class play::Walk;
 
 /// Whether an eye may go to another part of the world.
 enum class Passage : std::uint8_t {
     Open,   ///< it is shown
-    Coming, ///< not yet
+    Coming, ///< it is being loaded
     Refused ///< it cannot be loaded
 };
 
-/// What sees to it that what is around a moving eye is loaded.
+/// Keeps the surroundings of a moving eye loaded. It calls nobody back: `follow` offers a part, and its caller has the part shown
+/// when everything else that needs it is ready.
 class Residency {
 public:
     virtual ~Residency() = default;
-    /// Once a frame. True if another part of the world is shown from now on: then `root`, the space the eye is in, is translated.
-    /// `walk`: null, or the body that goes with the eye.
-    virtual bool follow(const Vec3& eye, world::SpaceIndex& root, play::Walk* walk) = 0;
-    /// Once a frame instead, as long as an eye waits to go to the part of the world around `centre`.
+    /// Once a frame. Yields a part that can be shown now, or null. An offer holds until the next call.
+    [[nodiscard]] virtual std::shared_ptr<const LoadedPart> follow(const Vec3& eye,
+                                                                   world::SpaceIndex root) = 0;
+    /// Whether offers come in later frames, too, so that a caller may prepare for them; else they come once.
+    [[nodiscard]] virtual bool isPatient() const = 0;
+    /// Shows the part that the last `follow` offered. True if it is shown now; its spaces have other numbers (rootIn).
+    [[nodiscard]] virtual bool show() = 0;
+    /// Once a frame in place of `follow`, while an eye waits to go to the part of the world around `centre`.
     [[nodiscard]] virtual Passage open(dat::BlockCoord centre) = 0;
 };
 

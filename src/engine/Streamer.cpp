@@ -1,5 +1,7 @@
 #include "engine/Streamer.h"
 
+#include "core/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,8 +14,8 @@ int blocksBetween(dat::BlockCoord a, dat::BlockCoord b) {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
 }
 
-/// An eye in the block itself is at home wherever it is: cells of a dungeon may lie anywhere.
-bool isAtHome(const StreamTarget& target, const StreamEye& eye) {
+/// An eye in the centre block itself is always covered: a dungeon's cells may have any coordinates.
+bool covers(const PartTarget& target, const StreamEye& eye) {
     return target.centre == eye.block ||
            (blocksBetween(target.centre, eye.block) <= 1 &&
             world::metresBeside(target.centre, eye.position) <= Streamer::kLeash);
@@ -21,85 +23,87 @@ bool isAtHome(const StreamTarget& target, const StreamEye& eye) {
 
 } // namespace
 
-/// Whether what is coming is still of use: else nobody who moves faster than it comes would ever see anything new.
-bool Streamer::isWanted(const StreamTarget& shown, const StreamEye& eye,
+/// A coming part that no longer covers the eye is still shown if it is closer than the part on the screen. Otherwise an eye that
+/// flies faster than parts load would never see a new one.
+bool Streamer::isWanted(const PartTarget& shown, const StreamEye& eye,
                         const world::LoadOptions& wanted) const {
     if (!(coming_.options == wanted))
         return false;
     if (eye.isAway)
         return coming_.centre == eye.block;
-    if (isAtHome(coming_, eye))
+    if (covers(coming_, eye))
         return true;
     const int away = blocksBetween(coming_.centre, eye.block);
     return away <= wanted.radius && away < blocksBetween(shown.centre, eye.block);
 }
 
-void Streamer::begin(const StreamTarget& target) {
-    coming_ = target;
-    phase_ = Phase::Reading;
-    tasks_.beginToRead(target);
-}
-
-void Streamer::drop() {
-    tasks_.drop();
-    phase_ = Phase::Idle;
-}
-
-void Streamer::give(const Error& error) {
+void Streamer::noteFailure(const Error& error) {
     if (failed_ != coming_)
         fault_ = error.message();
     failed_ = coming_;
     phase_ = Phase::Idle;
 }
 
-void Streamer::goOnReading(bool isWanted) {
-    const std::optional<Result<void>> read = tasks_.pollRead();
-    if (!read)
-        return;
-    if (!*read)
-        return give(read->error());
-    if (!isWanted)
-        return drop();
-    phase_ = Phase::Uploading;
-    if (const Result<void> begun = tasks_.beginToUpload(); !begun)
-        give(begun.error());
+StreamCommand Streamer::continueReading(bool isWanted, const StreamProgress& progress) {
+    if (!progress.isRead)
+        return StreamCommand::None;
+    if (progress.error) {
+        noteFailure(*progress.error);
+        return StreamCommand::None;
+    }
+    phase_ = isWanted ? Phase::Uploading : Phase::Idle;
+    return isWanted ? StreamCommand::Upload : StreamCommand::Drop;
 }
 
-bool Streamer::goOnUploading(bool isWanted) {
+StreamCommand Streamer::continueUploading(bool isWanted, const StreamProgress& progress) {
+    if (progress.error) {
+        if (isWanted)
+            noteFailure(*progress.error);
+        phase_ = Phase::Idle;
+        return StreamCommand::Drop;
+    }
     if (!isWanted) {
-        drop();
-        return false;
+        phase_ = Phase::Idle;
+        return StreamCommand::Drop;
     }
-    const Result<bool> isThere = tasks_.advance();
-    if (!isThere) {
-        give(isThere.error());
-        return false;
-    }
-    if (!*isThere)
-        return false;
-    tasks_.show();
-    phase_ = Phase::Idle;
-    failed_.reset();
-    shown_ = coming_;
-    return true;
+    return progress.isUploaded ? StreamCommand::Offer : StreamCommand::None;
 }
 
-bool Streamer::step(const StreamTarget& shown, const StreamEye& eye, const world::LoadOptions& wanted) {
-    const bool isAnother =
-        shown_ && !(*shown_ == shown); // somebody else has loaded: what comes was made to follow what is gone
+StreamCommand Streamer::step(const PartTarget& shown, const StreamEye& eye, const world::LoadOptions& wanted,
+                             const StreamProgress& progress) {
+    LIMEN_ASSERT(!progress.isRead || phase_ == Phase::Reading, "only a part that was asked for can be read");
+    LIMEN_ASSERT(!progress.isUploaded || phase_ == Phase::Uploading,
+                 "only a part that was read can be uploaded");
+    // Another caller has loaded a part: the coming one was made to follow the part that is gone.
+    const bool isAnother = shown_ && !(*shown_ == shown);
     shown_ = shown;
     const bool isStillWanted = !isAnother && !isOutdated_ && isWanted(shown, eye, wanted);
     isOutdated_ = (isOutdated_ || isAnother) && phase_ == Phase::Reading;
+    last_ = StreamCommand::None;
     if (phase_ == Phase::Uploading)
-        return goOnUploading(isStillWanted);
-    if (phase_ == Phase::Reading)
-        goOnReading(isStillWanted);
-    else if (const StreamTarget target{eye.block, wanted};
-             !(shown.options == wanted && isAtHome(shown, eye)) && failed_ != target)
-        begin(target);
-    if (phase_ != Phase::Uploading)
-        static_cast<void>(tasks_.advance()); // nothing comes; it frees what is shown no more
-    return false;
+        last_ = continueUploading(isStillWanted, progress);
+    else if (phase_ == Phase::Reading)
+        last_ = continueReading(isStillWanted, progress);
+    else if (const PartTarget target{eye.block, wanted};
+             !(shown.options == wanted && covers(shown, eye)) && failed_ != target) {
+        coming_ = target;
+        phase_ = Phase::Reading;
+        last_ = StreamCommand::Read;
+    }
+    return last_;
+}
+
+void Streamer::shown() {
+    LIMEN_ASSERT(last_ == StreamCommand::Offer, "only an offered part can be shown");
+    last_ = StreamCommand::None;
+    phase_ = Phase::Idle;
+    failed_.reset();
+    shown_ = coming_;
+}
+
+const PartTarget& Streamer::coming() const {
+    LIMEN_ASSERT(phase_ != Phase::Idle, "something is coming");
+    return coming_;
 }
 
 std::string Streamer::takeFault() {

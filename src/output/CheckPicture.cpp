@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kPanelWidth = 480; ///< pixels that a panel has at least
 constexpr std::uint32_t kGap = 4;          ///< pixels between panels
 
-Rgb viewer::colourOf(check::Verdict verdict) {
+Rgb colourOf(check::Verdict verdict) {
     switch (verdict) {
     case check::Verdict::Agrees:
         return {24, 24, 24};
@@ -64,7 +64,7 @@ Picture pictureOfVerdicts(std::uint32_t width, std::uint32_t height, const check
     Picture picture(width, height);
     for (std::size_t i = 0; i < comparison.verdicts.size(); ++i)
         picture.set(static_cast<std::int64_t>(i % width), static_cast<std::int64_t>(i / width),
-                    viewer::colourOf(comparison.verdicts[i]));
+                    colourOf(comparison.verdicts[i]));
     return picture;
 }
 

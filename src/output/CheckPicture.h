@@ -1,7 +1,7 @@
 #pragma once
 
-#include "output/Picture.h"
 #include "check/Run.h"
+#include "output/Picture.h"
 
 namespace limen::output {
 

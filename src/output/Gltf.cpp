@@ -43,7 +43,7 @@ public:
         if (*mesh < 0)
             return {};
         tinygltf::Node node;
-        node.name = cli::hexId(instance.record);
+        node.name = dat::idText(instance.record);
         node.mesh = *mesh;
         const Vec3 at = world_.blocks[instance.block].origin() - origin + Vec3(instance.origin);
         for (int column = 0; column < 3; ++column) {
@@ -124,7 +124,7 @@ private:
             return entry->second;
         const world::Material& in = world_.materials[index];
         tinygltf::Material out;
-        out.name = cli::hexId(in.surface);
+        out.name = dat::idText(in.surface);
         tinygltf::PbrMetallicRoughness& look = out.pbrMetallicRoughness;
         look.metallicFactor = 0.0;
         look.roughnessFactor = 1.0;
@@ -198,7 +198,7 @@ private:
         }
         if (mesh.primitives.empty())
             return -1;
-        mesh.name = cli::hexId(instance.record);
+        mesh.name = dat::idText(instance.record);
         model_.meshes.push_back(mesh);
         return entry->second = static_cast<int>(model_.meshes.size() - 1);
     }

@@ -1,7 +1,7 @@
 #include "output/Probe.h"
 
-#include "engine/IdTable.h"
 #include "cli/Parse.h"
+#include "engine/IdTable.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,11 +23,13 @@ std::string chainOf(const ProbeFacts& facts, std::uint32_t visit) {
     if (of.parent >= facts.visible.visits.size())
         return engine::spaceName(facts.world, of.space);
     const world::Portal& portal = facts.world.portals[of.portal];
-    const std::string target = !of.hole ? engine::spaceName(facts.world, of.space) : of.shut ? "shut" : "nowhere";
+    const std::string target = !of.hole  ? engine::spaceName(facts.world, of.space)
+                               : of.shut ? "shut"
+                                         : "nowhere";
     const bool isSameCell = portal.space == facts.visible.visits[of.parent].space;
     return fmt::format("{}{} -{}-> {}", chainOf(facts, of.parent),
-                       isSameCell ? "" : ", " + engine::spaceName(facts.world, portal.space), portal.recordIndex,
-                       target);
+                       isSameCell ? "" : ", " + engine::spaceName(facts.world, portal.space),
+                       portal.recordIndex, target);
 }
 
 Json difference(const std::vector<std::string>& from, const std::vector<std::string>& without) {
@@ -69,7 +71,7 @@ void Probe::take(const ProbeFacts& facts, Decisions& out) {
     for (const frame::Stage& stage : facts.plan.stages)
         out.stages.push_back(stage.batchCount);
     out.root = facts.eye.root;
-    out.body = facts.eye.body ? facts.eye.body->space : world::kNone;
+    out.body = facts.eye.scene.body ? facts.eye.scene.body->space : world::kNone;
     out.isHeld = facts.eye.isHeld;
     out.visitsCut = facts.visible.counts.visitsCut;
 }
@@ -78,13 +80,13 @@ Probe::Names Probe::name(const ProbeFacts& facts) {
     Names names;
     names.root = engine::spaceName(facts.world, facts.eye.root);
     names.stages = stagesOf(facts.plan);
-    if (facts.eye.body)
-        names.camera = fmt::format("{} to {}{}", engine::spaceName(facts.world, facts.eye.body->space), names.root,
-                                   facts.eye.isHeld ? ", held" : "");
+    if (facts.eye.scene.body)
+        names.camera = fmt::format("{} to {}{}", engine::spaceName(facts.world, facts.eye.scene.body->space),
+                                   names.root, facts.eye.isHeld ? ", held" : "");
     if (!facts.world.blocks.empty())
         names.centre = fmt::format("{} blocks from {} to {}", facts.world.blocks.size(),
-                                   cli::hexId(dat::landBlockId(facts.world.blocks.front().coord)),
-                                   cli::hexId(dat::landBlockId(facts.world.blocks.back().coord)));
+                                   dat::idText(dat::landBlockId(facts.world.blocks.front().coord)),
+                                   dat::idText(dat::landBlockId(facts.world.blocks.back().coord)));
     for (std::uint32_t visit = 0; visit < facts.visible.visits.size(); ++visit)
         names.visits.push_back(chainOf(facts, visit));
     for (const visibility::SeenSpace& seen : facts.visible.seen)
@@ -124,10 +126,11 @@ std::string Probe::see(const ProbeFacts& facts) {
                       {"from", isFirst_ ? Json() : position(from)},
                       {"to", position(lastEye_)}});
     if (names.camera != told_.camera)
-        tell("camera",
-             {{"body", facts.eye.body ? Json(engine::spaceName(facts.world, facts.eye.body->space)) : Json()},
-              {"eye", names.root},
-              {"held", facts.eye.isHeld}});
+        tell("camera", {{"body", facts.eye.scene.body
+                                     ? Json(engine::spaceName(facts.world, facts.eye.scene.body->space))
+                                     : Json()},
+                        {"eye", names.root},
+                        {"held", facts.eye.isHeld}});
     if (differs(&Names::visits))
         tell("visits", {{"came", difference(names.visits, told_.visits)},
                         {"went", difference(told_.visits, names.visits)}});

@@ -12,7 +12,7 @@ struct ProbeFacts {
     std::uint64_t frame = 0;
     double seconds = 0.0; ///< since the first
     const world::World& world;
-    const engine::FrameEye& eye;
+    const engine::FrameRequest& eye;
     const visibility::VisibleSet& visible;
     const frame::FramePlan& plan;
     std::uint32_t glCalls = 0;

@@ -14,15 +14,8 @@ Vec2 pixelOf(const Picture& picture, const Vec2& ndc) {
 
 } // namespace
 
-std::vector<std::vector<Vec2>> regionOutlines(const visibility::VisibleSet& visible) {
-    std::vector<std::vector<Vec2>> outlines;
-    for (const visibility::Visit& visit : visible.visits)
-        outlines.push_back(engine::regionNdc(visible, visit));
-    return outlines;
-}
-
 void drawRegions(Picture& picture, const visibility::VisibleSet& visible) {
-    drawOutlines(picture, regionOutlines(visible));
+    drawOutlines(picture, engine::regionOutlines(visible));
 }
 
 void drawOutlines(Picture& picture, std::span<const std::vector<Vec2>> outlines) {

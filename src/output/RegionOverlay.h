@@ -15,9 +15,6 @@ void drawRegions(Picture& picture, const visibility::VisibleSet& visible);
 /// The same of outlines in NDC, by visit; those without corners are passed over.
 void drawOutlines(Picture& picture, std::span<const std::vector<Vec2>> outlines);
 
-/// The regions of all visits in NDC.
-[[nodiscard]] std::vector<std::vector<Vec2>> regionOutlines(const visibility::VisibleSet& visible);
-
 /// The id image as colours: void red, sky light blue, every other id a colour of its own.
 [[nodiscard]] Picture pictureOfIds(std::uint32_t width, std::uint32_t height,
                                    std::span<const std::uint32_t> ids);

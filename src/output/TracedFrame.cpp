@@ -1,6 +1,6 @@
 #include "output/TracedFrame.h"
 
-#include "frame/GpuLayout.h"
+#include "engine/CheckView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,25 +59,9 @@ void forPixels(const TracedFrame& frame, Do&& act) {
 
 } // namespace
 
-reference::Camera tracedCamera(const engine::FrameEye& eye) {
-    const visibility::View view = engine::viewOf(eye.camera, eye.size, eye.root);
-    reference::Camera camera;
-    camera.eye = view.eye;
-    camera.right = view.right;
-    camera.up = view.up;
-    camera.forward = view.forward;
-    camera.tanHalfX = view.tanHalfX;
-    camera.tanHalfY = view.tanHalfY;
-    camera.width = eye.size.width;
-    camera.height = eye.size.height;
-    camera.root = eye.root;
-    camera.place = frame::gpu::kPixelPlace;
-    return camera;
-}
-
-TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameEye& eye) {
+TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameRequest& eye) {
     TracedFrame frame;
-    frame.camera = tracedCamera(eye);
+    frame.camera = engine::tracedCamera(eye);
     reference::tracePicture(scene, frame.camera, std::max(1u, std::thread::hardware_concurrency()),
                             frame.picture);
     return frame;
@@ -106,9 +90,9 @@ Picture TracedFrame::painting() const {
     return painting;
 }
 
-nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTable& table, const engine::FrameEye& eye,
-                                  const world::DynamicState& dynamics, const TracedFrame& frame,
-                                  const std::string& datOption) {
+nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTable& table,
+                                  const engine::FrameRequest& eye, const world::DynamicState& dynamics,
+                                  const TracedFrame& frame, const std::string& datOption) {
     visibility::VisibleSet visible;
     std::vector<std::uint8_t> seen(world.spaces.size(), 0);
     forPixels(frame, [&](int, int, const reference::Answer& answer) { seen[answer.space] = 1; });
@@ -121,7 +105,7 @@ nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTab
     figures.floodMs = figures.planMs = figures.submitMs = figures.gpuMs =
         std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::uint32_t> ids = frame.ids();
-    nlohmann::ordered_json json = engine::frameJson(world, table, eye, dynamics, visible, {}, figures, ids);
+    nlohmann::ordered_json json = frameJson(world, table, eye, dynamics, visible, {}, figures, ids);
     json["command"] = engine::reproduction(world, eye, datOption) + " --reference";
     return json;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/FrameReport.h"
+#include "output/FrameJson.h"
 #include "output/Picture.h"
 #include "reference/Picture.h"
 
@@ -8,9 +8,6 @@
 #include <vector>
 
 namespace limen::output {
-
-/// The perspective of a frame as the reference takes it.
-[[nodiscard]] reference::Camera tracedCamera(const engine::FrameEye& eye);
 
 /// A frame traced instead of drawn. Images have row 0 on top.
 struct TracedFrame {
@@ -25,12 +22,13 @@ struct TracedFrame {
 };
 
 /// Traces a frame on as many threads as there are processors.
-[[nodiscard]] TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameEye& eye);
+[[nodiscard]] TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameRequest& eye);
 
 /// frameJson for a traced frame: "cells" are those that rays ended in, "visits" and "stages" are empty, counts and
 /// gl_calls 0, times null, "driver" says "reference".
 [[nodiscard]] nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTable& table,
-                                                const engine::FrameEye& eye, const world::DynamicState& dynamics,
-                                                const TracedFrame& frame, const std::string& datOption);
+                                                const engine::FrameRequest& eye,
+                                                const world::DynamicState& dynamics, const TracedFrame& frame,
+                                                const std::string& datOption);
 
 } // namespace limen::output

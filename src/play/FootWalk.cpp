@@ -1,7 +1,7 @@
 #include "play/FootWalk.h"
 
+#include "engine/CheckView.h"
 #include "engine/DecisionHash.h"
-#include "engine/ViewOfEye.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,16 +29,16 @@ double levelDistance(const Vec3& a, const Vec3& b) {
 
 class Walker {
 public:
-    Walker(engine::Session& session, const engine::FrameEye& start, const std::vector<engine::Viewpoint>& points,
-           const FootWalkOptions& options)
+    Walker(engine::Session& session, const engine::FrameRequest& start,
+           const std::vector<engine::ViewRequest>& points, const FootWalkOptions& options)
         : session_(session), play_(session, start), points_(points), options_(options), size_(start.size) {
-        walk_.record.start = check::shotOptions(engine::viewOf(start, session.loaded().world));
+        walk_.record.start = check::shotOptions(engine::viewOf(start, session.part().world));
     }
 
     Result<FootWalk> run(const std::function<void(std::size_t)>& done) {
-        acts_.push_back({PlayAct::Kind::Walk});
+        acts_.push_back({PlayActKind::Walk});
         if (options_.chase)
-            acts_.push_back({PlayAct::Kind::Chase});
+            acts_.push_back({PlayActKind::Chase});
         if (Result<void> began = frame({}); !began)
             return tl::unexpected(began.error());
         for (std::size_t i = 0, missed = 0; i < points_.size();) {
@@ -58,12 +58,12 @@ public:
 
 private:
     [[nodiscard]] Vec3 feet() const { return play_.walk().body().standing.feet; }
-    [[nodiscard]] static Vec3 feetAt(const engine::Viewpoint& point) {
-        return point.camera.eye - Vec3(0.0, 0.0, kWayPointHeight);
+    [[nodiscard]] static Vec3 feetAt(const engine::ViewRequest& point) {
+        return point.eye - Vec3(0.0, 0.0, kWayPointHeight);
     }
 
     /// False where it gets no farther.
-    Result<bool> goTo(const engine::Viewpoint& point) {
+    Result<bool> goTo(const engine::ViewRequest& point) {
         const Vec3 target = feetAt(point);
         const double reached = std::max(kReached, kPace / options_.fps);
         double best = levelDistance(feet(), target), waited = 0.0;
@@ -72,7 +72,7 @@ private:
                 return false;
             if (waited > 0.5 * kPatience && openTheDoor())
                 waited = -kSwing; // its leaf may push one back first
-            if (Result<void> stepped = frame(towards(target, point.camera.heading.pitch)); !stepped)
+            if (Result<void> stepped = frame(towards(target, point.pitch.value_or(0.0))); !stepped)
                 return tl::unexpected(stepped.error());
             const double now = levelDistance(feet(), target);
             waited = now < best - kNearer ? 0.0 : waited + 1.0 / options_.fps;
@@ -97,7 +97,7 @@ private:
         const std::optional<std::size_t> door = play_.doorInReach();
         if (!door || play_.opens(*door))
             return false;
-        acts_.push_back({PlayAct::Kind::Use});
+        acts_.push_back({PlayActKind::Use});
         return true;
     }
 
@@ -109,7 +109,8 @@ private:
             return stepped;
         if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
             return drawn;
-        const std::uint64_t decided = engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics());
+        const std::uint64_t decided =
+            engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics());
         walk_.record.frames.push_back({std::move(input), decided, {}});
         return {};
     }
@@ -119,9 +120,9 @@ private:
         const std::vector<world::Place>& places = session_.source().file.places;
         for (std::size_t i = from + 1; i < points_.size(); ++i) {
             for (std::size_t p = 0; p < places.size(); ++p) {
-                if (glm::length(places[p].eye - points_[i].camera.eye) > kAtPlace)
+                if (glm::length(places[p].eye - points_[i].eye) > kAtPlace)
                     continue;
-                acts_.push_back({PlayAct::Kind::Place, static_cast<double>(p)});
+                acts_.push_back({PlayActKind::Place, static_cast<double>(p)});
                 walk_.jumps.push_back(places[p].name);
                 return i;
             }
@@ -131,17 +132,18 @@ private:
 
     engine::Session& session_;
     Play play_;
-    const std::vector<engine::Viewpoint>& points_;
+    const std::vector<engine::ViewRequest>& points_;
     const FootWalkOptions& options_;
-    const cli::PixelSize size_;
+    const engine::PixelSize size_;
     std::vector<PlayAct> acts_; ///< of the next frame
     FootWalk walk_;
 };
 
 } // namespace
 
-Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameEye& start, const std::vector<engine::Viewpoint>& points,
-                            const FootWalkOptions& options, const std::function<void(std::size_t)>& done) {
+Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameRequest& start,
+                            const std::vector<engine::ViewRequest>& points, const FootWalkOptions& options,
+                            const std::function<void(std::size_t)>& done) {
     return Walker(session, start, points, options).run(done);
 }
 

@@ -25,8 +25,8 @@ struct FootWalk {
 /// tries the next ones, and then goes to the first of the world's places that lies at a later way point, and on from there; where there is
 /// none, the walk ends. The session
 /// should draw nothing (gpu::NullDevice). `done` is told of way points. Errors: the session's.
-[[nodiscard]] Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameEye& start,
-                                          const std::vector<engine::Viewpoint>& points,
+[[nodiscard]] Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameRequest& start,
+                                          const std::vector<engine::ViewRequest>& points,
                                           const FootWalkOptions& options,
                                           const std::function<void(std::size_t)>& done = {});
 

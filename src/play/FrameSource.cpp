@@ -1,5 +1,6 @@
 #include "play/FrameSource.h"
 
+#include "core/Assert.h"
 #include "engine/DecisionHash.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,9 @@ public:
     PathFrames(engine::Session& session, PathStart start, const PathRequest& request)
         : start_(std::move(start)), request_(request), walk_(session, start_.path, start_.eye) {}
     std::size_t count() const override { return request_.countOn(start_.path); }
-    Result<const engine::FrameEye*> next() override { return &walk_.moveTo(request_.timeOf(start_.path, next_++)); }
+    Result<const engine::FrameRequest*> next() override {
+        return &walk_.moveTo(request_.timeOf(start_.path, next_++));
+    }
 
 private:
     const PathStart start_;
@@ -28,63 +31,56 @@ world::LoadOptions sameZones(world::LoadOptions load, const engine::Session& ses
     return load;
 }
 
-/// All frames of one size, if that is asked for. What is seen may be another part of the world then, so nothing is compared.
-Result<void> resize(const std::string& text, WalkRecord& walk) {
-    if (text.empty())
-        return {};
-    const Result<cli::PixelSize> size = cli::parseSize("--size", text);
-    if (!size)
-        return tl::unexpected(size.error());
-    for (RecordedFrame& frame : walk.frames) {
-        frame.decided = frame.input.size == *size ? frame.decided : 0;
-        frame.input.size = *size;
-    }
-    return {};
-}
-
 } // namespace
 
-bool RecordedResidency::loadNext() {
-    const std::optional<engine::StreamTarget> next = std::exchange(next_, std::nullopt);
+bool RecordedResidency::readNext() {
+    offered_.reset();
+    const std::optional<engine::PartTarget> next = std::exchange(next_, std::nullopt);
     if (!next)
         return false;
-    session_.loadBy(sameZones(next->options, session_));
-    return session_.load(next->centre).has_value();
-}
-
-bool RecordedResidency::follow(const Vec3& eye, world::SpaceIndex& root, Walk*) {
-    const dat::RecordId cell = root == world::kOutside ? 0 : session_.loaded().world.spaces[root].cellId;
-    if (!loadNext())
+    session_.setLoadOptions(sameZones(next->options, session_));
+    const engine::PartTarget target{next->centre, session_.options().load};
+    if (session_.part().target == target)
         return false;
-    root = engine::rootIn(session_.loaded(), cell, eye);
+    Result<std::unique_ptr<engine::PartPlanner>> read = session_.read(target);
+    if (!read)
+        return false;
+    offered_ = std::move(*read);
     return true;
 }
 
+std::shared_ptr<const engine::LoadedPart> RecordedResidency::follow(const Vec3&, world::SpaceIndex) {
+    return readNext() ? offered_->part : nullptr;
+}
+
+bool RecordedResidency::show() {
+    LIMEN_ASSERT(offered_ != nullptr, "show follows an offer");
+    return session_.show(std::move(offered_)).has_value();
+}
+
 engine::Passage RecordedResidency::open(dat::BlockCoord centre) {
-    static_cast<void>(loadNext());
-    if (session_.loaded().target.centre == centre)
+    if (readNext())
+        static_cast<void>(show());
+    if (session_.part().target.centre == centre)
         return engine::Passage::Open;
     return isRefused_ ? engine::Passage::Refused : engine::Passage::Coming;
 }
 
-Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(engine::Session& session, WalkRecord record) {
-    const Result<cli::ViewRequest> view = cli::parseView(record.start, "the walk's beginning");
+Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(engine::Session& session, WalkRecord record,
+                                                             const engine::ViewRequest& start) {
+    Result<engine::ViewRequest> view = engine::resolvePlace(start, session.source().file);
     if (!view)
         return tl::unexpected(view.error());
-    const Result<engine::Viewpoint> stand = engine::viewpointOf(*view, session.source().file);
-    if (!stand)
-        return tl::unexpected(stand.error());
+    view->size = record.frames.front().input.size;
     if (record.streamed)
-        session.loadBy(sameZones(*record.streamed, session));
-    if (Result<void> loaded = session.load(stand->centre); !loaded)
+        session.setLoadOptions(sameZones(*record.streamed, session));
+    if (Result<void> loaded = session.load(engine::centreOf(*view)); !loaded)
         return tl::unexpected(loaded.error());
-    Result<engine::FrameEye> start = engine::placeEye(session.loaded(), *stand, record.frames.front().input.size);
-    if (!start)
-        return tl::unexpected(start.error());
-    if (Result<void> applied = engine::applyDynamics(session.loaded(), session.source().file, *view, *start);
-        !applied)
-        return tl::unexpected(applied.error());
-    return std::unique_ptr<ReplayedFrames>(new ReplayedFrames(session, std::move(*start), std::move(record)));
+    Result<engine::FrameRequest> first =
+        engine::frameRequest(session.part().world, session.source().file, *view);
+    if (!first)
+        return tl::unexpected(first.error());
+    return std::unique_ptr<ReplayedFrames>(new ReplayedFrames(session, std::move(*first), std::move(record)));
 }
 
 void ReplayedFrames::compareLast() {
@@ -95,7 +91,7 @@ void ReplayedFrames::compareLast() {
         difference_ = next_ - 1;
 }
 
-Result<const engine::FrameEye*> ReplayedFrames::next() {
+Result<const engine::FrameRequest*> ReplayedFrames::next() {
     compareLast();
     const RecordedFrame& frame = record_.frames[next_++];
     residency_.goOn(frame);
@@ -104,32 +100,9 @@ Result<const engine::FrameEye*> ReplayedFrames::next() {
     return &play_.eye();
 }
 
-Result<FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
-                                  const world::WorldFile& file) {
-    FramesRequest request;
-    if (!arguments.walk.empty()) {
-        Result<WalkRecord> walk = readWalk(arguments.walk);
-        if (!walk)
-            return tl::unexpected(walk.error());
-        if (Result<void> sized = resize(arguments.size, *walk); !sized)
-            return tl::unexpected(sized.error());
-        request.walk = std::move(*walk);
-        return request;
-    }
-    const Result<PathRequest> path = checkPath(arguments, frames);
-    if (!path)
-        return tl::unexpected(path.error());
-    request.path = *path;
-    Result<std::vector<engine::Viewpoint>> points = wayPointsOf(arguments, file);
-    if (!points)
-        return tl::unexpected(points.error());
-    request.points = std::move(*points);
-    return request;
-}
-
 Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, FramesRequest request) {
     if (request.walk)
-        return ReplayedFrames::open(session, std::move(*request.walk))
+        return ReplayedFrames::open(session, std::move(*request.walk), request.walkStart)
             .map([](std::unique_ptr<ReplayedFrames> frames) -> std::unique_ptr<FrameSource> {
                 return frames;
             });

@@ -14,7 +14,7 @@ public:
     virtual ~FrameSource() = default;
     [[nodiscard]] virtual std::size_t count() const = 0;
     /// The next frame's eye. It must be drawn before the next call.
-    [[nodiscard]] virtual Result<const engine::FrameEye*> next() = 0;
+    [[nodiscard]] virtual Result<const engine::FrameRequest*> next() = 0;
     /// The first frame that came out otherwise than when it was recorded, of those that were drawn; none: nullopt.
     [[nodiscard]] virtual std::optional<std::size_t> firstDifference() { return {}; }
 };
@@ -28,14 +28,18 @@ public:
         next_ = frame.shown;
         isRefused_ = frame.isRefused;
     }
-    bool follow(const Vec3& eye, world::SpaceIndex& root, Walk* walk) override;
+    [[nodiscard]] std::shared_ptr<const engine::LoadedPart> follow(const Vec3& eye,
+                                                                   world::SpaceIndex root) override;
+    [[nodiscard]] bool isPatient() const override { return false; }
+    [[nodiscard]] bool show() override;
     [[nodiscard]] engine::Passage open(dat::BlockCoord centre) override;
 
 private:
-    bool loadNext();
+    bool readNext();
 
     engine::Session& session_;
-    std::optional<engine::StreamTarget> next_;
+    std::optional<engine::PartTarget> next_;
+    std::unique_ptr<engine::PartPlanner> offered_;
     bool isRefused_ = false;
 };
 
@@ -43,17 +47,18 @@ private:
 class ReplayedFrames final : public FrameSource {
 public:
     /// Loads what is around the beginning. Errors: the session's; a beginning that is nowhere.
-    [[nodiscard]] static Result<std::unique_ptr<ReplayedFrames>> open(engine::Session& session, WalkRecord record);
+    [[nodiscard]] static Result<std::unique_ptr<ReplayedFrames>>
+    open(engine::Session& session, WalkRecord record, const engine::ViewRequest& start);
 
     std::size_t count() const override { return record_.frames.size(); }
-    Result<const engine::FrameEye*> next() override;
+    Result<const engine::FrameRequest*> next() override;
     std::optional<std::size_t> firstDifference() override {
         compareLast();
         return difference_;
     }
 
 private:
-    ReplayedFrames(engine::Session& session, engine::FrameEye start, WalkRecord record)
+    ReplayedFrames(engine::Session& session, engine::FrameRequest start, WalkRecord record)
         : session_(session), residency_(session),
           play_(session, std::move(start), record.streamed ? &residency_ : nullptr),
           record_(std::move(record)) {}
@@ -67,17 +72,16 @@ private:
     std::optional<std::size_t> difference_;
 };
 
-/// What the command line says of frames, checked as far as that goes without a session.
+/// Frames to open: a path, or a recorded walk in place of it.
 struct FramesRequest {
     PathRequest path;
-    std::vector<engine::Viewpoint> points;  ///< of the path
-    std::optional<WalkRecord> walk; ///< instead of it
+    std::vector<engine::ViewRequest> points; ///< of the path
+    std::optional<WalkRecord> walk;
+    engine::ViewRequest walkStart; ///< the beginning of the walk
 };
-/// `frames`: how many unless said. Errors: checkPath's, wayPointsOf's, readWalk's.
-[[nodiscard]] Result<FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
-                                                const world::WorldFile& file);
 /// Errors: the session's; a place that is nowhere.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, FramesRequest request);
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session,
+                                                              FramesRequest request);
 
 /// What is to be said of a walk that came out otherwise; empty if it did not.
 [[nodiscard]] std::string differenceLine(FrameSource& frames);

@@ -1,5 +1,7 @@
 #include "play/Play.h"
 
+#include "core/Assert.h"
+#include "engine/Quality.h"
 #include "play/FlyCamera.h"
 
 #include <algorithm>
@@ -8,28 +10,31 @@
 namespace limen::play {
 namespace {
 
-/// Whether a place lies so far within what is shown that one may stand there while the rest of its surroundings comes.
-bool isWithin(const engine::LoadedWorld& shown, const engine::Viewpoint& stand) {
-    const int away =
-        std::max(std::abs(stand.centre.x - shown.centre.x), std::abs(stand.centre.y - shown.centre.y));
-    const world::Block* block = world::findBlock(shown.world, stand.centre);
+/// Whether a destination is far enough inside the shown part to go there while the rest of its surroundings loads.
+bool isWithin(const engine::LoadedPart& shown, const engine::ViewRequest& view) {
+    const dat::BlockCoord at = engine::centreOf(view), centre = shown.target.centre;
+    const int away = std::max(std::abs(at.x - centre.x), std::abs(at.y - centre.y));
+    const world::Block* block = world::findBlock(shown.world, at);
     return block != nullptr && !block->isFar && away <= shown.target.options.radius / 2 &&
-           (stand.root.kind != cli::RootChoice::Kind::Cell ||
-            world::findCell(shown.world, stand.root.cell) != world::kNone);
+           (!view.root || view.root->rule != engine::RootChoice::Rule::Cell ||
+            world::findCell(shown.world, view.root->cell) != world::kNone);
 }
 
 } // namespace
 
-Play::Play(engine::Session& session, engine::FrameEye start, engine::Residency* residency)
+Play::Play(engine::Session& session, engine::FrameRequest start, engine::Residency* residency)
     : session_(session), residency_(residency != nullptr ? *residency : session), eye_(std::move(start)),
       tracker_(eye_.root) {
-    const std::vector<world::Door>& doors = session_.loaded().world.doors;
-    for (std::size_t i = 0; i < std::min(doors.size(), eye_.eachDoor.size()); ++i)
-        if (eye_.eachDoor[i] != doors[i].open)
-            doors_.put(doors[i], eye_.eachDoor[i]);
+    const std::vector<world::Door>& doors = session_.part().world.doors;
+    for (std::size_t i = 0; i < std::min(doors.size(), eye_.scene.eachDoor.size()); ++i)
+        if (eye_.scene.eachDoor[i] != doors[i].open)
+            doors_.put(doors[i], eye_.scene.eachDoor[i]);
 }
 
 Result<void> Play::step(const PlayInput& input) {
+    LIMEN_ASSERT(steps_ == 0 || session_.frames() != framesAtStep_, "draw each frame before the next step");
+    ++steps_;
+    framesAtStep_ = session_.frames();
     for (const PlayAct& act : input.acts)
         this->act(act);
     const double seconds = input.isFrozen ? 0.0 : input.seconds;
@@ -37,49 +42,49 @@ Result<void> Play::step(const PlayInput& input) {
     if (Result<void> moved = moveEye(input); !moved)
         return moved;
     findDoor();
-    eye_.seconds += seconds;
+    eye_.scene.seconds += seconds;
     eye_.size = input.size;
     return {};
 }
 
 void Play::act(const PlayAct& act) {
     switch (act.kind) {
-    case PlayAct::Kind::Walk:
+    case PlayActKind::Walk:
         walk_.isOn() ? walk_.end(eye_) : beginToWalk();
         tracker_.place(eye_.root);
         return;
-    case PlayAct::Kind::Chase:
+    case PlayActKind::Chase:
         walk_.chase(!walk_.isChased());
         return;
-    case PlayAct::Kind::Doors:
+    case PlayActKind::Doors:
         swingDoors();
         return;
-    case PlayAct::Kind::Use:
+    case PlayActKind::Use:
         useDoor();
         return;
-    case PlayAct::Kind::Weather:
-        eye_.weather = eye_.weather == Weather::Rain ? Weather::Clear : Weather::Rain;
+    case PlayActKind::Weather:
+        eye_.scene.weather = eye_.scene.weather == engine::Weather::Rain ? engine::Weather::Clear : engine::Weather::Rain;
         return;
-    case PlayAct::Kind::Day:
+    case PlayActKind::Day:
         if (act.value >= 0.0 &&
-            act.value < static_cast<double>(session_.loaded().world.sky.desc.dayGroups.size()))
-            eye_.dayGroup = static_cast<std::uint32_t>(act.value);
+            act.value < static_cast<double>(session_.part().world.sky.desc.dayGroups.size()))
+            eye_.scene.dayGroup = static_cast<std::uint32_t>(act.value);
         return;
-    case PlayAct::Kind::Place:
+    case PlayActKind::Place:
         goTo(static_cast<std::size_t>(std::max(act.value, 0.0)));
         return;
-    case PlayAct::Kind::Time:
-        eye_.time = std::clamp(act.value, 0.0, 1.0);
+    case PlayActKind::Time:
+        eye_.scene.time = std::clamp(act.value, 0.0, 1.0);
         return;
-    case PlayAct::Kind::AllDoors:
+    case PlayActKind::AllDoors:
         standDoors(act.value);
         return;
-    case PlayAct::Kind::Distance:
+    case PlayActKind::Distance:
         walk_.keepDistance(act.value);
         return;
-    case PlayAct::Kind::Quality:
+    case PlayActKind::Quality:
         if (act.value >= 0.0 && act.value < static_cast<double>(engine::kQualities.size()))
-            session_.drawBy(static_cast<std::size_t>(act.value));
+            session_.setQuality(static_cast<std::size_t>(act.value));
         return;
     }
 }
@@ -92,28 +97,28 @@ void Play::beginToWalk() {
 
 /// All doors open, or shut if they are open or opening. They take a second.
 void Play::swingDoors() {
-    const double towards = doorsTowards_.value_or(eye_.doors.value_or(0.0));
+    const double towards = doorsTowards_.value_or(eye_.scene.doors.value_or(0.0));
     doorsTowards_ = towards < 0.5 ? 1.0 : 0.0;
-    if (!eye_.doors)
-        eye_.doors = 1.0 - *doorsTowards_;
+    if (!eye_.scene.doors)
+        eye_.scene.doors = 1.0 - *doorsTowards_;
 }
 
 void Play::standDoors(double open) {
     doorsTowards_.reset(); // a hand is on them
-    if (open >= 0.0 && eye_.doors)
+    if (open >= 0.0 && eye_.scene.doors)
         swingAllTo(std::min(open, 1.0));
     else
-        eye_.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
+        eye_.scene.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
 }
 
 /// From here on doors stand each as it was left.
 void Play::useDoor() {
     if (!door_)
         return;
-    const world::World& world = session_.loaded().world;
-    if (eye_.doors)
-        doors_.putAll(world, *eye_.doors);
-    eye_.doors.reset();
+    const world::World& world = session_.part().world;
+    if (eye_.scene.doors)
+        doors_.putAll(world, *eye_.scene.doors);
+    eye_.scene.doors.reset();
     doorsTowards_.reset();
     doors_.use(world.doors[*door_]);
 }
@@ -121,37 +126,40 @@ void Play::useDoor() {
 void Play::goTo(std::size_t place) {
     const std::vector<world::Place>& places = session_.source().file.places;
     if (place < places.size())
-        going_ = {engine::viewpointAt(places[place]), places[place].name};
+        going_ = {engine::requestAt(places[place]), places[place].name};
 }
 
 /// Until it is there the eye goes on where it is.
 Result<void> Play::goOn() {
-    const engine::Passage passage =
-        isWithin(session_.loaded(), going_->stand) ? engine::Passage::Open : residency_.open(going_->stand.centre);
+    const engine::Passage passage = isWithin(session_.part(), going_->view)
+                                        ? engine::Passage::Open
+                                        : residency_.open(engine::centreOf(going_->view));
     if (passage == engine::Passage::Refused)
         going_.reset();
     if (passage != engine::Passage::Open)
         return {};
-    standAt(std::exchange(going_, std::nullopt)->stand);
+    standAt(std::exchange(going_, std::nullopt)->view);
     return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{};
 }
 
-void Play::standAt(engine::Viewpoint stand) {
-    Result<engine::FrameEye> eye = engine::placeEye(session_.loaded(), stand, eye_.size);
-    if (!eye) { // it has no ground, or its cell is damaged; what was shown before has gone
-        stand.onGround = false;
-        stand.root = {};
-        eye = engine::placeEye(session_.loaded(), stand, eye_.size);
+void Play::standAt(engine::ViewRequest view) {
+    const world::World& world = session_.part().world;
+    view.size = eye_.size;
+    view.fov = eye_.camera.fovDegrees;
+    Result<engine::FrameRequest> eye = engine::frameRequest(world, session_.source().file, view);
+    if (!eye) { // it has no ground, or its cell is damaged; the part that was shown before has gone
+        view.isOnGround = false;
+        view.root.reset();
+        eye = engine::frameRequest(world, session_.source().file, view);
     }
     if (!eye)
         return;
-    eye->camera.fovDegrees = eye_.camera.fovDegrees;
-    eye->time = eye_.time;
-    eye->dayGroup = eye_.dayGroup;
-    eye->weather = eye_.weather;
-    eye->seconds = eye_.seconds;
-    eye->doors = eye_.doors;
-    doors_.write(session_.loaded().world, eye->eachDoor);
+    eye->scene.time = eye_.scene.time;
+    eye->scene.dayGroup = eye_.scene.dayGroup;
+    eye->scene.weather = eye_.scene.weather;
+    eye->scene.seconds = eye_.scene.seconds;
+    eye->scene.doors = eye_.scene.doors;
+    doors_.write(world, eye->scene.eachDoor);
     eye_ = std::move(*eye);
     tracker_.place(eye_.root);
     if (walk_.isOn())
@@ -176,42 +184,53 @@ Result<void> Play::moveEye(const PlayInput& input) {
         hands.seconds = input.seconds;
         const Vec3 from = eye_.camera.eye;
         eye_.camera = fly(eye_.camera, hands);
-        eye_.player = eye_.camera.eye;
-        eye_.root = tracker_.move(session_.loaded().world, from, eye_.camera.eye, input.seconds);
+        eye_.scene.player = eye_.camera.eye;
+        eye_.root = tracker_.move(session_.part().world, from, eye_.camera.eye, input.seconds);
     }
     if (going_)
         return goOn();
-    if (!residency_.follow(eye_.camera.eye, eye_.root, walk_.isOn() ? &walk_ : nullptr))
+    return followEye();
+}
+
+/// A part that is offered is shown once the solids around the body have been read in it: the step after it does not wait.
+Result<void> Play::followEye() {
+    const Vec3 eye = eye_.camera.eye;
+    const dat::RecordId cell = engine::cellOf(session_.part().world, eye_.root);
+    const std::shared_ptr<const engine::LoadedPart> offered = residency_.follow(eye, eye_.root);
+    if (offered == nullptr || (walk_.isOn() && residency_.isPatient() && !walk_.prepare(session_, offered)) ||
+        !residency_.show())
         return {};
+    eye_.root = engine::rootIn(session_.part(), cell, eye);
     tracker_.place(eye_.root);
-    doors_.write(session_.loaded().world, eye_.eachDoor);
+    doors_.write(session_.part().world, eye_.scene.eachDoor);
     return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{}; // its space has another number now
 }
 
 void Play::moveDoors(double seconds) {
-    const bool areAllAlike = eye_.doors.has_value(); // nobody sees how each would stand
+    const bool areAllAlike = eye_.scene.doors.has_value(); // nobody sees how each would stand
     walk_.isOn() && !areAllAlike ? walk_.passDoors(doors_, seconds) : doors_.pass(seconds);
-    doors_.write(session_.loaded().world, eye_.eachDoor);
-    if (!doorsTowards_ || !eye_.doors)
+    doors_.write(session_.part().world, eye_.scene.eachDoor);
+    if (!doorsTowards_ || !eye_.scene.doors)
         return;
-    const double way = *doorsTowards_ - *eye_.doors;
-    swingAllTo(*eye_.doors + std::clamp(way, -seconds, seconds));
-    if (*eye_.doors == *doorsTowards_)
+    const double way = *doorsTowards_ - *eye_.scene.doors;
+    swingAllTo(*eye_.scene.doors + std::clamp(way, -seconds, seconds));
+    if (*eye_.scene.doors == *doorsTowards_)
         doorsTowards_.reset();
 }
 
 /// As far as a body lets them.
 void Play::swingAllTo(double open) {
-    eye_.doors = walk_.isOn() ? walk_.swingAllDoors(*eye_.doors, open) : open;
+    eye_.scene.doors = walk_.isOn() ? walk_.swingAllDoors(*eye_.scene.doors, open) : open;
 }
 
 void Play::findDoor() {
     door_.reset();
     if (!walk_.isOn())
         return;
-    const world::World& world = session_.loaded().world;
+    const world::World& world = session_.part().world;
     const motion::BodyEye head = walk_.head(world);
-    door_ = motion::doorInReach(world, head.space, head.position, engine::basisOf(eye_.camera.heading).forward);
+    door_ =
+        motion::doorInReach(world, head.space, head.position, engine::basisOf(eye_.camera.heading).forward);
 }
 
 } // namespace limen::play

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "engine/Session.h"
+#include "motion/DoorUse.h"
 #include "play/PlayInput.h"
 #include "play/RootTracker.h"
-#include "engine/Session.h"
 #include "play/Walk.h"
-#include "motion/DoorUse.h"
 
 namespace limen::play {
 
@@ -13,25 +13,25 @@ namespace limen::play {
 class Play {
 public:
     /// The session must outlive it. `residency`: what loads what comes near; null: the session itself, at once. It outlives it, too.
-    Play(engine::Session& session, engine::FrameEye start, engine::Residency* residency = nullptr);
+    Play(engine::Session& session, engine::FrameRequest start, engine::Residency* residency = nullptr);
 
     /// Errors: what is around a body cannot be read.
     [[nodiscard]] Result<void> step(const PlayInput& input);
 
     /// What the frame is to show.
-    [[nodiscard]] const engine::FrameEye& eye() const { return eye_; }
+    [[nodiscard]] const engine::FrameRequest& eye() const { return eye_; }
     [[nodiscard]] const Walk& walk() const { return walk_; }
     /// The door that Act::Use would move, by its index.
     [[nodiscard]] std::optional<std::size_t> doorInReach() const { return door_; }
     /// The place that it is on its way to; empty: none.
     [[nodiscard]] std::string_view goingTo() const { return going_ ? std::string_view(going_->name) : ""; }
     [[nodiscard]] bool opens(std::size_t door) const {
-        return doors_.opens(session_.loaded().world.doors[door]);
+        return doors_.opens(session_.part().world.doors[door]);
     }
 
 private:
     struct Destination {
-        engine::Viewpoint stand;
+        engine::ViewRequest view;
         std::string name;
     };
     void act(const PlayAct& act);
@@ -41,21 +41,23 @@ private:
     void useDoor();
     void goTo(std::size_t place);
     [[nodiscard]] Result<void> goOn();
-    void standAt(engine::Viewpoint stand);
+    void standAt(engine::ViewRequest view);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);
+    [[nodiscard]] Result<void> followEye();
     void moveDoors(double seconds);
     void swingAllTo(double open);
     void findDoor();
 
     engine::Session& session_;
     engine::Residency& residency_;
-    engine::FrameEye eye_;
+    engine::FrameRequest eye_;
     RootTracker tracker_;
     Walk walk_;
     motion::DoorUse doors_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     std::optional<std::size_t> door_;
-    std::optional<Destination> going_; ///< once it is shown
+    std::uint64_t steps_ = 0, framesAtStep_ = 0; ///< so far; Session::frames at the last one
+    std::optional<Destination> going_;           ///< once it is shown
 };
 
 } // namespace limen::play

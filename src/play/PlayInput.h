@@ -1,41 +1,44 @@
 #pragma once
 
-#include "cli/Parse.h"
+#include "engine/Camera.h"
 
 #include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace limen::play {
 
-/// What a person does once, in one frame.
+/// The kinds of one-shot actions.
+enum class PlayActKind : std::uint8_t {
+    Walk,     ///< switch between walking with a body and flying
+    Chase,    ///< switch between third person and first person
+    Doors,    ///< open all doors, or close them
+    Use,      ///< open the door in reach, or close it
+    Weather,  ///< switch between clear and rain
+    Place,    ///< go to one of the world's places: `value` is its index
+    Time,     ///< set the time of day to `value`
+    AllDoors, ///< set the openness of all doors to `value`; below 0: each door keeps its own
+    Distance, ///< set the distance of a third-person camera to `value` metres
+    Quality,  ///< choose a quality level: `value` is an index of engine::kQualities
+    Day       ///< choose a day group: `value` is its index in the Region
+};
+
+/// A one-shot action of the player, in one frame.
 struct PlayAct {
-    enum class Kind : std::uint8_t {
-        Walk,     ///< with a body, or without
-        Chase,    ///< the eye behind the body, or in its head
-        Doors,    ///< all open, or shut
-        Use,      ///< opens the door in reach, or shuts it
-        Weather,  ///< clear, or rain
-        Place,    ///< goes to one of the world's places: `value` is its number
-        Time,     ///< of day becomes `value`
-        AllDoors, ///< stand open as far as `value`; less than 0: each as it was left
-        Distance, ///< of the eye from the body's head: `value`, metres
-        engine::Quality,  ///< of kQualities: `value` is its number
-        Day       ///< of the Region's day groups: `value` is its number
-    };
     static constexpr std::size_t kKinds = 11;
-    Kind kind = Kind::Walk;
+    PlayActKind kind = PlayActKind::Walk;
     double value = 0.0;
     friend bool operator==(const PlayAct&, const PlayAct&) = default;
 };
 
-/// What a person does during one frame.
+/// The player's input of one frame.
 struct PlayInput {
     double seconds = 0.0;                        ///< since the last frame
     double forward = 0.0, right = 0.0, up = 0.0; ///< -1..1 each
     double turnRight = 0.0, turnUp = 0.0;        ///< degrees
     bool fast = false, jump = false;
-    bool isFrozen = false; ///< the world stands still; the eye may move
-    cli::PixelSize size;        ///< of the picture
+    bool isFrozen = false;  ///< the world stands still; the eye may move
+    engine::PixelSize size; ///< of the picture
     std::vector<PlayAct> acts;
     friend bool operator==(const PlayInput&, const PlayInput&) = default;
 };

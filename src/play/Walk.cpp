@@ -21,7 +21,7 @@ double opacityAt(double metres) {
 } // namespace
 
 Walk::Reading Walk::read(const std::shared_ptr<const engine::WorldSource>& source,
-                         std::shared_ptr<const engine::LoadedWorld> loaded, dat::BlockCoord centre) {
+                         std::shared_ptr<const engine::LoadedPart> loaded, dat::BlockCoord centre) {
     Result<world::Solids> solids = world::loadSolids(source->archive, loaded->world, centre, kRadius);
     if (!solids)
         return tl::unexpected(solids.error());
@@ -29,8 +29,8 @@ Walk::Reading Walk::read(const std::shared_ptr<const engine::WorldSource>& sourc
     return std::make_shared<const Surroundings>(Surroundings{std::move(loaded), std::move(collisions)});
 }
 
-Result<void> Walk::begin(const engine::Session& session, const engine::FrameEye& eye) {
-    const world::World& world = session.loaded().world;
+Result<void> Walk::begin(const engine::Session& session, const engine::FrameRequest& eye) {
+    const world::World& world = session.part().world;
     const Vec3 feet = eye.camera.eye - Vec3(0.0, 0.0, shape_.eyeHeight);
     const Vec3 middle = shape_.capsule.middle(feet);
     body_ = motion::bodyAt({feet, motion::sweep(world, eye.root, eye.camera.eye, middle)});
@@ -39,7 +39,7 @@ Result<void> Walk::begin(const engine::Session& session, const engine::FrameEye&
     speed_ = metres_ = 0.0;
     chase_ = {};
     drop(); // what was coming is of elsewhere
-    Reading around = read(session.shareSource(), session.shareLoaded(), blockOfBody(session.loaded()));
+    Reading around = read(session.shareSource(), session.sharePart(), blockOfBody(session.part()));
     if (!around)
         return tl::unexpected(around.error());
     around_ = std::move(*around);
@@ -47,9 +47,9 @@ Result<void> Walk::begin(const engine::Session& session, const engine::FrameEye&
     return {};
 }
 
-void Walk::end(engine::FrameEye& eye) {
+void Walk::end(engine::FrameRequest& eye) {
     drop();
-    eye.body.reset();
+    eye.scene.body.reset();
     eye.isHeld = false;
 }
 
@@ -61,13 +61,13 @@ void Walk::drop() {
     around_.reset();
 }
 
-dat::BlockCoord Walk::blockOfBody(const engine::LoadedWorld& loaded) const {
+dat::BlockCoord Walk::blockOfBody(const engine::LoadedPart& loaded) const {
     const motion::Standing& here = body_.standing;
     return here.space == world::kOutside ? world::blockAt(here.feet)
                                          : dat::blockOf(loaded.world.spaces[here.space].cellId);
 }
 
-void Walk::follow(const engine::LoadedWorld& before, const engine::LoadedWorld& now) {
+void Walk::follow(const engine::LoadedPart& before, const engine::LoadedPart& now) {
     for (motion::Standing* standing : {&body_.standing, &body_.safe}) {
         if (standing->space == world::kOutside)
             continue;
@@ -77,8 +77,8 @@ void Walk::follow(const engine::LoadedWorld& before, const engine::LoadedWorld& 
     }
 }
 
-Walk::Coming Walk::beginToRead(const engine::Session& session, std::shared_ptr<const engine::LoadedWorld> loaded,
-                               dat::BlockCoord centre) {
+Walk::Coming Walk::beginToRead(const engine::Session& session,
+                               std::shared_ptr<const engine::LoadedPart> loaded, dat::BlockCoord centre) {
     Coming coming{loaded, centre, {}};
     coming.reading = background_.run([source = session.shareSource(), loaded = std::move(loaded), centre] {
         return read(source, loaded, centre);
@@ -87,10 +87,10 @@ Walk::Coming Walk::beginToRead(const engine::Session& session, std::shared_ptr<c
 }
 
 Result<void> Walk::takeSurroundings(const engine::Session& session, dat::BlockCoord centre) {
-    Coming& coming = next_.isOf(session.shareLoaded(), centre) ? next_ : coming_;
-    Reading around = coming.isOf(session.shareLoaded(), centre)
+    Coming& coming = next_.isOf(session.sharePart(), centre) ? next_ : coming_;
+    Reading around = coming.isOf(session.sharePart(), centre)
                          ? coming.reading.get()
-                         : read(session.shareSource(), session.shareLoaded(), centre);
+                         : read(session.shareSource(), session.sharePart(), centre);
     coming_ = {};
     next_ = {};
     if (!around)
@@ -99,26 +99,26 @@ Result<void> Walk::takeSurroundings(const engine::Session& session, dat::BlockCo
     return {};
 }
 
-bool Walk::prepare(const engine::Session& session, const std::shared_ptr<const engine::LoadedWorld>& next) {
-    const dat::BlockCoord here = blockOfBody(session.loaded());
+bool Walk::prepare(const engine::Session& session, const std::shared_ptr<const engine::LoadedPart>& next) {
+    const dat::BlockCoord here = blockOfBody(session.part());
     if (!next_.isOf(next, here))
         next_ = beginToRead(session, next, here);
     return engine::Background::isReady(next_.reading);
 }
 
 Result<void> Walk::keepSurroundings(const engine::Session& session) {
-    const bool isOfAnother = around_->loaded != session.shareLoaded();
+    const bool isOfAnother = around_->loaded != session.sharePart();
     if (isOfAnother) {
-        follow(*around_->loaded, session.loaded());
+        follow(*around_->loaded, session.part());
         coming_ = {};
     }
-    const dat::BlockCoord here = blockOfBody(session.loaded());
+    const dat::BlockCoord here = blockOfBody(session.part());
     if (isOfAnother)
         return takeSurroundings(session, here);
     if (around_->collisions.centre() == here)
         return {};
-    if (!coming_.isOf(session.shareLoaded(), here))
-        coming_ = beginToRead(session, session.shareLoaded(), here);
+    if (!coming_.isOf(session.sharePart(), here))
+        coming_ = beginToRead(session, session.sharePart(), here);
     // Within this distance the old ones still hold what is around. Waiting for a time instead would make a walk depend on the disk.
     constexpr double kTaken = 24.0;
     return world::metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
@@ -173,8 +173,8 @@ void Walk::stride(const WalkInput& input, const Vec3& from) {
     metres_ += goes ? way : 0.0;
 }
 
-void Walk::carryEye(const engine::Session& session, double seconds, engine::FrameEye& eye) {
-    const world::World& world = session.loaded().world;
+void Walk::carryEye(const engine::Session& session, double seconds, engine::FrameRequest& eye) {
+    const world::World& world = session.part().world;
     motion::BodyEye at = head(world);
     double opacity = 0.0;
     if (isChased_) {
@@ -185,17 +185,18 @@ void Walk::carryEye(const engine::Session& session, double seconds, engine::Fram
     }
     eye.camera.eye = at.position;
     eye.root = at.space;
-    eye.rootAmbiguous = false;
+    eye.isRootAmbiguous = false;
     eye.isHeld = isChased_ && chase_.arm < chaseShape_.distance - kHeld;
-    eye.player = shape_.capsule.middle(body_.standing.feet);
-    eye.body = motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity, speed_, metres_};
+    eye.scene.player = shape_.capsule.middle(body_.standing.feet);
+    eye.scene.body =
+        motion::PlayerBody{body_.standing.feet, yaw_, body_.standing.space, opacity, speed_, metres_};
 }
 
-void Walk::readDoors(const world::World& world, const engine::FrameEye& eye) {
+void Walk::readDoors(const world::World& world, const engine::FrameRequest& eye) {
     doors_.clear();
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
-        const double open = i < eye.eachDoor.size() ? eye.eachDoor[i] : world.doors[i].open;
-        doors_.push_back(eye.doors.value_or(open));
+        const double open = i < eye.scene.eachDoor.size() ? eye.scene.eachDoor[i] : world.doors[i].open;
+        doors_.push_back(eye.scene.doors.value_or(open));
     }
 }
 
@@ -207,10 +208,10 @@ double Walk::swingAllDoors(double from, double to) {
     return motion::swingAll(from, to, body_, around_->collisions, doors_, shape_);
 }
 
-Result<void> Walk::step(const engine::Session& session, const WalkInput& input, engine::FrameEye& eye) {
+Result<void> Walk::step(const engine::Session& session, const WalkInput& input, engine::FrameRequest& eye) {
     if (Result<void> kept = keepSurroundings(session); !kept)
         return kept;
-    readDoors(session.loaded().world, eye);
+    readDoors(session.part().world, eye);
     motion::BodyInput asked;
     asked.forward = input.forward;
     asked.right = input.right;

@@ -21,9 +21,9 @@ struct WalkInput {
 class Walk {
 public:
     /// Puts the body under an eye. Waits for what is around it to be read. Errors: that cannot be.
-    [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameEye& eye);
+    [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameRequest& eye);
     /// No body any more; the eye stays where it is.
-    void end(engine::FrameEye& eye);
+    void end(engine::FrameRequest& eye);
     [[nodiscard]] bool isOn() const { return isOn_; }
 
     /// Whether the eye is to be behind the body.
@@ -36,7 +36,8 @@ public:
 
     /// Moves the body, and eye, player, body and root of `eye` with it. When the session has loaded another part of the world it is there as it
     /// was here. Requires a body. Errors: as begin's.
-    [[nodiscard]] Result<void> step(const engine::Session& session, const WalkInput& input, engine::FrameEye& eye);
+    [[nodiscard]] Result<void> step(const engine::Session& session, const WalkInput& input,
+                                    engine::FrameRequest& eye);
 
     /// Doors swing for a while, and push the body out of their way. Requires a body.
     void passDoors(motion::DoorUse& doors, double seconds);
@@ -44,7 +45,8 @@ public:
     [[nodiscard]] double swingAllDoors(double from, double to);
     /// Reads what is around the body in the part of the world that is shown next. True when that is done: then the step after it is
     /// shown does not wait. Requires a body.
-    [[nodiscard]] bool prepare(const engine::Session& session, const std::shared_ptr<const engine::LoadedWorld>& next);
+    [[nodiscard]] bool prepare(const engine::Session& session,
+                               const std::shared_ptr<const engine::LoadedPart>& next);
 
     [[nodiscard]] const motion::BodyState& body() const { return body_; }
     /// Where its eyes would be.
@@ -53,36 +55,39 @@ public:
 private:
     /// The solids of a part of the world that is loaded.
     struct Surroundings {
-        std::shared_ptr<const engine::LoadedWorld> loaded;
+        std::shared_ptr<const engine::LoadedPart> loaded;
         motion::Collisions collisions;
     };
     using Reading = Result<std::shared_ptr<const Surroundings>>;
 
     /// Surroundings that are being read.
     struct Coming {
-        std::shared_ptr<const engine::LoadedWorld> loaded;
+        std::shared_ptr<const engine::LoadedPart> loaded;
         dat::BlockCoord centre;
         std::future<Reading> reading;
-        [[nodiscard]] bool isOf(const std::shared_ptr<const engine::LoadedWorld>& part, dat::BlockCoord block) const {
+        [[nodiscard]] bool isOf(const std::shared_ptr<const engine::LoadedPart>& part,
+                                dat::BlockCoord block) const {
             return reading.valid() && loaded == part && centre == block;
         }
     };
 
-    [[nodiscard]] Coming beginToRead(const engine::Session& session, std::shared_ptr<const engine::LoadedWorld> loaded,
+    [[nodiscard]] Coming beginToRead(const engine::Session& session,
+                                     std::shared_ptr<const engine::LoadedPart> loaded,
                                      dat::BlockCoord centre);
     [[nodiscard]] static Reading read(const std::shared_ptr<const engine::WorldSource>& source,
-                                      std::shared_ptr<const engine::LoadedWorld> loaded, dat::BlockCoord centre);
+                                      std::shared_ptr<const engine::LoadedPart> loaded,
+                                      dat::BlockCoord centre);
     void drop();
     /// Into the world that is loaded now, from one that was.
-    void follow(const engine::LoadedWorld& before, const engine::LoadedWorld& now);
+    void follow(const engine::LoadedPart& before, const engine::LoadedPart& now);
     [[nodiscard]] Result<void> keepSurroundings(const engine::Session& session);
-    [[nodiscard]] dat::BlockCoord blockOfBody(const engine::LoadedWorld& loaded) const;
+    [[nodiscard]] dat::BlockCoord blockOfBody(const engine::LoadedPart& loaded) const;
     [[nodiscard]] Result<void> takeSurroundings(const engine::Session& session, dat::BlockCoord centre);
-    void readDoors(const world::World& world, const engine::FrameEye& eye);
+    void readDoors(const world::World& world, const engine::FrameRequest& eye);
     void smooth(double fellOrRose, double seconds);
     void face(const WalkInput& input, double seconds, double yaw);
     void stride(const WalkInput& input, const Vec3& from);
-    void carryEye(const engine::Session& session, double seconds, engine::FrameEye& eye);
+    void carryEye(const engine::Session& session, double seconds, engine::FrameRequest& eye);
 
     bool isOn_ = false;
     std::vector<double> doors_; ///< how far each is open in this frame

@@ -39,12 +39,13 @@ bool readAct(const WalkJson& json, PlayAct& act) {
     if (!json.is_array() || json.size() != 2 || !json[0].is_string() || !json[1].is_number())
         return false;
     const auto found = std::find(kActNames.begin(), kActNames.end(), json[0].get<std::string>());
-    act = {static_cast<PlayAct::Kind>(found - kActNames.begin()), json[1].get<double>()};
+    act = {static_cast<PlayActKind>(found - kActNames.begin()), json[1].get<double>()};
     return found != kActNames.end() && std::isfinite(act.value);
 }
 
 bool readSide(const WalkJson& json, std::uint32_t& side) {
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() == 0 || json.get<std::uint64_t>() > cli::kMaxSide)
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() == 0 ||
+        json.get<std::uint64_t>() > engine::kMaxSide)
         return false;
     side = json.get<std::uint32_t>();
     return true;
@@ -78,7 +79,7 @@ bool readLoad(const WalkJson& json, world::LoadOptions& load) {
     return load.detail > 0.0;
 }
 
-bool readShown(const WalkJson& json, engine::StreamTarget& shown) {
+bool readShown(const WalkJson& json, engine::PartTarget& shown) {
     return readLoad(json, shown.options) && readWithin(json, "x", world::kMapSize - 1, shown.centre.x) &&
            readWithin(json, "y", world::kMapSize - 1, shown.centre.y);
 }

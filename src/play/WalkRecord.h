@@ -1,8 +1,8 @@
 #pragma once
 
-#include "play/PlayInput.h"
-#include "engine/Streamer.h"
 #include "core/Error.h"
+#include "engine/Streamer.h"
+#include "play/PlayInput.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace limen::play {
 struct RecordedFrame {
     PlayInput input;
     std::uint64_t decided = 0; ///< decisionHash of the frame it led to
-    std::optional<engine::StreamTarget>
+    std::optional<engine::PartTarget>
         shown;              ///< what was streamed and is shown from this frame on; zones are not told
     bool isRefused = false; ///< the place that was to be gone to could not be loaded
 };

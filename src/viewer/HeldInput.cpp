@@ -39,12 +39,12 @@ std::vector<play::PlayAct> wheelActs(double notches, const WheelEye& eye) {
     const double farther = -notches * kStep;
     if (!eye.isChased) // the first notch only leaves the head
         return farther < 0.0 ? std::vector<play::PlayAct>{}
-                             : std::vector<play::PlayAct>{
-                                   {play::PlayAct::Kind::Chase},
-                                   {play::PlayAct::Kind::Distance, eye.nearest + std::max(farther - kStep, 0.0)}};
+                             : std::vector<play::PlayAct>{{play::PlayActKind::Chase},
+                                                          {play::PlayActKind::Distance,
+                                                           eye.nearest + std::max(farther - kStep, 0.0)}};
     if (farther < 0.0 && eye.distance <= eye.nearest)
-        return {{play::PlayAct::Kind::Chase}};
-    return {{play::PlayAct::Kind::Distance, std::max(eye.distance + farther, eye.nearest)}};
+        return {{play::PlayActKind::Chase}};
+    return {{play::PlayActKind::Distance, std::max(eye.distance + farther, eye.nearest)}};
 }
 
 } // namespace limen::viewer

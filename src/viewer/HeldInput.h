@@ -1,7 +1,7 @@
 #pragma once
 
-#include "viewer/Gamepad.h"
 #include "play/PlayInput.h"
+#include "viewer/Gamepad.h"
 
 #include <optional>
 #include <vector>

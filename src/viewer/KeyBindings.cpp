@@ -1,7 +1,7 @@
 #include "viewer/KeyBindings.h"
 
-#include "output/OutputFile.h"
 #include "core/Assert.h"
+#include "output/OutputFile.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -229,7 +229,8 @@ Result<KeyBindings> readKeyBindings(const fs::path& file, bool mustExist) {
 Result<void> writeKeyBindings(const fs::path& file, const KeyBindings& bindings) {
     if (file.empty())
         return fail(ErrorCode::Unreadable, "keys", "no place to keep them; name a file with --keys");
-    if (Result<void> made = file.has_parent_path() ? output::makeDirectory(file.parent_path()) : Result<void>{};
+    if (Result<void> made =
+            file.has_parent_path() ? output::makeDirectory(file.parent_path()) : Result<void>{};
         !made)
         return made;
     return output::writeFile(file, std::string_view(keyBindingsJson(bindings)));

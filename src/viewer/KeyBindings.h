@@ -1,7 +1,7 @@
 #pragma once
 
-#include "viewer/KeyNames.h"
 #include "core/Error.h"
+#include "viewer/KeyNames.h"
 
 #include <array>
 #include <filesystem>
@@ -23,7 +23,7 @@ enum class Action : std::uint8_t {
     Rise,
     Sink,
     Use,
-    play::Walk,
+    Walk,
     Chase,
     Doors,
     Rain,
@@ -33,7 +33,7 @@ enum class Action : std::uint8_t {
     Regions,
     Panel,
     Check,
-    output::Probe,
+    Probe,
     Freeze,
     Portals,
     Depth,

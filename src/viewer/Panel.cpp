@@ -1,7 +1,7 @@
 #include "viewer/Panel.h"
 
-#include "viewer/PanelParts.h"
 #include "output/RegionOverlay.h"
+#include "viewer/PanelParts.h"
 
 #include <epoxy/gl.h>
 
@@ -101,13 +101,14 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     else if (switches.ids && !facts.ids.empty())
         drawOver(output::pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
     else if (switches.depth && !facts.distances.empty())
-        drawOver(output::pictureOfDistances(facts.eye.size.width, facts.eye.size.height, facts.distances), 255);
+        drawOver(output::pictureOfDistances(facts.eye.size.width, facts.eye.size.height, facts.distances),
+                 255);
     panel::drawLines(facts, switches);
     PanelChoice choice;
-    choice.time = facts.eye.time;
-    choice.dayGroup = facts.eye.dayGroup;
-    choice.weather = facts.eye.weather;
-    choice.doors = facts.eye.doors;
+    choice.time = facts.eye.scene.time;
+    choice.dayGroup = facts.eye.scene.dayGroup;
+    choice.weather = facts.eye.scene.weather;
+    choice.doors = facts.eye.scene.doors;
     choice.quality = facts.quality;
     if (switches.panel)
         choice = panel::drawPanel(facts, choice);

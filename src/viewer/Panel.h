@@ -1,15 +1,15 @@
 #pragma once
 
 #include "engine/FrameReport.h"
-#include "viewer/FrozenFlood.h"
 #include "engine/Picked.h"
-#include "viewer/PortalTraces.h"
 #include "engine/Quality.h"
+#include "motion/Body.h"
+#include "viewer/FrozenFlood.h"
+#include "viewer/PortalTraces.h"
 #include "viewer/ResidencyMap.h"
 #include "viewer/TimeWindow.h"
 #include "viewer/ViewCheck.h"
 #include "viewer/Window.h"
-#include "motion/Body.h"
 #include "world/Places.h"
 
 #include <memory>
@@ -43,7 +43,7 @@ struct Rebinding {
 /// What the panel tells of a frame.
 struct PanelFacts {
     const world::World& world;
-    const engine::FrameEye& eye;
+    const engine::FrameRequest& eye;
     const visibility::VisibleSet& visible;
     const frame::FramePlan& plan;
     engine::FrameFigures figures;
@@ -51,7 +51,7 @@ struct PanelFacts {
     const motion::BodyState* body; ///< null: the eye flies
     const world::Door* door;       ///< in reach of it; null: none
     bool doorOpens;                ///< it stands open, or is opening
-    const engine::Picked* picked;          ///< null: nothing is
+    const engine::Picked* picked;  ///< null: nothing is
     const ViewVerdict* verdict;    ///< on this very view; null: none
     const FrozenFlood* frozen;     ///< to be shown in the picture; null: none
     std::span<const PortalTrace>
@@ -72,8 +72,8 @@ struct PanelChoice {
     int place = -1; ///< that was clicked; -1: none
     double time = 0.5;
     std::uint32_t dayGroup = 0;
-    Weather weather = Weather::Clear;
-    std::optional<double> doors;        ///< as in FrameEye
+    engine::Weather weather = engine::Weather::Clear;
+    std::optional<double> doors;        ///< as in FrameRequest
     std::optional<Rebinding> rebinding; ///< the next key is to be that
     bool keysAsAtFirst = false;
     std::optional<std::size_t> quality; ///< of kQualities

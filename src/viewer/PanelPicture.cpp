@@ -1,5 +1,5 @@
-#include "viewer/PanelParts.h"
 #include "output/RegionOverlay.h"
+#include "viewer/PanelParts.h"
 
 #include <fmt/format.h>
 
@@ -29,10 +29,11 @@ void drawRegionOutlines(const visibility::VisibleSet& visible) {
 }
 
 /// The pyramids of a flood that is kept.
-void drawPyramids(const FrozenFlood& flood, const engine::FrameEye& eye) {
+void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& eye) {
     constexpr double kShown = 6.0; // metres
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    for (const PyramidLine& line : pyramidLines(flood, engine::viewOf(eye.camera, eye.size, eye.root), kShown)) {
+    for (const PyramidLine& line :
+         pyramidLines(flood, engine::viewOf(eye.camera, eye.size, eye.root), kShown)) {
         const output::Rgb rgb = output::distinctColour(line.visit);
         list->AddLine(screenPoint(line.from), screenPoint(line.to), IM_COL32(rgb[0], rgb[1], rgb[2], 200),
                       1.5f);

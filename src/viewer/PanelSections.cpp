@@ -1,6 +1,6 @@
 #include "engine/DayGroup.h"
-#include "viewer/PanelParts.h"
 #include "engine/VisitTree.h"
+#include "viewer/PanelParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,9 +118,9 @@ void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
     if (ImGui::SliderFloat("time", &hours, 0.0f, 24.0f, "%.1f h"))
         choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
     drawDay(sky, choice);
-    bool rain = choice.weather == Weather::Rain;
+    bool rain = choice.weather == engine::Weather::Rain;
     if (ImGui::Checkbox("rain", &rain))
-        choice.weather = rain ? Weather::Rain : Weather::Clear;
+        choice.weather = rain ? engine::Weather::Rain : engine::Weather::Clear;
     drawQuality(choice);
     int doors = choice.doors ? 1 : 0;
     ImGui::RadioButton("doors at rest", &doors, 0);
@@ -277,7 +277,7 @@ void drawFindings(std::span<const world::Finding> findings) {
     if (findings.empty() || !ImGui::CollapsingHeader(title.c_str()))
         return;
     for (const world::Finding& finding : findings.first(std::min(findings.size(), kMost)))
-        line(fmt::format("{} {}", cli::hexId(finding.record), finding.what));
+        line(fmt::format("{} {}", dat::idText(finding.record), finding.what));
     if (findings.size() > kMost)
         line(fmt::format("and {} more", findings.size() - kMost));
 }

@@ -63,7 +63,7 @@ Result<fs::path> keepScreenshot(const fs::path& directory, const output::Picture
         Result<void> written = output::writePicture(png, picture);
         if (written)
             written = output::writeFile(directory / (stem + ".txt"),
-                                std::string_view(fmt::format("{} -o {}-again.png\n", command, stem)));
+                                        std::string_view(fmt::format("{} -o {}-again.png\n", command, stem)));
         if (!written) {
             std::error_code ignored;
             fs::remove(png, ignored);

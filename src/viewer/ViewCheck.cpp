@@ -7,11 +7,11 @@
 
 namespace limen::viewer {
 
-Result<ViewVerdict> ViewCheck::check(engine::Session& session, const engine::FrameEye& eye) {
+Result<ViewVerdict> ViewCheck::check(engine::Session& session, const engine::FrameRequest& eye) {
     const auto start = std::chrono::steady_clock::now();
-    if (world_ != session.shareLoaded()) {
+    if (world_ != session.sharePart()) {
         traced_.reset(); // refers to the world that goes
-        world_ = session.shareLoaded();
+        world_ = session.sharePart();
         traced_.emplace(world_->world);
     }
     const Result<check::DrawnImages> drawn = engine::drawImages(session, eye, false);

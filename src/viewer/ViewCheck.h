@@ -1,8 +1,8 @@
 #pragma once
 
-#include "output/CheckPicture.h"
-#include "engine/Session.h"
 #include "check/Traced.h"
+#include "engine/Session.h"
+#include "output/CheckPicture.h"
 
 #include <optional>
 
@@ -11,8 +11,8 @@ namespace limen::viewer {
 /// One view held against the ray rule, as `limen check` judges.
 struct ViewVerdict {
     check::Comparison comparison;
-    output::Picture picture;      ///< pictureOfVerdicts
-    double seconds = 0.0; ///< it took
+    output::Picture picture; ///< pictureOfVerdicts
+    double seconds = 0.0;    ///< it took
 };
 
 /// Checks single views of what a session has loaded. Keeps the world as the rays see it, which takes a second to make, until
@@ -20,10 +20,10 @@ struct ViewVerdict {
 class ViewCheck {
 public:
     /// Draws a frame of ids and layers: draw the one to show again. Requires a loaded world. Errors: those of drawing.
-    [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameEye& eye);
+    [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameRequest& eye);
 
 private:
-    std::shared_ptr<const engine::LoadedWorld> world_; ///< that traced_ is of
+    std::shared_ptr<const engine::LoadedPart> world_; ///< that traced_ is of
     std::optional<check::TracedWorld> traced_;
 };
 

@@ -1,7 +1,7 @@
 #include "viewer/Viewer.h"
 
+#include "engine/CheckView.h"
 #include "viewer/Screenshots.h"
-#include "engine/ViewOfEye.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -24,17 +24,17 @@ std::string pictureOptions(const engine::SessionOptions& options) {
     return text;
 }
 
-bool isSameView(const engine::FrameEye& a, const engine::FrameEye& b) {
+bool isSameView(const engine::FrameRequest& a, const engine::FrameRequest& b) {
     return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
            a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
-           a.size.height == b.size.height && a.time == b.time && a.dayGroup == b.dayGroup &&
-           a.weather == b.weather && a.doors == b.doors && a.eachDoor == b.eachDoor && a.body == b.body;
+           a.size.height == b.size.height && a.scene.time == b.scene.time && a.scene.dayGroup == b.scene.dayGroup &&
+           a.scene.weather == b.scene.weather && a.scene.doors == b.scene.doors && a.scene.eachDoor == b.scene.eachDoor && a.scene.body == b.scene.body;
 }
 
 } // namespace
 
-Viewer::Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, engine::FrameEye start, ViewerKeys keys,
-               std::filesystem::path screenshots)
+Viewer::Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, engine::FrameRequest start,
+               ViewerKeys keys, std::filesystem::path screenshots)
     : window_(window), device_(device), session_(session), panel_(window), stream_(session),
       play_(session, std::move(start), &stream_), bindings_(std::move(keys.bindings)),
       keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
@@ -73,7 +73,7 @@ Result<void> Viewer::frame(double fixedSeconds) {
         options.highlights = std::span(&*pulse, 1);
     if (Result<void> drawn = session_.draw(eye(), options); !drawn)
         return drawn;
-    probed_ = probe_ ? probe_->see({frames_, eye().seconds, session_.loaded().world, eye(),
+    probed_ = probe_ ? probe_->see({frames_, eye().scene.seconds, session_.part().world, eye(),
                                     session_.visible(), session_.plan(), session_.figures().glCalls})
                      : std::string();
     overlay();
@@ -93,7 +93,7 @@ void Viewer::rest() {
 
 std::string Viewer::doorInReach() const {
     const std::optional<std::size_t> door = play_.doorInReach();
-    return door ? session_.loaded().world.doors[*door].name : std::string();
+    return door ? session_.part().world.doors[*door].name : std::string();
 }
 
 std::string Viewer::noticeText() const {
@@ -104,9 +104,10 @@ std::string Viewer::noticeText() const {
 
 std::vector<std::string> Viewer::openDoors() const {
     std::vector<std::string> names;
-    const std::vector<world::Door>& doors = session_.loaded().world.doors;
+    const std::vector<world::Door>& doors = session_.part().world.doors;
     for (std::size_t i = 0; i < doors.size(); ++i)
-        if (eye().doors.value_or(i < eye().eachDoor.size() ? eye().eachDoor[i] : doors[i].open) > 0.0)
+        if (eye().scene.doors.value_or(i < eye().scene.eachDoor.size() ? eye().scene.eachDoor[i]
+                                                                       : doors[i].open) > 0.0)
             names.push_back(doors[i].name);
     return names;
 }
@@ -156,23 +157,24 @@ void Viewer::press(Action action) {
         window_.switchFullScreen();
         return;
     case Action::Walk:
-        return act({play::PlayAct::Kind::Walk});
+        return act({play::PlayActKind::Walk});
     case Action::Chase:
-        return act({play::PlayAct::Kind::Chase});
+        return act({play::PlayActKind::Chase});
     case Action::Doors:
-        return act({play::PlayAct::Kind::Doors});
+        return act({play::PlayActKind::Doors});
     case Action::Use:
-        return act({play::PlayAct::Kind::Use});
+        return act({play::PlayActKind::Use});
     case Action::Rain:
-        return act({play::PlayAct::Kind::Weather});
+        return act({play::PlayActKind::Weather});
     case Action::Later:
-        return act({play::PlayAct::Kind::Time, std::fmod(eye().time + 1.0 / 24.0, 1.0)});
+        return act({play::PlayActKind::Time, std::fmod(eye().scene.time + 1.0 / 24.0, 1.0)});
     case Action::Leave:
         leaving_ = true;
         return;
     default:
         if (action >= Action::Place1)
-            act({play::PlayAct::Kind::Place, static_cast<double>(action) - static_cast<double>(Action::Place1)});
+            act({play::PlayActKind::Place,
+                 static_cast<double>(action) - static_cast<double>(Action::Place1)});
     }
 }
 
@@ -199,7 +201,7 @@ Result<void> Viewer::keepPicture() {
         output::pictureFromRgba(eye().size.width, eye().size.height, session_.target().readColour());
     const Result<std::filesystem::path> kept =
         keepScreenshot(screenshots_, picture,
-                       engine::reproduction(session_.loaded().world, eye(), session_.source().datOption) +
+                       engine::reproduction(session_.part().world, eye(), session_.source().datOption) +
                            pictureOptions(session_.options()));
     notice(kept ? kept->string() : kept.error().message()); // a full disk is no reason to leave
     return {};
@@ -214,7 +216,8 @@ void Viewer::freeze() {
     if (frozen_)
         frozen_.reset();
     else
-        frozen_ = FrozenFlood{engine::viewOf(eye().camera, eye().size, eye().root), session_.visible(), portalsNow()};
+        frozen_ = FrozenFlood{engine::viewOf(eye().camera, eye().size, eye().root), session_.visible(),
+                              portalsNow()};
 }
 
 std::vector<PortalTrace> Viewer::portalsNow() {
@@ -223,9 +226,10 @@ std::vector<PortalTrace> Viewer::portalsNow() {
 }
 
 ResidencyMap Viewer::residency() const {
-    const world::World& world = session_.loaded().world;
+    const world::World& world = session_.part().world;
     const dat::BlockCoord here = blockOf(world, eye().root, eye().camera.eye);
-    const dat::BlockCoord player = eye().body ? blockOf(world, eye().body->space, eye().body->feet) : here;
+    const dat::BlockCoord player =
+        eye().scene.body ? blockOf(world, eye().scene.body->space, eye().scene.body->feet) : here;
     return residencyMap(world, here, player, session_.options().load.radius + 1);
 }
 
@@ -273,24 +277,24 @@ std::optional<frame::Highlight> Viewer::selectionPulse() const {
     constexpr std::uint32_t kYellow = 0x0040D0FFu;
     if (!picked_ || picked_->object == 0 || picked_->isLandscape)
         return {};
-    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye().seconds / kPulse);
+    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye().scene.seconds / kPulse);
     const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
     return frame::Highlight{picked_->object, kYellow | strength << 24};
 }
 
 void Viewer::take(const PanelChoice& choice) {
-    if (choice.time != eye().time)
-        act({play::PlayAct::Kind::Time, choice.time});
-    if (choice.dayGroup != eye().dayGroup)
-        act({play::PlayAct::Kind::Day, static_cast<double>(choice.dayGroup)});
-    if (choice.weather != eye().weather)
-        act({play::PlayAct::Kind::Weather});
-    if (choice.doors != eye().doors)
-        act({play::PlayAct::Kind::AllDoors, choice.doors.value_or(-1.0)});
+    if (choice.time != eye().scene.time)
+        act({play::PlayActKind::Time, choice.time});
+    if (choice.dayGroup != eye().scene.dayGroup)
+        act({play::PlayActKind::Day, static_cast<double>(choice.dayGroup)});
+    if (choice.weather != eye().scene.weather)
+        act({play::PlayActKind::Weather});
+    if (choice.doors != eye().scene.doors)
+        act({play::PlayActKind::AllDoors, choice.doors.value_or(-1.0)});
     if (choice.quality && choice.quality != session_.options().quality)
-        act({play::PlayAct::Kind::Quality, static_cast<double>(*choice.quality)});
+        act({play::PlayActKind::Quality, static_cast<double>(*choice.quality)});
     if (choice.place >= 0)
-        act({play::PlayAct::Kind::Place, static_cast<double>(choice.place)});
+        act({play::PlayActKind::Place, static_cast<double>(choice.place)});
     if (choice.rebinding)
         rebinding_ = choice.rebinding;
     if (choice.keysAsAtFirst)
@@ -310,14 +314,14 @@ void Viewer::overlay() {
     const std::string said = noticeText();
     portals_ = !switches_.portals ? std::vector<PortalTrace>{} : frozen_ ? frozen_->portals : portalsNow();
     const ResidencyMap blocks = residency();
-    const PanelFacts facts{.world = session_.loaded().world,
+    const PanelFacts facts{.world = session_.part().world,
                            .eye = eye(),
                            .visible = session_.visible(),
                            .plan = session_.plan(),
                            .figures = figures,
                            .times = times_,
                            .body = walk().isOn() ? &walk().body() : nullptr,
-                           .door = door ? &session_.loaded().world.doors[*door] : nullptr,
+                           .door = door ? &session_.part().world.doors[*door] : nullptr,
                            .doorOpens = door && play_.opens(*door),
                            .picked = picked_ ? &*picked_ : nullptr,
                            .verdict = verdict_ ? &*verdict_ : nullptr,

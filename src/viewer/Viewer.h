@@ -1,9 +1,9 @@
 #pragma once
 
-#include "viewer/Panel.h"
-#include "play/Play.h"
+#include "engine/StreamedResidency.h"
 #include "output/Probe.h"
-#include "engine/SessionStream.h"
+#include "play/Play.h"
+#include "viewer/Panel.h"
 #include "viewer/ViewCheck.h"
 #include "viewer/Window.h"
 
@@ -25,8 +25,8 @@ struct ViewerKeys {
 class Viewer {
 public:
     /// Pictures are kept in `screenshots`.
-    Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, engine::FrameEye start, ViewerKeys keys,
-           std::filesystem::path screenshots);
+    Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, engine::FrameRequest start,
+           ViewerKeys keys, std::filesystem::path screenshots);
 
     /// What is to be done at the beginning of the next frame.
     void act(play::PlayAct act) { acts_.push_back(act); }
@@ -40,9 +40,9 @@ public:
     /// What changed with the last frame in what was decided, if that is to be told.
     [[nodiscard]] const std::string& probed() const { return probed_; }
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
-    [[nodiscard]] const engine::FrameEye& eye() const { return play_.eye(); }
+    [[nodiscard]] const engine::FrameRequest& eye() const { return play_.eye(); }
     [[nodiscard]] const play::PlayInput& input() const { return input_; }
-    [[nodiscard]] engine::SessionStream& stream() { return stream_; }
+    [[nodiscard]] engine::StreamedResidency& stream() { return stream_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<engine::Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
@@ -113,7 +113,7 @@ private:
     gpu::GlDevice& device_;
     engine::Session& session_;
     Panel panel_;
-    engine::SessionStream stream_;
+    engine::StreamedResidency stream_;
     play::Play play_;
     play::PlayInput input_;
     std::vector<play::PlayAct> acts_; ///< of the next frame
@@ -135,7 +135,7 @@ private:
     std::optional<output::Probe> probe_;
     std::string probed_;
     std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
-    engine::FrameEye checkedFrom_;
+    engine::FrameRequest checkedFrom_;
     std::optional<FrozenFlood> frozen_;
     visibility::FloodTrace trace_;
     std::vector<PortalTrace> portals_; ///< that are shown

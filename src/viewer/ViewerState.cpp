@@ -1,5 +1,7 @@
 #include "viewer/ViewerState.h"
 
+#include "output/FrameJson.h"
+
 #include <nlohmann/json.hpp>
 
 namespace limen::viewer {
@@ -32,18 +34,19 @@ nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
 } // namespace
 
 std::string stateJson(const engine::Session& session, const Viewer& viewer, std::size_t frames) {
-    const engine::FrameEye& eye = viewer.eye();
+    const engine::FrameRequest& eye = viewer.eye();
     const nlohmann::ordered_json json{
         {"frames", frames},
         {"eye", {eye.camera.eye.x, eye.camera.eye.y, eye.camera.eye.z}},
         {"yaw", eye.camera.heading.yaw},
         {"pitch", eye.camera.heading.pitch},
-        {"root", engine::spaceName(session.loaded().world, eye.root)},
-        {"seconds", eye.seconds},
-        {"time", eye.time},
-        {"day", eye.dayGroup},
-        {"weather", eye.weather == Weather::Rain ? "rain" : "clear"},
-        {"doors", eye.doors ? nlohmann::ordered_json(*eye.doors) : nlohmann::ordered_json(nullptr)},
+        {"root", engine::spaceName(session.part().world, eye.root)},
+        {"seconds", eye.scene.seconds},
+        {"time", eye.scene.time},
+        {"day", eye.scene.dayGroup},
+        {"weather", eye.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
+        {"doors",
+         eye.scene.doors ? nlohmann::ordered_json(*eye.scene.doors) : nlohmann::ordered_json(nullptr)},
         {"open_doors", viewer.openDoors()},
         {"visits", session.visible().visits.size()},
         {"overlays",
@@ -58,13 +61,13 @@ std::string stateJson(const engine::Session& session, const Viewer& viewer, std:
         {"frozen_visits", viewer.frozenVisits()},
         {"portals", fatesJson(viewer.portals())},
         {"ui_scale", uiScaleOf(viewer.sizes()).units},
-        {"body", engine::bodyJson(session.loaded().world, eye.body)},
+        {"body", output::bodyJson(session.part().world, eye.scene.body)},
         {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
         {"checked", verdictJson(viewer.verdict())},
         {"size", {eye.size.width, eye.size.height}},
         {"distance", viewer.walk().distance()},
-        {"loaded", {session.loaded().centre.x, session.loaded().centre.y}},
+        {"loaded", {session.part().target.centre.x, session.part().target.centre.y}},
         {"going_to", viewer.goingTo()},
         {"door", viewer.doorInReach()},
         {"notice", viewer.noticeText()},

@@ -94,7 +94,7 @@ GLFWmonitor* monitorOf(int x, int y) {
 
 } // namespace
 
-Result<std::unique_ptr<Window>> Window::open(const char* title, cli::PixelSize size) {
+Result<std::unique_ptr<Window>> Window::open(const char* title, engine::PixelSize size) {
     if (glfwInit() != GLFW_TRUE)
         return refused("there is no display to open a window on", "limen shot and limen tour need none");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
@@ -299,7 +299,7 @@ double Window::seconds() const {
 }
 
 output::Picture Window::read() const {
-    const cli::PixelSize pixels = size();
+    const engine::PixelSize pixels = size();
     std::vector<std::uint8_t> rgba(std::size_t{pixels.width} * pixels.height * 4);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glReadBuffer(GL_BACK);

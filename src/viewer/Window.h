@@ -1,9 +1,9 @@
 #pragma once
 
-#include "viewer/HeldInput.h"
-#include "viewer/KeyBindings.h"
 #include "cli/Parse.h"
 #include "output/Picture.h"
+#include "viewer/HeldInput.h"
+#include "viewer/KeyBindings.h"
 #include "viewer/WindowGeometry.h"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Taken {
 class Window {
 public:
     /// Errors: no display; no window or context of that kind.
-    [[nodiscard]] static Result<std::unique_ptr<Window>> open(const char* title, cli::PixelSize size);
+    [[nodiscard]] static Result<std::unique_ptr<Window>> open(const char* title, engine::PixelSize size);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -47,7 +47,7 @@ public:
     void rest();
     [[nodiscard]] const WindowSizes& sizes() const { return sizes_; } ///< at the last poll
     /// Size in pixels; 1x1 at least (a window made small as an icon has none).
-    [[nodiscard]] cli::PixelSize size() const { return sizes_.pixels; }
+    [[nodiscard]] engine::PixelSize size() const { return sizes_.pixels; }
     [[nodiscard]] double seconds() const; ///< since the library started
     /// Reads what was drawn into the window, before `show`.
     [[nodiscard]] output::Picture read() const;

@@ -9,7 +9,7 @@ namespace limen::viewer {
 /// How large a window is. A screen with small pixels may show its unit as several of them, or ask for larger letters.
 struct WindowSizes {
     int width = 0, height = 0; ///< in the units of cursors; 0 when it is made as small as an icon
-    cli::PixelSize pixels;          ///< of what is drawn, at least 1 each
+    engine::PixelSize pixels;  ///< of what is drawn, at least 1 each
     double contentScale = 1.0; ///< what people want things to be larger than on a screen of 96 pixels an inch
 };
 

@@ -1,7 +1,7 @@
 #include "check/Run.h"
 
-#include "engine/Camera.h"
 #include "check/House.h"
+#include "engine/Camera.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,8 +1,8 @@
 #include "check/Views.h"
 
-#include "cli/ShotRequest.h"
 #include "check/House.h"
 #include "check/Report.h"
+#include "cli/ShotRequest.h"
 #include "motion/Locate.h"
 
 #include <CLI/CLI.hpp>
@@ -182,7 +182,7 @@ TEST(Views, sweepsComeCloseFromBothSidesAndTouchThePlane) {
 }
 
 /// Calls `see` with what `limen shot` understands of a command.
-void readAsShot(const std::string& command, const std::function<void(const cli::ViewRequest&)>& see) {
+void readAsShot(const std::string& command, const std::function<void(const engine::ViewRequest&)>& see) {
     const auto words = cli::splitArguments(command);
     ASSERT_TRUE(words);
     ASSERT_EQ((*words)[0], "limen");
@@ -203,7 +203,7 @@ void readAsShot(const std::string& command, const std::function<void(const cli::
 TEST(Views, theReproducingCommandGivesTheSameViewToTheBit) {
     const House house;
     for (const View& view : allViews(house.around())) {
-        readAsShot(shotCommand(view, ""), [&](const cli::ViewRequest& request) {
+        readAsShot(shotCommand(view, ""), [&](const engine::ViewRequest& request) {
             ASSERT_TRUE(request.eye && request.yaw && request.pitch && request.root);
             EXPECT_EQ(*request.eye, view.eye);
             EXPECT_EQ(*request.yaw, view.yaw);
@@ -211,7 +211,8 @@ TEST(Views, theReproducingCommandGivesTheSameViewToTheBit) {
             EXPECT_EQ(request.fov, view.fov);
             EXPECT_EQ(request.size.width, view.width);
             EXPECT_EQ(request.size.height, view.height);
-            EXPECT_EQ(request.root->kind == cli::RootChoice::Kind::Cell ? request.root->cell : 0, view.root);
+            EXPECT_EQ(request.root->kind == engine::RootChoice::Rule::Cell ? request.root->cell : 0,
+                      view.root);
         });
     }
 }

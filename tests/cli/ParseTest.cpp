@@ -37,7 +37,7 @@ TEST(ParseVec3, namesTheOptionAndTheTextInItsMessage) {
 }
 
 TEST(ParseSize, readsSizesUpToTheLimit) {
-    const PixelSize size = parseSize("--size", "640x360").value();
+    const engine::PixelSize size = parseSize("--size", "640x360").value();
     EXPECT_EQ(size.width, 640u);
     EXPECT_EQ(size.height, 360u);
     EXPECT_TRUE(parseSize("--size", "1x1"));
@@ -52,10 +52,10 @@ TEST(ParseSize, refusesAbsurdSizes) {
 }
 
 TEST(ParseRoot, knowsItsThreeForms) {
-    EXPECT_EQ(parseRoot("--root", "auto").value().kind, RootChoice::Kind::Auto);
-    EXPECT_EQ(parseRoot("--root", "outside").value().kind, RootChoice::Kind::Outside);
-    const RootChoice cell = parseRoot("--root", "0xA9B40105").value();
-    EXPECT_EQ(cell.kind, RootChoice::Kind::Cell);
+    EXPECT_EQ(parseRoot("--root", "auto").value().kind, engine::RootChoice::Rule::Auto);
+    EXPECT_EQ(parseRoot("--root", "outside").value().kind, engine::RootChoice::Rule::Outside);
+    const engine::RootChoice cell = parseRoot("--root", "0xA9B40105").value();
+    EXPECT_EQ(cell.kind, engine::RootChoice::Rule::Cell);
     EXPECT_EQ(cell.cell, 0xA9B40105u);
 }
 
@@ -66,8 +66,8 @@ TEST(ParseRoot, refusesWhatIsNoCell) {
 }
 
 TEST(ParseWeather, knowsClearAndRain) {
-    EXPECT_EQ(parseWeather("--weather", "clear").value(), Weather::Clear);
-    EXPECT_EQ(parseWeather("--weather", "rain").value(), Weather::Rain);
+    EXPECT_EQ(parseWeather("--weather", "clear").value(), engine::Weather::Clear);
+    EXPECT_EQ(parseWeather("--weather", "rain").value(), engine::Weather::Rain);
     EXPECT_FALSE(parseWeather("--weather", "snow"));
 }
 

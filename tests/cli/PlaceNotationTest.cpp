@@ -25,21 +25,21 @@ TEST(PlaceNotation, takesAWordAsAName) {
 TEST(PlaceNotation, addsTheBlocksCornerToLocalMetres) {
     const PlacePosition place = positionOf("A9B4.12,34.5,-6");
     EXPECT_EQ(place.eye, Vec3(0xA9 * 192.0 + 12.0, 0xB4 * 192.0 + 34.5, -6.0));
-    EXPECT_EQ(place.root.kind, RootChoice::Kind::Auto);
+    EXPECT_EQ(place.root.rule, engine::RootChoice::Rule::Auto);
     EXPECT_FALSE(place.yaw);
     EXPECT_EQ(positionOf("0xa9b4.12,34.5,-6").eye, place.eye);
 }
 
 TEST(PlaceNotation, takesTheCellOfAnEightDigitBlockAsRoot) {
     EXPECT_EQ(positionOf("0xA9B40105.1,2,3").root.cell, 0xA9B40105u);
-    EXPECT_EQ(positionOf("0xA9B40011.1,2,3").root.kind, RootChoice::Kind::Outside);
-    EXPECT_EQ(positionOf("0xA9B40000.1,2,3").root.kind, RootChoice::Kind::Auto);
+    EXPECT_EQ(positionOf("0xA9B40011.1,2,3").root.rule, engine::RootChoice::Rule::Outside);
+    EXPECT_EQ(positionOf("0xA9B40000.1,2,3").root.rule, engine::RootChoice::Rule::Auto);
 }
 
 TEST(PlaceNotation, readsRetailLocations) {
     const PlacePosition north = positionOf("0xA9B40031 [150.5 20.25 66.005] 1 0 0 0");
     EXPECT_EQ(north.eye, Vec3(0xA9 * 192.0 + 150.5, 0xB4 * 192.0 + 20.25, 66.005));
-    EXPECT_EQ(north.root.kind, RootChoice::Kind::Outside);
+    EXPECT_EQ(north.root.rule, engine::RootChoice::Rule::Outside);
     EXPECT_DOUBLE_EQ(north.yaw.value(), 0.0);
     EXPECT_DOUBLE_EQ(north.pitch.value(), 0.0);
     // A quarter turn counter-clockwise about z faces west.

@@ -17,11 +17,11 @@ ViewArguments at(const std::string& eye) {
 }
 
 TEST(CheckView, fillsInTheDefaults) {
-    const ViewRequest view = checkView(at("-1,2,3")).value();
+    const engine::ViewRequest view = checkView(at("-1,2,3")).value();
     EXPECT_EQ(view.eye.value(), Vec3(-1, 2, 3));
     EXPECT_EQ(view.fov, 60.0);
     EXPECT_FALSE(view.root || view.yaw || view.pitch || view.player);
-    EXPECT_EQ(view.weather, Weather::Clear);
+    EXPECT_EQ(view.weather, engine::Weather::Clear);
 }
 
 TEST(CheckView, refusesEachArgumentThatMakesNoSense) {
@@ -57,7 +57,7 @@ TEST(CheckView, takesABodyAndDoors) {
     arguments.bodyRoot = "0xA9B40105";
     arguments.bodyOpacity = "0.5";
     arguments.eachDoor = {"inn.front=0.25", "a=b=1"};
-    const ViewRequest view = checkView(arguments).value();
+    const engine::ViewRequest view = checkView(arguments).value();
     ASSERT_TRUE(view.body);
     EXPECT_EQ(view.body->feet, Vec3(4, 5, 6));
     EXPECT_EQ(view.body->yaw, 90.0);

@@ -73,7 +73,8 @@ TEST(FlyCamera, fliesAlongItsSightAndNoFasterSlantwise) {
     input.right = 1.0;
     EXPECT_NEAR(glm::length(play::fly(camera, input).eye), play::kFlySpeed * 0.05, 1e-12);
     input.fast = true;
-    EXPECT_NEAR(glm::length(play::fly(camera, input).eye), play::kFlySpeed * play::kFlyFastFactor * 0.05, 1e-12);
+    EXPECT_NEAR(glm::length(play::fly(camera, input).eye), play::kFlySpeed * play::kFlyFastFactor * 0.05,
+                1e-12);
 }
 
 TEST(FlyCamera, staysWithinItsLimits) {

@@ -1,5 +1,5 @@
 // Hard cases 18 and 23 of docs/cases.md: weather follows the player; all else follows the eye.
-#include "engine/DynamicStateInput.h"
+#include "engine/FrameRequest.h"
 #include "motion/Locate.h"
 #include "support/MovingHut.h"
 
@@ -11,14 +11,15 @@ struct HutWorld {
     world::World world = hut.load();
     Vec3 inside = hut.at({12, 12, 3.6}), outside = hut.at({6, 12, 3.6});
 
-    [[nodiscard]] FrameEye eye(const Vec3& at, const Vec3& player, Weather weather = Weather::Rain) const {
-        FrameEye eye;
+    [[nodiscard]] FrameRequest eye(const Vec3& at, const Vec3& player,
+                                   Weather weather = Weather::Rain) const {
+        FrameRequest eye;
         eye.camera.eye = at;
         eye.camera.heading = {37.0, 4.0};
         eye.root = motion::locate(world, at).space;
-        eye.player = player;
-        eye.weather = weather;
-        eye.seconds = 3.5;
+        eye.scene.player = player;
+        eye.scene.weather = weather;
+        eye.scene.seconds = 3.5;
         return eye;
     }
 };
@@ -38,9 +39,9 @@ TEST(DynamicStateInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOuts
     EXPECT_FALSE(dynamicsInput(f.world, f.eye(f.outside, f.outside)).weather) << "there is none";
     f.world.sky.weather.resize(1);
     for (const Vec3& at : {f.inside, f.outside}) {
-        FrameEye eye = f.eye(at, f.outside, Weather::Clear);
-        eye.dayGroup = 2;
-        eye.time = 0.25;
+        FrameRequest eye = f.eye(at, f.outside, Weather::Clear);
+        eye.scene.dayGroup = 2;
+        eye.scene.time = 0.25;
         const auto hour = dynamicsInput(f.world, eye).weather;
         ASSERT_TRUE(hour);
         EXPECT_EQ(hour->dayGroup, 2u);
@@ -51,18 +52,18 @@ TEST(DynamicStateInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOuts
 
 TEST(DynamicStateInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
     const HutWorld f;
-    FrameEye eye = f.eye(f.inside, f.inside);
+    FrameRequest eye = f.eye(f.inside, f.inside);
     eye.root = world::kOutside; // as an explicit root says, whatever the position says
     EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
 }
 
 TEST(DynamicStateInput, case18_aBodyIsInTheSpaceItSays) {
     const HutWorld f;
-    FrameEye eye = f.eye(f.outside, f.outside);
-    eye.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
+    FrameRequest eye = f.eye(f.outside, f.outside);
+    eye.scene.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
     EXPECT_FALSE(dynamicsInput(f.world, eye).rain) << "the body is inside, whatever else is said";
-    EXPECT_EQ(dynamicsInput(f.world, eye).player, eye.body);
-    eye.body->space = world::kOutside; // as in a cave whose cells are nowhere by their place
+    EXPECT_EQ(dynamicsInput(f.world, eye).player, eye.scene.body);
+    eye.scene.body->space = world::kOutside; // as in a cave whose cells are nowhere by their place
     EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
 }
 

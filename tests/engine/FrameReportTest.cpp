@@ -16,7 +16,7 @@ using test::twoVisits;
 nlohmann::ordered_json reportOf(std::span<const std::uint32_t> ids) {
     const world::World world = smallWorld();
     const IdTable table(world);
-    FrameEye eye;
+    FrameRequest eye;
     eye.camera.eye = {1, 2, 3};
     eye.root = 1;
     FrameFigures figures;
@@ -74,20 +74,20 @@ TEST(FrameReport, withoutAnIdImageItSaysNothingOfIds) {
 }
 
 TEST(FrameReport, reproductionNamesTheRoot) {
-    FrameEye eye;
+    FrameRequest eye;
     eye.camera.eye = {-1.25, 2, 0.1};
     eye.camera.heading = {30, -5};
     eye.root = 1;
-    eye.player = eye.camera.eye;
+    eye.scene.player = eye.camera.eye;
     EXPECT_EQ(reproduction(smallWorld(), eye, " --dat d"),
               "limen shot --dat d --eye=-1.25,2,0.1 --yaw=30 --pitch=-5 --fov=60 --size=1280x720 "
               "--root=0xA9B40105");
-    eye.player = {1, 2, 3};
-    eye.seconds = 2.5;
-    eye.doors = 0.5;
-    eye.dayGroup = 3;
-    eye.weather = Weather::Rain;
-    eye.time = 0.25;
+    eye.scene.player = {1, 2, 3};
+    eye.scene.seconds = 2.5;
+    eye.scene.doors = 0.5;
+    eye.scene.dayGroup = 3;
+    eye.scene.weather = Weather::Rain;
+    eye.scene.time = 0.25;
     EXPECT_TRUE(
         reproduction(smallWorld(), eye, "")
             .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --day=3 --weather=rain --player=1,2,3"));

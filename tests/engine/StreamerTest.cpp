@@ -12,7 +12,7 @@ const world::LoadOptions kLoad{.radius = 4, .farRadius = 12};
 /// Does what it is told when the test says so, and keeps count: what is read is shown, dropped, or failed, once.
 class FakeTasks final : public StreamTasks {
 public:
-    void beginToRead(const StreamTarget& target) override {
+    void beginToRead(const PartTarget& target) override {
         EXPECT_FALSE(isReading || isRead || isUploading) << "one thing at a time";
         isReading = true;
         framesToRead = std::max(framesToRead, eachRead);
@@ -65,7 +65,7 @@ public:
     int framesToRead = 0, framesToUpload = 0, slices = 0;
     int eachRead = 0; ///< frames that every one takes
     std::size_t dropped = 0;
-    std::vector<StreamTarget> read, shown;
+    std::vector<PartTarget> read, shown;
 };
 
 StreamEye eyeAt(double x, double y) {
@@ -82,7 +82,7 @@ StreamEye eyeFromHome(double x, double y) {
 struct Streamed {
     FakeTasks tasks;
     Streamer streamer{tasks};
-    StreamTarget shown{kHome, kLoad};
+    PartTarget shown{kHome, kLoad};
     bool step(const StreamEye& eye, const world::LoadOptions& wanted = kLoad) {
         const bool isNew = streamer.step(shown, eye, wanted);
         if (isNew)
@@ -116,7 +116,7 @@ TEST(Streamer, readsUploadsAndShowsWhatIsAroundAnEyeThatHasLeft) {
     EXPECT_GE(frames, 12);
     EXPECT_LE(frames, 16);
     ASSERT_EQ(s.tasks.read.size(), 1u);
-    EXPECT_EQ(s.tasks.read[0], (StreamTarget{{kHome.x + 1, kHome.y}, kLoad}));
+    EXPECT_EQ(s.tasks.read[0], (PartTarget{{kHome.x + 1, kHome.y}, kLoad}));
     EXPECT_EQ(s.tasks.dropped, 0u);
     for (int i = 0; i < 10; ++i)
         EXPECT_FALSE(s.step(eye));
@@ -226,7 +226,7 @@ TEST(Streamer, otherOptionsAreReadWhereTheEyeIs) {
     wide.radius = 2; // meanwhile
     for (int i = 0; i < 20; ++i)
         s.step(eyeFromHome(96, 96), wide);
-    EXPECT_EQ(s.shown, (StreamTarget{kHome, wide}));
+    EXPECT_EQ(s.shown, (PartTarget{kHome, wide}));
     EXPECT_EQ(s.tasks.dropped, 1u);
     EXPECT_EQ(s.tasks.shown.size(), 1u);
 }

@@ -1,4 +1,4 @@
-#include "engine/ViewOfEye.h"
+#include "engine/CheckView.h"
 
 #include "support/SmallWorld.h"
 
@@ -16,21 +16,21 @@ world::World worldWithDoors() {
     return world;
 }
 
-FrameEye someEye() {
-    FrameEye eye;
+FrameRequest someEye() {
+    FrameRequest eye;
     eye.camera = {{1, 2, 3}, {30, -5}, 75};
     eye.size = {640, 360};
     eye.root = 1;
-    eye.player = {4, 5, 6};
-    eye.time = 0.25;
-    eye.seconds = 7.5;
-    eye.dayGroup = 2;
-    eye.weather = Weather::Rain;
-    eye.eachDoor = {0.0, 0.5, 0.75};
+    eye.scene.player = {4, 5, 6};
+    eye.scene.time = 0.25;
+    eye.scene.seconds = 7.5;
+    eye.scene.dayGroup = 2;
+    eye.scene.weather = Weather::Rain;
+    eye.scene.eachDoor = {0.0, 0.5, 0.75};
     return eye;
 }
 
-void expectSame(const FrameEye& a, const FrameEye& b) {
+void expectSame(const FrameRequest& a, const FrameRequest& b) {
     EXPECT_EQ(a.camera.eye, b.camera.eye);
     EXPECT_EQ(a.camera.heading.yaw, b.camera.heading.yaw);
     EXPECT_EQ(a.camera.heading.pitch, b.camera.heading.pitch);
@@ -47,13 +47,13 @@ void expectSame(const FrameEye& a, const FrameEye& b) {
 
 TEST(ViewOfEye, thereAndBackIsTheSame) {
     const world::World world = worldWithDoors();
-    FrameEye eye = someEye();
+    FrameRequest eye = someEye();
     expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
-    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).player, eye.player);
-    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).eachDoor, eye.eachDoor);
-    eye.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5};
+    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).player, eye.scene.player);
+    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).eachDoor, eye.scene.eachDoor);
+    eye.scene.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5};
     expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
-    eye.doors = 0.25;
+    eye.scene.doors = 0.25;
     expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
 }
 
@@ -65,8 +65,8 @@ TEST(ViewOfEye, namesOnlyDoorsThatDoNotRest) {
 }
 
 TEST(ViewOfEye, shotOptionsSayAllOfIt) {
-    FrameEye eye = someEye();
-    eye.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5, 2.2, 17.5};
+    FrameRequest eye = someEye();
+    eye.scene.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5, 2.2, 17.5};
     EXPECT_EQ(
         check::shotOptions(viewOf(eye, worldWithDoors())),
         "--eye=1,2,3 --yaw=30 --pitch=-5 --fov=75 --size=640x360 --root=0xA9B40105 --time=0.25 --seconds=7.5 "

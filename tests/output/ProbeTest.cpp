@@ -20,7 +20,7 @@ struct Probed {
     world::World world = test::smallWorld();
     visibility::VisibleSet visible = test::twoVisits();
     frame::FramePlan plan;
-    engine::FrameEye eye;
+    engine::FrameRequest eye;
     Probe probe;
     std::uint64_t frame = 0;
 
@@ -155,19 +155,19 @@ TEST(Probe, aBudgetThatIsReachedIsTold) {
 
 TEST(Probe, theCamerasWayFromTheBodyIsToldWhenItChanges) {
     Probed f;
-    f.eye.body = motion::PlayerBody{{1, 2, 1}, 0.0, 1};
+    f.eye.scene.body = motion::PlayerBody{{1, 2, 1}, 0.0, 1};
     EXPECT_EQ(f.see()["camera"]["held"], false);
     EXPECT_THAT(Probed::namesOf(f.see()), IsEmpty());
     f.eye.isHeld = true;
     const auto held = f.see();
     EXPECT_THAT(Probed::namesOf(held), ElementsAre("camera"));
     EXPECT_EQ(held.at("camera")["held"], true);
-    f.eye.body->space = world::kOutside; // the eye stays behind
+    f.eye.scene.body->space = world::kOutside; // the eye stays behind
     auto behind = f.see();
     EXPECT_THAT(Probed::namesOf(behind), ElementsAre("camera"));
     EXPECT_EQ(behind["camera"]["body"], "outside");
     EXPECT_EQ(behind["camera"]["eye"], "0xA9B40105");
-    f.eye.body.reset();
+    f.eye.scene.body.reset();
     f.eye.isHeld = false;
     EXPECT_TRUE(f.see()["camera"]["body"].is_null());
 }

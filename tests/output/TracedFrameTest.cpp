@@ -11,7 +11,7 @@ namespace {
 /// 2 × 2 pixels, 90 degrees: a wall 3 m ahead on the left, sky on the upper right, a hole on the lower right.
 TracedFrame smallFrame() {
     TracedFrame frame;
-    engine::FrameEye eye;
+    engine::FrameRequest eye;
     eye.camera.fovDegrees = 90.0;
     eye.size = {2, 2};
     frame.camera = tracedCamera(eye);
@@ -35,7 +35,7 @@ TracedFrame smallFrame() {
 }
 
 TEST(TracedFrame, theCameraIsTheDrawnOnes) {
-    engine::FrameEye eye;
+    engine::FrameRequest eye;
     eye.camera = {{1, 2, 3}, {90, 0}, 60};
     eye.size = {320, 180};
     eye.root = 5;

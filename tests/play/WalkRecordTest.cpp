@@ -14,7 +14,7 @@ RecordedFrame someFrame() {
     frame.input.turnRight = 0.1 + 0.2; // no short number
     frame.input.jump = true;
     frame.input.size = {640, 360};
-    frame.input.acts = {{PlayAct::Kind::Use}, {PlayAct::Kind::Time, 0.3}, {PlayAct::Kind::Distance, 2.5}};
+    frame.input.acts = {{PlayActKind::Use}, {PlayActKind::Time, 0.3}, {PlayActKind::Distance, 2.5}};
     frame.decided = 0xFEDCBA9876543210u;
     return frame;
 }
@@ -35,7 +35,7 @@ TEST(WalkRecord, isReadAsItWasWritten) {
 
 TEST(WalkRecord, tellsWhatWasStreamedAndWhenItWasShown) {
     RecordedFrame frame = someFrame();
-    frame.shown = engine::StreamTarget{{0xA9, 0xB4}, {.radius = 4, .detail = 0.75, .farRadius = 12}};
+    frame.shown = engine::PartTarget{{0xA9, 0xB4}, {.radius = 4, .detail = 0.75, .farRadius = 12}};
     frame.isRefused = true;
     world::LoadOptions nearest{.radius = 2};
     nearest.detail = std::numeric_limits<double>::infinity();
@@ -54,11 +54,11 @@ TEST(WalkRecord, tellsWhatWasStreamedAndWhenItWasShown) {
 TEST(WalkRecord, everyActHasAName) {
     RecordedFrame frame;
     for (std::size_t kind = 0; kind < PlayAct::kKinds; ++kind)
-        frame.input.acts.push_back({static_cast<PlayAct::Kind>(kind), static_cast<double>(kind)});
+        frame.input.acts.push_back({static_cast<PlayActKind>(kind), static_cast<double>(kind)});
     const Result<WalkRecord> walk = parseWalk(beginningLine("") + frameLine(frame), "w");
     ASSERT_TRUE(walk);
     EXPECT_EQ(walk->frames[0].input.acts, frame.input.acts);
-    EXPECT_EQ(static_cast<std::size_t>(PlayAct::Kind::Day) + 1, PlayAct::kKinds);
+    EXPECT_EQ(static_cast<std::size_t>(PlayActKind::Day) + 1, PlayAct::kKinds);
 }
 
 TEST(WalkRecord, refusesWhatIsNoWalkAndSaysWhere) {

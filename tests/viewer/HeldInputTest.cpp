@@ -5,7 +5,7 @@
 namespace limen::viewer {
 namespace {
 
-using Kind = play::PlayAct::Kind;
+using Kind = play::PlayActKind;
 using Acts = std::vector<play::PlayAct>;
 
 TEST(HeldInput, oppositeKeysCancelAndAMouseTurns) {

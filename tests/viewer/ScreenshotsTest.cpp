@@ -30,7 +30,8 @@ TEST(Screenshots, nothingIsWrittenOver) {
     const test::TemporaryDirectory directory;
     for (const char* name : {"limen-0007.txt", "limen-12000.png", "limen-old.png", "other-99999.png"})
         std::ofstream(directory / name) << "mine";
-    const Result<std::filesystem::path> kept = keepScreenshot(directory.path(), output::Picture(1, 1), "limen shot");
+    const Result<std::filesystem::path> kept =
+        keepScreenshot(directory.path(), output::Picture(1, 1), "limen shot");
     ASSERT_TRUE(kept);
     EXPECT_EQ(*kept, directory / "limen-12001.png") << "after the largest, whatever kind of file it is";
     EXPECT_EQ(contents(directory / "limen-0007.txt"), "mine");

@@ -1,7 +1,7 @@
+#include "motion/PartPoses.h"
 #include "worlds/FolkGaits.h"
 #include "worlds/FolkModels.h"
 #include "worlds/Loaded.h"
-#include "motion/PartPoses.h"
 
 #include <gtest/gtest.h>
 #include <optional>

@@ -1,10 +1,10 @@
+#include "geometry/ConvexPolygon.h"
 #include "worlds/Bsp.h"
 #include "worlds/Building.h"
 #include "worlds/Noise.h"
 #include "worlds/Panel.h"
 #include "worlds/Shells.h"
 #include "worlds/Sight.h"
-#include "geometry/ConvexPolygon.h"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -1,4 +1,4 @@
-#include "cli/AllocationCount.h"
+#include "AllocationCount.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -66,7 +66,7 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 }
 #endif
 
-namespace limen::cli {
+namespace limen::bench {
 
 std::uint64_t allocationCount() {
 #if defined(LIMEN_COUNT_ALLOCATIONS)
@@ -76,4 +76,4 @@ std::uint64_t allocationCount() {
 #endif
 }
 
-} // namespace limen::cli
+} // namespace limen::bench

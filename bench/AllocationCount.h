@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-namespace limen::cli {
+namespace limen::bench {
 
 /// How many heap allocations this program has made through `new`; 0 in sanitizer builds, where nobody counts.
 [[nodiscard]] std::uint64_t allocationCount();
 
-} // namespace limen::cli
+} // namespace limen::bench

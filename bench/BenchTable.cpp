@@ -1,4 +1,4 @@
-#include "cli/BenchTable.h"
+#include "BenchTable.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-namespace limen::cli {
+namespace limen::bench {
 namespace {
 
 /// Four significant digits, no exponent for the sizes that occur.
@@ -20,7 +20,7 @@ std::string shortNumber(double value) {
     return size >= 10.0 ? fmt::format("{:.1f}", value) : fmt::format("{:.3f}", value);
 }
 
-std::string againstText(const bench::BenchRow& row) {
+std::string againstText(const BenchRow& row) {
     std::string text;
     for (const auto& [name, value] : row.against)
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, shortNumber(value));
@@ -29,7 +29,7 @@ std::string againstText(const bench::BenchRow& row) {
 
 using Cells = std::array<std::string, 11>;
 
-Cells cellsOf(const bench::BenchRow& row) {
+Cells cellsOf(const BenchRow& row) {
     const std::optional<double> ratio = ratioOf(row);
     const char* met = !row.hasTarget ? "" : isMet(row) ? "yes" : "NO";
     const std::string target =
@@ -49,7 +49,7 @@ Cells cellsOf(const bench::BenchRow& row) {
 
 } // namespace
 
-std::optional<double> ratioOf(const bench::BenchRow& row) {
+std::optional<double> ratioOf(const BenchRow& row) {
     if (row.against.empty())
         return {};
     double best = row.against.front().second;
@@ -59,15 +59,15 @@ std::optional<double> ratioOf(const bench::BenchRow& row) {
     return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
 }
 
-bool isMet(const bench::BenchRow& row) {
+bool isMet(const BenchRow& row) {
     // Written so that a figure that is not a number never meets a target.
     return !row.hasTarget || (row.lowerIsBetter ? row.value <= row.target : row.value >= row.target);
 }
 
-std::string benchTable(std::span<const bench::BenchRow> rows) {
+std::string benchTable(std::span<const BenchRow> rows) {
     std::vector<Cells> lines{
         {"bench", "scene", "median", "p95", "unit", "against", "ratio", "target", "met", "allocs", "hash"}};
-    for (const bench::BenchRow& row : rows)
+    for (const BenchRow& row : rows)
         lines.push_back(cellsOf(row));
     std::array<std::size_t, std::tuple_size_v<Cells>> widths{};
     for (const Cells& line : lines)
@@ -86,7 +86,7 @@ std::string benchTable(std::span<const bench::BenchRow> rows) {
     return text;
 }
 
-nlohmann::ordered_json benchJson(const bench::BenchRow& row) {
+nlohmann::ordered_json benchJson(const BenchRow& row) {
     using Json = nlohmann::ordered_json;
     const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
     Json against = Json::object();
@@ -106,4 +106,4 @@ nlohmann::ordered_json benchJson(const bench::BenchRow& row) {
             {"hash", fmt::format("{:016x}", row.hash)}};
 }
 
-} // namespace limen::cli
+} // namespace limen::bench

@@ -7,18 +7,18 @@
 #include <span>
 #include <string>
 
-namespace limen::cli {
+namespace limen::bench {
 
 /// How many times better the value is than the best of what it is measured against; nothing without any.
-[[nodiscard]] std::optional<double> ratioOf(const bench::BenchRow& row);
+[[nodiscard]] std::optional<double> ratioOf(const BenchRow& row);
 
 /// True if the row has no target or reaches it.
-[[nodiscard]] bool isMet(const bench::BenchRow& row);
+[[nodiscard]] bool isMet(const BenchRow& row);
 
 /// The rows as a table for people, one line each under a heading.
-[[nodiscard]] std::string benchTable(std::span<const bench::BenchRow> rows);
+[[nodiscard]] std::string benchTable(std::span<const BenchRow> rows);
 
 /// One row as docs/performance.md describes it.
-[[nodiscard]] nlohmann::ordered_json benchJson(const bench::BenchRow& row);
+[[nodiscard]] nlohmann::ordered_json benchJson(const BenchRow& row);
 
-} // namespace limen::cli
+} // namespace limen::bench

@@ -1,0 +1,130 @@
+#include "AllocationCount.h"
+#include "BenchTable.h"
+#include "CallsBench.h"
+#include "DatBench.h"
+#include "DispatchBench.h"
+#include "FloodBench.h"
+#include "FrameBench.h"
+#include "SoakBench.h"
+#include "StreamBench.h"
+
+#include "cli/Console.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace limen::bench {
+namespace {
+
+struct Bench {
+    const char* name;
+    const char* what;
+    std::vector<BenchRow> (*run)(AllocationCounter);
+    std::vector<BenchRow> (*runOver)(const std::string& dat) = nullptr; ///< null: only on its own data
+};
+
+constexpr std::array kBenches{
+    Bench{"dat", "opening a dat, looking records up, decoding geometry", &benchDat},
+    Bench{"dispatch",
+          "planning and submitting frames of many objects, beside the way of binding and drawing by groups",
+          &benchDispatch},
+    Bench{"frame", "whole frames along the tour, beside frames without visibility and without ownership",
+          &benchFrame},
+    Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
+    Bench{"stream",
+          "flying over landblocks that are streamed in: time of the drawing thread, what is missing, memory",
+          &benchStream, &benchStreamOver},
+    Bench{"calls", "GL calls a frame, along the tour and with many objects", &benchCalls},
+    Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
+          &benchFlood},
+};
+
+struct BenchOptions {
+    std::vector<std::string> names;
+    std::string dat; ///< empty: each benchmark's own
+    bool json = false, list = false;
+};
+
+Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, bool overDat) {
+    std::vector<const Bench*> benches;
+    for (const Bench& bench : kBenches) {
+        const bool isNamed = std::find(names.begin(), names.end(), bench.name) != names.end();
+        if (isNamed && overDat && bench.runOver == nullptr)
+            return fail(ErrorCode::NotFound, "bench",
+                        fmt::format("'{}' runs on its own data alone", bench.name));
+        if (isNamed || (names.empty() && (!overDat || bench.runOver != nullptr)))
+            benches.push_back(&bench);
+    }
+    for (const std::string& name : names) {
+        if (std::none_of(kBenches.begin(), kBenches.end(), [&](const Bench& b) { return b.name == name; }))
+            return fail(ErrorCode::NotFound, "bench",
+                        fmt::format("'{}' is not a benchmark; limen bench --list names them", name));
+    }
+    return benches;
+}
+
+Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& console) {
+    if (options.list) {
+        for (const Bench& bench : kBenches)
+            console.data(fmt::format("{:<8} {}\n", bench.name, bench.what));
+        return cli::Exit::Done;
+    }
+    const Result<std::vector<const Bench*>> benches = chosen(options.names, !options.dat.empty());
+    if (!benches)
+        return tl::unexpected(benches.error());
+    bool allMet = true;
+    cli::Progress progress(console, "bench", benches->size());
+    for (std::size_t i = 0; i < benches->size(); ++i) {
+        progress.step(i);
+        const std::vector<BenchRow> rows =
+            options.dat.empty() ? (*benches)[i]->run(&allocationCount) : (*benches)[i]->runOver(options.dat);
+        allMet = allMet && std::all_of(rows.begin(), rows.end(), isMet);
+        if (!options.json)
+            console.data(benchTable(rows));
+        for (std::size_t row = 0; options.json && row < rows.size(); ++row)
+            console.data(benchJson(rows[row]).dump() + "\n");
+    }
+    return allMet ? cli::Exit::Done : cli::Exit::Finding;
+}
+
+} // namespace
+
+int run(int argc, const char* const* argv) {
+    CLI::App program(
+        "Measures Limen and compares it with targets. Exit codes: 0 every target is met, 1 one is missed,\n"
+        "2 it could not be measured.",
+        "limen bench");
+    BenchOptions options;
+    program.add_option("NAME", options.names, "run these benchmarks (all)")->type_name("");
+    program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")
+        ->type_name("DIR");
+    program.add_flag("--json", options.json, "print one JSON object a row");
+    program.add_flag("--list", options.list, "list the benchmarks");
+    program.footer("ratio: how many times better than the best figure it is compared with.");
+    const cli::Console console;
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            console.data(program.help());
+            return static_cast<int>(cli::Exit::Done);
+        }
+        console.error({ErrorCode::BadArgument, "bench", error.what()});
+        return static_cast<int>(cli::Exit::Impossible);
+    }
+    const Result<cli::Exit> done = runBench(options, console);
+    if (!done)
+        console.error(done.error());
+    return static_cast<int>(done && console.flush() ? *done : cli::Exit::Impossible);
+}
+
+} // namespace limen::bench
+
+int main(int argc, char** argv) {
+    return limen::bench::run(argc, argv);
+}

@@ -1,0 +1,145 @@
+#include "cli/PathArguments.h"
+
+#include "cli/Parse.h"
+#include "cli/ShotRequest.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace limen::cli {
+namespace {
+
+/// All frames of one size, if that is asked for. What is seen may be another part of the world then, so nothing is compared.
+Result<void> resize(const std::string& text, play::WalkRecord& walk) {
+    if (text.empty())
+        return {};
+    const Result<engine::PixelSize> size = parseSize("--size", text);
+    if (!size)
+        return tl::unexpected(size.error());
+    for (play::RecordedFrame& frame : walk.frames) {
+        frame.decided = frame.input.size == *size ? frame.decided : 0;
+        frame.input.size = *size;
+    }
+    return {};
+}
+
+} // namespace
+
+void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames) {
+    command
+        .add_option("--path", arguments.path,
+                    "way points, one line of shot's options each; the world's own tour unless said")
+        ->type_name("FILE");
+    CLI::Option* walk = command
+                            .add_option("--walk", arguments.walk,
+                                        "or a walk that limen view --record has written, frame by frame")
+                            ->type_name("FILE")
+                            ->excludes("--path");
+    command.add_option("--size", arguments.size, "picture size in pixels (960x540, of a walk as recorded)")
+        ->type_name("WxH");
+    command
+        .add_option("--frames", arguments.frames, fmt::format("how many frames, spread evenly ({})", frames))
+        ->type_name("N")
+        ->excludes(walk);
+    command.add_option("--fps", arguments.fps, "or how many for each second of walking")
+        ->type_name("F")
+        ->excludes(walk);
+    command.add_option("--fov", arguments.fov, "vertical field of view (60)")
+        ->type_name("DEG")
+        ->excludes(walk);
+    command.add_option("--time", arguments.time, "time of day, 0 and 1 midnight (0.5)")
+        ->type_name("0..1")
+        ->excludes(walk);
+}
+
+Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t frames) {
+    play::PathRequest request;
+    const Result<engine::PixelSize> size =
+        parseSize("--size", arguments.size.empty() ? "960x540" : arguments.size);
+    if (!size)
+        return tl::unexpected(size.error());
+    request.size = *size;
+    if (!arguments.frames.empty() && !arguments.fps.empty())
+        return fail(ErrorCode::BadArgument, "--fps", "give either --frames or --fps, not both");
+    struct Number {
+        const char* option;
+        const std::string& text;
+        double low, high;
+        double& value;
+    };
+    auto count = static_cast<double>(frames);
+    for (const Number& n : {Number{"--fov", arguments.fov, 0.1, 179.0, request.fov},
+                            Number{"--time", arguments.time, 0.0, 1.0, request.time},
+                            Number{"--frames", arguments.frames, 1.0,
+                                   static_cast<double>(play::PathRequest::kMostFrames), count},
+                            Number{"--fps", arguments.fps, 0.01, 1000.0, request.fps}}) {
+        if (n.text.empty())
+            continue;
+        const Result<double> number = parseNumberBetween(n.option, n.text, n.low, n.high);
+        if (!number)
+            return tl::unexpected(number.error());
+        n.value = *number;
+    }
+    if (count != std::floor(count))
+        return fail(ErrorCode::BadArgument, "--frames",
+                    fmt::format("'{}' is not a whole number", arguments.frames));
+    request.frames = static_cast<std::size_t>(count);
+    return request;
+}
+
+Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
+                                                     const world::WorldFile& file) {
+    std::vector<engine::ViewRequest> points;
+    if (arguments.path.empty()) {
+        for (const world::Place& place : file.tour)
+            points.push_back(engine::requestAt(place));
+        if (points.empty())
+            return fail(ErrorCode::NotFound, "tour",
+                        "this world's world.json has no tour; give way points with --path FILE");
+        return points;
+    }
+    const Result<std::vector<ListedView>> views = readViews(arguments.path, {}, {}, "");
+    if (!views)
+        return tl::unexpected(views.error());
+    for (const ListedView& listed : *views) {
+        Result<engine::ViewRequest> stand = engine::resolvePlace(listed.view, file);
+        if (!stand)
+            return tl::unexpected(stand.error());
+        points.push_back(*stand);
+    }
+    return points;
+}
+
+Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk) {
+    return parseView(walk.start, "the walk's beginning");
+}
+
+Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
+                                        const world::WorldFile& file) {
+    play::FramesRequest request;
+    if (!arguments.walk.empty()) {
+        Result<play::WalkRecord> walk = play::readWalk(arguments.walk);
+        if (!walk)
+            return tl::unexpected(walk.error());
+        if (Result<void> sized = resize(arguments.size, *walk); !sized)
+            return tl::unexpected(sized.error());
+        Result<engine::ViewRequest> start = walkStart(*walk);
+        if (!start)
+            return tl::unexpected(start.error());
+        request.walk = std::move(*walk);
+        request.walkStart = std::move(*start);
+        return request;
+    }
+    const Result<play::PathRequest> path = checkPath(arguments, frames);
+    if (!path)
+        return tl::unexpected(path.error());
+    request.path = *path;
+    Result<std::vector<engine::ViewRequest>> points = wayPointsOf(arguments, file);
+    if (!points)
+        return tl::unexpected(points.error());
+    request.points = std::move(*points);
+    return request;
+}
+
+} // namespace limen::cli

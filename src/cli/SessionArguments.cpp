@@ -1,0 +1,86 @@
+#include "cli/SessionArguments.h"
+
+#include "engine/Quality.h"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+
+namespace limen::cli {
+
+void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
+    command // first: single options override it
+        .add_option_function<std::string>(
+            "--quality",
+            [&options](const std::string& text) {
+                engine::applyQuality(*engine::qualityNamed(text), options);
+            },
+            "set --radius, --far, --detail, --msaa and anisotropic filtering together")
+        ->type_name("low|medium|high|ultra")
+        ->check(CLI::IsMember({"low", "medium", "high", "ultra"}))
+        ->group("World");
+    command
+        .add_option("--dat", options.dat,
+                    "directory of client_portal.dat and client_cell_1.dat (the built-in world)")
+        ->type_name("DIR")
+        ->group("World")
+        ->check(
+            [](const std::string& text) { return std::string(text.empty() ? "names no directory" : ""); });
+    command
+        .add_option_function<std::string>(
+            "--zones", [&options](const std::string& text) { options.load.mergeZones = text == "merged"; },
+            "merged: cells that cannot hide each other share a zone (default); cells: one zone per cell; "
+            "pictures are the same")
+        ->type_name("merged|cells")
+        ->check(CLI::IsMember({"merged", "cells"}))
+        ->group("World");
+    command
+        .add_option("--radius", options.load.radius,
+                    "load this many landblocks in each direction around the eye (4)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 16))
+        ->group("World");
+    command
+        .add_option("--far", options.load.farRadius,
+                    "load the ground alone of landblocks beyond --radius, up to this many in each direction "
+                    "(0: none)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 32))
+        ->group("World");
+    command
+        .add_option("--detail", options.load.detail,
+                    "multiply the distances of levels of detail by this factor (1); inf: always the finest")
+        ->type_name("F")
+        ->check(CLI::Range(0.01, std::numeric_limits<double>::infinity()))
+        ->group("World");
+    command
+        .add_option_function<std::string>(
+            "--textures",
+            [&options](const std::string& text) {
+                options.textures = text == "bindless" ? gpu::TextureMode::Bindless
+                                   : text == "pages"  ? gpu::TextureMode::ArrayPages
+                                                      : gpu::TextureMode::Auto;
+            },
+            "bind textures by handle or as array pages (auto: bindless where the driver has it)")
+        ->type_name("auto|bindless|pages")
+        ->check(CLI::IsMember({"auto", "bindless", "pages"}))
+        ->group("World");
+    command
+        .add_option_function<std::string>(
+            "--culling",
+            [&options](const std::string& text) {
+                options.culling = text == "none"     ? gpu::Culling::None
+                                  : text == "unseen" ? gpu::Culling::Unseen
+                                                     : gpu::Culling::Hidden;
+            },
+            "skip triangles before rasterisation: none, those that cover no pixel (unseen), or those behind "
+            "walls and ground as well (hidden, default); pictures are the same")
+        ->type_name("none|unseen|hidden")
+        ->check(CLI::IsMember({"none", "unseen", "hidden"}))
+        ->group("World");
+    command.add_option("--msaa", options.samples, "samples a pixel (1); ids and depth always have one")
+        ->type_name("1|4")
+        ->check(CLI::IsMember({0, 1, 4}))
+        ->group("World");
+}
+
+} // namespace limen::cli

@@ -1,0 +1,184 @@
+#include "engine/FrameRequest.h"
+
+#include "core/Assert.h"
+#include "engine/DayGroup.h"
+#include "frame/GpuLayout.h"
+#include "motion/Collisions.h"
+#include "motion/Locate.h"
+#include "world/Loader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace limen::engine {
+namespace {
+
+Result<world::SpaceIndex> findRoot(const world::World& world, const RootChoice& root, const Vec3& eye,
+                                   bool& ambiguous) {
+    if (root.rule == RootChoice::Rule::Outside)
+        return world::kOutside;
+    if (root.rule == RootChoice::Rule::Auto) {
+        const motion::Located located = motion::locate(world, eye);
+        ambiguous = located.ambiguous;
+        return located.space;
+    }
+    const world::SpaceIndex cell = world::findCell(world, root.cell);
+    if (cell == world::kNone)
+        return fail(ErrorCode::NotFound, "--root",
+                    fmt::format("there is no cell {} in this world", dat::idText(root.cell)));
+    return cell;
+}
+
+Result<Vec3> placedEye(const world::World& world, const ViewRequest& request) {
+    Vec3 eye = request.eye;
+    if (!request.isOnGround)
+        return eye;
+    const double ground = world::terrainHeight(world, eye.x, eye.y);
+    if (!std::isfinite(ground))
+        return fail(ErrorCode::NotFound, "--at", "there is no ground at these map coordinates in this world");
+    eye.z = ground + kEyeHeight;
+    return eye;
+}
+
+/// By World::doors. Doors that are not loaded are left out.
+Result<std::vector<double>> eachDoor(const world::World& world, const world::WorldFile& file,
+                                     std::span<const check::View::DoorState> states) {
+    std::vector<double> open;
+    for (const world::Door& door : world.doors)
+        open.push_back(door.open);
+    for (const check::View::DoorState& state : states) {
+        const auto isIt = [&](const auto& door) { return door.name == state.name; };
+        if (std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
+            return fail(ErrorCode::NotFound, "--door",
+                        "this world's world.json names no door '" + state.name + "'");
+        const auto found = std::find_if(world.doors.begin(), world.doors.end(), isIt);
+        if (found != world.doors.end())
+            open[static_cast<std::size_t>(found - world.doors.begin())] = state.open;
+    }
+    return open;
+}
+
+Result<motion::PlayerBody> placedBody(const world::World& world, const BodyRequest& body) {
+    bool ambiguous = false;
+    const Result<world::SpaceIndex> space =
+        findRoot(world, body.root, motion::Capsule().middle(body.feet), ambiguous);
+    if (!space)
+        return tl::unexpected(space.error());
+    return motion::PlayerBody{body.feet, body.yaw, *space, body.opacity, body.speed, body.metres};
+}
+
+Result<SceneState> sceneState(const world::World& world, const world::WorldFile& file,
+                              const SceneRequest& request) {
+    SceneState scene;
+    scene.time = request.time;
+    const Result<std::uint32_t> day = dayGroupOf(world.sky.desc, request.day);
+    if (!day)
+        return tl::unexpected(day.error());
+    scene.dayGroup = *day;
+    scene.weather = request.weather;
+    scene.seconds = request.seconds;
+    scene.doors = request.doors;
+    if (!request.eachDoor.empty()) {
+        Result<std::vector<double>> doors = eachDoor(world, file, request.eachDoor);
+        if (!doors)
+            return tl::unexpected(doors.error());
+        scene.eachDoor = std::move(*doors);
+    }
+    if (request.body) {
+        const Result<motion::PlayerBody> body = placedBody(world, *request.body);
+        if (!body)
+            return tl::unexpected(body.error());
+        scene.body = *body;
+    }
+    return scene;
+}
+
+world::SpaceIndex playerSpace(const world::World& world, const FrameRequest& request) {
+    if (request.scene.body)
+        return request.scene.body->space;
+    return request.scene.player == request.camera.eye ? request.root
+                                                      : motion::locate(world, request.scene.player).space;
+}
+
+motion::DynamicStateInput dynamicsInputOf(const world::World& world, const FrameRequest& request,
+                                          const visibility::View& view) {
+    motion::DynamicStateInput input;
+    input.seconds = request.scene.seconds;
+    input.allDoors = request.scene.doors;
+    input.doors = request.scene.eachDoor;
+    input.eye = view.eye;
+    input.right = view.right;
+    input.up = view.up;
+    input.forward = view.forward;
+    input.player = request.scene.body;
+    const bool isOutside = playerSpace(world, request) == world::kOutside;
+    input.rain = isOutside && request.scene.weather == Weather::Rain;
+    if (isOutside && !world.sky.weather.empty())
+        input.weather = world::SkyHour{request.scene.dayGroup, request.scene.time};
+    return input;
+}
+
+} // namespace
+
+Result<FrameRequest> frameRequest(const world::World& world, const world::WorldFile& file,
+                                  const ViewRequest& request) {
+    LIMEN_ASSERT(request.place.empty(), "resolve the place first");
+    FrameRequest frame;
+    const Result<Vec3> eye = placedEye(world, request);
+    if (!eye)
+        return tl::unexpected(eye.error());
+    frame.camera = {*eye, {request.yaw.value_or(0.0), request.pitch.value_or(0.0)}, request.fov};
+    frame.size = request.size;
+    const Result<world::SpaceIndex> root =
+        findRoot(world, request.root.value_or(RootChoice{}), frame.camera.eye, frame.isRootAmbiguous);
+    if (!root)
+        return tl::unexpected(root.error());
+    frame.root = *root;
+    Result<SceneState> scene = sceneState(world, file, request.scene);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    frame.scene = std::move(*scene);
+    frame.scene.player = request.player.value_or(frame.camera.eye);
+    return frame;
+}
+
+FrameInputs frameInputs(const world::World& world, const FrameRequest& request, const FrameOutputs& outputs) {
+    LIMEN_ASSERT(request.size.width > 0 && request.size.height > 0, "a picture has pixels");
+    LIMEN_ASSERT(request.root < world.spaces.size(), "the root is a space of this world");
+    FrameInputs inputs;
+    frame::FrameView& view = inputs.view;
+    view.view = viewOf(request.camera, request.size, request.root);
+    view.width = request.size.width;
+    view.height = request.size.height;
+    view.dayGroup = request.scene.dayGroup;
+    view.timeOfDay = request.scene.time;
+    view.seconds = request.scene.seconds;
+    view.weather = request.scene.weather;
+    view.highlights = outputs.highlights;
+    view.exactCutOuts = outputs.exactCutOuts;
+    inputs.dynamics = dynamicsInputOf(world, request, view.view);
+    return inputs;
+}
+
+motion::DynamicStateInput dynamicsInput(const world::World& world, const FrameRequest& request) {
+    return dynamicsInputOf(world, request, viewOf(request.camera, request.size, request.root));
+}
+
+reference::Camera tracedCamera(const FrameRequest& request) {
+    const visibility::View view = viewOf(request.camera, request.size, request.root);
+    reference::Camera camera;
+    camera.eye = view.eye;
+    camera.right = view.right;
+    camera.up = view.up;
+    camera.forward = view.forward;
+    camera.tanHalfX = view.tanHalfX;
+    camera.tanHalfY = view.tanHalfY;
+    camera.width = request.size.width;
+    camera.height = request.size.height;
+    camera.root = request.root;
+    camera.place = frame::gpu::kPixelPlace;
+    return camera;
+}
+
+} // namespace limen::engine

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "dat/Archive.h"
+#include "engine/IdTable.h"
+#include "frame/Planner.h"
+#include "motion/DynamicStateBuilder.h"
+#include "visibility/Graph.h"
+#include "world/Loader.h"
+
+#include <memory>
+
+namespace limen::engine {
+
+/// The choice of a part of the world: the blocks around `centre`, loaded as the options say.
+struct PartTarget {
+    dat::BlockCoord centre;
+    world::LoadOptions options;
+    friend bool operator==(const PartTarget&, const PartTarget&) = default;
+};
+
+/// A part of a world in memory. Immutable, so that threads may share it. Never moves: `ids` refers to `world`.
+struct LoadedPart {
+    LoadedPart(world::World loaded, visibility::Graph portals, const PartTarget& asked)
+        : world(std::move(loaded)), graph(std::move(portals)), ids(world), target(asked) {}
+    LoadedPart(const LoadedPart&) = delete;
+    LoadedPart& operator=(const LoadedPart&) = delete;
+
+    const world::World world;
+    const visibility::Graph graph;
+    const IdTable ids;
+    const PartTarget target; ///< as it was asked for
+};
+
+/// Reads the blocks around `target.centre`. Errors: the loader's; portals that the graph refuses.
+[[nodiscard]] Result<std::shared_ptr<const LoadedPart>> loadPart(const dat::Archive& archive,
+                                                                 const PartTarget& target,
+                                                                 const world::MovingEntries& moving = {},
+                                                                 const world::LoadHelp& help = {});
+/// The same of a world that is in memory already. Errors: portals that the graph refuses.
+[[nodiscard]] Result<std::shared_ptr<const LoadedPart>> partOf(world::World world,
+                                                               const PartTarget& target = {});
+
+/// A part with the memory that planning its frames needs. Serves one thread at a time.
+struct PartPlanner {
+    explicit PartPlanner(std::shared_ptr<const LoadedPart> loaded)
+        : part(std::move(loaded)), planner(part->world), dynamics(part->world) {}
+
+    const std::shared_ptr<const LoadedPart> part; // first: the others refer to it
+    frame::Planner planner;
+    motion::DynamicStateBuilder dynamics;
+};
+
+/// The block to load around an eye in the cell `cell` (0: outside). Over a dungeon's block, which has no landscape, it stays the
+/// block of `shown`: the land is visible from there and the dungeon is not.
+[[nodiscard]] dat::BlockCoord blockAround(const dat::Archive& archive, const LoadedPart& shown,
+                                          dat::RecordId cell, const Vec3& eye);
+
+/// The record of the cell that a space is; 0: the outside.
+[[nodiscard]] dat::RecordId cellOf(const world::World& world, world::SpaceIndex space);
+
+/// The space of an eye in another part of the world. `cell`: the cell that it was in (0: outside).
+[[nodiscard]] world::SpaceIndex rootIn(const LoadedPart& part, dat::RecordId cell, const Vec3& eye);
+
+/// The first finding of a world's data as one line for a person; empty if there is none.
+[[nodiscard]] std::string findingsLine(const world::World& world);
+
+} // namespace limen::engine

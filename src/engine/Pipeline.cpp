@@ -1,0 +1,65 @@
+#include "engine/Pipeline.h"
+
+#include "core/Assert.h"
+#include "frame/SceneBuilder.h"
+
+#include <utility>
+
+namespace limen::engine {
+
+Result<void> Pipeline::show(std::unique_ptr<PartPlanner> part) {
+    LIMEN_ASSERT(part != nullptr, "there is a part to show");
+    if (Result<void> uploaded =
+            renderer_.upload(frame::buildScene(part->part->world, part->planner.pieces()));
+        !uploaded)
+        return uploaded;
+    static_cast<void>(take(std::move(part)));
+    return {};
+}
+
+std::unique_ptr<PartPlanner> Pipeline::take(std::unique_ptr<PartPlanner> part) {
+    LIMEN_ASSERT(part != nullptr, "there is a part to show");
+    isPlanned_ = false;
+    return std::exchange(part_, std::move(part));
+}
+
+const LoadedPart& Pipeline::part() const {
+    LIMEN_ASSERT(part_ != nullptr, "show a part first");
+    return *part_->part;
+}
+
+std::shared_ptr<const LoadedPart> Pipeline::sharePart() const {
+    return part_ != nullptr ? part_->part : nullptr;
+}
+
+void Pipeline::updateDynamics(const motion::DynamicStateInput& input) {
+    LIMEN_ASSERT(part_ != nullptr, "show a part first");
+    part_->dynamics.at(input, state_.dynamics);
+    isPlanned_ = false;
+}
+
+void Pipeline::flood(const visibility::View& view, const visibility::Limits& limits) {
+    LIMEN_ASSERT(view.root < part().graph.spaces().size(), "the root is a space of this part");
+    visibility::flood(part().graph, state_.dynamics.closed, view, limits, scratch_, state_.visible);
+}
+
+void Pipeline::trace(const visibility::View& view, visibility::FloodTrace& trace) {
+    LIMEN_ASSERT(view.root < part().graph.spaces().size(), "the root is a space of this part");
+    visibility::VisibleSet visible;
+    visibility::flood(part().graph, state_.dynamics.closed, view, {}, scratch_, visible, &trace);
+}
+
+void Pipeline::plan(const frame::FrameView& view) {
+    LIMEN_ASSERT(part_ != nullptr, "show a part first");
+    LIMEN_ASSERT(!state_.visible.visits.empty() && state_.visible.visits[0].space == view.view.root,
+                 "the flood was from this view");
+    part_->planner.plan(view, state_.dynamics, state_.visible, state_.plan);
+    isPlanned_ = true;
+}
+
+Result<void> Pipeline::render(gpu::RenderTarget& target, const gpu::RenderOptions& options) {
+    LIMEN_ASSERT(isPlanned_, "plan before rendering: the plan refers to this part and dynamic state");
+    return renderer_.render(state_.plan, target, options);
+}
+
+} // namespace limen::engine

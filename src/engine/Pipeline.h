@@ -1,0 +1,62 @@
+#pragma once
+
+#include "engine/FrameRequest.h"
+#include "engine/LoadedPart.h"
+#include "gpu/RenderTarget.h"
+#include "gpu/Renderer.h"
+#include "visibility/Flood.h"
+
+#include <memory>
+
+namespace limen::engine {
+
+/// The results of a frame's steps, in the order in which they are made.
+struct FrameState {
+    world::DynamicState dynamics;
+    visibility::VisibleSet visible;
+    frame::FramePlan plan;
+};
+
+/// The way of every frame, whoever asks for it: dynamic state, flood, plan, render. It holds one part of a world on one device.
+/// The steps are public, because benchmarks time each and tests leave some out. Steady frames allocate nothing up to the driver.
+class Pipeline {
+public:
+    /// The device must outlive it.
+    explicit Pipeline(gpu::Device& device, const gpu::RendererOptions& options = {})
+        : renderer_(device, options) {}
+
+    /// Uploads a part at once; its frames are drawn from now on. Errors: the renderer's; then the old part stays.
+    [[nodiscard]] Result<void> show(std::unique_ptr<PartPlanner> part);
+    /// Takes a part whose scene the renderer has just swapped in. Yields the part that was drawn before, or null.
+    [[nodiscard]] std::unique_ptr<PartPlanner> take(std::unique_ptr<PartPlanner> part);
+
+    [[nodiscard]] bool hasPart() const { return part_ != nullptr; }
+    /// Requires a part, as everything below does.
+    [[nodiscard]] const LoadedPart& part() const;
+    [[nodiscard]] std::shared_ptr<const LoadedPart> sharePart() const;
+
+    void updateDynamics(const motion::DynamicStateInput& input);
+    /// With the doors of the last dynamic state.
+    void flood(const visibility::View& view, const visibility::Limits& limits = {});
+    /// A flood that only reports the fate of each portal; the frame's visible set stays.
+    void trace(const visibility::View& view, visibility::FloodTrace& trace);
+    /// Of the last flood, which must be from `view.view`.
+    void plan(const frame::FrameView& view);
+    /// Draws the last plan. Errors: the renderer's.
+    [[nodiscard]] Result<void> render(gpu::RenderTarget& target, const gpu::RenderOptions& options = {});
+
+    /// The last frame's. Writable for benchmarks and tests that put something else in a step's place.
+    [[nodiscard]] FrameState& state() { return state_; }
+    [[nodiscard]] const FrameState& state() const { return state_; }
+    [[nodiscard]] gpu::Renderer& renderer() { return renderer_; }
+    [[nodiscard]] const gpu::Renderer& renderer() const { return renderer_; }
+
+private:
+    std::unique_ptr<PartPlanner> part_;
+    gpu::Renderer renderer_;
+    visibility::FloodScratch scratch_;
+    FrameState state_;
+    bool isPlanned_ = false; ///< the plan is of the part and dynamic state that are here now
+};
+
+} // namespace limen::engine
