@@ -1,6 +1,7 @@
 #include "cli/PathArguments.h"
 #include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
+#include "engine/CheckView.h"
 #include "output/OutputFile.h"
 #include "output/Picture.h"
 #include "play/FrameSource.h"
