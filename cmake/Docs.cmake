@@ -1,6 +1,9 @@
 # Target `docs`: HTML pages of the public headers and of docs/, in BUILD/docs/html. It exists only where Doxygen is
 # installed, and it is not part of `all`. Every warning is an error: a wrong parameter name, a broken reference, a link to
 # a heading that is not there (tests/architecture looks for missing files). A declaration without a comment is no warning.
+if(NOT PROJECT_IS_TOP_LEVEL)
+    return() # a project that uses the library may have a target of this name
+endif()
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
     message(STATUS "Doxygen is not installed: there is no target `docs`")
