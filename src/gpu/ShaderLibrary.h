@@ -12,8 +12,8 @@ namespace limen::gpu {
 /// One shader of the folder `shaders/`, includes resolved at build time (embed/EmbedShaders.cpp).
 struct EmbeddedShader {
     std::string_view name;               ///< file name, e.g. "mesh.vert"
-    std::string_view text;               ///< without #version
-    std::vector<std::string_view> files; ///< file of each source number in its #line directives
+    std::string_view text;               ///< without `#version`
+    std::vector<std::string_view> files; ///< file of each source number in its `#line` directives
 };
 
 /// All shaders of the library, in no particular order.
