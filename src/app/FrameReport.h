@@ -52,7 +52,7 @@ struct FrameEye {
     std::vector<double> eachDoor; ///< by World::doors; those beyond its end stand as they rest
 };
 
-/// The frame as JSON (docs/interface.md). `ids` is the id image, or empty if it was not drawn.
+/// The frame as JSON. `ids` is the id image, or empty if it was not drawn.
 [[nodiscard]] nlohmann::ordered_json frameJson(const world::World& world, const IdTable& table,
                                                const FrameEye& eye, const world::Moment& moment,
                                                const visibility::VisibleSet& visible,
