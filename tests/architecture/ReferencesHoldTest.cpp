@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -18,6 +19,7 @@
 //   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder from the root; `src/dat/File` for both its files
 //   world/Zones.h, `Zones.h`           in comments and Markdown: a source file whose path ends so
 //   `Suite.test`, `Suite.test…`        in Markdown: a test, or the beginning of its name
+// Placeholders are written in capitals: NAME.cpp, NAMETest.cpp, SUITE.test; and room/Header.h.
 // Limits: the contents of fences are not read; text outside of back quotes is read for links only.
 namespace limen::references {
 namespace {
@@ -267,11 +269,18 @@ bool isSource(const std::string& token) {
            isWordByte(token[token.rfind('.') - 1]) && token.find('#') == std::string::npos;
 }
 
-/// Headers of libraries, and names that stand for any: NAME.cpp, room/Header.h.
-bool isForeign(const std::string& token) {
-    const std::string stem = fs::path(token).stem();
-    return token.starts_with("GLFW/") || stem == "Header" ||
-           std::none_of(stem.begin(), stem.end(), [](unsigned char c) { return std::islower(c) != 0; });
+bool isOfALibrary(const std::string& header) {
+    return header.starts_with("GLFW/");
+}
+
+/// Names that stand for any: NAME.cpp, src/cli/NAMEVerb.cpp, room/Header.h, SUITE.test.
+bool isPlaceholder(const std::string& name) {
+    const std::string stem = fs::path(name).stem().string();
+    const auto isIn = [&](int (*kind)(int)) {
+        return std::any_of(stem.begin(), stem.end(), [&](unsigned char c) { return kind(c) != 0; });
+    };
+    return name.find("NAME") != std::string::npos || stem == "Header" ||
+           (isIn(std::isupper) && !isIn(std::islower));
 }
 
 /// The text of a source file with everything but comments replaced by spaces; line ends stay. Scripts and CMake files comment behind #, all others as C++ does.
@@ -336,7 +345,8 @@ std::vector<std::string> faultsOfCode(const std::string& path, std::string_view 
         for (const Token& token : tokensOf(comments[i])) {
             if (isPage(token.text))
                 checkPage(token, behind(comments, i, token), i, repository, faults);
-            else if (isSource(token.text) && !isForeign(token.text) && !repository.hasEnding(token.text))
+            else if (isSource(token.text) && !isPlaceholder(token.text) && !isOfALibrary(token.text) &&
+                     !repository.hasEnding(token.text))
                 faults.add(i, token.text, "no source file has this name");
         }
         for (const Token& token : tokensOf(lines[i])) { // messages cite pages, too
@@ -375,7 +385,7 @@ void checkQuoted(const std::string& quoted, std::size_t line, const Repository& 
     const bool isPath = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return isWordByte(c) || std::string_view("./-").find(c) != std::string_view::npos;
     });
-    if (!isPath)
+    if (!isPath || (isPlaceholder(name) && !name.ends_with(".md")))
         return;
     const std::size_t dot = name.find('.');
     const bool hasOneDot =
@@ -538,6 +548,7 @@ TEST_F(ReferencesScanner, acceptsCitationsThatHold) {
              "`src/world/`, `src/world/Zones.h`, `Zones.h`, `src/world/Zones`, `Zones.areMerged`, "
              "`Mesh.is\xE2\x80\xA6`, "
              "`Mesh.*`\n"
+             "`src/cli/NAMEVerb.cpp`, `SUITE.itHolds`\n"
              "[e](https://example.org/x.md#y) `tests/world/*`\n```\n`src/absent.h`\n```\n"),
         IsEmpty());
 }
@@ -547,6 +558,7 @@ TEST_F(ReferencesScanner, findsPagesThatDoNotExist) {
     EXPECT_THAT(code("\nconst char* a = \"read @absent.md\";\n"), ElementsAre(HasSubstr("src/x.cpp:2")));
     EXPECT_THAT(code("// formats/cells.md, rule.md\n"), testing::SizeIs(2)); // not from the root
     EXPECT_THAT(script("a # @absent.md\n"), testing::SizeIs(1));
+    EXPECT_THAT(page("`@README.md`\n"), testing::SizeIs(1)); // no placeholder
     EXPECT_THAT(page("[a](absent.md)\n[b](../cells.md)\n"), testing::SizeIs(2));
 }
 
