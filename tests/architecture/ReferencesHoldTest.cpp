@@ -15,7 +15,7 @@
 
 // Every file, heading and test that code or documents cite exists. The forms of a citation are:
 //   docs/formats/cells.md#portals      in code: the page from the root; the heading as in a link on GitHub
-//   [text](PAGE#tolerances)             in Markdown: PAGE relative to the page; #heading alone for the same page
+//   [text](PAGE#tolerances)           in Markdown: PAGE relative to the page; #heading alone for the same page
 //   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder from the root; `src/dat/File` for both its files
 //   world/Zones.h, `Zones.h`           in comments and Markdown: a source file whose path ends so
 //   `Suite.test`, `Suite.test…`        in Markdown: a test, or the beginning of its name
@@ -241,7 +241,7 @@ bool namesHeading(std::string_view rest, const std::vector<Heading>& headings) {
     });
 }
 
-/// `rest` and the line below it if a citation goes on there.
+/// `rest` and the line below it if a citation continues there.
 std::string withNext(std::string_view rest, std::string_view next) {
     if (rest != "," && rest != ", ")
         return std::string(rest);

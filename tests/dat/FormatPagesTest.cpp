@@ -54,7 +54,7 @@ std::vector<Example> allExamples() {
     return all;
 }
 
-/// Removes comments and repeats what is marked so: `FF x3` a byte, `(00 01) x3` a group.
+/// Removes comments and carries out repetitions: `FF x3` a byte, `(00 01) x3` a group.
 std::string expanded(const std::string& text) {
     std::string out;
     std::string last; ///< the byte or group that a repetition would repeat
