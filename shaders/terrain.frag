@@ -1,5 +1,5 @@
 // Landscape: a base texture, up to three terrain overlays and up to two roads per landcell, blended in that order
-// (formats: landscape.md section 7). In: uv is the position within the landcell, (0,0) at its south-west corner.
+// (docs/formats/landscape.md#texture-blending). In: uv is the position within the landcell, (0,0) at its south-west corner.
 // Out: colour; the landcell triangle's id. FLAT: the colour is the id's.
 #include "surface.glsl"
 #include "idcolour.glsl"

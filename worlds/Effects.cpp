@@ -12,7 +12,7 @@ namespace {
 
 using dat::ParticleType;
 
-// Hooks. ref: formats/effects_anim.md.
+// Hooks. ref: docs/formats/effects_anim.md#hooks.
 constexpr std::uint32_t kCreate = 0x0D, kCall = 0x13;
 
 /// Appends a value as a record stores it.

@@ -6,7 +6,7 @@ namespace limen::worlds {
 
 inline constexpr std::uint32_t kWatchmansPlay = 0x10; ///< sparks from a lantern
 
-/// What moves of the records' own accord and sends out particles: scripts, emitters, animations (formats/effects_anim.md).
+/// What moves of the records' own accord and sends out particles: scripts, emitters, animations (docs/formats/effects_anim.md).
 struct Effects {
     dat::RecordId candleScript =
         0; ///< a glow and a thread of smoke over a candle's wick at its origin's height of 0.2 m

@@ -141,7 +141,7 @@ std::uint16_t terrainWord(int vx, int vy) {
                                       cover.scene << 11);
 }
 
-/// formats/landscape.md §5: true if the landcell's diagonal runs from south-west to north-east.
+/// docs/formats/landscape.md#triangles: true if the landcell's diagonal runs from south-west to north-east.
 bool splitsSouthWest(int vx, int vy) {
     const auto x = static_cast<std::uint32_t>(kSouthWest.x * kCellsPerBlock + vx);
     const auto y = static_cast<std::uint32_t>(kSouthWest.y * kCellsPerBlock + vy);

@@ -21,7 +21,7 @@ inline constexpr dat::BlockCoord kVillage{kSouthWest.x + 1, kSouthWest.y + 1};
 inline constexpr dat::BlockCoord kTowerBlock{kVillage.x, kVillage.y + 1};
 inline constexpr dat::BlockCoord kCaveBlock{kVillage.x + 1, kVillage.y + 1};
 
-/// Terrain types used (landscape.md), and the scenes that grow on them: index into a type's list of scene
+/// Terrain types used (docs/formats/landscape.md#terrain-types), and the scenes that grow on them: index into a type's list of scene
 /// types.
 enum class TerrainKind : std::uint8_t {
     BarrenRock = 0x00,

@@ -30,7 +30,7 @@ struct DrawnImages {
 /// Of all that was drawn, to tell whether two runs drew the same to the bit.
 [[nodiscard]] std::uint64_t hashOf(const DrawnImages& images);
 
-/// What is said of one pixel. docs/ray-rule.md, "Equality" and "Tolerances".
+/// What is said of one pixel. docs/ray-rule.md#how-pictures-are-held-against-it, docs/ray-rule.md#tolerances.
 enum class Verdict : std::uint8_t {
     Agrees,    ///< the drawn id is among the traced ones of the 3×3 pixels
     ByZone,    ///< an object seen where it pokes through a wall of its zone: the rule allows either

@@ -17,7 +17,7 @@ struct ReportContext {
 /// The whole command that draws a view again and writes its ids.
 [[nodiscard]] std::string shotCommand(const View& view, const std::string& worldOptions);
 
-/// The result as one JSON object in one line (docs/interface.md). disagreeing_pixels are those whose id the rule
+/// The result as one JSON object in one line (src/check/README.md#verdicts). disagreeing_pixels are those whose id the rule
 /// forbids; void_pixels those of them that were drawn as void.
 [[nodiscard]] std::string reportJson(const Totals& totals, const ReportContext& context);
 

@@ -12,7 +12,7 @@
 
 namespace limen::check {
 
-/// The kinds of view (docs/interface.md, `limen check`), in the order they are run in.
+/// The kinds of view (src/check/README.md), in the order they are run in.
 enum class Kind : std::uint8_t {
     Random,  ///< anywhere in a cell
     Outside, ///< anywhere above the landscape

@@ -9,7 +9,7 @@
 
 namespace limen::dat {
 
-/// The header of a dat file (formats/container.md §2), what a reader needs of it.
+/// The header of a dat file (docs/formats/container.md#header), what a reader needs of it.
 struct Header {
     std::uint32_t blockSize = 0, fileSize = 0, type = 0, subset = 0, root = 0;
     std::uint32_t engineVersion = 0, gameVersion = 0, minorVersion = 0;
@@ -25,7 +25,7 @@ struct Entry {
 };
 
 /// A dat file opened for reading: memory-mapped, nothing is read before it is asked for. All const members
-/// may be called from several threads at once. Every rule of formats/container.md §9 is checked where the
+/// may be called from several threads at once. Every rule of docs/formats/container.md#damage is checked where the
 /// bytes are met, so a damaged node or chain gives an Error when it is touched, never a crash, a loop or a
 /// large allocation.
 class File {

@@ -26,7 +26,7 @@ Word wordAt(const AnimationHook& hook, std::size_t offset) {
     return word;
 }
 
-/// A packed id (formats/primitives.md, "pdid").
+/// A packed id (docs/formats/primitives.md#packed-ids).
 RecordId packedId(const AnimationHook& hook, std::size_t offset, RecordId base) {
     const RecordId low = wordAt<std::uint16_t>(hook, offset);
     if ((low & 0x8000u) == 0)

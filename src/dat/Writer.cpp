@@ -22,7 +22,7 @@ void putWord(Bytes& out, std::size_t offset, std::uint32_t word) {
     std::memcpy(out.data() + offset, &word, sizeof word);
 }
 
-/// The usual iteration record: n, -n, 1 with n = 1 (formats/container.md §7).
+/// The usual iteration record: n, -n, 1 with n = 1 (docs/formats/container.md#iteration-record).
 Bytes iterationRecord() {
     const std::int32_t words[3] = {kFirstIteration, -kFirstIteration, 1};
     Bytes out(sizeof words);

@@ -20,7 +20,7 @@ struct FileTraits {
     [[nodiscard]] static FileTraits local();
 };
 
-/// Collects records and writes a complete dat file (formats/container.md §8). The bytes depend on the records
+/// Collects records and writes a complete dat file (docs/formats/container.md#writing-a-file). The bytes depend on the records
 /// only: dates and iterations are fixed unless given.
 class Writer {
 public:

@@ -13,7 +13,7 @@ namespace {
 /// A place of a surface is asked for this far before it, metres: in the space that the surface is seen from.
 constexpr double kBefore = 0.001;
 constexpr double kInPlane =
-    0.0002; ///< metres from an opening's plane, and beyond its edge (docs/ray-rule.md, Tolerances)
+    0.0002; ///< metres from an opening's plane, and beyond its edge (docs/ray-rule.md#tolerances)
 constexpr double kAlong = 1e-6; ///< sine of the angle by which what slides along a plane may point into it
 
 btVector3 toBullet(const Vec3& v) {

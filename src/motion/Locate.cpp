@@ -9,11 +9,9 @@
 namespace limen::motion {
 namespace {
 
-/// A point this far in front of a plane's back side is still in front; metres (formats/cells.md, "Point in
-/// cell").
+/// A point this far in front of a plane's back side is still in front; metres (docs/formats/cells.md#point-in-cell).
 constexpr double kPlaneSlack = 0.0002;
-/// How far outside an opening's edges a segment may pass and still go through it; metres (docs/ray-rule.md,
-/// Tolerances).
+/// How far outside an opening's edges a segment may pass and still go through it; metres (docs/ray-rule.md#tolerances).
 constexpr double kOpeningSlack = 0.0002;
 
 /// Where a segment leaves a space.

@@ -13,7 +13,7 @@ struct Located {
 };
 [[nodiscard]] Located locate(const world::World& world, const Vec3& position);
 
-/// True if the cell's BSP holds the position (formats/cells.md). False for outside and for cells without a
+/// True if the cell's BSP holds the position (docs/formats/cells.md#point-in-cell). False for outside and for cells without a
 /// tree.
 [[nodiscard]] bool cellContains(const world::World& world, world::SpaceIndex space, const Vec3& position);
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 // How a body's parts stand while it stands still, walks or runs: playback of the cycles in a World (world/Cycle.h), after
-// formats/effects_anim.md. Pure functions that allocate nothing.
+// docs/formats/effects_anim.md#playback. Pure functions that allocate nothing.
 namespace limen::motion {
 
 /// What a body does at a moment: the cycle that it plays, and how far into it.

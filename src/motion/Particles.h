@@ -7,7 +7,7 @@
 #include <cstdint>
 
 // Particles of the records' emitters (world/Particles.h) as closed functions of time: each has a number, and all about it follows from
-// that, its source's seed and the time, after formats/effects_anim.md. Nothing is remembered from moment to moment.
+// that, its source's seed and the time, after docs/formats/effects_anim.md. Nothing is remembered from moment to moment.
 namespace limen::motion {
 
 /// When particles of a source are born, in seconds from its start, by number, ascending. Of one that has always been burning numbers

@@ -17,7 +17,7 @@ class Pyramid;
 
 /// Metres: an eye this near to a portal's plane is in it, and a surface this near is met from both of its sides
 /// (docs/ray-rule.md). Also the widest gap that is a rounding of data: corners nearer than this are one corner to the
-/// loader (world/README.md), so what is narrower was meant to be closed.
+/// loader (src/world/README.md#invariants), so what is narrower was meant to be closed.
 inline constexpr double kTolerance = 0.0002;
 /// Metres before an opening's plane up to which an eye is in it, beside what its corners are off it.
 inline constexpr double kBefore = 0.00001;

@@ -17,7 +17,7 @@ struct Sheared {
 /// The coordinates in which a ray is the z axis, as in Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013).
 /// A corner goes through the same arithmetic whatever polygon it belongs to, and an edge has the very same sign with
 /// opposite direction for the two polygons that share it: rays cannot slip between them, with no tolerance at all. Walls
-/// and openings share their corners to the bit (world/README.md), so this holds between a wall and an opening, too.
+/// and openings share their corners to the bit (src/world/README.md#invariants), so this holds between a wall and an opening, too.
 struct RayFrame {
     RayFrame(const Vec3& from, const Vec3& along) : eye(from), direction(along) {
         const Vec3 size = glm::abs(along);

@@ -25,8 +25,9 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-/// Follows every ray of the view through the graph's portals and yields the tree of visits (docs/ray-rule.md,
-/// "Why one pass..."). A pure function: the same input gives the same bits. `closed[p] != 0` shuts portal p; an
+/// Follows every ray of the view through the graph's portals and yields the tree of visits
+/// (docs/ray-rule.md#why-one-pass-over-the-scene-is-enough). A pure function: the same input gives the same
+/// bits. `closed[p] != 0` shuts portal p; an
 /// empty span means all are open. `out` is overwritten. Requires view.root < spaces, finite eye. Cost:
 /// portals tested times a convex clip. Ref: portal floods after Luebke, Georges, "Portals and Mirrors"
 /// (1995); the tree of visits: docs/ray-rule.md. With a `trace`, which is overwritten, every portal of the spaces that are seen gets an

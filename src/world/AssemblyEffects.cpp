@@ -183,7 +183,8 @@ void Assembly::addWeather() {
     }
 }
 
-/// What its script starts at the eye; an object without one that is a Setup may have one of its own. formats/sky_weather.md.
+/// What its script starts at the eye; an object without one that is a Setup may have one of its own.
+/// docs/formats/sky_weather.md#sky-objects.
 void Assembly::addWeather(std::uint32_t dayGroup, std::uint32_t number, const dat::SkyObject& object) {
     const dat::Setup bare;
     const dat::Setup* model = object.object >> 24 == 0x02 ? records_.setup(object.object) : nullptr;

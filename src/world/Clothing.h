@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-// What one wears: how ClothingTables (0x10) change the look of a model. After formats/textures.md.
+// What one wears: how ClothingTables (0x10) change the look of a model. After docs/formats/textures.md#clothing.
 namespace limen::world {
 
 /// Colours of a palette that take the places, at the same numbers, of those of the palette beneath.

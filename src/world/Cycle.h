@@ -7,7 +7,7 @@
 #include <cstdint>
 
 // What bodies of several parts do over and over, as a World holds it: read from Animation (0x03) and MotionTable (0x09) records
-// by world/Cycles.h, played by motion/PartPoses.h. After formats/effects_anim.md.
+// by world/Cycles.h, played by motion/PartPoses.h. After docs/formats/effects_anim.md#playback.
 namespace limen::world {
 
 /// What a body is at, as far as it has a cycle for it.

@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 // What scripts and animation hooks start: PhysicsScript (0x33), PhysicsScriptTable (0x34), hooks of Animations (0x03), after
-// formats/effects_anim.md. Of all hooks only those count that have to do with particle emitters.
+// docs/formats/effects_anim.md#hooks. Of all hooks only those count that have to do with particle emitters.
 namespace limen::world {
 
 /// A particle emitter that is started.

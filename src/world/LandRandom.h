@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-// The one hash behind all randomness of the landscape (formats/landscape.md §4).
+// The one hash behind all randomness of the landscape (docs/formats/landscape.md#random-numbers).
 namespace limen::world {
 
 namespace seed {

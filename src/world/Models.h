@@ -33,7 +33,7 @@ struct ModelLight {
     float range = 0.0f;
 };
 
-/// A GfxObj or a Setup in its resting pose (formats/geometry.md, Setup).
+/// A GfxObj or a Setup in its resting pose (docs/formats/geometry.md#setup).
 struct Model {
     std::vector<ModelPart> parts;   ///< as they are seen from nearby
     std::vector<ModelPart> farther; ///< what takes the place of some of them from farther away

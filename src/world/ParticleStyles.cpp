@@ -10,7 +10,8 @@ namespace {
 /// The least time between two births, seconds: in the original one is born in a frame at most.
 constexpr double kLeastInterval = 1.0 / 60.0;
 constexpr double kLongestLife = 1e9; ///< seconds: as good as for ever, and sums of it are still times
-constexpr float kSmallest = 0.1f, kLargest = 10.0f; ///< scales. ref: formats/effects_anim.md
+/// Scales. ref: docs/formats/effects_anim.md#particles-at-birth
+constexpr float kSmallest = 0.1f, kLargest = 10.0f;
 
 double finite(double value) {
     return std::isfinite(value) ? value : 0.0;

@@ -9,7 +9,7 @@
 #include <limits>
 
 // Particle emitters of the records, as a World holds them: read from ParticleEmitter (0x32), PhysicsScript (0x33) and
-// PhysicsScriptTable (0x34) records by world/EmitterStarts.h, evaluated by motion/Particles.h. After formats/effects_anim.md.
+// PhysicsScriptTable (0x34) records by world/EmitterStarts.h, evaluated by motion/Particles.h. After docs/formats/effects_anim.md.
 // Lengths in metres, times in seconds.
 namespace limen::world {
 

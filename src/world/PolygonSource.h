@@ -8,7 +8,7 @@
 
 namespace limen::world {
 
-/// A polygon of a record as geometry.md, "What to draw", reads it. Positions are in the record's space.
+/// A polygon of a record as docs/formats/geometry.md#polygons-that-are-drawn reads it. Positions are in the record's space.
 struct SourcePolygon {
     struct Corner {
         Vec3 position{0.0};
@@ -42,7 +42,7 @@ struct PortalPolygonRef {
 };
 
 /// What the PORT nodes of a drawing tree name. Words are (polygonId, portalIndex); if that does not fit the
-/// mesh or `portalCount` anywhere while the swapped reading does, all are swapped (geometry.md, PortalRef). A
+/// mesh or `portalCount` anywhere while the swapped reading does, all are swapped (docs/formats/geometry.md#bsp-trees). A
 /// count of kAnyPortalCount checks polygons only. References that fit neither way are dropped.
 inline constexpr std::size_t kAnyPortalCount = 0x10000;
 [[nodiscard]] std::vector<PortalPolygonRef> portalRefs(const dat::GfxObj& model, std::size_t portalCount);

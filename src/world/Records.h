@@ -119,7 +119,7 @@ private:
     Heard heard_;
 };
 
-/// The bits of a Surface that decide how it is drawn (formats/textures.md): Alpha, InvAlpha, Additive and
+/// The bits of a Surface that decide how it is drawn (docs/formats/textures.md#drawing-order-and-blending): Alpha, InvAlpha, Additive and
 /// Translucent (or a translucency between 0 and 1) blend, clip maps cut out, everything else is opaque,
 /// whatever its texels' alpha.
 [[nodiscard]] SurfaceClass surfaceClassOf(const dat::Surface& surface);

@@ -15,7 +15,7 @@ struct SceneryObject {
     double scale = 1.0;
 };
 
-/// True if a block-local position lies on a road (formats/landscape.md §8): within 5 m of the lines between
+/// True if a block-local position lies on a road (docs/formats/landscape.md#roads): within 5 m of the lines between
 /// road corners.
 [[nodiscard]] bool isOnRoad(const Ground& ground, double x, double y);
 

@@ -179,8 +179,8 @@ private:
         const dat::Setup* setup = records_.setup(model);
         if (setup == nullptr)
             return;
-        // As the original: the shapes of the parts, else cylinders, else spheres (formats/geometry.md, Setup).
-        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0)
+        // As the original: the shapes of the parts, else cylinders, else spheres (docs/formats/geometry.md#setup).
+        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0) {
             for (const ModelPart& part : models_.model(model).parts)
                 addGfxObj(part.gfxObj, within(placement, part.linear, part.origin));
         else if (!setup->cylSpheres.empty())

@@ -16,7 +16,7 @@ struct Solid {
         kNone; ///< World::leaves: corners are in the leaf's own frame, and it is there always
 };
 
-/// What stands around a place for bodies, by the records' physics shapes (formats/geometry.md): polygons of cells and models,
+/// What stands around a place for bodies, by the records' physics shapes (docs/formats/geometry.md#setup): polygons of cells and models,
 /// cylinders and spheres of setups as prisms and polyhedra around them. Either side is met. Plain data beside a World.
 struct Solids {
     Vec3 origin{0.0};          ///< global; corners are relative to it, metres

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-// Which textures and blend maps paint a landcell (formats/landscape.md §7), without the textures themselves.
+// Which textures and blend maps paint a landcell (docs/formats/landscape.md#texture-blending), without the textures themselves.
 namespace limen::world {
 
 inline constexpr std::uint32_t kRoadType = 0x20;

@@ -63,7 +63,7 @@ struct Space {
 };
 
 /// A node of a cell BSP in global coordinates: for a point with signedDistance < -0.2 mm the walk goes on in `negative` (kNone: it is outside the
-/// cell), else in `positive` (kNone: inside). Children follow their parent. formats/cells.md, "Point in cell".
+/// cell), else in `positive` (kNone: inside). Children follow their parent. docs/formats/cells.md#point-in-cell.
 struct CellBspNode {
     Plane plane;
     std::uint32_t positive = kNone; ///< index relative to the space's firstBspNode
@@ -195,7 +195,7 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// How one landcell's ground is painted (formats/landscape.md §7): base, then overlays and roads through
+/// How one landcell's ground is painted (docs/formats/landscape.md#texture-blending): base, then overlays and roads through
 /// alpha maps where 1 keeps what is underneath.
 struct TerrainCell {
     struct Layer {

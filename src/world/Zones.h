@@ -4,7 +4,8 @@
 
 namespace limen::world {
 
-/// Cells that reach into each other by no more than this count as disjoint; metres (docs/ray-rule.md, "Zones"). Within a zone
+/// Cells that reach into each other by no more than this count as disjoint; metres
+/// (docs/ray-rule.md#why-one-pass-over-the-scene-is-enough). Within a zone
 /// depth alone decides, so by as much may a hidden cell reach through the wall before it: no more than what the picture puts back
 /// behind that wall (MeshArena.cpp, kMostReach). Cells whose corners lie farther off stay apart, which is slower and exact.
 inline constexpr double kOverlapTolerance = 0.0001;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-// Bytes by hand, after formats/textures.md and formats/geometry.md.
+// Bytes by hand, after docs/formats/textures.md and docs/formats/geometry.md.
 namespace limen::dat {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// Every row of formats/container.md §9: what a reader must refuse, and that it says so with file and place.
+// Every row of docs/formats/container.md#damage: what a reader must refuse, and that it says so with file and place.
 namespace limen::dat {
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-// Bytes by hand, after formats/effects_anim.md.
+// Bytes by hand, after docs/formats/effects_anim.md.
 namespace limen::dat {
 namespace {
 

@@ -4,7 +4,7 @@
 namespace limen::gpu::test {
 namespace {
 
-constexpr std::uint32_t kBudget = 40; // GL calls a frame, architecture.md
+constexpr std::uint32_t kBudget = 40; // GL calls a frame, docs/architecture.md
 
 class CallCountGlTest : public GlTest {
 protected:

@@ -57,7 +57,7 @@ TEST_F(MultisampleGlTest, gatedByTheLeafVisitOfEachSample) {
     }
 }
 
-// cases.md 12: where the wall, the opening and what lies behind meet, samples must not fall through to the clear colour,
+// docs/cases.md 12: where the wall, the opening and what lies behind meet, samples must not fall through to the clear colour,
 // wherever between pixels the edges lie.
 TEST_F(MultisampleGlTest, noStripOfClearColourAlongAnOpening_atAnyAlignment) {
     SceneBuilder scene;

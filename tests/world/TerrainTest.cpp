@@ -13,7 +13,7 @@ using test::TestWorld;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The vectors are those of formats/landscape.md §4.
+// The vectors are those of docs/formats/landscape.md#random-numbers.
 TEST(LandHash, agreesWithTheTestVectors) {
     struct Vector {
         std::uint32_t x, y, split, scene, frequency, displace, quadrant;

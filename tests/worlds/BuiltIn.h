@@ -57,7 +57,7 @@ inline Aabb boundsOf(const dat::EnvCell& cell) {
     return box;
 }
 
-/// formats/cells.md, "Point in cell".
+/// docs/formats/cells.md#point-in-cell.
 inline bool contains(const dat::EnvCell& cell, const Vec3& blockPoint) {
     const Vec3 p =
         glm::conjugate(glm::dquat(cell.position.orientation)) * (blockPoint - Vec3(cell.position.origin));

@@ -32,7 +32,7 @@ void Land::setCover(int vx, int vy, TerrainKind kind, bool road) {
     }
 }
 
-// formats/landscape.md §5: true if the landcell's diagonal runs from south-west to north-east.
+// docs/formats/landscape.md#triangles: true if the landcell's diagonal runs from south-west to north-east.
 bool Land::splitsSouthWest(int cx, int cy) const {
     const auto x = static_cast<std::uint32_t>(southWest_.x * kCellsPerBlock + cx);
     const auto y = static_cast<std::uint32_t>(southWest_.y * kCellsPerBlock + cy);

@@ -98,7 +98,7 @@ public:
         }
         return static_cast<std::size_t>(n);
     }
-    /// A count in 1, 2 or 4 bytes (formats/primitives.md, "cui"); one in more bytes than it needs is refused,
+    /// A count in 1, 2 or 4 bytes (docs/formats/primitives.md#packed-counts); one in more bytes than it needs is refused,
     /// since it would not be written back the same.
     [[nodiscard]] std::uint32_t packedCount();
 

@@ -36,7 +36,7 @@ constexpr int kPayloadBytes[] = {
     0,          // 1A CreateBlockingParticle
 };
 
-/// ReplaceObject: u16 part, then a packed id of one or two u16 (formats/primitives.md, "pdid").
+/// ReplaceObject: u16 part, then a packed id of one or two u16 (docs/formats/primitives.md#packed-ids).
 std::size_t replaceObjectSize(ByteReader ahead) {
     [[maybe_unused]] const auto part = ahead.get<std::uint16_t>();
     return (ahead.get<std::uint16_t>() & 0x8000u) ? 6 : 4;

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-// Animation hooks (formats/effects_anim.md): kept as bytes, whose number follows from the type.
+// Animation hooks (docs/formats/effects_anim.md#hooks): kept as bytes, whose number follows from the type.
 namespace limen::dat {
 
 inline constexpr std::uint32_t kReplaceObjectHook = 0x05;

@@ -65,7 +65,7 @@ void values(IO& io, List& list, const char* what) {
                             [&](auto& one) { io.value(one); });
 }
 
-/// A "PackableHashTable" of items that are at least `minValueBytes` long, keys apart (formats/primitives.md).
+/// A "PackableHashTable" of items that are at least `minValueBytes` long, keys apart (docs/formats/primitives.md#hash-tables).
 template <class Value, class Item>
 void hashTable(ByteReader& io, PackedHashTable<Value>& table, std::size_t minValueBytes, const char* what,
                Item&& item) {

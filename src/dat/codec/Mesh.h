@@ -2,7 +2,7 @@
 
 #include "dat/codec/Layout.h"
 
-// Vertex arrays, polygons and BSP trees, the parts that GfxObj and Environment share (formats/geometry.md).
+// Vertex arrays, polygons and BSP trees, the parts that GfxObj and Environment share (docs/formats/geometry.md).
 namespace limen::dat {
 
 void vertexArray(ByteReader& io, VertexArray& out);

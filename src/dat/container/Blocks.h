@@ -19,7 +19,7 @@ struct ChainStatus {
 /// The fault in words.
 [[nodiscard]] std::string inWords(const ChainStatus& status);
 
-/// The blocks of a file and the chains that they form (formats/container.md §3). Every offset is checked
+/// The blocks of a file and the chains that they form (docs/formats/container.md#blocks). Every offset is checked
 /// before its block is touched.
 class Blocks {
 public:

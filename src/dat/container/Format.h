@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// Numbers of the container (formats/container.md), shared by reader and writer.
+// Numbers of the container (docs/formats/container.md), shared by reader and writer.
 namespace limen::dat {
 
 inline constexpr std::size_t kHeaderBytes = 400;

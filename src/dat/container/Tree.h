@@ -9,7 +9,7 @@
 
 namespace limen::dat {
 
-/// The B-tree of a file, read where it lies (formats/container.md §5). A node's count and range are checked at every
+/// The B-tree of a file, read where it lies (docs/formats/container.md#b-tree). A node's count and range are checked at every
 /// visit; its chain, the order of its keys and its branches once, after which two bits say what was found. They are all
 /// that a look-up ever writes, so any number of threads may look up at once.
 class Tree {

@@ -12,7 +12,7 @@ struct NodePlan {
 };
 
 /// The nodes of a balanced B-tree over `entries` (ascending, unique), children before parents, the root last.
-/// None for no entries. Recipe: formats/container.md §8.
+/// None for no entries. Recipe: docs/formats/container.md#writing-a-file.
 [[nodiscard]] std::vector<NodePlan> planTree(const std::vector<Entry>& entries);
 
 } // namespace limen::dat

@@ -2,7 +2,7 @@
 
 #include "dat/records/Primitives.h"
 
-// PaletteSet (0x0F), ClothingTable (0x10): formats/textures.md.
+// PaletteSet (0x0F), ClothingTable (0x10): docs/formats/textures.md.
 namespace limen::dat {
 
 /// Palettes of one thing in several shades.

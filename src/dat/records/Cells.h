@@ -4,7 +4,7 @@
 
 #include <array>
 
-// EnvCell, LandBlock, LandBlockInfo: formats/cells.md, formats/landscape.md.
+// EnvCell, LandBlock, LandBlockInfo: docs/formats/cells.md, docs/formats/landscape.md.
 namespace limen::dat {
 
 struct CellPortal {

@@ -2,10 +2,10 @@
 
 #include "dat/records/Models.h"
 
-// ParticleEmitter (0x32), PhysicsScript (0x33), PhysicsScriptTable (0x34): formats/effects_anim.md.
+// ParticleEmitter (0x32), PhysicsScript (0x33), PhysicsScriptTable (0x34): docs/formats/effects_anim.md.
 namespace limen::dat {
 
-/// How the particles of an emitter move: positions and vectors by type are in formats/effects_anim.md.
+/// How the particles of an emitter move: positions and vectors by type are in docs/formats/effects_anim.md#motion-of-particles.
 enum class ParticleType : std::int32_t {
     Still = 1,
     LocalVelocity,

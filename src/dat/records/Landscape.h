@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-// Region (0x13) and Scene (0x12): formats/landscape.md, formats/sky_weather.md.
+// Region (0x13) and Scene (0x12): docs/formats/landscape.md, docs/formats/sky_weather.md.
 namespace limen::dat {
 
 /// Strings keep their bytes (Windows-1252).

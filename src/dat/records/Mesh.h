@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// Vertices, polygons and BSP trees (formats/geometry.md). Their short lists are SmallVecs: most stay inside
+// Vertices, polygons and BSP trees (docs/formats/geometry.md). Their short lists are SmallVecs: most stay inside
 // the element, so that a mesh decodes with a handful of allocations.
 namespace limen::dat {
 
@@ -65,7 +65,7 @@ struct PortalRef {
     std::uint16_t portalIndex = 0;
 };
 
-/// A node; which members are stored depends on tag and kind (formats/geometry.md, "BSP trees").
+/// A node; which members are stored depends on tag and kind (docs/formats/geometry.md#bsp-trees).
 struct BspNode {
     BspTag tag = BspTag::Leaf;
     std::int32_t leafIndex = 0;

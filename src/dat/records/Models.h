@@ -4,7 +4,7 @@
 
 #include <array>
 
-// GfxObj (0x01), Setup (0x02), Environment (0x0D): formats/geometry.md.
+// GfxObj (0x01), Setup (0x02), Environment (0x0D): docs/formats/geometry.md.
 namespace limen::dat {
 
 struct GfxObj {
@@ -22,7 +22,7 @@ struct GfxObj {
 };
 
 /// An animation hook; the payload is kept as bytes, its length follows from the type
-/// (formats/effects_anim.md).
+/// (docs/formats/effects_anim.md#hooks).
 struct AnimationHook {
     std::uint32_t type = 0;
     std::int32_t direction = 0;

@@ -2,7 +2,7 @@
 
 #include "dat/records/Models.h"
 
-// Animation (0x03), MotionTable (0x09): formats/effects_anim.md.
+// Animation (0x03), MotionTable (0x09): docs/formats/effects_anim.md.
 namespace limen::dat {
 
 struct Animation {

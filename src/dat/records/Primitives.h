@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-// Values shared by several records, as the file stores them (formats/primitives.md). Floats stay floats so
+// Values shared by several records, as the file stores them (docs/formats/primitives.md). Floats stay floats so
 // that a record encodes back to the same bytes, NaNs and odd values included.
 namespace limen::dat {
 

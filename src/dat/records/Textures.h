@@ -2,7 +2,7 @@
 
 #include "dat/records/Primitives.h"
 
-// Surface (0x08), SurfaceTexture (0x05), RenderSurface (0x06), Palette (0x04): formats/textures.md.
+// Surface (0x08), SurfaceTexture (0x05), RenderSurface (0x06), Palette (0x04): docs/formats/textures.md.
 namespace limen::dat {
 
 struct Palette {
