@@ -67,8 +67,9 @@ std::string textOf(const dat::VerifyReport& report) {
         text +=
             fmt::format("{:<18} {:>9} records {:>13} bytes\n", line.name, line.sum.records, line.sum.bytes);
     for (const dat::Fault& fault : report.faults) {
-        text += fmt::format("{} {} {}: {}\n", nameOfRole(fault.role),
-                            dat::nameOf(dat::kindOf(fault.role, fault.id)), dat::idText(fault.id), fault.what);
+        text +=
+            fmt::format("{} {} {}: {}\n", nameOfRole(fault.role),
+                        dat::nameOf(dat::kindOf(fault.role, fault.id)), dat::idText(fault.id), fault.what);
     }
     const auto& counts = report.faultCounts;
     const std::uint64_t all = counts[0] + counts[1] + counts[2];

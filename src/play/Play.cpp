@@ -63,7 +63,8 @@ void Play::act(const PlayAct& act) {
         useDoor();
         return;
     case PlayActKind::Weather:
-        eye_.scene.weather = eye_.scene.weather == engine::Weather::Rain ? engine::Weather::Clear : engine::Weather::Rain;
+        eye_.scene.weather =
+            eye_.scene.weather == engine::Weather::Rain ? engine::Weather::Clear : engine::Weather::Rain;
         return;
     case PlayActKind::Day:
         if (act.value >= 0.0 &&

@@ -2,8 +2,8 @@
 
 #include "engine/Camera.h"
 
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace limen::play {

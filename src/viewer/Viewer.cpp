@@ -27,8 +27,10 @@ std::string pictureOptions(const engine::SessionOptions& options) {
 bool isSameView(const engine::FrameRequest& a, const engine::FrameRequest& b) {
     return a.camera.eye == b.camera.eye && a.camera.heading.yaw == b.camera.heading.yaw &&
            a.camera.heading.pitch == b.camera.heading.pitch && a.size.width == b.size.width &&
-           a.size.height == b.size.height && a.scene.time == b.scene.time && a.scene.dayGroup == b.scene.dayGroup &&
-           a.scene.weather == b.scene.weather && a.scene.doors == b.scene.doors && a.scene.eachDoor == b.scene.eachDoor && a.scene.body == b.scene.body;
+           a.size.height == b.size.height && a.scene.time == b.scene.time &&
+           a.scene.dayGroup == b.scene.dayGroup && a.scene.weather == b.scene.weather &&
+           a.scene.doors == b.scene.doors && a.scene.eachDoor == b.scene.eachDoor &&
+           a.scene.body == b.scene.body;
 }
 
 } // namespace

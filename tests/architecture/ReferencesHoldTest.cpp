@@ -26,9 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pages that are cited before they are written.
-const std::set<std::string> kAwaited{"docs/style.md"};
-
 constexpr std::array<std::string_view, 11> kRoots{"src/",      "worlds/", "shaders/", "tests/",
                                                   "bench/",    "fuzz/",   "tools/",   "docs/",
                                                   "examples/", "cmake/",  ".github/"};
@@ -75,19 +72,17 @@ std::vector<std::string> proseLines(std::string_view text) {
 /// The anchor of a heading as GitHub makes it: the text of links, letters lowered, punctuation dropped, spaces as hyphens.
 std::string anchorOf(std::string_view heading) {
     std::string text;
-    for (std::size_t i = 0; i < heading.size(); ++i) {
+    for (std::size_t i = 0; i < heading.size(); ++i)
         if (heading[i] == ']' && i + 1 < heading.size() && heading[i + 1] == '(')
             i = std::min(heading.find(')', i), heading.size() - 1);
         else
             text += heading[i];
-    }
     std::string anchor;
-    for (const char c : text) {
+    for (const char c : text)
         if (isWordByte(c) || c == '-' || static_cast<unsigned char>(c) >= 0x80)
             anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         else if (c == ' ')
             anchor += '-';
-    }
     return anchor;
 }
 
@@ -120,12 +115,11 @@ std::vector<std::string> testsIn(std::string_view source) {
              at = source.find(macro, at + 1)) {
             std::vector<std::string> words(1);
             for (std::size_t i = at + macro.size(); i < source.size() && words.size() < 3 && source[i] != ')';
-                 ++i) {
+                 ++i)
                 if (source[i] == ',')
                     words.emplace_back();
                 else if (isWordByte(source[i]))
                     words.back() += source[i];
-            }
             if (words.size() >= 2)
                 tests.push_back(words[0] + "." + words[1]);
         }
@@ -141,17 +135,14 @@ public:
             folders_.insert(folder.string());
         if (path.ends_with(".md"))
             headings_[path] = headingsOf(text);
-        if (path.ends_with(".cpp")) {
+        if (path.ends_with(".cpp"))
             for (std::string& test : testsIn(text))
                 tests_.insert(std::move(test));
-        }
         files_[path] = std::move(text);
     }
 
     [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
-    [[nodiscard]] bool hasFile(const std::string& path) const {
-        return files_.contains(path) || kAwaited.contains(path);
-    }
+    [[nodiscard]] bool hasFile(const std::string& path) const { return files_.contains(path); }
     [[nodiscard]] bool has(std::string path) const {
         while (path.ends_with('/'))
             path.pop_back();
@@ -342,18 +333,16 @@ std::vector<std::string> faultsOfCode(const std::string& path, std::string_view 
     };
     Faults faults(path);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        for (const Token& token : tokensOf(comments[i])) {
+        for (const Token& token : tokensOf(comments[i]))
             if (isPage(token.text))
                 checkPage(token, behind(comments, i, token), i, repository, faults);
             else if (isSource(token.text) && !isPlaceholder(token.text) && !isOfALibrary(token.text) &&
                      !repository.hasEnding(token.text))
                 faults.add(i, token.text, "no source file has this name");
-        }
-        for (const Token& token : tokensOf(lines[i])) { // messages cite pages, too
+        for (const Token& token : tokensOf(lines[i])) // messages cite pages, too
             if (token.text.starts_with("docs/") && isPage(token.text) &&
                 comments[i].find(token.text) == std::string::npos)
                 checkPage(token, "", i, repository, faults);
-        }
     }
     return faults.take();
 }
@@ -460,17 +449,15 @@ Repository readRepository() {
         const bool isText = text.find('\0') == std::string::npos;
         repository.add(fs::relative(file, root).generic_string(), isText ? text : std::string());
     };
-    for (const auto& entry : fs::directory_iterator(root)) {
+    for (const auto& entry : fs::directory_iterator(root))
         if (entry.is_regular_file())
             add(entry.path());
-    }
     for (const std::string_view folder : kRoots) {
         if (!fs::exists(root / folder))
             continue;
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
             if (entry.is_regular_file() && entry.path().string().find("__pycache__") == std::string::npos)
                 add(entry.path());
-        }
     }
     return repository;
 }
@@ -478,16 +465,9 @@ Repository readRepository() {
 TEST(ReferencesHold, everyCitedFileHeadingAndTestExists) {
     const Repository repository = readRepository();
     EXPECT_GT(repository.files().size(), 500u) << "too few files found for the test to mean anything";
-    for (const auto& [path, text] : repository.files()) {
+    for (const auto& [path, text] : repository.files())
         for (const std::string& fault : faultsOf(path, text, repository))
             ADD_FAILURE() << fault;
-    }
-}
-
-TEST(ReferencesHold, noAwaitedPageExistsYet) {
-    const Repository repository = readRepository();
-    for (const std::string& page : kAwaited)
-        EXPECT_FALSE(repository.files().contains(page)) << page << " is there: take it out of kAwaited";
 }
 
 /// A small tree to try the scanner on. Its citations are written with @ for docs/, so that this file has none of them.

@@ -82,10 +82,9 @@ std::string expanded(const std::string& text) {
 }
 
 std::optional<RecordKind> kindNamed(const std::string& name) {
-    for (int i = 0; i <= static_cast<int>(RecordKind::Other); ++i) {
+    for (int i = 0; i <= static_cast<int>(RecordKind::Other); ++i)
         if (name == nameOf(static_cast<RecordKind>(i)))
             return static_cast<RecordKind>(i);
-    }
     return std::nullopt;
 }
 
