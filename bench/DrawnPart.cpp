@@ -1,7 +1,5 @@
 #include "DrawnPart.h"
 
-#include "frame/SceneBuilder.h"
-#include "frame/WorldGraph.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -20,34 +18,30 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive
                                                      std::uint32_t height,
                                                      const world::LoadOptions& options) {
     const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
-    Result<world::World> world = world::loadWorld(archive, centre, options, file.moving);
-    if (!world)
-        return tl::unexpected(world.error());
-    Result<visibility::Graph> graph = frame::visibilityGraph(*world);
-    if (!graph)
-        return tl::unexpected(graph.error());
+    Result<std::shared_ptr<const engine::LoadedPart>> loaded =
+        engine::loadPart(archive, {centre, options}, file.moving);
+    if (!loaded)
+        return tl::unexpected(loaded.error());
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
     if (!target)
         return tl::unexpected(target.error());
-    std::unique_ptr<DrawnPart> part(
-        new DrawnPart(std::move(*world), std::move(*graph), device, std::move(*target)));
-    if (Result<void> uploaded =
-            part->renderer_.upload(frame::buildScene(part->world_, part->planner_.pieces()));
-        !uploaded)
-        return tl::unexpected(uploaded.error());
+    std::unique_ptr<DrawnPart> part(new DrawnPart(device, std::move(*target)));
+    if (Result<void> shown = part->pipeline_.show(std::make_unique<engine::PartPlanner>(std::move(*loaded)));
+        !shown)
+        return tl::unexpected(shown.error());
     if (!part->holds(place))
         return fail(ErrorCode::NotFound, place.name, "is not where the world file says");
     return part;
 }
 
 bool DrawnPart::holds(const world::Place& place) const {
-    return place.cell != 0 ? world::findCell(world_, place.cell) != world::kNone
-                           : world::findBlock(world_, world::blockAt(place.eye)) != nullptr;
+    return place.cell != 0 ? world::findCell(pipeline_.part().world, place.cell) != world::kNone
+                           : world::findBlock(pipeline_.part().world, world::blockAt(place.eye)) != nullptr;
 }
 
 frame::FrameView DrawnPart::viewFrom(const world::Place& place, double turn) const {
-    const world::SpaceIndex root =
-        place.cell != 0 ? world::findCell(world_, place.cell) : motion::locate(world_, place.eye).space;
+    const world::SpaceIndex root = place.cell != 0 ? world::findCell(pipeline_.part().world, place.cell)
+                                                   : motion::locate(pipeline_.part().world, place.eye).space;
     return frame::makeView(place.eye, place.yaw + turn, place.pitch, kFieldOfView, target_.width(),
                            target_.height(), root);
 }
@@ -59,33 +53,32 @@ void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) 
     input.right = view.view.right;
     input.up = view.view.up;
     input.forward = view.view.forward;
-    dynamicsBuilder_.at(input, dynamics_);
-}
-
-void DrawnPart::flood(const frame::FrameView& view) {
-    visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_);
+    pipeline_.updateDynamics(input);
 }
 
 void DrawnPart::takeAll(const frame::FrameView& view) {
-    visible_.clear();
+    const world::World& world = pipeline_.part().world;
+    visibility::VisibleSet& visible = pipeline_.state().visible;
+    visible.clear();
     visibility::Visit root;
     root.space = view.view.root;
-    root.zone = world_.spaces[root.space].zone;
+    root.zone = world.spaces[root.space].zone;
     root.inPlane = true;
     root.vertexCount = 4;
-    visible_.visits.push_back(root);
-    visible_.regionVertices.assign({{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
-    for (std::uint32_t space = 0; space < world_.spaces.size(); ++space)
-        visible_.seen.push_back({space, 0, {-1, -1, 1, 1}});
+    visible.visits.push_back(root);
+    visible.regionVertices.assign({{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
+    for (std::uint32_t space = 0; space < world.spaces.size(); ++space)
+        visible.seen.push_back({space, 0, {-1, -1, 1, 1}});
 }
 
 void DrawnPart::leaveOutOwnership() {
-    for (frame::Batch& batch : plan_.batches)
+    frame::FramePlan& plan = pipeline_.state().plan;
+    for (frame::Batch& batch : plan.batches)
         batch.gated = false;
-    const auto end = std::remove_if(plan_.stages.begin(), plan_.stages.end(), [](const frame::Stage& stage) {
+    const auto end = std::remove_if(plan.stages.begin(), plan.stages.end(), [](const frame::Stage& stage) {
         return stage.kind == frame::StageKind::Ownership;
     });
-    plan_.stages.erase(end, plan_.stages.end());
+    plan.stages.erase(end, plan.stages.end());
 }
 
 Result<DrawnPart*> PartOfTour::at(const world::Place& place) {

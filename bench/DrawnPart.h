@@ -1,12 +1,6 @@
 #pragma once
 
-#include "dat/Archive.h"
-#include "frame/Planner.h"
-#include "gpu/RenderTarget.h"
-#include "gpu/Renderer.h"
-#include "motion/DynamicStateBuilder.h"
-#include "visibility/Flood.h"
-#include "world/Loader.h"
+#include "engine/Pipeline.h"
 #include "world/Places.h"
 
 #include <memory>
@@ -14,7 +8,8 @@
 
 namespace limen::bench {
 
-/// The blocks of a world around a place, ready to be drawn on a device, step by step. The device must outlive it.
+/// The blocks around a place on a device: the engine's pipeline with a target, its steps taken one by one. The device must
+/// outlive it.
 class DrawnPart {
 public:
     /// Errors: the loader's, the renderer's; NotFound if the place's space is not where the world file says.
@@ -28,37 +23,27 @@ public:
     /// A view from a place, turned by so many degrees, as large as the target. Its root is looked for where the place names none.
     [[nodiscard]] frame::FrameView viewFrom(const world::Place& place, double turn = 0.0) const;
 
-    /// Where everything is; doors as they rest unless said.
+    /// Updates the dynamic state. `doors`: openness of all of them; none: each keeps its resting openness.
     void move(const frame::FrameView& view, std::optional<double> doors = {});
-    /// What the eye sees.
-    void flood(const frame::FrameView& view);
-    /// What a renderer without visibility takes it to see: every space within the picture's edges, and nothing before another.
+    void flood(const frame::FrameView& view) { pipeline_.flood(view.view); }
+    /// The visible set of a renderer without visibility: every space, over the whole picture, in one visit.
     void takeAll(const frame::FrameView& view);
-    void plan(const frame::FrameView& view) { planner_.plan(view, dynamics_, visible_, plan_); }
-    /// Makes the plan one whose fragments are kept wherever they are: no ownership, no tests for it.
+    void plan(const frame::FrameView& view) { pipeline_.plan(view); }
+    /// Removes ownership from the plan: no ownership stage and no fragment tests.
     void leaveOutOwnership();
     [[nodiscard]] Result<void> submit(const gpu::RenderOptions& options = {}) {
-        return renderer_.render(plan_, target_, options);
+        return pipeline_.render(target_, options);
     }
 
-    [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
-    [[nodiscard]] const gpu::Renderer& renderer() const { return renderer_; }
+    [[nodiscard]] const frame::FramePlan& plan() const { return pipeline_.state().plan; }
+    [[nodiscard]] const gpu::Renderer& renderer() const { return pipeline_.renderer(); }
     [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
 
 private:
-    DrawnPart(world::World world, visibility::Graph graph, gpu::Device& device, gpu::RenderTarget target)
-        : world_(std::move(world)), graph_(std::move(graph)), dynamicsBuilder_(world_), planner_(world_),
-          renderer_(device), target_(std::move(target)) {}
+    DrawnPart(gpu::Device& device, gpu::RenderTarget target)
+        : pipeline_(device), target_(std::move(target)) {}
 
-    const world::World world_;
-    const visibility::Graph graph_;
-    motion::DynamicStateBuilder dynamicsBuilder_;
-    world::DynamicState dynamics_;
-    visibility::FloodScratch scratch_;
-    visibility::VisibleSet visible_;
-    frame::Planner planner_;
-    frame::FramePlan plan_;
-    gpu::Renderer renderer_;
+    engine::Pipeline pipeline_;
     gpu::RenderTarget target_;
 };
 

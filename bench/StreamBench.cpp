@@ -111,8 +111,18 @@ void giveBackFreeMemory() {
 #endif
 }
 
-Result<Flight> play::fly(const std::shared_ptr<const engine::WorldSource>& source, const Land& land,
-                         gpu::Device& device) {
+/// A frame's streaming, with no body that has to be prepared.
+bool follow(const engine::Session& session, engine::StreamedResidency& stream, const Vec3& at,
+            engine::FrameRequest& eye) {
+    const dat::RecordId cell = engine::cellOf(session.part().world, eye.root);
+    if (!stream.follow(at, eye.root) || !stream.show())
+        return false;
+    eye.root = engine::rootIn(session.part(), cell, at);
+    return true;
+}
+
+Result<Flight> fly(const std::shared_ptr<const engine::WorldSource>& source, const Land& land,
+                   gpu::Device& device) {
     giveBackFreeMemory();
     engine::SessionOptions options;
     options.load.radius = kNear;
@@ -135,8 +145,7 @@ Result<Flight> play::fly(const std::shared_ptr<const engine::WorldSource>& sourc
         eye.camera.eye = eye.scene.player = at;
         eye.scene.seconds = static_cast<double>(i) * kFrame;
         const double cpu = threadSeconds();
-        flight.wall.push_back(
-            secondsOf([&] { flight.shown += stream.follow(at, eye.root, nullptr) ? 1 : 0; }));
+        flight.wall.push_back(secondsOf([&] { flight.shown += follow(session, stream, at, eye) ? 1 : 0; }));
         flight.cpu.push_back(threadSeconds() - cpu);
         if (const std::string fault = stream.takeFault(); !fault.empty())
             return fail(ErrorCode::NotFound, "stream", fault);
@@ -191,8 +200,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
         Land land(*source);
         if (!whole)
             land.keepPart(source->file.places);
-        addRows(scene,
-                play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
+        addRows(scene, fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
                 rows);
     };
     // The writers' memory is no part of a session's.
@@ -219,8 +227,7 @@ std::vector<BenchRow> benchStreamOver(const std::string& dat) {
             return;
         }
         const Land land(*source);
-        addRows(scene,
-                play::fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
+        addRows(scene, fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
                 rows);
     };
     measure(dat + ", null device", *std::make_unique<gpu::NullDevice>());

@@ -2,13 +2,11 @@
 
 #include "check/SampledComparison.h"
 #include "frame/IdColour.h"
-#include "frame/SceneBuilder.h"
-#include "frame/WorldGraph.h"
 #include "gpu/CheckedDevice.h"
 #include "gpu/DebugOutput.h"
 #include "gpu/GlDevice.h"
 #include "gpu/HeadlessContext.h"
-#include "gpu/Renderer.h"
+#include "gpu/NullDevice.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -56,21 +54,25 @@ Driver& driver() {
 
 } // namespace
 
+struct PictureWorld::Planning {
+    gpu::NullDevice device;
+    engine::Pipeline pipeline{device};
+};
+
 struct PictureWorld::Drawing {
     explicit Drawing(const PictureOptions& options) {
-        renderer.emplace(device, gpu::RendererOptions{.exactOutlines = options.exactOutlines,
+        pipeline.emplace(device, gpu::RendererOptions{.exactOutlines = options.exactOutlines,
                                                       .culling = options.culling,
                                                       .shaderDefines = options.shaderDefines});
     }
     ~Drawing() {
         target.reset();
-        renderer.reset();
+        pipeline.reset();
         EXPECT_TRUE(device.faults().empty()) << device.faults().front();
     }
     gpu::CheckedDevice device{*driver().device};
-    std::optional<gpu::Renderer> renderer;
+    std::optional<engine::Pipeline> pipeline;
     std::optional<gpu::RenderTarget> target;
-    frame::FramePlan plan;
 };
 
 PictureWorld::PictureWorld(TestWorld& world, const Options& options) {
@@ -92,17 +94,16 @@ PictureWorld::~PictureWorld() = default;
 void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord centre,
                         const Options& options) {
     const auto archive = valueOf(dat::Archive::open(directory));
-    world_ = valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
+    world::World world =
+        valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
     options_ = options;
-    if (options.omissions.membership)
-        lessWorld_ = std::make_unique<world::World>(withoutMembership(world_));
-    graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(drawnWorld())));
-    planner_ = std::make_unique<frame::Planner>(drawnWorld());
-}
-
-const world::World& PictureWorld::drawnWorld() const {
-    return lessWorld_ ? *lessWorld_ : world_;
+    if (!options.omissions.membership) {
+        part_ = valueOf(engine::partOf(std::move(world)));
+        return;
+    }
+    part_ = valueOf(engine::partOf(withoutMembership(world)));
+    whole_ = std::make_unique<world::World>(std::move(world));
 }
 
 std::string PictureWorld::driverVersion() const {
@@ -110,7 +111,7 @@ std::string PictureWorld::driverVersion() const {
 }
 
 world::SpaceIndex PictureWorld::space(dat::RecordId cellId) const {
-    const world::SpaceIndex found = world::findCell(world_, cellId);
+    const world::SpaceIndex found = world::findCell(world(), cellId);
     EXPECT_NE(found, world::kNone) << "no such cell";
     return found;
 }
@@ -122,21 +123,32 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
     return frame;
 }
 
+void PictureWorld::floodAndPlan(const frame::FrameView& frame, engine::Pipeline& pipeline) {
+    pipeline.state().dynamics = drawnDynamics_;
+    pipeline.flood(frame.view, {.rules = floodRules});
+    pipeline.plan(frame);
+}
+
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_, visible);
-    planner_->plan(frame, drawnDynamics_, visible, plan);
+    if (!planning_) {
+        planning_ = std::make_unique<Planning>();
+        require(planning_->pipeline.show(std::make_unique<engine::PartPlanner>(part_)));
+    }
+    floodAndPlan(frame, planning_->pipeline);
+    visible = planning_->pipeline.state().visible;
+    plan = planning_->pipeline.state().plan;
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
     if (!tracer_)
-        tracer_ = std::make_unique<NaiveTracer>(world_, dynamics_);
+        tracer_ = std::make_unique<NaiveTracer>(world(), dynamics_);
     return *tracer_;
 }
 
 void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
-    motion::DynamicStateBuilder(world_).at(input, dynamics_);
-    drawnDynamics_ = without(options_.omissions, world_, dynamics_);
+    motion::DynamicStateBuilder(world()).at(input, dynamics_);
+    drawnDynamics_ = without(options_.omissions, world(), dynamics_);
     tracer_.reset();
     if (traced_)
         traced_->setDynamics(dynamics_);
@@ -150,7 +162,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
                             const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>(options_);
-        require(drawing_->renderer->upload(frame::buildScene(drawnWorld())));
+        require(drawing_->pipeline->show(std::make_unique<engine::PartPlanner>(part_)));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||
@@ -160,8 +172,10 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
     }
     Picture picture;
     picture.frame = frame;
-    plan(frame, picture.visible, drawing_->plan);
-    require(drawing_->renderer->render(drawing_->plan, *target, options));
+    floodAndPlan(frame, *drawing_->pipeline);
+    require(drawing_->pipeline->render(*target, options));
+    const engine::FrameState& state = drawing_->pipeline->state();
+    picture.visible = state.visible;
     if (targetOptions.samples > 0) {
         picture.samples = target->samplePositions();
     } else {
@@ -171,9 +185,9 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
     picture.colour = target->readColour();
     if (options.wantLayers)
         picture.layers = target->readLayers();
-    picture.counts = drawing_->plan.counts;
-    picture.glCalls = drawing_->renderer->report().glCalls;
-    for (const frame::Stage& stage : drawing_->plan.stages)
+    picture.counts = state.plan.counts;
+    picture.glCalls = drawing_->pipeline->renderer().report().glCalls;
+    for (const frame::Stage& stage : state.plan.stages)
         picture.stages.push_back(stage.batchCount);
     EXPECT_TRUE(driver().debug.faults().empty()) << driver().debug.faults().front();
     EXPECT_TRUE(drawing_->device.faults().empty()) << drawing_->device.faults().front();
@@ -182,7 +196,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
 
 check::Comparison PictureWorld::judge(const Picture& picture) {
     if (!traced_) {
-        traced_ = std::make_unique<check::TracedWorld>(world_);
+        traced_ = std::make_unique<check::TracedWorld>(world());
         traced_->setDynamics(dynamics_);
     }
     const frame::FrameView& frame = picture.frame;
@@ -242,8 +256,8 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::Rend
         const std::uint32_t x = at % frame.width, y = at / frame.width;
         ADD_FAILURE() << c.findings() << " wrong pixels, the first (" << x << ", " << y
                       << "): " << check::kVerdictNames[static_cast<std::size_t>(*wrong)] << ", drawn "
-                      << describeId(world_, picture.id(x, y)) << ", traced "
-                      << describeId(world_, tracedPicture_.at(static_cast<int>(x), static_cast<int>(y)).id)
+                      << describeId(world(), picture.id(x, y)) << ", traced "
+                      << describeId(world(), tracedPicture_.at(static_cast<int>(x), static_cast<int>(y)).id)
                       << "; eye (" << eye.x << ", " << eye.y << ", " << eye.z << "), forward ("
                       << frame.view.forward.x << ", " << frame.view.forward.y << ", " << frame.view.forward.z
                       << "), root " << frame.view.root;

@@ -6,12 +6,9 @@
 
 #include "check/Comparison.h"
 #include "check/Traced.h"
-#include "frame/Planner.h"
+#include "engine/Pipeline.h"
 #include "gpu/RenderOptions.h"
-#include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
-#include "motion/DynamicStateBuilder.h"
-#include "visibility/Flood.h"
 #include "world/MovingEntries.h"
 
 #include <filesystem>
@@ -58,7 +55,7 @@ public:
     PictureWorld(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options = {});
     ~PictureWorld();
 
-    [[nodiscard]] const world::World& world() const { return world_; }
+    [[nodiscard]] const world::World& world() const { return whole_ ? *whole_ : part_->world; }
     /// The ray rule done the obvious way; made on first use.
     [[nodiscard]] const NaiveTracer& tracer() const;
     [[nodiscard]] world::SpaceIndex space(dat::RecordId cellId) const;
@@ -94,18 +91,17 @@ private:
     Picture shoot(const frame::FrameView& frame, const gpu::RenderOptions& options,
                   const gpu::TargetOptions& targetOptions);
     void load(const std::filesystem::path& directory, dat::BlockCoord centre, const Options& options);
-    [[nodiscard]] const world::World& drawnWorld() const;
-    world::World world_;
-    std::unique_ptr<world::World> lessWorld_; ///< with omissions: what is drawn
+    std::shared_ptr<const engine::LoadedPart> part_; ///< drawn
+    std::unique_ptr<world::World> whole_;            ///< with omissions: the world that the reference sees
     Vec3 origin_{0.0};
     world::DynamicState dynamics_, drawnDynamics_;
     Options options_;
     mutable std::unique_ptr<NaiveTracer> tracer_;
     std::unique_ptr<check::TracedWorld> traced_;
     reference::Picture tracedPicture_;
-    std::unique_ptr<visibility::Graph> graph_;
-    std::unique_ptr<frame::Planner> planner_;
-    visibility::FloodScratch scratch_;
+    void floodAndPlan(const frame::FrameView& frame, engine::Pipeline& pipeline);
+    struct Planning;
+    std::unique_ptr<Planning> planning_; ///< without a driver
     struct Drawing;
     std::unique_ptr<Drawing> drawing_;
 };
