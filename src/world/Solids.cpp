@@ -180,62 +180,64 @@ private:
         if (setup == nullptr)
             return;
         // As the original: the shapes of the parts, else cylinders, else spheres (docs/formats/geometry.md#setup).
-        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0) {
+        if ((setup->flags & dat::Setup::kPhysicsBsp) != 0)
             for (const ModelPart& part : models_.model(model).parts)
                 addGfxObj(part.gfxObj, within(placement, part.linear, part.origin));
-            else if (!setup->cylSpheres.empty()) for (const dat::CylSphere& c : setup->cylSpheres)
+        else if (!setup->cylSpheres.empty())
+            for (const dat::CylSphere& c : setup->cylSpheres)
                 addRound(within(placement, Mat3(1.0), Vec3(c.low)), c.radius, 0.0, c.height);
-            else for (const dat::SphereF& s : setup->spheres)
+        else
+            for (const dat::SphereF& s : setup->spheres)
                 addRound(within(placement, Mat3(1.0), Vec3(s.centre)), s.radius, s.radius, 0.0);
-        }
+    }
 
-        void addGfxObj(dat::RecordId id, const Placement& placement) {
-            const dat::GfxObj* record = records_.gfxObj(id);
-            if (record != nullptr && (record->flags & dat::GfxObj::kPhysics) != 0)
-                addPolygons(record->vertexArray, record->physicsPolygons, placement);
-        }
+    void addGfxObj(dat::RecordId id, const Placement& placement) {
+        const dat::GfxObj* record = records_.gfxObj(id);
+        if (record != nullptr && (record->flags & dat::GfxObj::kPhysics) != 0)
+            addPolygons(record->vertexArray, record->physicsPolygons, placement);
+    }
 
-        /// A cylinder upwards from the placement's origin, or with `bulge` > 0 a ball around it, of flat faces.
-        void addRound(const Placement& placement, double radius, double bulge, double height) {
-            constexpr int kSides = 12, kRings = 6;
-            if (!(radius > 0.0) || !std::isfinite(radius) || !std::isfinite(height))
-                return;
-            std::vector<std::pair<double, double>> rings; // (radius, height), from below
-            if (bulge > 0.0) {
-                for (int i = 0; i <= kRings; ++i) {
-                    const double angle = std::numbers::pi * (static_cast<double>(i) / kRings - 0.5);
-                    rings.emplace_back(radius * std::cos(angle), bulge * std::sin(angle));
-                }
-            } else {
-                rings = {{0.0, 0.0}, {radius, 0.0}, {radius, height}, {0.0, height}};
+    /// A cylinder upwards from the placement's origin, or with `bulge` > 0 a ball around it, of flat faces.
+    void addRound(const Placement& placement, double radius, double bulge, double height) {
+        constexpr int kSides = 12, kRings = 6;
+        if (!(radius > 0.0) || !std::isfinite(radius) || !std::isfinite(height))
+            return;
+        std::vector<std::pair<double, double>> rings; // (radius, height), from below
+        if (bulge > 0.0) {
+            for (int i = 0; i <= kRings; ++i) {
+                const double angle = std::numbers::pi * (static_cast<double>(i) / kRings - 0.5);
+                rings.emplace_back(radius * std::cos(angle), bulge * std::sin(angle));
             }
-            const auto at = [&](const std::pair<double, double>& ring, int side) {
-                const double angle = 2.0 * std::numbers::pi * side / kSides;
-                return Vec3(ring.first * std::cos(angle), ring.first * std::sin(angle), ring.second);
-            };
-            for (std::size_t i = 1; i < rings.size(); ++i) {
-                for (int side = 0; side < kSides; ++side) {
-                    addFan(std::array{at(rings[i - 1], side), at(rings[i - 1], side + 1),
-                                      at(rings[i], side + 1), at(rings[i], side)},
-                           placement);
-                }
+        } else {
+            rings = {{0.0, 0.0}, {radius, 0.0}, {radius, height}, {0.0, height}};
+        }
+        const auto at = [&](const std::pair<double, double>& ring, int side) {
+            const double angle = 2.0 * std::numbers::pi * side / kSides;
+            return Vec3(ring.first * std::cos(angle), ring.first * std::sin(angle), ring.second);
+        };
+        for (std::size_t i = 1; i < rings.size(); ++i) {
+            for (int side = 0; side < kSides; ++side) {
+                addFan(std::array{at(rings[i - 1], side), at(rings[i - 1], side + 1), at(rings[i], side + 1),
+                                  at(rings[i], side)},
+                       placement);
             }
         }
+    }
 
-        const dat::Archive& archive_;
-        const World& world_;
-        Records records_;
-        Models models_;
-        BlockBuilder builder_;
-        std::unordered_map<std::uint64_t, InstanceIndex> byObject_;
-        Solids& out_;
-        Vec3 offset_{0.0}; ///< from what is added to Solids::origin
-    };
+    const dat::Archive& archive_;
+    const World& world_;
+    Records records_;
+    Models models_;
+    BlockBuilder builder_;
+    std::unordered_map<std::uint64_t, InstanceIndex> byObject_;
+    Solids& out_;
+    Vec3 offset_{0.0}; ///< from what is added to Solids::origin
+};
 
 } // namespace
 
-Result<Solids>
-loadSolids(const dat::Archive& archive, const World& world, dat::BlockCoord centre, int radius) {
+Result<Solids> loadSolids(const dat::Archive& archive, const World& world, dat::BlockCoord centre,
+                          int radius) {
     const std::vector<dat::BlockCoord> blocks = blocksAround(centre, radius);
     const Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
     if (!region)
