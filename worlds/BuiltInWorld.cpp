@@ -1,17 +1,17 @@
 #include "worlds/BuiltInWorld.h"
 
-#include "worlds/DungeonBlocks.h"
-#include "worlds/Materials.h"
-#include "worlds/RegionBuilder.h"
-#include "worlds/TerrainShape.h"
-#include "worlds/Village.h"
+#include "worlds/builtin/dungeon/DungeonBlocks.h"
+#include "worlds/builtin/land/RegionBuilder.h"
+#include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/builtin/village/Village.h"
+#include "worlds/records/Materials.h"
 
 namespace limen::worlds {
 
 WorldRecords buildBuiltInWorld(Pictures pictures) {
     WorldRecords records;
     addMaterials(records, pictures);
-    ModelSink sink(records);
+    ModelWriter sink(records);
     const Plants plants = addPlants(sink);
     addRegion(sink, plants);
     const VillageMap map = addVillage(sink, plants);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "worlds/BuiltInWorld.h"
 #include "geometry/Bounds.h"
 #include "geometry/ConvexPolygon.h"
 #include "geometry/Plane.h"
+#include "worlds/BuiltInWorld.h"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,9 @@
-#include "worlds/generate/Carve.h"
+#include "worlds/shapes/Carve.h"
 #include "worlds/generate/ComplexOpenings.h"
-#include "worlds/generate/ShapeLibrary.h"
-#include "worlds/generate/Shell.h"
-#include "worlds/generate/SolidCutter.h"
+#include "worlds/records/ShapeLibrary.h"
+#include "worlds/records/SolidTree.h"
+#include "worlds/shapes/Shell.h"
+#include "worlds/shapes/SolidCutter.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,8 +1,8 @@
-#include "worlds/Bsp.h"
-#include "worlds/Cottages.h"
-#include "worlds/Inn.h"
 #include "worlds/Shell.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/buildings/Cottages.h"
+#include "worlds/builtin/buildings/Inn.h"
+#include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/records/Bsp.h"
 
 #include <gtest/gtest.h>
 #include <set>

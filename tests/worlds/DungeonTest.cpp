@@ -1,7 +1,7 @@
 // Tower, cave and dungeons: what is built in on purpose, found again in the records.
 #include "worlds/Shell.h"
-#include "worlds/Stream.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/land/Stream.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <gtest/gtest.h>
 #include <map>

@@ -1,6 +1,6 @@
+#include "motion/DynamicStateBuilder.h"
 #include "worlds/BuiltIn.h"
 #include "worlds/Loaded.h"
-#include "motion/DynamicStateBuilder.h"
 
 #include <gtest/gtest.h>
 #include <set>

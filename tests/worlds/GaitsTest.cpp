@@ -1,7 +1,7 @@
-#include "worlds/FolkGaits.h"
-#include "worlds/FolkModels.h"
-#include "worlds/Loaded.h"
 #include "motion/PartPoses.h"
+#include "worlds/Loaded.h"
+#include "worlds/builtin/people/FolkGaits.h"
+#include "worlds/builtin/people/FolkModels.h"
 
 #include <gtest/gtest.h>
 #include <optional>

@@ -1,6 +1,6 @@
 // What holds for generated worlds of every kind, size and seed.
-#include "worlds/GeneratedWorlds.h"
 #include "motion/Locate.h"
+#include "worlds/GeneratedWorlds.h"
 
 #include <fmt/format.h>
 #include <fstream>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "dat/Archive.h"
-#include "worlds/Generated.h"
 #include "support/LoadTestWorld.h"
 #include "world/Places.h"
+#include "worlds/Generated.h"
 
 #include <string>
 

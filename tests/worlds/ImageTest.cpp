@@ -1,6 +1,6 @@
-#include "worlds/Materials.h"
-#include "worlds/Painters.h"
-#include "worlds/PixelEncoder.h"
+#include "worlds/pictures/Painters.h"
+#include "worlds/records/Materials.h"
+#include "worlds/records/PixelEncoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
-#include "worlds/Bsp.h"
-#include "worlds/Building.h"
-#include "worlds/Noise.h"
-#include "worlds/Panel.h"
-#include "worlds/Shells.h"
-#include "worlds/Sight.h"
 #include "geometry/ConvexPolygon.h"
+#include "worlds/pictures/Noise.h"
+#include "worlds/records/Bsp.h"
+#include "worlds/records/Seams.h"
+#include "worlds/records/Sight.h"
+#include "worlds/shapes/CellComplex.h"
+#include "worlds/shapes/Panel.h"
+#include "worlds/shapes/RoomPlan.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -130,7 +131,7 @@ bool solidAt(const dat::BspTree& tree, const Vec3& p) {
 }
 
 TEST(Bsp, physicsTreeOfABoxIsSolidInside) {
-    MeshBuilder mesh;
+    FaceMesh mesh;
     mesh.box({-1, -2, 0}, {1, 2, 3}, Material::StoneWall);
     const std::vector<std::uint16_t> ids{0, 1, 2, 3, 4, 5};
     const dat::BspTree tree = buildPhysicsBsp(mesh.faces(), ids);

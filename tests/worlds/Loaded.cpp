@@ -1,10 +1,10 @@
 #include "worlds/Loaded.h"
 
 #include "dat/Archive.h"
-#include "worlds/Demo.h"
-#include "worlds/TerrainShape.h"
 #include "world/Loader.h"
 #include "world/Places.h"
+#include "worlds/Demo.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <filesystem>
 #include <unistd.h>

@@ -1,10 +1,10 @@
 #include "worlds/BuiltIn.h"
 
-#include "worlds/Demo.h"
-#include "worlds/Loaded.h"
-#include "worlds/TerrainShape.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
+#include "worlds/Demo.h"
+#include "worlds/Loaded.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -1,8 +1,8 @@
-#include "worlds/Cottages.h"
-#include "worlds/Inn.h"
 #include "worlds/Shell.h"
-#include "worlds/TerrainShape.h"
-#include "worlds/Tower.h"
+#include "worlds/builtin/buildings/Cottages.h"
+#include "worlds/builtin/buildings/Inn.h"
+#include "worlds/builtin/dungeon/Tower.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "dat/Archive.h"
 #include "worlds/Demo.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <fstream>
 #include <gtest/gtest.h>

@@ -6,10 +6,11 @@
 
 namespace limen::worlds::test {
 
+enum class SurfaceKind { Shell, Exterior, Object, Portal };
+
 /// A polygon where it stands on the map.
 struct Standing {
-    enum class Kind { Shell, Exterior, Object, Portal };
-    Kind kind = Kind::Object;
+    SurfaceKind kind = SurfaceKind::Object;
     std::string name;         ///< who it belongs to, for messages
     std::vector<Vec3> points; ///< global
     Plane plane;

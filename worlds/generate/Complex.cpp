@@ -1,13 +1,13 @@
-#include "worlds/RegionBuilder.h"
-#include "worlds/generate/BlockPlan.h"
+#include "worlds/builtin/land/RegionBuilder.h"
 #include "worlds/generate/ComplexOpenings.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/Land.h"
 #include "worlds/generate/Props.h"
-#include "worlds/generate/Shell.h"
 #include "worlds/generate/SmallPictures.h"
-#include "worlds/generate/SolidCutter.h"
 #include "worlds/generate/WorldNotes.h"
+#include "worlds/records/LandblockWriter.h"
+#include "worlds/shapes/Shell.h"
+#include "worlds/shapes/SolidCutter.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ public:
         : props_(props), mix_(mix), random_(random) {}
 
     /// The box stands on z = 0 around the origin of the plan.
-    CellsPlan build(std::uint32_t count) {
+    BuildingPlan build(std::uint32_t count) {
         const double side = std::ceil(std::cbrt(kVolume * count));
         max_ = Vec3(side / 2, side / 2, side);
         min_ = Vec3(-side / 2, -side / 2, 0.0);
@@ -105,16 +105,16 @@ private:
         const std::array<Polygon, 2> walls{solids_[face.first].sides[face.firstSide].points,
                                            solids_[face.second].sides[face.secondSide].points};
         for (const OpeningPair& pair : makeOpenings(face.points, walls, mix_, random_)) {
-            const auto a = static_cast<std::uint16_t>(plan_.cells[face.first].portals.size());
-            const auto b = static_cast<std::uint16_t>(plan_.cells[face.second].portals.size());
+            const auto a = static_cast<std::uint16_t>(plan_.cells[face.first].links.size());
+            const auto b = static_cast<std::uint16_t>(plan_.cells[face.second].links.size());
             add(face.first, pair.first, {face.second, b, pair.exact});
             add(face.second, pair.second, {face.first, a, pair.exact});
         }
     }
 
-    void add(std::uint32_t cell, const Polygon& polygon, PlannedPortal portal) {
+    void add(std::uint32_t cell, const Polygon& polygon, CellLink portal) {
         portal.insidePositive = !random_.chance(mix_.reversed);
-        plan_.cells[cell].portals.push_back(portal);
+        plan_.cells[cell].links.push_back(portal);
         shells_[cell].openings.push_back(polygon);
     }
 
@@ -136,23 +136,23 @@ private:
             if (i > 0 && !random_.chance(0.35))
                 continue;
             const Polygon& side = solids_[spots[i].cell].sides[spots[i].side].points;
-            const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].portals.size());
+            const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].links.size());
             const Polygon opening = roundOpening(side, random_);
-            add(spots[i].cell, opening, {PlannedPortal::kOutside, dat::kNoPortal});
+            add(spots[i].cell, opening, {CellLink::kOutside, dat::kNoPortal});
             plan_.exits.push_back({spots[i].cell, index});
             exterior_.openings.push_back(opening);
         }
     }
 
     void shell(std::uint32_t c) {
-        PlannedCell& cell = plan_.cells[c];
+        CellPlan& cell = plan_.cells[c];
         cell.eye = middleOf(solids_[c]);
         cell.faces = facesOf(shells_[c]);
         furnish(cell);
     }
 
     /// Things that hang in the middle of the cell, some in its openings.
-    void furnish(PlannedCell& cell) {
+    void furnish(CellPlan& cell) {
         if (random_.chance(0.4)) {
             const std::array<dat::RecordId, 6> things{props_.crate,  props_.rod,  props_.pole,
                                                       props_.screen, props_.pane, props_.lamp};
@@ -179,7 +179,7 @@ private:
     std::vector<Solid> solids_;
     std::vector<Shell> shells_; ///< by cell
     Shell exterior_;
-    CellsPlan plan_;
+    BuildingPlan plan_;
 };
 
 } // namespace
@@ -187,8 +187,7 @@ private:
 WorldRecords buildComplex(const GeneratedSpec& spec) {
     WorldRecords records;
     addSmallMaterials(records);
-    ModelSink sink(records);
-    ShapeLibrary shapes(records);
+    ModelWriter sink(records);
     const Props props = addProps(sink);
     Random random(seedOf(spec));
     const OpeningMix mix = mixOf(random);
@@ -196,11 +195,11 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     // Without land the block is a dungeon.
     const Placement at{{96.0, 96.0, heightOfIndex(kComplexGround) + 0.125},
                        mix.toGround ? random.between(0.0, 360.0) : 0.0};
-    CellsPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
+    BuildingPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
     WorldNotes notes;
-    const std::vector<PlannedCell> cells = plan.cells;
-    PlanWriter block(sink, shapes, kBlock);
-    const dat::RecordId first = block.add(std::move(plan), at);
+    const std::vector<CellPlan> cells = plan.cells;
+    LandblockWriter block(sink, kBlock, kGeneratedCells);
+    const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
     if (mix.toGround) {
         addRegion(sink, addPlants(sink));
         const double away = 12.0 + std::cbrt(kVolume * spec.size);
@@ -210,7 +209,7 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostComplexPlaces);
     for (std::size_t c = 0; c < cells.size(); c += step) {
         const Vec3 target =
-            cells[c].portals.empty()
+            cells[c].links.empty()
                 ? cells[c].eye + Vec3(1.0, 0.0, 0.0)
                 : centroidOf(std::find_if(cells[c].faces.begin(), cells[c].faces.end(), [](const Face& f) {
                                  return f.portal;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "worlds/generate/Carve.h"
 #include "worlds/generate/Random.h"
+#include "worlds/shapes/Carve.h"
 
 namespace limen::worlds {
 

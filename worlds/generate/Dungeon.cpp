@@ -1,5 +1,5 @@
 #include "worlds/generate/DungeonBlock.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/SmallPictures.h"
 
 namespace limen::worlds {
@@ -15,7 +15,7 @@ constexpr dat::BlockCoord kFirstBlock{0x10, 0x20};
 WorldRecords buildDungeon(const GeneratedSpec& spec) {
     WorldRecords records;
     addSmallMaterials(records);
-    ModelSink sink(records);
+    ModelWriter sink(records);
     ShapeLibrary library(records);
     DungeonShapes shapes(library);
     const Props props = addProps(sink);

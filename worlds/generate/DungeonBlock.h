@@ -10,11 +10,11 @@ namespace limen::worlds {
 struct DungeonLeaves {
     dat::RecordId narrow = 0, half = 0, glass = 0;
 };
-[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelSink& sink);
+[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelWriter& sink);
 
 /// What landblocks of dungeons are made of, and written into.
 struct DungeonTools {
-    ModelSink& sink;
+    ModelWriter& sink;
     DungeonShapes& shapes;
     const Props& props;
     const DungeonLeaves& leaves;

@@ -6,14 +6,14 @@ namespace limen::worlds {
 
 /// (across, up) in metres, as seen in a passage to the east, whose +y is `across`; counter-clockwise in that plane. Up
 /// is 0 at the floor.
-using Outline = std::vector<Vec2>;
+using FlatOutline = std::vector<Vec2>;
 
 /// The openings of a door, as many as openingsOf says.
-[[nodiscard]] std::vector<Outline> openingOutlines(Door door);
+[[nodiscard]] std::vector<FlatOutline> openingOutlines(Door door);
 /// The cross-section of a passage with such doors: the opening itself, or wider.
-[[nodiscard]] Outline passageOutline(Door door);
+[[nodiscard]] FlatOutline passageOutline(Door door);
 /// The opening in a floor, around the origin, seen from above; Narrow is a square, all others an octagon.
-[[nodiscard]] Outline hatchOutline(Door door);
+[[nodiscard]] FlatOutline hatchOutline(Door door);
 
 /// How many openings a door is made of.
 [[nodiscard]] std::uint16_t openingsOf(Door door);

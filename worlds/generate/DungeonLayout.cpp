@@ -1,6 +1,6 @@
 #include "worlds/generate/DungeonLayout.h"
 
-#include "worlds/Noise.h"
+#include "worlds/pictures/Noise.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "worlds/generate/Random.h"
 #include "geometry/Vec.h"
+#include "worlds/generate/Random.h"
 
 #include <array>
 #include <cstdint>

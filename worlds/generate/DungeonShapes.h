@@ -1,7 +1,7 @@
 #pragma once
 
 #include "worlds/generate/DungeonLayout.h"
-#include "worlds/generate/ShapeLibrary.h"
+#include "worlds/records/ShapeLibrary.h"
 
 #include <map>
 
@@ -31,6 +31,9 @@ public:
     const StoredShape& of(const Passage& passage, double rise);
 
 private:
+    const StoredShape& store(const std::array<long long, 10>& key, std::vector<Face> faces,
+                             const Vec3& middle);
+
     ShapeLibrary& library_;
     std::map<std::array<long long, 10>, StoredShape> shapes_;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "worlds/generate/BlockPlan.h"
 #include "worlds/generate/Props.h"
 #include "worlds/generate/WorldNotes.h"
+#include "worlds/records/CellPlan.h"
 
 namespace limen::worlds {
 
@@ -30,7 +30,7 @@ struct HouseOpening {
 inline constexpr double kDoorWidth = 1.125, kDoorHeight = 2.0, kWindowWidth = 1.0, kWindowHeight = 1.125;
 
 struct House {
-    CellsPlan plan;
+    BuildingPlan plan;
     std::vector<HouseOpening> openings;
 };
 [[nodiscard]] House planHouse(const HouseSpec& spec, const Props& props, Random& random);
@@ -39,7 +39,7 @@ struct House {
 struct HouseLeaves {
     dat::RecordId door = 0, pane = 0;
 };
-[[nodiscard]] HouseLeaves addHouseLeaves(ModelSink& sink);
+[[nodiscard]] HouseLeaves addHouseLeaves(ModelWriter& sink);
 
 /// Notes doors for a share of a house's openings.
 void noteDoors(const std::vector<HouseOpening>& openings, const HouseLeaves& leaves, dat::BlockCoord block,

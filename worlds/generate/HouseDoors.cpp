@@ -2,7 +2,7 @@
 
 namespace limen::worlds {
 
-HouseLeaves addHouseLeaves(ModelSink& sink) {
+HouseLeaves addHouseLeaves(ModelWriter& sink) {
     return {addLeaf(sink, kDoorWidth, kDoorHeight, true), addLeaf(sink, kWindowWidth, kWindowHeight, false)};
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dat/Ids.h"
-#include "worlds/TerrainShape.h"
-#include "worlds/WorldRecords.h"
+#include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/records/WorldRecords.h"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
-#include "worlds/Noise.h"
-#include "worlds/RegionBuilder.h"
+#include "worlds/builtin/land/RegionBuilder.h"
 #include "worlds/generate/DungeonBlock.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/SmallPictures.h"
 #include "worlds/generate/TownBlocks.h"
+#include "worlds/pictures/Noise.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ private:
 
     // Where roads cross, and beside them, until there are cells enough; the other landblocks hold nothing.
     void addTowns() {
-        TownBlocks towns({sink_, shapes_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
+        TownBlocks towns({sink_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
         const auto wanted = static_cast<std::uint32_t>(spec_.size * kHouseShare);
         std::set<std::pair<int, int>> built;
         while (towns.cells() < wanted && built.size() < kMostTownBlocks) {
@@ -149,7 +149,7 @@ private:
     std::uint32_t dungeonCells_ = 0, dungeons_ = 0;
     int firstColumn_ = 0; ///< of land
     WorldRecords records_;
-    ModelSink sink_{records_};
+    ModelWriter sink_{records_};
     ShapeLibrary shapes_{records_};
     DungeonShapes dungeonShapes_{shapes_};
     Props props_;

@@ -4,22 +4,22 @@ namespace limen::worlds {
 
 namespace {
 
-dat::RecordId boxModel(ModelSink& sink, const Vec3& min, const Vec3& max, Material material) {
-    MeshBuilder mesh;
+dat::RecordId boxModel(ModelWriter& sink, const Vec3& min, const Vec3& max, Material material) {
+    FaceMesh mesh;
     mesh.beam(min, max, material);
     return sink.addMesh(mesh);
 }
 
-dat::RecordId cardModel(ModelSink& sink, double from, double to, double bottom, double top,
+dat::RecordId cardModel(ModelWriter& sink, double from, double to, double bottom, double top,
                         Material material) {
-    MeshBuilder mesh;
+    FaceMesh mesh;
     mesh.card({{{from, 0, bottom}, {to, 0, bottom}, {to, 0, top}, {from, 0, top}}}, material, true);
     return sink.addMesh(mesh);
 }
 
-dat::RecordId pillarModel(ModelSink& sink) {
-    MeshBuilder mesh;
-    MeshBuilder::Round round;
+dat::RecordId pillarModel(ModelWriter& sink) {
+    FaceMesh mesh;
+    FaceMesh::Round round;
     round.lower = 0.3;
     round.upper = 0.25;
     round.height = 2.2;
@@ -31,8 +31,8 @@ dat::RecordId pillarModel(ModelSink& sink) {
     return sink.addMesh(mesh);
 }
 
-dat::RecordId lampModel(ModelSink& sink) {
-    MeshBuilder mesh;
+dat::RecordId lampModel(ModelWriter& sink) {
+    FaceMesh mesh;
     mesh.box({-0.08, -0.08, 0.0}, {0.08, 0.08, 0.9}, Material::Wax);
     mesh.card({{{-0.15, 0, 0.9}, {0.15, 0, 0.9}, {0.15, 0, 1.25}, {-0.15, 0, 1.25}}}, Material::Flame, true);
     const dat::RecordId candle = sink.addMesh(mesh);
@@ -41,7 +41,7 @@ dat::RecordId lampModel(ModelSink& sink) {
 
 } // namespace
 
-Props addProps(ModelSink& sink) {
+Props addProps(ModelWriter& sink) {
     Props props;
     props.crate = boxModel(sink, {-0.35, -0.35, 0.0}, {0.35, 0.35, 0.7}, Material::OldPlanks);
     props.pillar = pillarModel(sink);
@@ -67,7 +67,7 @@ dat::RecordId pickProp(const Props& props, Random& random) {
     }
 }
 
-dat::RecordId addLeaf(ModelSink& sink, double width, double height, bool opaque) {
+dat::RecordId addLeaf(ModelWriter& sink, double width, double height, bool opaque) {
     if (!opaque)
         return cardModel(sink, 0.0, width, 0.0, height, Material::LampGlass);
     return boxModel(sink, {0.0, -0.03, 0.0}, {width, 0.03, height}, Material::Planks);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "worlds/Models.h"
 #include "worlds/generate/Random.h"
+#include "worlds/records/ModelWriter.h"
 
 namespace limen::worlds {
 
@@ -15,12 +15,12 @@ struct Props {
     dat::RecordId fence = 0;  ///< 3 m along x, from the origin
     dat::RecordId lamp = 0;   ///< a candle on the floor that lights its room
 };
-[[nodiscard]] Props addProps(ModelSink& sink);
+[[nodiscard]] Props addProps(ModelWriter& sink);
 
 /// What stands on a floor: one of crate, pillar, screen, lamp.
 [[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
 
 /// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.
-[[nodiscard]] dat::RecordId addLeaf(ModelSink& sink, double width, double height, bool opaque);
+[[nodiscard]] dat::RecordId addLeaf(ModelWriter& sink, double width, double height, bool opaque);
 
 } // namespace limen::worlds

@@ -1,8 +1,8 @@
 #include "worlds/generate/SmallPictures.h"
 
-#include "worlds/Materials.h"
-#include "worlds/Noise.h"
-#include "worlds/PixelEncoder.h"
+#include "worlds/pictures/Noise.h"
+#include "worlds/records/Materials.h"
+#include "worlds/records/PixelEncoder.h"
 
 #include <array>
 

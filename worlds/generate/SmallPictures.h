@@ -1,6 +1,6 @@
 #pragma once
 
-#include "worlds/WorldRecords.h"
+#include "worlds/records/WorldRecords.h"
 
 namespace limen::worlds {
 

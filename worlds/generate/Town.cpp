@@ -1,5 +1,5 @@
-#include "worlds/RegionBuilder.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/builtin/land/RegionBuilder.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/SmallPictures.h"
 #include "worlds/generate/TownBlocks.h"
 
@@ -28,7 +28,7 @@ public:
         leaves_ = addHouseLeaves(sink_);
         addRegion(sink_, addPlants(sink_));
         roll();
-        TownBlocks town({sink_, shapes_, props_, leaves_, notes_}, land_, random_);
+        TownBlocks town({sink_, props_, leaves_, notes_}, land_, random_);
         for (std::uint32_t b = 0; b < blocks_; ++b) {
             const std::uint32_t houses = spec_.size / blocks_ + (b < spec_.size % blocks_ ? 1u : 0u);
             const Placement district =
@@ -37,8 +37,9 @@ public:
                 notePlaces(land_.blockAt(0, 0), Vec3(0.0), district);
         }
         for (std::uint32_t b = blocks_; b < static_cast<std::uint32_t>(across_ * landBlocksY()); ++b) {
-            PlanWriter(sink_, shapes_,
-                       land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_))
+            LandblockWriter(sink_,
+                            land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_),
+                            kGeneratedCells)
                 .finish();
         }
         land_.addTo(records_);
@@ -83,8 +84,7 @@ private:
     int across_;
     Land land_;
     WorldRecords records_;
-    ModelSink sink_{records_};
-    ShapeLibrary shapes_{records_};
+    ModelWriter sink_{records_};
     Props props_;
     HouseLeaves leaves_;
     WorldNotes notes_;

@@ -3,6 +3,7 @@
 #include "worlds/generate/House.h"
 #include "worlds/generate/Land.h"
 #include "worlds/generate/Random.h"
+#include "worlds/records/LandblockWriter.h"
 
 #include <limits>
 
@@ -16,8 +17,7 @@ class TownBlocks {
 public:
     /// What they are made of, and written into.
     struct Tools {
-        ModelSink& sink;
-        ShapeLibrary& shapes;
+        ModelWriter& sink;
         const Props& props;
         const HouseLeaves& leaves;
         WorldNotes& notes;
@@ -34,10 +34,10 @@ public:
     [[nodiscard]] std::uint32_t cells() const { return cells_; } ///< of all houses so far
 
 private:
-    void addHouse(PlanWriter& block, dat::BlockCoord coord, const Vec3& corner, Placement at);
+    void addHouse(LandblockWriter& block, dat::BlockCoord coord, const Vec3& corner, Placement at);
     /// A house that stands above the ground everywhere, its walls below it; sets the placement's height.
     [[nodiscard]] HouseSpec groundHouse(const Vec3& corner, Placement& at);
-    void addFences(PlanWriter& block, const Vec3& corner, const Placement& district);
+    void addFences(LandblockWriter& block, const Vec3& corner, const Placement& district);
 
     Tools tools_;
     const Land& land_;

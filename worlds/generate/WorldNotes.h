@@ -9,6 +9,11 @@
 
 namespace limen::worlds {
 
+/// Global metres from a landblock's own.
+[[nodiscard]] inline Vec3 blockToGlobal(dat::BlockCoord coord, const Vec3& local) {
+    return local + Vec3(coord.x * 192.0, coord.y * 192.0, 0.0);
+}
+
 /// Collects what `world.json` says (docs/world-file.md).
 class WorldNotes {
 public:

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "worlds/records/ModelWriter.h"
+
+namespace limen::worlds {
+
+/// Ids of the models a house is furnished with. All stand on z = 0 around their origin, their front to the
+/// south, unless said otherwise.
+struct Furniture {
+    dat::RecordId table = 0, chair = 0, stool = 0, bench = 0, bed = 0, chest = 0;
+    dat::RecordId shelf = 0;     ///< back to the north
+    dat::RecordId fireplace = 0; ///< back to the north, chimney breast up to 2.5 m; with a light
+    dat::RecordId rug = 0, barrel = 0, crate = 0, sacks = 0;
+    dat::RecordId candle = 0;  ///< with a light
+    dat::RecordId lantern = 0; ///< hangs: origin at its hook; with a light
+    dat::RecordId jug = 0, bowl = 0;
+};
+[[nodiscard]] Furniture addFurniture(ModelWriter& sink);
+
+/// Joists under a ceiling: `across` metres long in x, set out over `along` metres in y, top at z = 0, middle
+/// at the origin.
+[[nodiscard]] dat::RecordId addJoists(ModelWriter& sink, double across, double along, double spacing);
+
+/// Wooden steps down towards the north: from (0,0,0) `count` steps, each `rise` down and `tread` on, `width`
+/// wide in x; the last riser ends on the lower floor.
+struct StairSpec {
+    int risers = 13;
+    double rise = 0.2, tread = 0.22, width = 1.2;
+};
+[[nodiscard]] dat::RecordId addStairs(ModelWriter& sink, const StairSpec& stairs);
+
+/// A railing along y from 0 to `length`, 0.95 m high.
+[[nodiscard]] dat::RecordId addRailing(ModelWriter& sink, double length);
+
+} // namespace limen::worlds

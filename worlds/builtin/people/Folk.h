@@ -1,0 +1,16 @@
+#pragma once
+
+#include "worlds/builtin/effects/Effects.h"
+#include "worlds/builtin/places/Places.h"
+#include "worlds/records/ModelWriter.h"
+
+namespace limen::worlds {
+
+/// Adds the villagers' models and fills the map's routes and villagers. Requires: the map's buildings are
+/// placed.
+void addFolk(ModelWriter& sink, const Effects& effects, VillageMap& map);
+
+/// Where torches hang beside the meeting hall's door; coordinates of the hall, their backs towards +x.
+[[nodiscard]] std::vector<Vec3> hallTorches();
+
+} // namespace limen::worlds

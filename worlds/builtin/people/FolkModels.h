@@ -1,0 +1,19 @@
+#pragma once
+
+#include "worlds/builtin/effects/Effects.h"
+
+namespace limen::worlds {
+
+/// People about 1.75 m tall in six parts (body, head, arms, legs), feet at z = 0, front to the north. Arms and legs
+/// have their origin at the joint. How they stand, walk and run is in FolkGaits.
+struct FolkModels {
+    dat::RecordId innkeeper = 0, maid = 0, farmer = 0, elder = 0;
+    dat::RecordId watchman = 0;  ///< carries a lantern at `kLantern`
+    dat::RecordId carter = 0;    ///< pulls a loaded cart
+    dat::RecordId traveller = 0; ///< whoever walks through the world
+    dat::RecordId cloak = 0;     ///< ClothingTable for farmer and traveller
+};
+inline constexpr Vec3 kLantern{0.31, 0.16, 0.86};
+[[nodiscard]] FolkModels addFolkModels(ModelWriter& sink, const Effects& effects);
+
+} // namespace limen::worlds
