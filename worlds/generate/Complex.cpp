@@ -18,7 +18,7 @@ namespace limen::worlds {
 namespace {
 
 constexpr dat::BlockCoord kBlock{0x30, 0x40};
-constexpr double kVolume = 60.0; ///< cubic metres a cell, on average
+constexpr double kVolume = 60.0; ///< mean volume of a cell, cubic metres
 constexpr double kLeastRadius = 0.12;
 constexpr int kComplexGround = 40;
 constexpr std::size_t kMostComplexPlaces = 48;
@@ -32,11 +32,11 @@ OpeningMix mixOf(Random& random) {
     return mix;
 }
 
-/// Which cells hang together already.
+/// The cells that are connected so far (union-find).
 class Islands {
 public:
     explicit Islands(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    /// False if they hung together before.
+    /// False if they were connected before.
     bool join(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);
@@ -67,7 +67,7 @@ public:
     ComplexBuilder(const Props& props, const OpeningMix& mix, Random random)
         : props_(props), mix_(mix), random_(random) {}
 
-    /// The box stands on z = 0 around the origin of the plan.
+    /// The box's floor is z = 0; the plan's origin is its middle.
     BuildingPlan build(std::uint32_t count) {
         const double side = std::ceil(std::cbrt(kVolume * count));
         max_ = Vec3(side / 2, side / 2, side);
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// Faces in random order: those that join islands first of all, some of the others too.
+    /// Opens shared faces in random order: all that connect islands, and some others.
     void openFaces() {
         std::vector<SharedFace> faces = sharedFaces(solids_, kLeastRadius);
         for (std::size_t i = faces.size(); i > 1; --i)
@@ -118,7 +118,7 @@ private:
         shells_[cell].openings.push_back(polygon);
     }
 
-    /// Ways out through the upright sides of the box, at least one.
+    /// Opens at least one exit through the upright sides of the box.
     void openOutside() {
         exterior_ = boxShell(min_, max_, Material::StoneWall);
         struct Spot {
@@ -151,7 +151,7 @@ private:
         furnish(cell);
     }
 
-    /// Things that hang in the middle of the cell, some in its openings.
+    /// Puts props into the middle of the cell and into some of its openings.
     void furnish(CellPlan& cell) {
         if (random_.chance(0.4)) {
             const std::array<dat::RecordId, 6> things{props_.crate,  props_.rod,  props_.pole,
@@ -161,7 +161,7 @@ private:
         }
         for (const Face& face : cell.faces) {
             const Vec3 n = planeOf(face.points).n;
-            // From one side only: two in the same place could not be told apart.
+            // Only one of the two cells adds one: two props at one place would fight for depth.
             const bool isOurs = n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
             if (face.portal && isOurs && random_.chance(0.16)) {
                 const bool upright = std::abs(n.z) > 0.7;

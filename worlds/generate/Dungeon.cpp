@@ -6,7 +6,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// A landblock holds 0x0100..0xFFFD.
+/// Below the limit of the format, which has the cell numbers 0x0100..0xFFFD.
 constexpr std::uint32_t kMostCellsOfBlock = 60000;
 constexpr dat::BlockCoord kFirstBlock{0x10, 0x20};
 

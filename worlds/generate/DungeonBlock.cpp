@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kDungeonListSteps = 2;
 constexpr std::size_t kMostDungeonPlaces = 64, kMostDoors = 400;
 
-/// Surfaces in place of those the shapes are stored with: floor, walls, ceiling.
+/// Replacements for the surfaces of stored shapes: floor, walls, ceiling. The first row is the stored one.
 constexpr std::array<std::array<Material, 3>, 5> kThemes{
     {{Material::Flagstones, Material::StoneWall, Material::Brick},
      {Material::Planks, Material::InnerPlaster, Material::Beam},
@@ -32,7 +32,7 @@ std::vector<std::uint16_t> dressed(const std::vector<std::uint16_t>& surfaces, s
     return out;
 }
 
-/// The index of the first opening of a way in a room's list.
+/// The index in a room's list of the first opening of a way.
 std::uint16_t firstOpening(const LatticeRoom& room, std::size_t way) {
     std::uint16_t index = 0;
     for (std::size_t w = 0; w < way; ++w) {
@@ -123,7 +123,7 @@ private:
         if (room.form == Form::Box && random_.chance(0.5))
             addStatic(room.cell, props_.lamp, {room.floor + Vec3(-2.0, 2.0, 0.0), 0.0});
         if (random_.chance(0.3)) {
-            // Clear of the hatch in the middle; may touch a wall of a small room, and reach through it.
+            // Clear of the hatch in the middle; in a small room a prop may intersect a wall.
             const double x = random_.between(1.6, 2.6) * (random_.chance(0.5) ? 1.0 : -1.0);
             const double y = random_.between(1.6, 2.6) * (random_.chance(0.5) ? 1.0 : -1.0);
             if (room.form == Form::Box) {
@@ -136,7 +136,7 @@ private:
                 furnishOpening(room, way, k, notes);
     }
 
-    /// Sometimes a rod through it, a pane a little before it, or a door in it.
+    /// At random: a rod through the opening, a pane in front of it, or a door in it.
     void furnishOpening(const LatticeRoom& room, std::size_t way, std::uint16_t k, WorldNotes& notes) {
         const Door door = room.doors[way];
         const DoorExtent extent = extentOf(door, k);
@@ -157,7 +157,7 @@ private:
 
     void addDoor(WorldNotes::Door door, Door kind, const DoorExtent& extent, const Placement& wall,
                  WorldNotes& notes) {
-        // A leaf along -y of the wall's frame (+x of the leaf) faces the way the passage leads.
+        // The leaf's +x is -y of the wall's frame: the leaf faces along the passage.
         const double yaw = 90.0 - wall.turn;
         const auto hinge = [&](double across) {
             return blockToGlobal(coord_, place(wall, {0.0, across, 0.0}));

@@ -12,7 +12,7 @@ FlatOutline rectangle(double from, double to, double top) {
 }
 
 FlatOutline arch() {
-    // A half circle of eight chords over upright sides: eleven edges.
+    // A half circle of eight chords on upright sides: eleven edges.
     constexpr double kMiddle = 1.25, kRadius = 1.0, kSpring = 1.5;
     FlatOutline out{{kMiddle - kRadius, 0.0}, {kMiddle + kRadius, 0.0}};
     constexpr int kChords = 8;

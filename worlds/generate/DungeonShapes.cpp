@@ -38,7 +38,7 @@ Polygon onWall(const FlatOutline& outline, Way way, const RoomSize& size) {
     return out;
 }
 
-/// What a room lacks of its box, seen from above; nothing for a box.
+/// The part of its box that a room lacks, seen from above; empty for a box.
 std::vector<Rect> notchOf(Form form, const RoomSize& s) {
     constexpr double kCorner = 1.0, kSlot = 1.0;
     switch (form) {
@@ -64,7 +64,7 @@ std::vector<Rect> notchOf(Form form, const RoomSize& s) {
     return {};
 }
 
-/// The walls that a notch puts into the room.
+/// Adds the walls around a notch.
 void addNotchWalls(std::vector<Face>& faces, const Rect& n, const RoomSize& s) {
     const auto add = [&](Side side, double at, double from, double to) {
         faces.push_back(planarFace(rectOnSide(side, at, {from, 0.0, to, s.height}), Material::StoneWall));
@@ -99,7 +99,7 @@ std::array<RoomSide, 6> sidesOf(const RoomSize& s) {
              {Side::Ceiling, Way::Up, s.height, level, Material::Brick}}};
 }
 
-/// The part of a notch that lies in a side.
+/// The parts of notches in a side.
 std::vector<Rect> holesIn(const RoomSide& side, const std::vector<Rect>& notches, const RoomSize& s) {
     std::vector<Rect> out;
     for (const Rect& n : notches) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kWall = 0.25, kAtticHeight = 2.25, kCellarDepth = 2.25, kHatch = 1.25; ///< metres
 
-/// An opening of a room being planned, and where it leads.
+/// An opening of a planned room, and the room behind it.
 struct Way {
     Opening opening;
     std::uint32_t to = CellLink::kOutside;
@@ -82,7 +82,7 @@ private:
                 window(back, side, 0.5 * (back.spec.min.y + back.spec.max.y), 0.875);
     }
 
-    /// The hatch of the rearmost room, in a corner.
+    /// The hatch in a corner of the rearmost room.
     [[nodiscard]] Rect hatchOf(const Room& room, bool east) const {
         const double u = east ? room.spec.max.x - 0.25 - kHatch : room.spec.min.x + 0.25;
         const double v = room.spec.max.y - 0.5 - kHatch;
@@ -125,7 +125,7 @@ private:
             const Rect& r = way.opening.rect;
             if (side != Side::Floor && side != Side::Ceiling) {
                 const double at = planeOfSide(room, side);
-                // A door between rooms is hung once.
+                // A door between rooms is listed once.
                 if (way.to == CellLink::kOutside || way.to > index) {
                     out_.openings.push_back({index, portal,
                                              alongY ? Vec3(at, r.u0, r.v0) : Vec3(r.u0, at, r.v0), alongY,
@@ -174,7 +174,7 @@ private:
         }
     }
 
-    /// Each opening's way back is the one of its destination that leads here.
+    /// Links each opening to the opening of the other room that leads back.
     void link() {
         for (std::uint32_t c = 0; c < rooms_.size(); ++c) {
             for (std::size_t k = 0; k < rooms_[c].ways.size(); ++k) {
@@ -192,7 +192,7 @@ private:
 
     [[nodiscard]] double top() const { return s_.height + (s_.attic ? kAtticHeight : 0.0) + kWall; }
 
-    /// Outer walls, seen from outside, with reveals that lead to the openings in the walls' inner faces.
+    /// Adds outer walls, seen from outside, with reveals to the openings in the walls' inner faces.
     void addWalls() {
         FaceMesh& mesh = out_.plan.exterior;
         std::vector<Face> portals;

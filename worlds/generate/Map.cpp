@@ -13,20 +13,22 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr int kAcross = 255; ///< landblocks of the map, each way
+constexpr int kAcross = 255; ///< landblocks of the map in each direction
 constexpr int kVertices = kAcross * kCellsPerBlock;
-/// Dungeons lie in the west, under the sea, as many columns of landblocks as they need.
+/// Dungeons occupy the westernmost columns of landblocks, under the sea.
 constexpr int kMostDungeonColumns = 64;
-constexpr std::uint32_t kDungeonCells = 200; ///< of each, unless there are more than find room
-constexpr double kHouseShare = 0.05;         ///< of the cells
+constexpr std::uint32_t kDungeonCells =
+    200;                             ///< of each dungeon; more if kMostDungeonColumns would not suffice
+constexpr double kHouseShare = 0.05; ///< of the cells
 constexpr std::size_t kMostMapDoors = 400;
 constexpr std::size_t kDungeonsWithPlaces = 2;
 
-/// Ground: mountains some kilometres apart, hills between them.
+/// Cells of noise across the map: mountains are some kilometres apart, with hills between them.
 constexpr int kMountains = 12, kHills = 96;
-constexpr double kSeaLevel = 30.0, kMountainRise = 70.0, kHillRise = 12.0; ///< indices of the Region's table
+constexpr double kSeaLevel = 30.0, kMountainRise = 70.0,
+                 kHillRise = 12.0; ///< in indices of the Region's table
 constexpr int kSandBelow = 34, kRockAbove = 90;
-constexpr int kRoadEvery = 16; ///< landblocks from road to road
+constexpr int kRoadEvery = 16; ///< landblocks from one road to the next
 
 class MapBuilder {
 public:
@@ -89,7 +91,7 @@ private:
         return vx % kRoadSteps == kRoadSteps / 2 || vy % kRoadSteps == kRoadSteps / 2;
     }
 
-    // Where roads cross, and beside them, until there are cells enough; the other landblocks hold nothing.
+    // Towns are at crossings and beside roads until there are enough cells. Other landblocks are empty.
     void addTowns() {
         TownBlocks towns({sink_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
         const auto wanted = static_cast<std::uint32_t>(spec_.size * kHouseShare);
@@ -106,7 +108,7 @@ private:
             }
         }
     }
-    /// Houses stand on ground that is nearly flat.
+    /// Makes the ground of a landblock nearly flat, for houses.
     void level(int bx, int by) {
         const int vx = bx * kCellsPerBlock, vy = by * kCellsPerBlock;
         const int middle = land_.heightIndexAt(vx + kCellsPerBlock / 2, vy + kCellsPerBlock / 2);

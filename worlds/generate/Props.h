@@ -5,7 +5,7 @@
 
 namespace limen::worlds {
 
-/// Things that stand in generated worlds; on z = 0 around their origin unless said otherwise.
+/// Models of props. They stand on z = 0 around their origin unless the comment says otherwise.
 struct Props {
     dat::RecordId crate = 0, pillar = 0;
     dat::RecordId screen = 0; ///< a cut-out lattice, 1.2 m along x
@@ -17,7 +17,7 @@ struct Props {
 };
 [[nodiscard]] Props addProps(ModelWriter& sink);
 
-/// What stands on a floor: one of crate, pillar, screen, lamp.
+/// A random crate, pillar, screen or lamp: props that stand on a floor.
 [[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
 
 /// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.

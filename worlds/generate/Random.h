@@ -4,7 +4,7 @@
 
 namespace limen::worlds {
 
-/// Repeatable numbers on every machine. ref: G. Steele, D. Lea, C. Flood, Fast Splittable Pseudorandom Number
+/// A random generator with the same numbers on every machine. ref: G. Steele, D. Lea, C. Flood, Fast Splittable Pseudorandom Number
 /// Generators (SplitMix64), 2014.
 class Random {
 public:

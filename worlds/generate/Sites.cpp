@@ -7,7 +7,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// Cells with their shells, joined by openings that are cut into both.
+/// Plans cells as shells that are joined by openings.
 class SitePlanner {
 public:
     std::uint32_t addCell(Shell shell, const Vec3& eye) {
@@ -25,14 +25,14 @@ public:
         cut(b, opening, {a, portalA});
     }
 
-    /// Opens a cell to the outside, through the exterior shell that has a wall there.
+    /// Opens a cell to the outside, through the exterior shell with a wall at that place.
     void openOutside(std::uint32_t cell, const Polygon& opening, Shell& exterior) {
         plan_.exits.push_back({cell, static_cast<std::uint16_t>(plan_.cells[cell].links.size())});
         cut(cell, opening, {});
         exterior.openings.push_back(opening);
     }
 
-    /// Exteriors in the order in which their cells were opened.
+    /// Requires: exteriors are added in the order in which their cells were opened.
     void addExterior(const Shell& shell) {
         for (Face& face : facesOf(shell, true))
             (face.portal ? exits_ : walls_).push_back(std::move(face));
@@ -63,7 +63,7 @@ private:
     std::vector<Face> walls_, exits_;
 };
 
-/// Walls of a building: what of a shell is seen from outside, down to the ground and below.
+/// The parts of a shell that are visible from outside.
 Shell withoutFloor(Shell shell) {
     std::erase_if(shell.walls, [](const Shell::Wall& wall) { return wall.material == Material::Flagstones; });
     return shell;
@@ -102,7 +102,7 @@ BuildingPlan planVault(const Props& props, Random& random) {
     }
     site.addStatic(hall, props.lamp, {{4.0, 2.0, kHallFloor}, 0.0});
     site.addStatic(hall, props.pillar, {{-6.0, 1.0, kHallFloor}, 0.0});
-    // Higher than the hall: its upper end reaches into the hut through the shaft's foot.
+    // The pole is higher than the hall: its upper end is in the shaft to the hut.
     site.addStatic(hall, props.pole, {{-19.0, 0.25, kHallTop}, 0.0});
     return site.finish();
 }

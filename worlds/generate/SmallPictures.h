@@ -4,7 +4,7 @@
 
 namespace limen::worlds {
 
-/// Adds the records of addMaterials, with pictures that are quick to paint: all of kSmallPicture² texels.
+/// Adds the records of addMaterials with pictures of kSmallPicture² texels, which are quick to paint.
 void addSmallMaterials(WorldRecords& records);
 inline constexpr int kSmallPicture = 32;
 

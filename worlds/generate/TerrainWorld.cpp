@@ -40,7 +40,7 @@ public:
             for (int bx = 0; bx < across_; ++bx) {
                 LandblockWriter block(sink_, land_.blockAt(bx, by), kGeneratedCells);
                 for (std::uint32_t k = 0; k < kSitesPerBlock && site < spec_.size; ++k, ++site) {
-                    // Kinds take turns, so that a small world has as many of them as it can.
+                    // Kinds alternate, so that even a small world has most of them.
                     const auto kind =
                         static_cast<Site>((first + site) % static_cast<std::uint32_t>(Site::Count));
                     addSite(block, kind, site, bx, by, static_cast<int>(k));

@@ -10,7 +10,7 @@ namespace limen::worlds {
 namespace {
 
 constexpr dat::BlockCoord kSouthWestOfTown{0x50, 0x60};
-constexpr int kTownGround = 40; ///< index of the level that the town lies about
+constexpr int kTownGround = 40; ///< index of the mean height of the town
 
 class TownBuilder {
 public:
@@ -56,7 +56,7 @@ private:
     }
     [[nodiscard]] int landBlocksY() const { return (land_.verticesY() - 1) / kCellsPerBlock; }
 
-    /// Gentle ground: a step of the table here and there.
+    /// Makes gentle ground: heights differ by a few steps of the table.
     void roll() {
         for (int vx = 0; vx < land_.verticesX(); ++vx) {
             for (int vy = 0; vy < land_.verticesY(); ++vy) {

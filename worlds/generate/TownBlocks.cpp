@@ -10,14 +10,14 @@ constexpr std::uint32_t kColumns = kMostHouses / 4, kRows = 4;
 constexpr double kLot = 22.0;
 constexpr std::size_t kMostTownPlaces = 48;
 
-/// A row of houses along a street; metres from the middle of its landblock, before the district is turned.
+/// A row of houses along a street, in metres from the middle of the landblock, before the district is turned.
 struct Row {
     double y = 0.0;
     double turn = 0.0; ///< degrees; 0: the fronts look south
 };
-/// Two rows face each other across the street, two stand with their backs to those.
+/// Two rows face each other across the street; behind each is a row back to back with it.
 constexpr std::array<Row, kRows> kTownRows{{{5.0, 0.0}, {-5.0, 180.0}, {28.0, 180.0}, {-28.0, 0.0}}};
-/// Where fences run between back gardens.
+/// y of the fences between back gardens.
 constexpr std::array<double, 2> kFences{16.5, -16.5};
 
 } // namespace

@@ -12,9 +12,8 @@ namespace limen::worlds {
 struct Solid {
     struct Side {
         Polygon points;
-        std::int32_t cut =
-            0; ///< number of its plane: 0..5 the first box (west, east, south, north, floor,
-               ///< ceiling), then the cuts, in their order
+        /// The number of its plane: 0..5 are the box (west, east, south, north, floor, ceiling), then the cuts in order.
+        std::int32_t cut = 0;
     };
     std::vector<Side> sides;
 };

@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint32_t kCandleLight = 0xFFFFC070;
 constexpr std::uint32_t kFireLight = 0xFFFF9040;
 
-/// Four legs and what rests on them, as parts.
+/// A Setup of a top and four legs as parts.
 dat::RecordId onLegs(ModelWriter& sink, const FaceMesh& top, double x, double y, double height,
                      double thick) {
     FaceMesh leg;

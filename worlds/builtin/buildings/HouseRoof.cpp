@@ -4,12 +4,11 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kOverhang = 0.55; ///< beyond the wall, measured level
+constexpr double kOverhang = 0.55; ///< metres beyond the wall, horizontally
 constexpr double kGableOverhang = 0.42;
 constexpr double kRoofThick = 0.42;
 
-/// One slope's outline from the eave to the ridge, as (y, z) with the normal of each point; the other slope
-/// is its mirror.
+/// One slope's outline from the eave to the ridge: points (y, z) with normals. The other slope is its mirror image.
 struct OutlinePoint {
     Vec2 point, normal;
 };
@@ -61,7 +60,7 @@ void addSlope(FaceMesh& mesh, const RoofSpec& r, bool south) {
         Face strip = slopeStrip(r, outline[i], outline[i + 1], along, south);
         if (!south)
             for (Vec3& n : strip.normals)
-                n = -n; // flipped() turned them inwards: they were already the mirror's
+                n = -n; // they were mirrored already, so flipped() turned them inwards
         mesh.add(std::move(strip));
         along += glm::length(outline[i + 1].point - outline[i].point);
     }
@@ -75,7 +74,7 @@ void addSlope(FaceMesh& mesh, const RoofSpec& r, bool south) {
                              {-x, y(eave.x), eave.y}},
                             Material::OldPlanks);
     mesh.add(south ? std::move(under) : flipped(std::move(under)));
-    // The thickness seen at the gable ends, in pieces from the underside up to the outline.
+    // The thickness at the gable ends, in pieces from the underside up to the outline.
     for (const double side : {-1.0, 1.0}) {
         for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
             const auto below = [&](const OutlinePoint& o) {
@@ -94,7 +93,7 @@ void addSlope(FaceMesh& mesh, const RoofSpec& r, bool south) {
     }
 }
 
-/// Rolls of straw over the ridge, one below the other.
+/// Adds rolls of straw along the ridge, one below the other.
 void addRidge(FaceMesh& mesh, const RoofSpec& r) {
     const double x = r.halfWidth + kGableOverhang + 0.03;
     const double half = r.depth / 2.0;

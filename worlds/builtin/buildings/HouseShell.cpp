@@ -8,8 +8,8 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kPost = 0.17;   ///< width of a timber
-constexpr double kProud = 0.045; ///< how far timbers stand out from the plaster
-constexpr double kBedded = 0.03; ///< and how far they reach into it
+constexpr double kProud = 0.045; ///< metres that timbers stand out from the plaster
+constexpr double kBedded = 0.03; ///< metres that they extend into it
 constexpr double kCornerPost = 0.2;
 constexpr double kPlinthTop = 0.38;
 
@@ -32,7 +32,7 @@ double outward(Side side) {
     return side == Side::East || side == Side::North || side == Side::Ceiling ? 1.0 : -1.0;
 }
 
-/// Out of the house, for its walls.
+/// The outward normal of a wall.
 Vec3 outwardNormal(Side side) {
     return side == Side::West || side == Side::East ? Vec3(outward(side), 0.0, 0.0)
                                                     : Vec3(0.0, outward(side), 0.0);
@@ -43,7 +43,7 @@ std::pair<double, double> wallSpan(const HouseShell& h, Side side) {
                                                     : std::pair{-h.halfWidth, h.halfWidth};
 }
 
-/// A box on a wall: u,v on the wall, from `from` to `to` metres outwards from the plane `at`.
+/// The corners of a box on a wall: `r` on the wall, `from` to `to` metres outwards from the plane `at`.
 std::pair<Vec3, Vec3> boxOnWall(Side side, double at, const Rect& r, double from, double to) {
     const double a = at + outward(side) * from;
     const double b = at + outward(side) * to;
@@ -56,8 +56,8 @@ std::pair<Vec3, Vec3> boxOnWall(Side side, double at, const Rect& r, double from
     return {{r.u0, r.v0, low}, {r.u1, r.v1, high}};
 }
 
-/// `extra`: how much further than usual it stands out and reaches in. Timbers that cross differ in it, so that
-/// no two of their faces lie in one plane.
+/// `extra`: metres by which it is thicker at both faces. Timbers that cross differ in it, so that no two of their faces are
+/// in one plane.
 void addTimber(FaceMesh& mesh, const HouseShell& h, Side side, const Rect& r, double extra = 0.0) {
     const auto [min, max] = boxOnWall(side, outerPlane(h, side), r, -kBedded - extra, kProud + extra);
     mesh.beam(min, max, Material::Beam);
@@ -86,7 +86,7 @@ void addReveals(std::vector<Face>& faces, const HouseShell& h, const HouseShell:
     faces.push_back(flipped(portalFace(inner)));
 }
 
-/// The walls themselves with their holes: watertight where wall, reveal and portal meet.
+/// The walls with their holes; watertight along wall, reveal and portal.
 std::vector<Face> wallFaces(const HouseShell& h) {
     std::vector<Face> faces;
     for (const Side side : kWalls) {
@@ -107,15 +107,16 @@ std::vector<Face> wallFaces(const HouseShell& h) {
     return faces;
 }
 
-/// Stones at the foot of the wall, standing out a little, open at doors.
+/// Adds protruding stones at the foot of the walls, with gaps at doors.
 void addPlinth(FaceMesh& mesh, const HouseShell& h) {
     for (const Side side : kWalls) {
         const auto [u0, u1] = wallSpan(h, side);
         const bool corner = side == Side::South || side == Side::North;
-        const double extra = corner ? 0.08 : -kBedded; // the side walls' stones end at the others' backs
+        const double extra =
+            corner ? 0.08 : -kBedded; // the side walls' stones end at the backs of the others
         for (const Rect& r :
              withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.015))) {
-            // Below a door's sill the stones carry the steps; they stop short of the floor.
+            // Below a door's sill the stones support the steps. They end below the floor.
             const double top = r.v1 < kPlinthTop ? r.v1 - 0.02 : r.v1;
             const auto [min, max] =
                 boxOnWall(side, outerPlane(h, side), {r.u0, r.v0, r.u1, top}, -kBedded, 0.08);
@@ -127,7 +128,7 @@ void addPlinth(FaceMesh& mesh, const HouseShell& h) {
 /// One storey of a wall's timbers.
 struct Band {
     double from = 0.0, to = 0.0;
-    bool sill = false; ///< begins with a beam of its own
+    bool sill = false; ///< begins with its own sill beam
 };
 
 std::vector<Band> bandsOf(const HouseShell& h) {
@@ -136,7 +137,7 @@ std::vector<Band> bandsOf(const HouseShell& h) {
     return {{kPlinthTop, h.upperFloor, true}, {h.upperFloor, h.top, false}};
 }
 
-/// True if no opening of the band, widened by `margin`, lies between u0 and u1.
+/// True if no opening of the band, widened by `margin`, overlaps u0..u1.
 bool clearOf(const HouseShell& h, Side side, const Band& band, double margin, double u0, double u1) {
     const std::vector<Rect> holes = holesOf(h, side, margin);
     return std::none_of(holes.begin(), holes.end(), [&](const Rect& r) {
@@ -144,7 +145,7 @@ bool clearOf(const HouseShell& h, Side side, const Band& band, double margin, do
     });
 }
 
-/// One post at each corner of the house, seen from both sides; sill beams and head plates end inside it.
+/// Adds a post at each corner of the house, visible from both sides. Sill beams and head plates end inside it.
 void addCornerPosts(FaceMesh& mesh, const HouseShell& h) {
     const double proud = kProud + 0.02;
     for (const double x : {-h.halfWidth - proud, h.halfWidth - kCornerPost}) {
@@ -155,7 +156,7 @@ void addCornerPosts(FaceMesh& mesh, const HouseShell& h) {
     }
 }
 
-/// Braces in the corner bays of a storey.
+/// Adds braces in the corner bays of a storey.
 void addBraces(FaceMesh& mesh, const HouseShell& h, Side side, const Band& band, double bay) {
     const auto [u0, u1] = wallSpan(h, side);
     const double at = outerPlane(h, side) + outward(side) * 0.5 * (kProud - kBedded - 0.01);
@@ -173,7 +174,7 @@ void addBraces(FaceMesh& mesh, const HouseShell& h, Side side, const Band& band,
     }
 }
 
-/// Sill beam, head plate, posts and braces of a storey; none across an opening.
+/// Adds sill beam, head plate, posts and braces of a storey, except across openings.
 void addFraming(FaceMesh& mesh, const HouseShell& h, Side side, const Band& band) {
     const auto [u0, u1] = wallSpan(h, side);
     const double end = 0.5 * kCornerPost;
@@ -220,7 +221,7 @@ void addTimbers(FaceMesh& mesh, const HouseShell& h) {
     addGableFraming(mesh, h);
 }
 
-/// A cross of bars half way into a window's reveal.
+/// Adds a cross of bars half way into a window's reveal.
 void addWindowBars(FaceMesh& mesh, const HouseShell& h, const HouseShell::Hole& hole) {
     const Rect& r = hole.rect;
     const double middle = 0.5 * (r.u0 + r.u1);
@@ -265,8 +266,8 @@ double chimneyTop(const HouseShell& h) {
 }
 
 void addFrame(FaceMesh& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
-    // The timber reaches a little over the opening: flush with the reveals its faces would fight with theirs, and a
-    // strip of bare wall between them would show as a bright line.
+    // The timber extends over the opening's border. If it were flush with the reveals, their faces would fight for depth;
+    // a strip of bare wall between them would show as a bright line.
     const double gap = -0.003;
     const auto bar = [&](const Rect& rect, double depth) {
         const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));
@@ -274,7 +275,7 @@ void addFrame(FaceMesh& mesh, Side side, double at, const Rect& r, double width,
         whole.beam(min, max, Material::Beam);
         const Vec3 back = outwardNormal(side) * (depth > 0.0 ? 1.0 : -1.0);
         for (Face& face : whole.faces()) {
-            // None at the back: it would lie in the plane of the wall, and of the portal beside it.
+            // No face at the back: it would be in the plane of the wall and of the portal beside it.
             if (glm::dot(faceNormal(face), back) < 0.5)
                 mesh.add(std::move(face));
         }

@@ -5,9 +5,9 @@
 
 namespace limen::worlds {
 
-/// The inn's cells, in the order of its plan. Its rooms on the ground floor make a loop: hall, kitchen, passage,
-/// parlour, hall. A tall well holds the stairs to the upper floor, which looks down into the hall through a shaft; the
-/// basement is reached through the floor of the store room.
+/// The inn's cells, in the order of its plan. The rooms on the ground floor form a loop: hall, kitchen, passage, parlour,
+/// hall. A tall stairwell leads to the upper floor, from which a shaft looks down into the hall. The way to the basement
+/// is through the floor of the store room.
 enum class InnCell : std::uint32_t {
     Hall,
     KitchenDoor,
@@ -37,15 +37,15 @@ enum class InnCell : std::uint32_t {
     Vault,
     Count
 };
-/// North of the lane. Its own coordinates: front door in the wall at y = 0, ground floor at z = 0.
+/// The inn north of the lane. In its coordinates the front door is in the wall at y = 0, the ground floor at z = 0.
 [[nodiscard]] BuildingPlan planInn(ModelWriter& sink, const Furniture& furniture);
 
-/// Where things are inside, for whoever walks there (building coordinates).
+/// Positions inside, for walks (building coordinates).
 namespace inn {
-inline constexpr double kHeight = 2.8;                        ///< of the rooms on the ground floor
-inline constexpr double kUpper = 3.05, kTop = 5.5;            ///< floor and ceiling above
+inline constexpr double kHeight = 2.8;                        ///< height of the rooms on the ground floor
+inline constexpr double kUpper = 3.05, kTop = 5.5;            ///< floor and ceiling of the upper floor
 inline constexpr double kBalcony = 3.03;                      ///< the boards of the balcony
-inline constexpr double kBasement = -2.6;                     ///< the floor below
+inline constexpr double kBasement = -2.6;                     ///< floor of the basement
 inline constexpr double kUpX = 3.8;                           ///< middle of the stairs up
 inline constexpr double kStairsFoot = 6.2, kStairsHead = 9.8; ///< y of the lowest and the highest riser
 inline constexpr double kDownX = 5.4;                         ///< middle of the stairs down

@@ -5,7 +5,7 @@
 #include "worlds/builtin/buildings/InnProps.h"
 #include "worlds/shapes/RoomPlan.h"
 
-// What the inn's rooms are built from; used by InnGround, InnUpper and InnRooms only.
+// Shared by InnGround, InnUpper, InnBasement and InnRooms only.
 namespace limen::worlds::inn {
 
 // Openings between rooms, in the plane of either wall.
@@ -30,7 +30,7 @@ struct Kit {
     InnProps p;
 };
 
-/// A room with its own openings first, then those of the outer walls, and timber around all of them.
+/// A room with `openings`, then those of the outer walls, and with timber around all of them.
 [[nodiscard]] CellPlan furnished(ModelWriter& sink, const RoomSpec& room, std::vector<Opening> openings,
                                  std::vector<Furnishing> statics);
 

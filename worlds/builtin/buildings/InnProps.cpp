@@ -46,7 +46,7 @@ dat::RecordId addRoundTable(ModelWriter& sink) {
     return sink.addSingle(mesh);
 }
 
-/// The flight descends to the south from the origin, `kUpper` high; a platform lies to the north of its head.
+/// A flight of stairs down to the south from the origin, kUpper high, with a platform to the north of its head.
 dat::RecordId addFlight(ModelWriter& sink) {
     constexpr int kRisers = 16;
     const double rise = inn::kUpper / kRisers;
@@ -83,7 +83,7 @@ dat::RecordId addRack(ModelWriter& sink) {
     for (const double z : {0.14, 0.88})
         for (const double y : {-0.68, -0.14})
             frame.beam({-1.36, y, z}, {1.36, y + 0.06, z + 0.09}, Material::OldPlanks);
-    FaceMesh cask; // lies on its side, along y
+    FaceMesh cask; // on its side, along y
     cask.cylinder({.base = {0, 0, -0.36},
                    .lower = 0.25,
                    .upper = 0.29,
@@ -169,7 +169,7 @@ void addBalcony(FaceMesh& mesh, double ground) {
         mesh.strut({x, kOut + 0.16, floor - 0.95}, {x, kOut + 0.78, floor - 0.22}, {1, 0, 0}, 0.10, 0.10,
                    Material::Beam);
     }
-    // Railing: along the front and back to the wall on both sides.
+    // A railing along the front, and back to the wall on both sides.
     const double top = floor + 0.92;
     mesh.beam({-kHalf, kOut + 0.02, top}, {kHalf, kOut + 0.14, top + 0.07}, Material::Oak);
     for (const double x : {-kHalf + 0.01, kHalf - 0.11}) {
@@ -184,7 +184,7 @@ void addBalcony(FaceMesh& mesh, double ground) {
         const double half = k == 0 || k == 6 || k == 12 ? 0.045 : 0.022;
         mesh.beam({x - half, kOut + 0.08 - half, floor}, {x + half, kOut + 0.08 + half, top}, Material::Oak);
     }
-    // The sign hangs from the balcony's corner.
+    // The sign at the balcony's corner.
     mesh.beam({kHalf - 0.05, kOut + 0.06, floor - 0.16}, {kHalf + 0.95, kOut + 0.12, floor - 0.08},
               Material::Beam);
     for (const double x : {kHalf + 0.2, kHalf + 0.75}) {

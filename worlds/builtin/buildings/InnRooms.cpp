@@ -28,7 +28,7 @@ double planeOn(const RoomSpec& room, Side side) {
     return room.max.z;
 }
 
-/// The doors and windows of the outer walls that this room has.
+/// The doors and windows in outer walls of this room.
 std::vector<Opening> outerOpenings(const RoomSpec& room) {
     std::vector<Opening> out;
     const auto collect = [&](const std::vector<Opening>& all) {
@@ -50,7 +50,7 @@ std::vector<Opening> outerOpenings(const RoomSpec& room) {
     return out;
 }
 
-/// The piece of wall between two rooms, from one face of the wall to the other.
+/// The cell inside the wall between two rooms.
 CellPlan throughWall(const char* name, Axis axis, double from, double to, const Rect& r,
                      Material walls = Material::Beam, Material floor = Material::Oak) {
     return axis == Axis::X ? doorway(name, {from, r.u0, r.v0}, {to, r.u1, r.v1}, axis, walls, floor)

@@ -14,7 +14,7 @@ using namespace hall;
 constexpr double kWallTop = 3.875; ///< of the nave's long walls, inside
 constexpr double kApseHeight = 4.375;
 constexpr double kApseSouth = 2.375, kApseNorth = 7.25;
-/// The apse's exterior stands this much lower, so that its stones lie in no plane of the nave's.
+/// Metres by which the apse's exterior is lower, so that no two stones of apse and nave are in one plane.
 constexpr double kApseLower = 1.0 / 128.0;
 constexpr double kArchRadius = 1.875, kSpringing = 2.125;
 constexpr int kArchSegments = 12;
@@ -49,7 +49,7 @@ HouseShell naveShell() {
     return shell;
 }
 
-/// Begins inside the nave's wall; its own x = 0 is the middle.
+/// Begins inside the nave's wall; its x = 0 is the middle.
 HouseShell apseShell() {
     HouseShell shell;
     shell.halfWidth = 0.5 * (kApseEast + kWall - 6.25);
@@ -70,11 +70,11 @@ HouseShell apseShell() {
     return shell;
 }
 
-/// The nave: walls, end walls up under the roof, two slopes for a ceiling.
+/// The nave: walls, end walls up to the roof, two slopes as a ceiling.
 CellPlan nave(ModelWriter& sink) {
     constexpr double kSouth = kWall;
     constexpr double kNorth = kWidth - kWall;
-    constexpr double kRidge = kWallTop + (kMiddle - kSouth); // the roof rises one metre a metre
+    constexpr double kRidge = kWallTop + (kMiddle - kSouth); // the roof has a slope of 1
     CellPlan cell;
     cell.name = "nave";
     const std::vector<Opening> windows = naveWindows();
@@ -156,7 +156,7 @@ dat::RecordId addColumn(ModelWriter& sink) {
     return sink.addSingle(mesh);
 }
 
-/// A tie beam across the nave with a king post and struts: middle at the origin, its underside at z = 3.7.
+/// A tie beam across the nave with a king post and struts: middle at the origin, underside at z = 3.7.
 dat::RecordId addTruss(ModelWriter& sink) {
     FaceMesh mesh;
     const double half = kMiddle - kWall - 0.01;

@@ -5,18 +5,18 @@
 
 namespace limen::worlds {
 
-/// An opening and the plane of the wall it is in.
+/// An opening and the plane of its wall.
 struct WallOpening {
     Opening opening;
     double at = 0.0;
 };
 
-/// Timber around openings as seen from inside a room whose floor lies at `floor`; windows (openings that begin above
-/// it) get a sill. Stands at the building's origin.
+/// Timber around openings, seen from inside a room with its floor at `floor`. Windows (openings that begin above it) get
+/// a sill. The model's origin is the building's.
 [[nodiscard]] dat::RecordId addTrim(ModelWriter& sink, const std::vector<WallOpening>& openings,
                                     double floor = 0.0);
 
-/// The piece of wall or floor that an opening goes through: a box that is open at both ends along an axis.
+/// The direction of a cell inside a wall or floor: a box that is open at both ends.
 enum class Axis { X, Y, Z };
 [[nodiscard]] CellPlan doorway(const char* name, const Vec3& min, const Vec3& max, Axis axis, Material walls,
                                Material floor);

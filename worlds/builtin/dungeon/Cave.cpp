@@ -10,8 +10,8 @@ namespace {
 
 using RockRing = std::vector<Vec3>;
 
-/// A ring of rock around the mouth: the mouth's outline with the middle of each side, grown by `out` metres, at depth
-/// `y`, roughened.
+/// A ring of rock points around the mouth: its corners and the middles of its sides, moved outwards by `out` metres, at
+/// depth `y`, with random offsets of up to `rough`.
 RockRing rockRing(std::uint32_t number, double out, double y, double rough) {
     const Outline mouth = tunnelOutline(0.0, 0.0, 0.0);
     const Vec3 middle{0.0, 0.0, 1.2};
@@ -31,7 +31,7 @@ RockRing rockRing(std::uint32_t number, double out, double y, double rough) {
     return ring;
 }
 
-/// A triangle of rock: its picture is laid on along the axis that it faces most, so that it goes on over edges.
+/// A triangle of rock. Its picture is projected along the axis that it faces most, so that it continues across edges.
 Face rockFace(const std::array<Vec3, 3>& points) {
     Face face = planarFace({points.begin(), points.end()}, Material::Rock);
     const Vec3 n = glm::abs(faceNormal(face));
@@ -45,7 +45,7 @@ Face rockFace(const std::array<Vec3, 3>& points) {
     return face;
 }
 
-/// The outcrop: from the opening out to its front, over its back and down into the hill, where it stays open.
+/// The outcrop: from the opening to its front, over its back and down into the hill, where the mesh is open.
 FaceMesh outcrop() {
     const Outline mouth = tunnelOutline(0.0, 0.0, 0.0);
     const std::vector<RockRing> rings{rockRing(1, 0.30, -1.3, 0.12), rockRing(2, 1.5, -1.1, 0.35),

@@ -10,7 +10,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// Stands a model on the ground.
+/// Puts a model on the ground.
 void stand(LandblockWriter& block, dat::BlockCoord coord, dat::RecordId model, double x, double y,
            double turn) {
     const Vec3 area = toArea(coord, {x, y, 0.0});

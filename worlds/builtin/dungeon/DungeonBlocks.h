@@ -5,15 +5,15 @@
 
 namespace limen::worlds {
 
-/// A landblock of nothing but cells, far from all others: heights all 0, no building.
+/// A landblock without land, far from all others: heights are all 0; it has cells and no building.
 inline constexpr dat::BlockCoord kSealedBlock{0x01, 0x10};
 
-/// Where tower, cave and dungeons stand (coordinates of their landblocks), and their cells.
+/// The placements of tower, cave and dungeons (coordinates of their landblocks), and their cells.
 struct DungeonMap {
     Placement tower, cave, sealed;
     std::vector<dat::RecordId> towerCells, caveCells, sealedCells;
-    DungeonParts parts;      ///< places in caveCells
-    std::size_t chamber = 0; ///< likewise
+    DungeonParts parts;      ///< indices in caveCells
+    std::size_t chamber = 0; ///< index in caveCells
 };
 
 /// Builds the landblocks of the tower, of the cave with the dungeon behind it, and of the sealed dungeon.

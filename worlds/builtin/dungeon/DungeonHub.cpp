@@ -4,7 +4,7 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kRingSide = 24.0; ///< from the hub's middle to the ring's corridors
+constexpr double kRingSide = 24.0; ///< metres from the hub's middle to the ring's corridors
 constexpr double kHubReach = 8.0, kHubHalf = 3.0, kHubHeight = 8.0;
 constexpr double kRingRoomHalf = 2.0, kRingRoomHeight = 5.0;
 constexpr double kSpan = 4.0; ///< length of a corridor's cell
@@ -13,7 +13,7 @@ Vec3 hubMiddle() {
     return {0.0, kHubY, kDungeonFloor};
 }
 
-/// From the hub's middle to a room's, in steps of -1, 0, 1.
+/// The direction from the hub to a room; components are -1, 0 or 1.
 Vec3 wayTo(std::size_t room) {
     constexpr std::array<std::array<double, 2>, 8> kWays{
         {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
@@ -24,7 +24,7 @@ bool isDiagonal(const Vec3& way) {
     return way.x != 0.0 && way.y != 0.0;
 }
 
-/// Level, at a right angle to a way.
+/// The horizontal direction perpendicular to `way`.
 Vec3 acrossOf(const Vec3& way) {
     return isDiagonal(way) ? Vec3(1.0, -way.x * way.y, 0.0) : Vec3(std::abs(way.y), std::abs(way.x), 0.0);
 }
@@ -37,7 +37,7 @@ std::size_t addOctagon(CellComplex& complex, const std::string& name, const Vec3
     return complex.addSwept(name, floor, {0.0, 0.0, height}, materials);
 }
 
-/// A straight corridor between two bodies, from the middle of its first sill. Returns its first cell.
+/// Adds a straight corridor between two bodies, from the middle of its first sill. Returns its first cell.
 std::size_t connect(CellComplex& complex, const std::string& name, std::size_t from, std::size_t to,
                     const Vec3& foot, const Vec3& step, std::size_t count, double half,
                     const ShellMaterials& materials) {
@@ -52,7 +52,7 @@ std::size_t connect(CellComplex& complex, const std::string& name, std::size_t f
     return first;
 }
 
-/// To the north the hub has two doors; both lead into one anteroom.
+/// Adds the anteroom to the north. Two doors of the hub lead into it.
 std::size_t addAnteroom(CellComplex& complex, std::size_t hub, std::size_t northRoom) {
     const double y = kHubY + kHubReach;
     const std::size_t anteroom =
@@ -87,7 +87,7 @@ void addRingCorridors(CellComplex& complex, const DungeonProps& props, const Rin
         const Vec3 foot = hubMiddle() + wayTo(k) * kRingSide + way * kRingRoomReach;
         const std::size_t first = connect(complex, "ring." + std::to_string(k), ring.rooms[k],
                                           ring.rooms[next], foot, way * kSpan, 4, 1.25, kBricks);
-        const Vec3 out{way.y, -way.x, 0.0}; // the ring runs counter-clockwise: outwards is to the right
+        const Vec3 out{way.y, -way.x, 0.0}; // the ring is counter-clockwise, so outwards is to the right
         hangTorch(complex, first + 1, props, foot + way * (1.5 * kSpan) + out * 1.25 + Vec3(0, 0, 1.05), out);
     }
 }

@@ -4,13 +4,13 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kPitShaft = 5.0; ///< from the pit's middle to its walls
-constexpr double kPitOuter = 8.0; ///< and to the galleries' outer walls
-constexpr double kStorey = 10.0;  ///< from gallery to gallery
+constexpr double kPitShaft = 5.0; ///< metres from the pit's middle to its walls
+constexpr double kPitOuter = 8.0; ///< metres from the pit's middle to the galleries' outer walls
+constexpr double kStorey = 10.0;  ///< metres from gallery to gallery
 constexpr double kCellHeight = 5.0, kGalleryHeight = 4.0;
 constexpr std::size_t kFloors = 3, kShaftCells = 7;
 
-/// Eight cells around the shaft, from the eastern one on, counter-clockwise; corners at odd places.
+/// Eight cells around the shaft, counter-clockwise, beginning with the eastern one; those with odd indices are corners.
 using Gallery = std::array<std::size_t, 8>;
 
 Vec3 pitAt(double x, double y, double z) {
@@ -45,13 +45,13 @@ Gallery addGallery(CellComplex& complex, double z, std::size_t shaft) {
                                 pitAt(b.x1, b.y1, z + kGalleryHeight), kMasonry);
     }
     for (std::size_t k = 0; k < gallery.size(); ++k) {
-        const bool alongX = std::abs(kSeams[k][1]) == kPitShaft; // the seam lies at y = +-kPitShaft
+        const bool alongX = std::abs(kSeams[k][1]) == kPitShaft; // the seam is at y = +-kPitShaft
         complex.join(gallery[k], gallery[(k + 1) % 8],
                      rectOutline({pitAt(kSeams[k][0], kSeams[k][1], z),
                                   alongX ? Vec3(1, 0, 0) : Vec3(0, 1, 0), 0.5 * (kPitOuter - kPitShaft)},
                                  kGalleryHeight));
     }
-    // Two openings over a breast wall from each side into one cell of the shaft.
+    // From each side two openings over a parapet lead into one cell of the shaft.
     for (std::size_t k = 0; k < 4; ++k) {
         const Vec3 out = k == 0   ? Vec3(1, 0, 0)
                          : k == 1 ? Vec3(0, 1, 0)
@@ -67,8 +67,8 @@ Gallery addGallery(CellComplex& complex, double z, std::size_t shaft) {
     return gallery;
 }
 
-/// Down one storey, outside the galleries' western (`side` -1) or eastern (1) wall: from the northern corner to the
-/// southern one below.
+/// Adds a ramp one storey down, outside the galleries' western (`side` -1) or eastern (1) wall, from the northern corner
+/// to the southern one below.
 void addRamp(CellComplex& complex, const DungeonProps& props, const Gallery& upper, const Gallery& lower,
              double z, double side) {
     const double wall = side * kPitOuter;
@@ -131,7 +131,7 @@ void addPit(CellComplex& complex, const DungeonProps& props, const Ring& ring, D
     parts.gallery = galleries[0][0];
     addRamp(complex, props, galleries[0], galleries[1], kDungeonFloor, -1.0);
     addRamp(complex, props, galleries[1], galleries[2], kDungeonFloor - kStorey, 1.0);
-    // From the ring into the highest gallery.
+    // The way from the ring into the highest gallery.
     const Vec3 foot = ringRoomMiddle(RingRoom::West) - Vec3(kRingRoomReach, 0.0, 0.0);
     const double length = foot.x - (kPitX + kPitOuter);
     const Vec3 step{-0.25 * length, 0.0, 0.0};

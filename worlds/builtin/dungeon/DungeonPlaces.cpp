@@ -8,7 +8,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// Points of tower and cave, in global metres.
+/// Converts points of tower and cave to global metres.
 Vec3 inTower(const DungeonMap& map, const Vec3& local) {
     return toGlobal(toArea(kTowerBlock, place(map.tower, local)));
 }
@@ -16,13 +16,13 @@ Vec3 inCave(const DungeonMap& map, const Vec3& local) {
     return toGlobal(toArea(kCaveBlock, place(map.cave, local)));
 }
 
-/// A standing eye on the ground before something; global metres.
+/// A viewpoint on the ground; global metres.
 Eye eyeBefore(const Vec3& at, const Vec3& target) {
     const Vec3 area = at - toGlobal(Vec3(0.0));
     return groundEye(area.x, area.y, target);
 }
 
-/// Where the eye is on the winding stair when the feet are at height z.
+/// The eye on the winding stair when the feet are at height z.
 Vec3 onStair(double z) {
     const double a = stairAngle(z);
     return {kStairRadius * std::cos(a), kStairRadius * std::sin(a), z + kEyeHeight};
@@ -32,7 +32,7 @@ class Tour {
 public:
     explicit Tour(const DungeonMap& map) : map_(map) {}
 
-    /// Up the track, in by the door, up the stair to the roof, a look around.
+    /// Up the track, in through the door, up the stair to the roof, a look around.
     void toTheRoof() {
         const Vec3 door = inTower(map_, {0.0, -kTowerOuter, 2.0});
         for (const auto& vertex : towerTrack())
@@ -52,7 +52,7 @@ public:
         look({-90.0, -30.0, 0.0}, 2.5);
         look({90.0, -40.0, 0.0}, 2.5);
     }
-    /// Over the parapet and down to the cave, in, and through the hub to the pit.
+    /// Over the parapet, down to the cave and through the hub to the pit.
     void toThePit() {
         const Vec3 mouth{0.0, 0.0, 1.6};
         path.flight(inTower(map_, {14.0, -22.0, 19.0}), 12.0, inCave(map_, mouth));

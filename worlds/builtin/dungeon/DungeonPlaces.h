@@ -10,9 +10,9 @@ namespace limen::worlds {
 
 /// Places of tower, cave and dungeons, in the order of their names in `world.json`.
 [[nodiscard]] std::vector<std::pair<std::string, Eye>> dungeonPlaces(const DungeonMap& map);
-/// From the lane up to the tower and its roof, to the cave, down to the hub and the pit.
+/// The part of the tour from the lane up to the tower and its roof, to the cave, down to the hub and the pit.
 [[nodiscard]] std::vector<TourLeg> dungeonTour(const DungeonMap& map);
-/// A fire that burns in a bowl: where its sparks rise, global metres; `cell` 0 means outside.
+/// A fire in a bowl: the origin of its sparks, global metres; `cell` 0 means outside.
 struct Fire {
     std::string name;
     Vec3 position{0.0};

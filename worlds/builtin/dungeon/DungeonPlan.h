@@ -6,31 +6,31 @@
 
 namespace limen::worlds {
 
-/// Where in a complex of cells things are, for whoever goes there.
+/// Indices of cells in a complex, for places and walks.
 struct DungeonParts {
     std::size_t hub = 0;
-    std::size_t crypt = 0, wrap = 0, wrapCount = 0; ///< the crypt, and the corridor that overlaps it
-    std::size_t recess = 0, yard = 0; ///< the U-shaped room and the shaft of light it wraps around
+    std::size_t crypt = 0, wrap = 0, wrapCount = 0; ///< crypt, and the corridor that overlaps it
+    std::size_t recess = 0, yard = 0;               ///< U-shaped room, and the yard between its arms
     std::size_t longCorridor = 0, longCorridorCount = 0;
-    std::size_t pit = 0, pitCount = 0; ///< the shaft, from its bottom up
-    std::size_t gallery = 0;           ///< the eastern one, highest floor
+    std::size_t pit = 0, pitCount = 0; ///< shaft, from its bottom up
+    std::size_t gallery = 0;           ///< eastern gallery of the highest floor
     std::size_t anteroom = 0;          ///< behind the hub's two northern doors
 };
 
-/// The dungeon's own coordinates are the cave's: the mouth at the origin, north inwards. The hub's middle is at
-/// (0, kHubY), its floor at kDungeonFloor; the entrance is a rock tunnel that ends at (0, kEntranceY, kDungeonFloor).
+/// The dungeon has the coordinates of the cave: the mouth at the origin, north inwards. The hub's middle is at (0, kHubY),
+/// its floor at kDungeonFloor. The entrance is a rock tunnel that ends at (0, kEntranceY, kDungeonFloor).
 inline constexpr double kHubY = 80.0, kDungeonFloor = -16.0, kEntranceY = 52.0;
 /// The pit's middle.
 inline constexpr double kPitX = -52.0, kPitY = kHubY;
 
-/// The outline of the rock tunnel at its end, y = `y`, floor at z around x.
+/// The outline of the rock tunnel in the plane y = `y`: around x, its floor at z.
 [[nodiscard]] Outline tunnelOutline(double x, double y, double z);
 
-/// Builds the dungeon behind `entrance`, the cell that ends with the tunnel's outline at kEntranceY.
+/// Adds the dungeon behind `entrance`, the cell that ends with the tunnel's outline at kEntranceY.
 [[nodiscard]] DungeonParts addDungeonCells(CellComplex& complex, ModelWriter& sink, const DungeonProps& props,
                                            std::size_t entrance);
 
-/// A small ring of rooms that nothing else leads to, around its own origin. The first cell is the hall.
+/// An isolated small ring of rooms, around its own origin. The first cell is the hall.
 [[nodiscard]] std::vector<CellPlan> planSealedDungeon(ModelWriter& sink, const DungeonProps& props);
 
 } // namespace limen::worlds

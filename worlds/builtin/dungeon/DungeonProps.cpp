@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint32_t kTorchLight = 0xFFFFA850;
 constexpr std::uint32_t kEmberLight = 0xFFFF9040;
 
-/// Two crossing pictures of a flame.
+/// Adds two crossing pictures of a flame.
 void addFlame(FaceMesh& mesh, const Vec3& foot, double half, double high) {
     const Vec3 up{0.0, 0.0, high};
     for (const Vec3& side : {Vec3(half, 0.0, 0.0), Vec3(0.0, half, 0.0)})

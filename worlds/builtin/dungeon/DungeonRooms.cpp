@@ -15,14 +15,15 @@ Outline shifted(Outline outline, const Vec3& by) {
 void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, const Ring& ring,
               DungeonParts& parts) {
     const Vec3 foot = ringRoomMiddle(RingRoom::North) + Vec3(0.0, kRingRoomReach, 0.0);
-    const double y = foot.y + 4.0; // of the crypt's southern wall
+    const double y = foot.y + 4.0; // y of the crypt's southern wall
     const double z = kDungeonFloor;
     const Outline door = corridorOutline(foot, {1, 0, 0});
     const std::size_t way = complex.addSwept("crypt.way", door, {0.0, 4.0, 0.0}, kMasonry);
     complex.join(ring.at(RingRoom::North), way, door);
     parts.crypt = addBoxCell(complex, "crypt", {-8.0, y, z}, {8.0, y + 12.0, z + 6.0}, kMasonry);
     complex.join(way, parts.crypt, shifted(door, {0.0, 4.0, 0.0}));
-    // One step up, out by the eastern door, round behind, through the crypt's own volume, in by the western one.
+    // The corridor: one step up, out through the eastern door, round behind, through the crypt's own volume, in through
+    // the western door.
     const double step = z + 0.25;
     const double top = step + 3.0;
     const ShellMaterials& brick = kBricks;
@@ -68,11 +69,11 @@ void addRecess(CellComplex& complex, const DungeonProps& props, const Ring& ring
     const Vec3 foot = ringRoomMiddle(RingRoom::SouthEast) - Vec3(0.0, kRingRoomReach, 0.0);
     const double z = kDungeonFloor;
     const double high = 4.0;
-    const double y = foot.y - 4.0; // of the room's northern wall
+    const double y = foot.y - 4.0; // y of the room's northern wall
     const Outline door = corridorOutline(foot, {1, 0, 0});
     const std::size_t way = complex.addSwept("recess.way", door, {0.0, -4.0, 0.0}, kMasonry);
     complex.join(ring.at(RingRoom::SouthEast), way, door);
-    // The U's outline, counter-clockwise seen from above; the yard lies between its arms.
+    // The U's outline, counter-clockwise seen from above; the yard is between its arms.
     const double west = foot.x - 8.0, east = foot.x + 8.0, left = foot.x - 3.0, right = foot.x + 3.0;
     const double south = y - 12.0, notch = y - 5.0;
     const std::vector<Vec2> around{{west, south},  {left, south}, {left, notch}, {right, notch},
@@ -89,7 +90,7 @@ void addRecess(CellComplex& complex, const DungeonProps& props, const Ring& ring
         faces.push_back(planarFace(levelOutline(part, z), Material::Flagstones));
         faces.push_back(flipped(planarFace(levelOutline(part, z + high), Material::StoneWall)));
     }
-    // The yard comes first: the U's tree holds it too, and who asks where a point lies takes the first that does.
+    // The yard comes first. The U's tree contains it too, and a search for a point's cell takes the first that matches.
     parts.yard = addBoxCell(complex, "yard", {left, south, z}, {right, notch, z + 9.0}, kBareRock);
     parts.recess = complex.add("recess", std::move(faces));
     complex.join(way, parts.recess, shifted(door, {0.0, -4.0, 0.0}));
@@ -132,7 +133,7 @@ void addLongCorridor(CellComplex& complex, ModelWriter& sink, const DungeonProps
 }
 
 Outline tunnelOutline(double x, double y, double z) {
-    // Corners above one another meet the sloping sides on the grid, so that walls around it can be cut exactly.
+    // The vertical line through each corner meets the other sides at points of the grid, so walls can be cut exactly.
     const std::vector<Vec2> around{{-1.25, 0.0}, {1.25, 0.0},   {1.75, 1.0},   {1.625, 2.0},  {1.25, 2.75},
                                    {0.5, 3.125}, {-0.5, 3.125}, {-1.25, 2.75}, {-1.625, 2.0}, {-1.75, 1.0}};
     Outline out;
@@ -163,7 +164,7 @@ std::vector<CellPlan> planSealedDungeon(ModelWriter& sink, const DungeonProps& p
     const dat::RecordId column = addColumn(sink, 6.0, 0.4);
     for (const Vec2& p : octagon(4.25, 1.75))
         complex.furnish(hall, {column, {Vec3(p, 0.0), 0.0}});
-    // Out to the east, round to the north, back in.
+    // A way out to the east, round to the north, and back in.
     const auto box = [&](const char* name, const Vec3& min, const Vec3& max) {
         return addBoxCell(complex, name, min, max, kBricks);
     };

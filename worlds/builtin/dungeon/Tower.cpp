@@ -12,15 +12,15 @@ namespace {
 
 constexpr double kTowerRoomHeight = 4.5;
 constexpr double kInnerHalf = 1.75, kOuterHalf = 2.0625;
-constexpr double kBase = -4.0; ///< where the walls end in the ground
+constexpr double kBase = -4.0; ///< lower end of the walls, in the ground
 constexpr double kCeiling = 2.0 * kTowerStorey + kTowerRoomHeight;
 constexpr double kParapetTop = kTowerRoof + 1.0;
 constexpr double kParapet = 5.5, kParapetHalf = 2.25; ///< the parapet's outer face
 
-/// The tower's four sides along the axes: the way out of each.
+/// Outward directions of the tower's four sides along the axes.
 constexpr std::array<std::array<double, 2>, 4> kSides{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
-/// An opening through the wall, in a plane at `reach` from the middle.
+/// An opening in a plane at `reach` metres from the middle.
 struct TowerOpening {
     std::size_t side = 0;
     std::size_t room = 0;
@@ -62,7 +62,7 @@ Outline ringAt(double reach, double half, double z) {
     return levelOutline(octagon(reach, half), z);
 }
 
-/// Walls with their openings, reveals and portals; closed where they meet.
+/// Adds walls with their openings, reveals and portals, without gaps between them.
 void addWalls(std::vector<Face>& faces) {
     const std::vector<TowerOpening> openings = wallOpenings();
     for (const Face& wall :
@@ -94,7 +94,7 @@ void addWalls(std::vector<Face>& faces) {
     }
 }
 
-/// The corbelled parapet, and the roof inside it with the trapdoor.
+/// Adds the corbelled parapet, and the roof inside it with the trapdoor.
 void addRoof(std::vector<Face>& faces) {
     const auto add = [&](std::vector<Face> more) {
         faces.insert(faces.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -111,11 +111,11 @@ void addRoof(std::vector<Face>& faces) {
     add(faceWithout(roof, {hatchAt(kTowerRoof)}));
     Outline top = hatchAt(kTowerRoof);
     Outline ceiling = hatchAt(kCeiling);
-    add(wallBetween(top, ceiling, Material::StoneWall)); // running down, so that they look inwards
+    add(wallBetween(top, ceiling, Material::StoneWall)); // in downward order, so that they look inwards
     faces.push_back(portalFace(ceiling));
 }
 
-/// Two merlons on the parapet of each side.
+/// Adds two merlons on the parapet of each side.
 void addMerlons(FaceMesh& mesh) {
     FaceMesh merlon;
     for (const double y : {-1.12, 1.12}) {
@@ -128,7 +128,7 @@ void addMerlons(FaceMesh& mesh) {
         mesh.append(merlon, {{}, 45.0 * k});
 }
 
-/// A band of stone round the tower.
+/// Adds a band of stone round the tower.
 void addBand(FaceMesh& mesh, double z) {
     const double proud = kTowerOuter + 0.09;
     const double half = kOuterHalf + 0.0375;

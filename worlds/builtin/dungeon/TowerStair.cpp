@@ -24,9 +24,9 @@ dat::RecordId addWindingStair(ModelWriter& sink) {
     };
     FaceMesh mesh;
     for (int k = 0; k < kStairsPerTurn; ++k) {
-        // The last one, a finger's breadth below the floor it leads to, is the landing.
+        // The last step is the landing, 1 cm below the next floor.
         const double top = k + 1 < kStairsPerTurn ? kRise * (k + 1) : kTowerStorey - 0.01;
-        const double low = std::max(top - 1.35 * kRise, 0.01); // not in the plane of the opening below
+        const double low = std::max(top - 1.35 * kRise, 0.01); // above the plane of the opening below
         const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Material material) {
             mesh.polygon({a, b, c, d}, material);
         };
@@ -65,7 +65,10 @@ dat::RecordId addHatchRailing(ModelWriter& sink) {
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const Vec3 a(corners[i], 0.0);
         const Vec3 b(corners[(i + 1) % corners.size()], 0.0);
-        const double thick = i % 2 == 0 ? 0.05 : 0.06; // rails meet at the corners: no two faces in one plane
+        const double thick =
+            i % 2 == 0
+                ? 0.05
+                : 0.06; // rails meet at the corners; different sizes keep their faces in different planes
         mesh.strut(a + Vec3(0, 0, 0.9), b + Vec3(0, 0, 0.9), {0, 0, 1}, thick, 0.06, Material::Oak);
         for (int k = 0; k < 5; ++k) {
             const Vec3 foot = a + (b - a) * (k / 5.0);
@@ -86,7 +89,7 @@ dat::RecordId addNewelEnd(ModelWriter& sink) {
                    .sides = 12,
                    .side = Material::StoneWall,
                    .cap = Material::Flagstones});
-    mesh.faces().pop_back(); // the lower cap: nobody sees it
+    mesh.faces().pop_back(); // the lower cap is never visible
     return sink.addSetup({{sink.addMesh(mesh), {}}});
 }
 

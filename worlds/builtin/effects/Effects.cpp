@@ -15,7 +15,7 @@ using dat::ParticleType;
 // Hooks. ref: formats/effects_anim.md.
 constexpr std::uint32_t kCreate = 0x0D, kCall = 0x13;
 
-/// Appends a value as a record stores it.
+/// Appends the bytes of a value in the order of the format.
 template <class Value>
 void put(std::vector<std::uint8_t>& bytes, Value value) {
     const std::size_t at = bytes.size();
@@ -38,7 +38,7 @@ dat::Fade fadeOf(double start, double end, double random = 0.0) {
     return {static_cast<float>(start), static_cast<float>(end), static_cast<float>(random)};
 }
 
-/// A picture that faces the eye, `size` metres wide and high.
+/// A picture that faces the camera, `size` metres wide and high.
 dat::RecordId addSprite(ModelWriter& sink, Material material, double size) {
     FaceMesh mesh;
     const double h = size / 2.0;
@@ -69,7 +69,7 @@ Sprites addSprites(ModelWriter& sink) {
     s.flame = addSprite(sink, Material::Fire, 0.36);
     s.spark = addSprite(sink, Material::Firefly, 0.12);
     s.smoke = addSprite(sink, Material::Smoke, 0.4);
-    FaceMesh drop; // solid, and no sprite: it tumbles
+    FaceMesh drop; // a solid mesh, because it tumbles
     const std::array<Vec3, 4> p{Vec3(0, 0, 0.04), Vec3(0.03, 0, -0.02), Vec3(-0.02, 0.03, -0.02),
                                 Vec3(-0.02, -0.03, -0.02)};
     drop.polygon({p[0], p[1], p[2]}, Material::Wax);
@@ -132,7 +132,7 @@ dat::RecordId addCampfire(ModelWriter& sink, const Sprites& sprites) {
     return setup;
 }
 
-/// A basin, a pillar, and water that springs from its top; now and then a handful splashes to all sides.
+/// A basin and a pillar with water that springs from its top and sometimes splashes to all sides.
 dat::RecordId addFountain(ModelWriter& sink, const Sprites& sprites) {
     FaceMesh basin, pillar;
     for (const double s : {-1.0, 1.0}) {
@@ -171,7 +171,7 @@ dat::Frame turnedFrame(const Vec3& origin, const Vec3& axis, double angle) {
     return {Vec3f(origin), Quatf(glm::angleAxis(angle, axis))};
 }
 
-/// A wheel of four sails on a post, which turns by the Setup's own animation.
+/// A wheel of four sails on a post, turned by the Setup's own animation.
 dat::RecordId addWhirligig(ModelWriter& sink) {
     constexpr double kHub = 2.6;
     constexpr int kFrames = 120;
@@ -181,7 +181,7 @@ dat::RecordId addWhirligig(ModelWriter& sink) {
     for (int k = 0; k < 4; ++k) {
         const double a = std::numbers::pi / 2.0 * k;
         const Vec3 out(std::cos(a), 0.0, std::sin(a));
-        const Vec3 hub(0.0, -0.2, 0.0); // nothing begins where it would lie in its neighbour's faces
+        const Vec3 hub(0.0, -0.2, 0.0); // offset so that no face is in the plane of a neighbour's
         sails.strut(hub + out * 0.05, hub + out * 0.3, {0, 1, 0}, 0.02, 0.05, Material::Iron);
         sails.strut(hub + out * 0.2, hub + out * 0.95, {0, 1, 0}, 0.03, 0.30, Material::Linen);
     }
@@ -197,7 +197,7 @@ dat::RecordId addWhirligig(ModelWriter& sink) {
     return setup;
 }
 
-/// A vane on a post, which swings to and fro by its motion table.
+/// A vane on a post, swung to and fro by its motion table.
 dat::RecordId addVane(ModelWriter& sink) {
     constexpr int kFrames = 48;
     FaceMesh post, arrow;
@@ -257,7 +257,7 @@ dat::RecordId addDust(ModelWriter& sink, const Sprites& sprites) {
     return sink.addEmitter(e);
 }
 
-/// Sparks that gather at the lantern: few, and many.
+/// Sparks at the lantern: a weak and a strong script.
 dat::RecordId addWatchmansScripts(ModelWriter& sink, const Sprites& sprites) {
     dat::PhysicsScriptTable table;
     table.scripts = {{kWatchmansPlay, {}}};
@@ -269,7 +269,7 @@ dat::RecordId addWatchmansScripts(ModelWriter& sink, const Sprites& sprites) {
         e.scale = fadeOf(0.6, 0.3);
         e.translucency = fadeOf(0.2, 0.9);
         e.isParentLocal = 1;
-        // Part 6 is the lantern, its origin the flame.
+        // Part 6 is the lantern; its origin is the flame.
         const dat::RecordId script = sink.addScript({{0.0, particleHook(sink.addEmitter(e), 6, {0, 0, 0})}});
         table.scripts.front().second.push_back({most == 4 ? 0.5f : 1.0f, script});
     }
@@ -292,7 +292,7 @@ dat::AnimationHook particleHook(dat::RecordId emitter, int part, const Vec3& at,
 
 dat::RecordId addSnowScript(ModelWriter& sink) {
     constexpr double kAbove = 6.0, kAround = 10.0; // metres
-    constexpr double kFastest = 1.0 / 60.0;        // seconds from flake to flake: no emitter has more
+    constexpr double kFastest = 1.0 / 60.0; // seconds between flakes; the shortest interval of any emitter
     std::vector<dat::ScriptedHook> hooks;
     for (const double size : {0.035, 0.05, 0.07}) {
         dat::ParticleEmitter e =

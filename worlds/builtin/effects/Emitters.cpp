@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How sprites of an emitter live (docs/world-file.md).
+/// The parameters of an emitter's sprites (docs/world-file.md).
 struct Manner {
     Material surface = Material::Smoke;
     double rate = 6.0, life = 3.0;
@@ -95,7 +95,7 @@ Json buildEmitters(const VillageMap& map, const DungeonMap& dungeons) {
             map.innCells.at(static_cast<std::size_t>(InnCell::Hall)));
     int count = 0;
     for (const Vec3& torch : hallTorches()) {
-        // The head of the torch, in front of the wall towards -x.
+        // The head of the torch, in front of the hall's wall at -x.
         list.at(fmt::format("meetinghall.torch.{}", ++count), kTorch,
                 globalOf(map.hall, torch + Vec3(-0.33, 0.0, 0.24)), 0);
     }

@@ -7,15 +7,14 @@ namespace limen::worlds {
 
 namespace {
 
-/// A square picture standing or lying in the air: centre, the direction of its right and upper edge (half
-/// lengths).
+/// Adds a square picture: its centre, and half its right and upper edges as vectors.
 void addLeafCard(FaceMesh& mesh, const Vec3& centre, const Vec3& right, const Vec3& up, const Vec3& bulge,
                  Material material) {
     Face face;
     face.points = {centre - right - up, centre + right - up, centre + right + up, centre - right + up};
     face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     face.material = material;
-    // Lit as part of a round crown, not as a flat card.
+    // Normals of a round crown; those of flat cards would show the cards.
     for (const Vec3& p : face.points)
         face.normals.push_back(glm::normalize(p - bulge + Vec3(0.0, 0.0, 0.6)));
     mesh.addThin(face);
@@ -33,7 +32,7 @@ struct Crown {
 void addCrown(FaceMesh& mesh, const Crown& c) {
     for (int k = 0; k < c.cards; ++k) {
         const auto i = static_cast<std::uint32_t>(k);
-        // Evenly over the ball by the golden angle, each card turned at will.
+        // Evenly over the sphere by the golden angle, each card with a random turn.
         const double z = 1.0 - 2.0 * (k + 0.5) / c.cards;
         const double a = 2.39996323 * k + 0.5 * random01(i, 1, c.seed);
         const double r = std::sqrt(1.0 - z * z) * (0.55 + 0.2 * random01(i, 2, c.seed));
@@ -47,7 +46,7 @@ void addCrown(FaceMesh& mesh, const Crown& c) {
     }
 }
 
-/// A trunk of straight pieces, bent a little at each.
+/// Adds a trunk of straight pieces with a small bend at each joint. Returns its upper end.
 Vec3 addTrunk(FaceMesh& mesh, double radius, double height, double bend, std::uint32_t seed) {
     constexpr int kPieces = 3;
     Vec3 foot(0.0, 0.0, -0.4);
@@ -69,7 +68,7 @@ Vec3 addTrunk(FaceMesh& mesh, double radius, double height, double bend, std::ui
         for (Face& face : piece.faces()) {
             for (Vec3& p : face.points)
                 p += p.z > 0.5 * (foot.z + top) ? lean : Vec3(0.0);
-            // Pushing the upper rim sideways bends the quads: split them into triangles.
+            // The offset of the upper rim makes the quads non-planar: they are split into triangles.
             if (face.points.size() == 4) {
                 Face other = face;
                 other.points.erase(other.points.begin() + 1);
@@ -151,7 +150,7 @@ FaceMesh bush() {
     return mesh;
 }
 
-/// Two or three crossing pictures rooted in the ground.
+/// Two or three crossing pictures that begin at the ground.
 FaceMesh tuft(Material material, double half, double height, int cards) {
     FaceMesh mesh;
     for (int k = 0; k < cards; ++k) {
@@ -161,14 +160,14 @@ FaceMesh tuft(Material material, double half, double height, int cards) {
         face.points = {-right - Vec3(0, 0, 0.06), right - Vec3(0, 0, 0.06), right + Vec3(0, 0, height),
                        -right + Vec3(0, 0, height)};
         face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-        face.normals.assign(4, Vec3(0, 0, 1)); // lit like the ground they grow from
+        face.normals.assign(4, Vec3(0, 0, 1)); // the light of the ground below
         face.material = material;
         mesh.addThin(face);
     }
     return mesh;
 }
 
-/// A lumpy stone: a ball of a few faces pushed in and out, flat on its sides.
+/// A rough stone: a sphere of a few flat faces with random radii.
 FaceMesh stone(const Vec3& size, std::uint32_t seed) {
     constexpr int kAround = 8;
     constexpr int kRings = 4;

@@ -4,7 +4,7 @@
 
 namespace limen::worlds {
 
-/// What grows and lies on the land: models for Scene records, each standing on z = 0.
+/// Models of plants and stones for Scene records, each on z = 0.
 struct Plants {
     dat::RecordId oak = 0, birch = 0, pine = 0, youngPine = 0, bush = 0, stump = 0;
     dat::RecordId grass = 0, tallGrass = 0, flowers = 0, fern = 0;

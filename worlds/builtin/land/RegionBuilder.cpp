@@ -22,13 +22,12 @@ enum class Growth : std::uint32_t {
 
 struct Sprinkle {
     dat::RecordId object = 0;
-    int count = 1;          ///< entries of this kind
+    int count = 1;          ///< number of entries
     double frequency = 0.7; ///< share of vertices that get one
     double minScale = 0.8, maxScale = 1.2;
 };
 
-/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch, and is shifted inside
-/// it at random.
+/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch and a random offset inside it.
 dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles) {
     dat::Scene scene;
     scene.id = id;
@@ -189,7 +188,7 @@ void addTexMerge(dat::TexMerge& merge) {
         merge.sides.push_back({9, blendTextureId(blend++)});
     for (const std::uint32_t code : {8u, 9u, 9u, 10u})
         merge.roads.push_back({code, blendTextureId(blend++)});
-    // Types that are not used show the first entry.
+    // Unused types show the first entry.
     for (const TerrainLook& look : terrainLooks()) {
         dat::TerrainTexture texture;
         texture.terrainType = static_cast<std::uint32_t>(look.kind);

@@ -8,17 +8,16 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kRadius =
-    1000.0; ///< metres; sky meshes are drawn around the eye, their size does not matter
-constexpr double kSunTilt =
-    32.0 * std::numbers::pi / 180.0; ///< how far south of the zenith the sun stands at noon
+/// Metres. Sky meshes are drawn around the eye, so their size does not matter.
+constexpr double kRadius = 1000.0;
+/// Radians from the zenith to the sun at noon, southwards.
+constexpr double kSunTilt = 32.0 * std::numbers::pi / 180.0;
 constexpr double kSunrise = 0.25, kSunset = 0.75;
 
 /// Indices into the day group's objects.
 enum class SkyPiece : std::uint32_t { Night, Day, Dusk, Sun, Moon, Clouds, Count };
 
-/// A dome seen from inside: u around, v from the zenith (0) over the horizon (kHorizonV) to 22.5° below it
-/// (1).
+/// A dome seen from inside: u goes around, v from the zenith (0) past the horizon (kHorizonV) to 22.5° below it (1).
 FaceMesh dome(Material material) {
     constexpr int kAround = 24;
     constexpr int kRings = 10;
@@ -47,7 +46,7 @@ FaceMesh dome(Material material) {
     return mesh;
 }
 
-/// A disc on the sky, at sky angle 0 (rising in the east); sky angle turns it over the south to the west.
+/// A disc in the sky at sky angle 0 (in the east). Sky angles turn it over the south to the west.
 FaceMesh disc(Material material, double half, double tilt) {
     const Vec3 centre = 0.9 * kRadius * Vec3(std::cos(tilt), -std::sin(tilt), 0.0);
     const Vec3 right = glm::normalize(glm::cross(centre, Vec3(0, 0, 1))) * half;
@@ -58,7 +57,7 @@ FaceMesh disc(Material material, double half, double tilt) {
     return mesh;
 }
 
-/// A shallow bowl overhead with the clouds on it.
+/// A shallow bowl overhead for the clouds.
 FaceMesh cloudBowl() {
     constexpr int kAround = 20;
     constexpr int kRings = 6;
@@ -97,7 +96,7 @@ dat::SkyObject skyObject(dat::RecordId mesh, double begin, double end, double fr
     return object;
 }
 
-/// One keyframe in words: light and how much of each dome shows (0..1).
+/// A time of day: its light and the opacity of each dome (0..1).
 struct SkyKeyframe {
     double time = 0.0;
     double sun = 0.0;
@@ -124,7 +123,7 @@ constexpr std::array kStates{
     SkyKeyframe{0.765, 0.00, 0xFFFF7848, 0.80, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
     SkyKeyframe{0.81, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
 
-/// Towards the sun (by day) or the moon (by night) at that time.
+/// The direction to the sun (by day) or the moon (by night).
 Vec3 lightDirection(double time) {
     const bool day = time > 0.22 && time < 0.78;
     const double half = kSunset - kSunrise;
@@ -134,7 +133,7 @@ Vec3 lightDirection(double time) {
     return {std::cos(tilt) * std::cos(angle), -std::sin(tilt), std::cos(tilt) * std::sin(angle)};
 }
 
-/// `lowSun`: shown in the sun's place while dusk or dawn is at its strongest.
+/// `lowSun`: replaces the sun while dusk or dawn is strongest.
 dat::SkyTimeOfDay keyframe(const SkyKeyframe& m, dat::RecordId lowSun) {
     dat::SkyTimeOfDay key;
     const Vec3 towards = lightDirection(m.time);
@@ -167,9 +166,9 @@ dat::SkyTimeOfDay keyframe(const SkyKeyframe& m, dat::RecordId lowSun) {
     return key;
 }
 
-/// A sky that is one cloud, and snow that falls from it.
+/// An overcast sky with falling snow.
 dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId snow) {
-    constexpr double kSun = 0.35, kAmbient = 1.15; // of a fair day's
+    constexpr double kSun = 0.35, kAmbient = 1.15; // factors of a fair day's light
     constexpr std::uint32_t kLight = 0xFFE4E8F0, kMist = 0xFFC2C7CC, kDark = 0xFF14161A;
     dat::DayGroup group;
     group.chance = 0.2f;
@@ -222,7 +221,7 @@ dat::SkyDesc buildSky(ModelWriter& sink) {
     sky.tickSize = 5.0;
     sky.lightTickSize = 1.0;
     sky.dayGroups.push_back(std::move(fair));
-    // One after the other: what is made as an argument is numbered in an order that each compiler chooses for itself.
+    // Separate statements fix the order of the ids. The evaluation order of arguments differs between compilers.
     const dat::RecordId snow = addSnowScript(sink);
     const dat::RecordId cloud = mesh(dome(Material::SkySnow));
     sky.dayGroups.push_back(snowyDays(night, cloud, snow));

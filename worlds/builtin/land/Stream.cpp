@@ -9,8 +9,8 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kSource = 30.0, kMouth = 21.5; ///< metres: the bed at the path's ends
-constexpr double kBank = 1.1;                   ///< metres above the bed, at least, one vertex beside it
+constexpr double kSource = 30.0, kMouth = 21.5; ///< metres: height of the bed at the path's ends
+constexpr double kBank = 1.1;                   ///< least height above the bed, one vertex beside it; metres
 constexpr double kReach = 3.6;                  ///< vertices
 
 struct Nearest {
@@ -30,7 +30,7 @@ Nearest nearestTo(double vx, double vy) {
     return out;
 }
 
-/// Goes on along edges: first across, then up or down.
+/// Extends the path along edges to a vertex: first along x, then along y.
 void extend(std::vector<std::pair<int, int>>& path, int vx, int vy) {
     while (path.back() != std::pair{vx, vy}) {
         auto [x, y] = path.back();

@@ -10,13 +10,13 @@ namespace limen::worlds {
 
 namespace {
 
-/// Pictures of noise repeat after this many vertices.
+/// The period of noise, in vertices.
 constexpr double kNoisePeriod = 24.0;
 
-/// Vertices between which the ground is level, and how many further on it is wild again.
+/// A level site: its bounds in vertices, and the width of the transition to natural ground, in vertices.
 struct Site {
     double west, east, south, north;
-    int index; ///< of the level
+    int index; ///< index of its height
     double reach;
 };
 /// The landcells of the cottages, the inn and the meeting hall.
@@ -41,7 +41,7 @@ double distanceToLane(double vx, double vy) {
     return nearest;
 }
 
-/// The hill that the tower stands on, and the steep one that the cave leads into; metres.
+/// Heights (metres) of the hill below the tower and of the steep hill with the cave.
 double landmarks(double vx, double vy) {
     const double knoll =
         16.0 * std::exp(-((vx - 12.5) * (vx - 12.5) + (vy - 20.5) * (vy - 20.5)) / (2.0 * 1.9 * 1.9));
@@ -51,7 +51,7 @@ double landmarks(double vx, double vy) {
     return knoll + crag;
 }
 
-/// What lies beyond the first hills: higher ones, and valleys between them; metres.
+/// Heights (metres) of the hills and valleys beyond the first hills.
 double farHills(double vx, double vy) {
     const double u = vx / (2.0 * kNoisePeriod) + 0.37;
     const double v = vy / (2.0 * kNoisePeriod) + 0.61;
@@ -60,7 +60,7 @@ double farHills(double vx, double vy) {
            smoothStep(15.0, 20.0, far) * 22.0 * (0.6 + 0.8 * fbm(u, v, 4, 4, 2, 4023));
 }
 
-/// The land before it is put on the table; vertices.
+/// Natural height (metres) before it is rounded to the Region's table.
 double wildHeight(double vx, double vy) {
     const double u = vx / kNoisePeriod;
     const double v = vy / kNoisePeriod;
@@ -118,7 +118,7 @@ Cover coverAt(int vx, int vy) {
     if (slope > 11.5)
         return {TerrainKind::BarrenRock, 1};
     if (stream < 1.5)
-        return {TerrainKind::LushGrass, 2}; // no trees: what grows here may stand in the water
+        return {TerrainKind::LushGrass, 2}; // no trees, because plants here may be in the water
     if (wood > 0.02 && lane > 1.4 && site > 1.9) {
         return hash(static_cast<std::uint32_t>(vx), static_cast<std::uint32_t>(vy), 4013) % 4 == 0
                    ? Cover{TerrainKind::Moss, 1}

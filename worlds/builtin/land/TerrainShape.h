@@ -6,9 +6,9 @@
 
 namespace limen::worlds {
 
-/// The ground of the built-in world: kBlocksAcross² landblocks around the village. Vertices, 24 m apart, and metres
-/// of the area are counted from the south-west corner of kSouthWest, the village's neighbour; kBlocksBeyond more
-/// landblocks lie to the west and south of it, at negative coordinates.
+/// The ground of the built-in world: kBlocksAcross² landblocks around the village. Vertices (24 m apart) and metres of the
+/// area count from the south-west corner of kSouthWest, the village's neighbour. kBlocksBeyond more landblocks, to the
+/// west and south, have negative coordinates.
 inline constexpr dat::BlockCoord kSouthWest{0xA8, 0xB3};
 inline constexpr int kBlocksBeyond = 1;
 inline constexpr int kBlocksAcross = 5;
@@ -21,8 +21,7 @@ inline constexpr dat::BlockCoord kVillage{kSouthWest.x + 1, kSouthWest.y + 1};
 inline constexpr dat::BlockCoord kTowerBlock{kVillage.x, kVillage.y + 1};
 inline constexpr dat::BlockCoord kCaveBlock{kVillage.x + 1, kVillage.y + 1};
 
-/// Terrain types used (landscape.md), and the scenes that grow on them: index into a type's list of scene
-/// types.
+/// The terrain types in use (landscape.md).
 enum class TerrainKind : std::uint8_t {
     BarrenRock = 0x00,
     Grassland = 0x01,
@@ -34,18 +33,18 @@ enum class TerrainKind : std::uint8_t {
     Moss = 0x1C
 };
 
-/// The Region's table: 256 heights in metres, finer steps below than above; multiples of 1/64 m.
+/// The Region's table: 256 heights in metres, multiples of 1/64 m; steps are finer at the lower end.
 [[nodiscard]] double heightOfIndex(int index);
-/// The level, on the table, of the ground around both cottages.
+/// The height of the ground around both cottages, metres.
 [[nodiscard]] double siteLevel();
-/// The levels of the ground around the tower and before the cave.
+/// The heights of the ground around the tower and before the cave, metres.
 [[nodiscard]] double towerLevel();
 [[nodiscard]] double caveLevel();
 
-/// Height (metres) of the ground at a point of the area, by the triangle there.
+/// The height (metres) of the ground's triangle at a point of the area.
 [[nodiscard]] double groundHeight(double x, double y);
 
-/// Vertices that a way runs through; consecutive ones are neighbours along an edge or a diagonal.
+/// A path through vertices; consecutive ones are neighbours along an edge or a diagonal.
 using VertexPath = std::vector<std::pair<int, int>>;
 /// The part of the lane near the village, from the hill in the north-west to the south-east.
 [[nodiscard]] VertexPath lanePath();
@@ -57,9 +56,9 @@ using VertexPath = std::vector<std::pair<int, int>>;
 /// A point above a vertex of the ground; global metres.
 [[nodiscard]] Vec3 overVertex(std::pair<int, int> vertex, double height);
 
-/// Metres of the area to metres on the map.
+/// Converts metres of the area to global metres.
 [[nodiscard]] Vec3 toGlobal(const Vec3& area);
-/// Metres of a landblock to metres of the area.
+/// Converts metres of a landblock to metres of the area.
 [[nodiscard]] Vec3 toArea(dat::BlockCoord block, const Vec3& local);
 
 /// Adds the LandBlocks; those of `withObjects` have a LandBlockInfo.

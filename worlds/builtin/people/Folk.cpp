@@ -14,10 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Feet are carried this high, metres, so that a step over a sill runs inside the opening and not along its border.
+/// Metres. Routes are this high above the floor, so that a step over a sill is inside the opening and not on its border.
 constexpr double kAboveGround = 0.01;
 
-/// Writes a route point by point.
+/// Builds a route point by point.
 class Route {
 public:
     Route(const VillageMap& map, const char* name, bool loop) : map_(map) {
@@ -31,11 +31,11 @@ public:
     Route& hall(HallCell cell, double x, double y) {
         return add(globalOf(map_.hall, {x, y, 0.0}), map_.hallCells.at(static_cast<std::size_t>(cell)));
     }
-    /// On steps or boards outside, in a building's coordinates.
+    /// Adds a point outside on steps or boards, in a building's coordinates.
     Route& beside(const Placement& building, double x, double y, double floor) {
         return add(globalOf(building, {x, y, floor}), 0);
     }
-    /// On the ground; coordinates of the village block.
+    /// Adds a point on the ground, in coordinates of the village block.
     Route& ground(double x, double y) {
         return add(toGlobal({192.0 + x, 192.0 + y, groundHeight(192.0 + x, 192.0 + y)}), 0);
     }
@@ -55,9 +55,9 @@ private:
     Json json_;
 };
 
-constexpr double kYardBelow = -0.375; ///< below the floors
+constexpr double kYardBelow = -0.375; ///< metres, relative to the floors
 
-/// Down the steps at the inn's front door, from the hall to the yard, or up them.
+/// Adds the steps at the inn's front door, from the hall down to the yard or back up.
 void throughTheInnsDoor(Route& route, const VillageMap& map, bool out) {
     if (out) {
         route.inn(InnCell::Hall, 0.0, 1.2);
@@ -83,7 +83,7 @@ void throughTheHallsDoor(Route& route, const VillageMap& map, double y, bool out
     }
 }
 
-/// A guest between the inn's tables and the meeting hall.
+/// The guest's route between the inn's tables and the meeting hall.
 Json guestRoute(const VillageMap& map) {
     Route route(map, "guest", false);
     route.inn(InnCell::Hall, -1.6, 3.4).inn(InnCell::Hall, -0.9, 2.2);
@@ -94,7 +94,7 @@ Json guestRoute(const VillageMap& map) {
     return route.json();
 }
 
-/// The innkeeper goes round the ground floor.
+/// The innkeeper's round on the ground floor.
 Json innkeeperRoute(const VillageMap& map) {
     Route route(map, "innkeeper", true);
     route.inn(InnCell::Hall, -3.4, 5.6)
@@ -112,7 +112,7 @@ Json innkeeperRoute(const VillageMap& map) {
     return route.json();
 }
 
-/// The maid comes from the kitchen up the stairs, to the west room and out on the balcony.
+/// The maid's route from the kitchen up the stairs, to the west room and to the balcony.
 Json maidRoute(const VillageMap& map) {
     using namespace inn;
     Route route(map, "maid", false);
@@ -135,7 +135,7 @@ Json maidRoute(const VillageMap& map) {
     return route.json();
 }
 
-/// The elder walks from the apse through the arch, out of the hall and along its front.
+/// The elder's route from the apse through the arch, out of the hall and along its front.
 Json elderRoute(const VillageMap& map) {
     Route route(map, "elder", false);
     const double y = hall::kMiddle + 0.45;
@@ -147,7 +147,7 @@ Json elderRoute(const VillageMap& map) {
     return route.json();
 }
 
-/// The watchman's round through the village and round the inn's yard.
+/// The watchman's route through the village and around the inn's yard.
 Json watchRoute(const VillageMap& map) {
     Route route(map, "watch", true);
     route.ground(76.0, 97.6)
@@ -166,7 +166,7 @@ Json farmerRoute(const VillageMap& map) {
     return route.json();
 }
 
-/// Along the lane, over every vertex, where the ground bends.
+/// The cart's route along the lane. It has a point at every vertex, because the slope changes there.
 Json cartRoute(const VillageMap& map) {
     Route route(map, "cart", false);
     for (int x = 24; x <= 144; x += 24)
@@ -210,7 +210,7 @@ void addFolk(ModelWriter& sink, const Effects& effects, VillageMap& map) {
                      villager("watchman", models.watchman, "watch", 1.3, 20.0),
                      villager("farmer", models.farmer, "farm", 1.2, 30.0),
                      villager("carter", models.carter, "cart", 1.1, 40.0)};
-    // The guest wears a cloak, dyed; the traveller the same as it was woven.
+    // The guest wears a dyed cloak, the traveller the same cloak undyed.
     map.villagers.front()["clothing"] = Json::array({worn(models.cloak, kDyed, 0.4)});
     map.player["clothing"] = Json::array({worn(models.cloak, kUndyed, 0.0)});
     map.villagers[4]["play"] = {{"kind", kWatchmansPlay}, {"intensity", 0.5}};

@@ -6,11 +6,10 @@
 
 namespace limen::worlds {
 
-/// Adds the villagers' models and fills the map's routes and villagers. Requires: the map's buildings are
-/// placed.
+/// Adds the villagers' models and fills the map's routes and villagers. Requires: the map's buildings are placed.
 void addFolk(ModelWriter& sink, const Effects& effects, VillageMap& map);
 
-/// Where torches hang beside the meeting hall's door; coordinates of the hall, their backs towards +x.
+/// The torches beside the meeting hall's door, in the hall's coordinates. Their backs face +x.
 [[nodiscard]] std::vector<Vec3> hallTorches();
 
 } // namespace limen::worlds

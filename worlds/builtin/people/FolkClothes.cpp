@@ -18,7 +18,7 @@ const Record& recordOf(const std::vector<Record>& records, dat::RecordId id) {
     return *found;
 }
 
-/// The palette that the picture of a material is painted with.
+/// The palette of a material's picture.
 const dat::Palette& paletteOf(const WorldRecords& records, Material material) {
     const auto surface = std::find_if(records.surfaces.begin(), records.surfaces.end(),
                                       [&](const auto& s) { return s.first == surfaceId(material); });
@@ -28,7 +28,7 @@ const dat::Palette& paletteOf(const WorldRecords& records, Material material) {
                     recordOf(records.renderSurfaces, texture.images.front()).defaultPalette);
 }
 
-/// The same colours with less red and green in them, from a light shade to a dark one.
+/// Blue shades of a palette, at `percent` of its brightness.
 dat::Palette dyed(dat::Palette palette, dat::RecordId id, std::uint32_t percent) {
     palette.id = id;
     for (dat::Colour& colour : palette.colours) {
@@ -43,7 +43,8 @@ dat::Palette dyed(dat::Palette palette, dat::RecordId id, std::uint32_t percent)
 
 dat::RecordId addCloak(ModelWriter& sink, const std::vector<dat::RecordId>& setups, dat::RecordId cloaked) {
     WorldRecords& records = sink.records();
-    const dat::Palette cloth = paletteOf(records, Material::Rug); // a copy: palettes are added
+    const dat::Palette cloth =
+        paletteOf(records, Material::Rug); // a copy, because adding palettes moves them
     dat::PaletteSet dyes{kDyes, {}};
     for (const std::uint32_t percent : {150u, 110u, 70u}) {
         const auto id = kFirstDye + static_cast<dat::RecordId>(dyes.palettes.size());

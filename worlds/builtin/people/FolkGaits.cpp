@@ -11,7 +11,7 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kRate = 30.0; ///< frames a second of going
+constexpr double kRate = 30.0; ///< frames a second of walking and running
 constexpr double kStandingRate = 8.0;
 constexpr int kStandingFrames = 48;
 
@@ -20,34 +20,34 @@ Quat about(const Vec3& axis, double angle) {
 }
 constexpr Vec3 kAcross{1, 0, 0}, kAhead{0, 1, 0}, kUp{0, 0, 1};
 
-/// A leg that turns forward about the hip by `angle`, its hip as high as `hip`.
+/// A pose of a leg: turned forward about the hip by `angle` (radians), with the hip at height `hip` (metres).
 struct Leg {
     double angle = 0.0, hip = kHip;
 };
 
-/// What turns a leg so that the point of its sole `ahead` of the hip when it stands is `gone` metres further back: the point stays,
-/// the hip goes on. Heel and toe both give 0 for 0.
+/// The angle of a leg whose sole touches the ground at a point that is `ahead` of the hip in the standing pose, after the
+/// hip has moved `gone` metres forward. 0 for `gone` = 0, for heel and toe alike.
 double angleFor(double ahead, double gone) {
     return std::asin((ahead - gone) / std::hypot(kHip, ahead)) - std::atan2(ahead, kHip);
 }
-/// A foot on the ground rolls over its heel while it is ahead, over its toe behind.
+/// The angle of a leg on the ground: the foot rolls over its heel while it is ahead of the hip, then over its toe.
 double groundedAngle(double gone) {
     return angleFor(gone < 0.0 ? kHeel : kToe, gone);
 }
-/// How high the hip must be so that heel and toe are not below the ground.
+/// The height of the hip at which heel and toe are not below the ground.
 double hipAbove(double angle) {
     const double lower = std::min(kHeel * std::sin(angle), kToe * std::sin(angle));
     return kHip * std::cos(angle) - lower;
 }
 
-/// From `a` to `b` while u goes from 0 to 1, leaving and arriving with these slopes (Hermite).
+/// Cubic Hermite interpolation from `a` to `b` for u in 0..1, with these slopes at both ends.
 double smooth(double u, double a, double b, double leaving, double arriving) {
     const double u2 = u * u, u3 = u2 * u;
     return a * (2 * u3 - 3 * u2 + 1) + b * (3 * u2 - 2 * u3) + leaving * (u3 - 2 * u2 + u) +
            arriving * (u3 - u2);
 }
 
-/// A leg `phase` (0..1) after its heel was set down.
+/// The pose of a leg at `phase` (0..1) of its stride, which begins when the heel touches the ground.
 Leg legAt(const Stride& stride, double phase) {
     const double onGround = stride.length * stride.grounded;
     if (phase < stride.grounded) {
@@ -65,25 +65,25 @@ Leg legAt(const Stride& stride, double phase) {
     return {angle, hipAbove(angle) + stride.lift * std::sin(u * kTurn / 2.0)};
 }
 
-/// How a whole person stands.
+/// The pose of a whole person.
 struct Posture {
     Quat body{1.0, 0.0, 0.0, 0.0}; ///< about the middle of the hips
     double rise = 0.0;
     Quat head{1.0, 0.0, 0.0, 0.0};
-    double leftArm = 0.0, rightArm = 0.0; ///< forward from hanging down, radians
+    double leftArm = 0.0, rightArm = 0.0; ///< forward from hanging down; radians
     Leg left, right;
-    double rolled = 0.0; ///< radians that wheels have turned
+    double rolled = 0.0; ///< turn of wheels, radians
 };
 
 double partOf(double phase) {
     return phase - std::floor(phase);
 }
 
-/// `phase`: steps of both legs since the left heel was first set down.
+/// The pose at `phase` strides after the left heel first touched the ground.
 Posture going(const Stride& stride, double phase) {
     Posture p;
     const double swing = std::cos(kTurn * phase);
-    const double middle = 2.0 * kTurn * (phase - stride.grounded / 2.0); // of a step
+    const double middle = 2.0 * kTurn * (phase - stride.grounded / 2.0); // radians of a stride
     p.body = about(kUp, stride.twist * swing) * about(kAcross, -stride.lean);
     p.rise = stride.bob * (1.0 - std::cos(middle)) / 2.0;
     p.head = about(kAcross, -stride.lean / 2.0);
@@ -95,7 +95,7 @@ Posture going(const Stride& stride, double phase) {
     return p;
 }
 
-/// Breathes twice while swaying once.
+/// The standing pose at `phase` of a cycle, with two breaths and one sway.
 Posture standing(double phase) {
     Posture p;
     const double sway = std::sin(kTurn * phase), breath = std::sin(2.0 * kTurn * phase);
@@ -154,13 +154,13 @@ dat::MotionData played(dat::RecordId animation, double rate, double velocity) {
 
 dat::MotionData addGoing(ModelWriter& sink, const std::vector<SetupPart>& parts,
                          const std::vector<Role>& roles, const Stride& stride, dat::RecordId dust) {
-    // Wheels stand as at first only after whole turns.
+    // The cycle has whole turns of a wheel, so that it ends in its first pose.
     const int rounds = std::count(roles.begin(), roles.end(), Role::Wheel) > 0 ? kSpokes : 1;
     std::vector<dat::AnimationFrame> frames;
     for (int k = 0; k < rounds * stride.frames; ++k)
         frames.push_back(frameOf(going(stride, static_cast<double>(k) / stride.frames), parts, roles));
     for (std::size_t part = 0; part < parts.size() && dust != 0; ++part) {
-        // A hook is played when its frame gives way to the next.
+        // A hook is played when its frame ends.
         const auto frame = [&](double phase) { return static_cast<std::size_t>(phase * stride.frames); };
         if (roles[part] == Role::LeftLeg || roles[part] == Role::RightLeg) {
             frames[frame(roles[part] == Role::LeftLeg ? 0.0 : 0.5)].hooks.push_back(

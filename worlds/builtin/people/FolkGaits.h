@@ -4,37 +4,37 @@
 
 namespace limen::worlds {
 
-// A person's build, metres: hips, and where heel and toe of a foot are ahead of the hip, all in the leg's plane.
+// A person's measures, metres: height of the hip; heel and toe relative to the hip, forwards. All in the leg's plane.
 inline constexpr double kHip = 0.88, kHeel = -0.09, kToe = 0.17;
-inline constexpr double kWheelRadius = 0.555; ///< of a cart
-inline constexpr int kSpokes = 8;             ///< of a wheel, which looks the same after each
+inline constexpr double kWheelRadius = 0.555; ///< of a cart, metres
+inline constexpr int kSpokes = 8;             ///< of a wheel, which looks the same after a turn by one spoke
 
-/// How a part of a person goes along.
+/// The motion of a part of a person.
 enum class Role { Body, Head, LeftArm, RightArm, LeftLeg, RightLeg, Held, Wheel };
 
-/// One way of going forward.
+/// The parameters of a walk or run.
 struct Stride {
-    double length = 1.0;   ///< metres for a step of each leg
-    int frames = 30;       ///< likewise, at 30 a second
-    double grounded = 0.6; ///< share of that for which a foot is on the ground; less than half: running
-    double lift = 0.04;    ///< metres that a foot is carried over the ground
-    double bob = -0.03;    ///< metres that the body rises from foot to foot; negative: it sinks
-    double arms = 0.4;     ///< radians that they swing each way
-    double lean = 0.03;    ///< radians forward
-    double twist = 0.06;   ///< radians that the shoulders turn each way
+    double length = 1.0;   ///< metres of a stride: one step of each leg
+    int frames = 30;       ///< frames of a stride, 30 a second
+    double grounded = 0.6; ///< share of a stride for which a foot is on the ground; running: less than half
+    double lift = 0.04;    ///< height of a moving foot above the ground, metres
+    double bob = -0.03;    ///< rise of the body between steps, metres; negative: it sinks
+    double arms = 0.4;     ///< amplitude of the arms, radians
+    double lean = 0.03;    ///< forward lean, radians
+    double twist = 0.06;   ///< amplitude of the shoulders, radians
 };
 
-/// The two ways in which people go.
 struct Strides {
     Stride walk, run;
 };
-/// With long steps. Lengths roll a wheel by whole spokes.
+/// Long steps. Their lengths turn a wheel by whole spokes.
 [[nodiscard]] Strides longStrides();
-/// With short ones, as a gown or an apron allows.
+/// Short steps, for people in a gown or an apron.
 [[nodiscard]] Strides shortStrides();
 
-/// Writes what people made of these parts do, standing, walking and running, and yields the motion table's id. Feet on the ground
-/// stay where they are. `roles`: one a part; `dust`: ParticleEmitter that is started where a foot is set down; what is held stays as the Setup has it, and so does an arm that holds.
+/// Adds a MotionTable and Animations for standing, walking and running; returns the table's id. Feet on the ground do not
+/// slide. `roles`: one for each part; a held object and the arm that holds it keep the pose of the Setup. `dust`: a
+/// ParticleEmitter to start at each footfall, or 0.
 [[nodiscard]] dat::RecordId addGaits(ModelWriter& sink, const std::vector<SetupPart>& parts,
                                      const std::vector<Role>& roles, const Strides& strides,
                                      dat::RecordId dust = 0);

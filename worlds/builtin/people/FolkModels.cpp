@@ -26,9 +26,9 @@ void addRing(FaceMesh& mesh, double z0, double z1, double lower, double upper, M
                    .caps = caps});
 }
 
-constexpr double kWaist = 1.02, kHem = 0.10; ///< of a gown, metres
+constexpr double kWaist = 1.02, kHem = 0.10; ///< heights of a gown, metres
 
-/// Shoulders are wider than a body is deep.
+/// Scales the depth of a body: shoulders are wider than a body is deep.
 void flatten(FaceMesh& mesh, double depth) {
     for (Face& face : mesh.faces()) {
         for (Vec3& p : face.points)
@@ -38,7 +38,7 @@ void flatten(FaceMesh& mesh, double depth) {
     }
 }
 
-/// Nearly as deep as wide, so that legs have room to step.
+/// A skirt nearly as deep as wide, so that the legs can move inside.
 FaceMesh skirtMesh(const Clothes& c) {
     FaceMesh mesh;
     addRing(mesh, kHem, kWaist, 0.36, 0.15, c.coat, true);
@@ -101,7 +101,7 @@ FaceMesh armMesh(const Clothes& c, double bend) {
 
 FaceMesh legMesh(const Clothes& c) {
     FaceMesh mesh;                                         // origin at the hip
-    addRing(mesh, -0.18, 0.0, 0.095, 0.045, c.legs, true); // stays inside the coat while the leg swings
+    addRing(mesh, -0.18, 0.0, 0.095, 0.045, c.legs, true); // inside the coat at every angle of the leg
     addRing(mesh, -0.46, -0.18, 0.075, 0.095, c.legs, true);
     addRing(mesh, -0.82, -0.44, 0.058, 0.078, c.legs, true);
     mesh.box({-0.055, kHeel, -kHip}, {0.055, kToe, -0.79}, Material::Hair);
@@ -134,7 +134,7 @@ FaceMesh lanternMesh() {
     return mesh;
 }
 
-/// A wheel in the plane across x, its hub at the origin.
+/// A wheel in the plane x = 0, its hub at the origin.
 FaceMesh wheelMesh() {
     FaceMesh mesh;
     constexpr double kRim = 0.52;
@@ -174,7 +174,7 @@ FaceMesh cartMesh() {
     return mesh;
 }
 
-/// The arm with the lantern keeps still, as does the lantern: what shines hangs where world.json says.
+/// The arm with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
 dat::RecordId addWatchman(ModelWriter& sink) {
     std::vector<SetupPart> parts =
         person(sink, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
@@ -184,7 +184,7 @@ dat::RecordId addWatchman(ModelWriter& sink) {
     return sink.addSetup(parts, {}, addGaits(sink, parts, roles, longStrides()));
 }
 
-/// Both hands are at the cart, which rolls.
+/// Both hands hold the cart.
 dat::RecordId addCarter(ModelWriter& sink) {
     std::vector<SetupPart> parts =
         person(sink, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});

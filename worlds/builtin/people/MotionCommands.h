@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-// What motion tables call styles and motions. ref: MotionCommand in the record schema of Chorizite's DatReaderWriter (dats.xml).
+// Ids of styles and motions in motion tables. ref: MotionCommand in the record schema of Chorizite's DatReaderWriter
+// (dats.xml).
 namespace limen::worlds {
 
 inline constexpr std::uint32_t kNonCombat = 0x8000003D; ///< a style

@@ -9,7 +9,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// Collects legs of the tour, each towards a point of one building.
+/// Collects legs of the tour in the coordinates of one building.
 class Path {
 public:
     explicit Path(const Placement& building) : building_(building) {}
@@ -18,12 +18,12 @@ public:
     void ground(double x, double y, double speed, const Vec3& target) {
         path_.ground(point({x, y, 0.0}), speed, point(target));
     }
-    /// To a point at eye height above `floor`, looking straight ahead or at `target`.
+    /// Adds a leg to a point at eye height above `floor` that ends with a look at `target`.
     void walk(double x, double y, double floor, double speed, const Vec3& target) {
         path_.straight(point({x, y, floor + kEyeHeight}), speed, point(target));
     }
     void look(const Vec3& target, double seconds) { path_.look(point(target), seconds); }
-    /// Along the ground to a vertex of the lane.
+    /// Adds a leg along the ground to a vertex of the lane.
     void lane(std::pair<int, int> vertex, double speed, const Vec3& targetGlobal) {
         path_.ground(overVertex(vertex, 0.0), speed, targetGlobal);
     }
@@ -72,7 +72,7 @@ void upToTheBalcony(Path& path) {
     path.look({0.0, 4.0, kUpper + 1.2}, 2.0);
 }
 
-/// Back down, through the store to basement and vault.
+/// Back down, through the store room to basement and vault.
 void downToTheVault(Path& path) {
     using namespace inn;
     path.walk(0.0, 1.2, kUpper, 2.0, {1.6, 4.0, kUpper + 1.2});
@@ -120,7 +120,7 @@ void outToTheMeetingHall(Path& path, const VillageMap& map) {
     path.look({-6.5, middle, 1.7}, 3.0); // back through arch and doorway: the inn
 }
 
-/// Out of the meeting hall and westwards between the cottages, nearly to where the track to the tower leaves the lane.
+/// Out of the meeting hall and west between the cottages, nearly to the fork of lane and tower track.
 void backToTheLane(Path& path) {
     const double middle = hall::kMiddle;
     const std::pair<int, int> fork = towerTrack().front();

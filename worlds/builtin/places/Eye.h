@@ -7,10 +7,10 @@
 
 namespace limen::worlds {
 
-/// How high an eye is above the feet; metres.
+/// Height of an eye above the feet, metres.
 inline constexpr double kEyeHeight = 1.7;
 
-/// A standing eye: global metres, degrees; `cell` 0 means outside.
+/// A viewpoint: global metres, degrees; `cell` 0 means outside.
 struct Eye {
     Vec3 position{0.0};
     double yaw = 0.0, pitch = 0.0;
@@ -19,9 +19,9 @@ struct Eye {
 
 /// Turns the eye towards a point; global metres.
 void lookAt(Eye& eye, const Vec3& target);
-/// An eye at a point that looks at another one; global metres.
+/// An eye at a point that looks at `target`; global metres.
 [[nodiscard]] Eye eyeTowards(const Vec3& position, const Vec3& target, dat::RecordId cell);
-/// An eye that stands on the ground at a point (metres of the area) and looks at another one (global metres).
+/// An eye at kEyeHeight above the ground at a point (metres of the area) that looks at `target` (global metres).
 [[nodiscard]] Eye groundEye(double x, double y, const Vec3& target);
 
 /// A place of `world.json` (docs/world-file.md).

@@ -11,7 +11,7 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kHillX = 78.0, kHillY = 396.0; // area
+constexpr double kHillX = 78.0, kHillY = 396.0; // metres of the area
 
 using Places = std::vector<std::pair<std::string, Eye>>;
 
@@ -36,7 +36,7 @@ Places villagePlaces(const VillageMap& map) {
                                       map.neighbourCells.at(static_cast<std::size_t>(NeighbourCell::Room)))}};
 }
 
-/// Down the lane to the cottage's door, looking two vertices ahead.
+/// Down the lane to the cottage's door; the eye looks two vertices ahead.
 void toTheCottage(TourPath& path, const VillageMap& map) {
     const Vec3 door = globalOf(map.cottage, {0.0, 0.0, 1.6});
     path.look(door, 2.0);
@@ -66,7 +66,7 @@ void throughTheCottage(TourPath& path, const VillageMap& map) {
     path.look(at(0.0, 0.0, 1.4), 1.5); // back through the house, out of the front door
     path.straight(at(0.0, 5.45, 1.7), 1.8, at(-4.0, 6.0, 1.0));
     path.straight(at(kStairsX, 5.4, 1.7), 1.4, at(kStairsX, 9.0, -0.6));
-    // Down the stairs, turn, through the low door, around the cellar.
+    // Down the stairs, a turn, through the low door, around the cellar.
     path.straight(at(kStairsX, kStairsTopY, 1.7), 1.2, at(kStairsX, 9.4, -1.0));
     path.straight(at(kStairsX, kStairsTopY + kStairsRun, 1.7 - kStairsDrop), 1.3, at(kStairsX, 9.5, -1.1));
     path.straight(at(kStairsX, 9.0, -0.9), 1.0, at(2.0, 9.0, -1.2));
@@ -106,7 +106,7 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& d
     for (const Places& places : {villagePlaces(map), eastPlaces(map), dungeonPlaces(dungeons)})
         for (const auto& [name, eye] : places)
             json["places"][name] = toJson(eye);
-    json["start"] = "cottage.shelf"; // the way out is in sight
+    json["start"] = "cottage.shelf"; // the exit is visible from there
     json["tour"] = buildTour(map, dungeons);
     json["doors"] = map.doors;
     json["routes"] = map.routes;

@@ -9,7 +9,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// Metres between way points, at most.
+/// The greatest distance between way points, metres.
 double strideOf(LegKind kind) {
     switch (kind) {
     case LegKind::Ground:
@@ -23,9 +23,9 @@ double strideOf(LegKind kind) {
     return 0.4;
 }
 
-constexpr double kTurnsPerSecond = 4.0; ///< way points of an eye that stands
+constexpr double kTurnsPerSecond = 4.0; ///< way points a second of an eye that turns in place
 
-/// Adds way points along legs, the eye turning evenly and following the ground.
+/// Makes way points along legs. The eye turns smoothly and follows the ground.
 class TourWalker {
 public:
     explicit TourWalker(const Eye& start) : eyes_{start}, times_{0.0} {}

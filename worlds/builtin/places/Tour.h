@@ -10,14 +10,14 @@ enum class LegKind {
     Ground,   ///< along the ground, to x and y of the goal
     Straight, ///< a straight line through the air: indoors, over steps
     Flight,   ///< a straight line through the air with way points farther apart
-    Look      ///< stands and turns
+    Look      ///< a turn in place
 };
 
-/// A leg of the tour: to a point, or standing and turning; at its end the eye looks at `target`. Global metres.
+/// A leg of the tour: a way to a point, or a turn in place. At its end the eye looks at `target`. Global metres.
 struct TourLeg {
     LegKind kind = LegKind::Straight;
     Vec3 to{0.0}, target{0.0};
-    double pace = 1.8; ///< metres a second, or seconds
+    double pace = 1.8; ///< metres a second; of LegKind::Look: seconds
 };
 
 /// Collects legs; global metres.
@@ -39,7 +39,7 @@ public:
     std::vector<TourLeg> legs;
 };
 
-/// The tour of `world.json` (docs/world-file.md): way points from `start` along the legs, the eye turning evenly.
+/// The tour of `world.json` (docs/world-file.md): way points from `start` along the legs.
 [[nodiscard]] nlohmann::ordered_json walkTour(const Eye& start, const std::vector<TourLeg>& legs);
 
 } // namespace limen::worlds

@@ -25,7 +25,7 @@ dat::RecordId addWallTorch(ModelWriter& sink) {
 void standTorches(ModelWriter& sink, LandblockWriter& block, const VillageMap& map) {
     const dat::RecordId torch = addWallTorch(sink);
     for (const Vec3& at : hallTorches()) {
-        // Its back is the wall towards -x of the hall.
+        // Its back faces +x of the hall.
         block.addObject({torch, {place(map.hall, at), map.hall.turn - 90.0}});
     }
 }

@@ -17,29 +17,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kLeafThick = 0.05; ///< of a leaf
+constexpr double kLeafThick = 0.05; ///< thickness of a leaf, metres
 constexpr double kSwing = 95.0;     ///< degrees
 
-/// An upright rectangular opening as its cell sees it; coordinates of the building.
+/// An upright rectangular opening seen from its cell; coordinates of the building.
 struct OpeningView {
     Vec3 left{0.0}, right{0.0}; ///< lower corners, seen from inside
     Vec3 inward{0.0};           ///< unit, level
     double height = 0.0;
 };
 
-/// Where a door is and how it opens.
 struct DoorSpec {
     const char* name = "";
     const Placement* building = nullptr;
     dat::RecordId cell = 0;
-    std::uint32_t to = dat::kOutdoors; ///< the cell behind it, or outside: then the door, no window
+    std::uint32_t to = dat::kOutdoors; ///< the cell behind it; outside: the door, not a window
     bool hingeOnTheRight = false;      ///< seen from inside the cell
     bool intoCell = true;
     bool twoLeaves = false;
     double open = 0.0;
 };
 
-/// Leaf of boards and iron bands; the hinge is the origin, the leaf reaches along +x, its faces look along y.
+/// A leaf of boards and iron bands, from the hinge at the origin along +x. Its faces look along y.
 FaceMesh leafMesh(double width, double height) {
     FaceMesh mesh;
     const double from = -kLeafThick / 2.0;
@@ -72,7 +71,7 @@ public:
     explicit FillingList(ModelWriter& sink) : sink_(sink) {}
 
     void door(const DoorSpec& spec);
-    /// A pane in every opening to the outside that is a window.
+    /// Adds a pane for every window to the outside.
     void panes(const char* name, const Placement& building, const std::vector<dat::RecordId>& cells);
     Json take() { return std::move(list_); }
 
@@ -198,7 +197,7 @@ Json FillingList::leaf(dat::RecordId model, const Placement& building, const Vec
                        double swing) {
     const Vec3 at = globalOf(building, hinge);
     const Vec3 ahead = place({Vec3(0.0), building.turn}, along);
-    // Yaw turns +y (0 is north); the leaf reaches along +x.
+    // Yaw turns +y (0 is north); the leaf is along +x.
     const double yaw = std::fmod(720.0 - std::atan2(ahead.y, ahead.x) * 180.0 / std::numbers::pi, 360.0);
     Json json;
     json["model"] = fmt::format("0x{:08X}", model);
@@ -217,7 +216,7 @@ void FillingList::door(const DoorSpec& spec) {
     const auto add = [&](bool right) {
         const Vec3& hinge = right ? view.right : view.left;
         const Vec3 along = glm::normalize((right ? view.left : view.right) - hinge);
-        // Into the cell, the left leaf turns clockwise seen from above.
+        // A left leaf that opens into the cell turns clockwise seen from above.
         const double swing = (right == spec.intoCell ? -1.0 : 1.0) * kSwing;
         json["leaves"].push_back(
             leaf(model, *spec.building, hinge + along * (kLeafThick / 2.0), along, swing));
@@ -255,7 +254,7 @@ Json buildDoors(ModelWriter& sink, const VillageMap& map) {
     const auto theirs = [&](NeighbourCell c) { return map.neighbourCells.at(static_cast<std::size_t>(c)); };
     const auto inn = [&](InnCell c) { return map.innCells.at(static_cast<std::size_t>(c)); };
     FillingList list(sink);
-    // The cottages' doors stand open: out of the way of whoever looks through the house.
+    // The cottages' doors are open, so that one can see through the house.
     list.door(
         {.name = "cottage.front", .building = &map.cottage, .cell = home(CottageCell::Front), .open = 1.0});
     list.door({.name = "neighbour.front",

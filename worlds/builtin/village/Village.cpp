@@ -11,7 +11,7 @@ namespace limen::worlds {
 
 namespace {
 
-/// A row of fence pieces along x, 3 m each, open where a piece would lie in the gap.
+/// Adds a row of fence pieces along x, 3 m each, without those that overlap the gap.
 void fenceRow(LandblockWriter& block, dat::RecordId fence, double y, double from, double to, double gapFrom,
               double gapTo) {
     for (double x = from; x + 3.0 <= to + 1e-9; x += 3.0)
@@ -19,7 +19,7 @@ void fenceRow(LandblockWriter& block, dat::RecordId fence, double y, double from
             stand(block, fence, x, y, 0.0);
 }
 
-/// Scenery keeps out of landcells with a house: what grows there is planted by hand.
+/// Places plants in landcells with a house, because scenery is not generated there.
 void plantGardens(LandblockWriter& block, const Plants& plants) {
     stand(block, plants.oak, 87.6, 126.5, 40.0);
     stand(block, plants.birch, 80.6, 128.5, 200.0);
@@ -30,7 +30,7 @@ void plantGardens(LandblockWriter& block, const Plants& plants) {
     stand(block, plants.birch, 93.6, 76.4, 250.0);
     stand(block, plants.boulder, 85.6, 131.0, 30.0);
     for (std::uint32_t k = 0; k < 90; ++k) {
-        // Along the walls and over the lawns, clear of the houses, the doors and the path between them.
+        // Along the walls and on the lawns, clear of houses, doors and paths.
         const double x = 72.5 + 23.0 * random01(k, 1, 5001);
         const double y = 73.0 + 46.0 * random01(k, 2, 5001);
         const bool inCottage = x > 76.6 && x < 91.4 && y > 104.9 && y < 117.2;

@@ -6,7 +6,7 @@
 
 namespace limen::worlds {
 
-/// Builds the village block: both cottages and what stands in their yards. Returns where things are.
+/// Adds the village block: both cottages and their yards, inn, hall and people. Returns the placements.
 [[nodiscard]] VillageMap addVillage(ModelWriter& sink, const Plants& plants);
 
 } // namespace limen::worlds
