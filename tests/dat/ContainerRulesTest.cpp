@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// Every row of formats/container.md §9: what a reader must refuse, and that it says so with file and place.
+// Every row of formats/container.md §9: a reader refuses such files, with file and place in the message.
 namespace limen::dat {
 namespace {
 
@@ -26,7 +26,7 @@ constexpr std::size_t kBlockSizeAt = 0x144, kFileSizeAt = 0x148, kTypeAt = 0x14C
 constexpr std::size_t kNodeCountAt = 4 + 248; ///< in the first block of a portal node, behind the link
 constexpr std::size_t kNodeEntriesAt = 4 + 252;
 
-/// Where byte `logical` of a node lies that the writer put on consecutive blocks.
+/// The offset of byte `logical` of a node in consecutive blocks.
 std::size_t inNode(std::size_t node, std::size_t logical) {
     return node + logical / 1020 * 1024 + 4 + logical % 1020;
 }
@@ -69,7 +69,7 @@ std::size_t entryAt(const Bytes& bytes, RecordId id) {
     return wordAt(bytes, kRootAt) + kNodeEntriesAt + (id - 1) * 24;
 }
 
-// The file that the format page gives as the smallest: header, iteration record, one leaf.
+// The smallest file, from the format page: header, iteration record, one leaf.
 TEST(ContainerRules, readsTheSmallestFileTypedByHand) {
     Bytes bytes(0x1000);
     const auto place = [&](std::size_t at, std::string_view text) {
@@ -100,7 +100,7 @@ TEST(ContainerRules, readsTheSmallestFileTypedByHand) {
     EXPECT_EQ(toHex(*payload), "05 00 00 00 FB FF FF FF 01 00 00 00 ");
 }
 
-// And the writer makes exactly that file, but for the iteration's number.
+// The writer makes the same file except for the number of the iteration.
 TEST(ContainerRules, theWritersSmallestFileHasThatLayout) {
     const Bytes bytes = Writer(FileTraits::portal()).build();
     EXPECT_EQ(bytes.size(), 0x1000u);
@@ -190,7 +190,7 @@ TEST(ContainerRules, recordsBeyondTheEndOfATruncatedFileAreRefused) {
     EXPECT_THAT(error.what, HasSubstr("cut short"));
     const auto file = File::fromBytes(bytes, "bad.dat");
     Bytes scratch;
-    EXPECT_TRUE(file->read(1, scratch)) << "what is there stays readable";
+    EXPECT_TRUE(file->read(1, scratch)) << "existing records stay readable";
 }
 
 TEST(ContainerRules, rootsOutOfRangeAreRefused) {
@@ -251,7 +251,7 @@ TEST(ContainerRules, chainsInAnyOrderAndWithALongerTailAreRead) {
     const std::uint32_t b = a + 1024;
     std::swap_ranges(bytes.begin() + a, bytes.begin() + a + 1024, bytes.begin() + b);
     putWord(bytes, b, a); // now it starts at b
-    putWord(bytes, a, a); // what follows the last block is nobody's business
+    putWord(bytes, a, a); // bytes behind the last block are ignored
     putWord(bytes, entryAt(bytes, 2) + 8, b);
     const auto file = File::fromBytes(bytes, "swapped.dat");
     ASSERT_TRUE(file);
@@ -300,14 +300,14 @@ TEST(ContainerRules, innerNodesNeedAllTheirBranches) {
         putWord(bytes, root + 4 + count * 4, branch);
         EXPECT_THAT(openError(bytes).what, HasSubstr("branch ")) << branch;
     }
-    Bytes bytes = good; // behind them anything may stand
+    Bytes bytes = good; // any bytes may follow
     putWord(bytes, root + 4 + (count + 1) * 4, 0x12345);
     EXPECT_TRUE(File::fromBytes(bytes, "good.dat"));
 }
 
 TEST(ContainerRules, nodesMayBeScatteredOverTheFile) {
     Bytes bytes = portalFile(200, 10);
-    // The second block of every node moves to the end of the file.
+    // Moves the second block of every node to the end of the file.
     const std::size_t root = wordAt(bytes, kRootAt);
     std::vector<std::size_t> nodes{root};
     for (std::size_t i = 0; i <= wordAt(bytes, root + kNodeCountAt); ++i)
@@ -351,7 +351,7 @@ TEST(ContainerRules, childrenWithTwoParentsAreRefused) {
     const std::size_t root = wordAt(bytes, kRootAt);
     putWord(bytes, root + 4 + 4, wordAt(bytes, root + 4));
     EXPECT_THAT(walkError(bytes).what, HasSubstr("out of the order of the tree"));
-    // Emptied, the shared leaf breaks no order; then the visit itself tells.
+    // The shared leaf is emptied, so that the order is valid; the second visit is the error.
     putWord(bytes, wordAt(bytes, root + 4) + kNodeCountAt, 0);
     EXPECT_EQ(walkError(bytes).what, "two branches lead to it");
 }
@@ -370,7 +370,7 @@ TEST(ContainerRules, keysOutsideTheParentsRangeAreRefused) {
     const std::size_t root = wordAt(bytes, kRootAt);
     const std::size_t leaf = wordAt(bytes, root + 4);
     const std::uint32_t count = wordAt(bytes, leaf + kNodeCountAt);
-    // The last id of the first leaf becomes the separator's: a duplicate across nodes.
+    // The last id of the first leaf becomes that of the separator: a duplicate across nodes.
     const std::uint32_t separator = wordAt(bytes, root + kNodeEntriesAt + 4);
     putWord(bytes, inNode(leaf, 252 + (count - 1) * 24 + 4), separator);
     EXPECT_THAT(walkError(bytes).what, HasSubstr("out of the order of the tree"));
@@ -384,7 +384,7 @@ TEST(ContainerRules, leavesAtUnequalDepthsAreAWarning) {
     Bytes bytes = portalFile(200, 10);
     const std::uint32_t root = wordAt(bytes, kRootAt);
     const std::uint32_t leaf = wordAt(bytes, root + 4);
-    // A node of its own between root and first leaf: the first entry of the leaf with an empty leaf below it.
+    // Inserts a node between root and first leaf: the first entry of the leaf, with an empty leaf below it.
     const auto node = static_cast<std::uint32_t>(bytes.size());
     bytes.resize(bytes.size() + 4 * 1024);
     const std::uint32_t empty = node + 2 * 1024;
@@ -413,7 +413,7 @@ TEST(ContainerRules, leavesAtUnequalDepthsAreAWarning) {
 
 TEST(ContainerRules, treesDeeperThanTheLimitAreRefused) {
     Bytes bytes = portalFile(1, 10);
-    // A ladder of 20 nodes of one entry, the left branch of each leading further down.
+    // A chain of 20 nodes of one entry, each the left branch of the one above.
     const auto first = static_cast<std::uint32_t>(bytes.size());
     bytes.resize(bytes.size() + 40 * 2048);
     for (std::uint32_t i = 0; i < 40; ++i)

@@ -38,7 +38,7 @@ bool hasChildren(BspTag tag) {
 } // namespace
 
 float RandomRecords::number() {
-    // Mostly plausible, sometimes any bit pattern at all, NaNs with payloads included.
+    // Mostly plausible values, sometimes random bits, including NaNs with payloads.
     return below(8) == 0 ? std::bit_cast<float>(word()) : static_cast<float>(below(20001)) * 0.01f - 100.0f;
 }
 

@@ -43,7 +43,7 @@ public:
         }
     }
 
-    /// Frames are in this landblock.
+    /// Sets the landblock of frames.
     void enter(std::uint32_t id) { origin_ = Vec3((id >> 24) * 192.0, (id >> 16 & 0xFF) * 192.0, 0.0); }
 
     std::vector<Standing> out;

@@ -12,7 +12,7 @@ constexpr double kSamePlane = 0.002;   ///< metres
 constexpr double kSmallArea = 0.0001;  ///< square metres
 constexpr double kParallel = 0.999995; ///< cosine; 0.18 degrees
 
-/// All pairs whose boxes come within `kSamePlane`, by a sweep along x.
+/// Calls `visit` for all pairs whose boxes are nearer than kSamePlane, by a sweep along x.
 template <class Visit>
 void forNearPairs(const std::vector<Standing>& all, Visit visit) {
     std::vector<const Standing*> sorted;
@@ -33,7 +33,7 @@ void forNearPairs(const std::vector<Standing>& all, Visit visit) {
     }
 }
 
-/// True if both have more than a spot in one plane.
+/// True if their overlap in one plane is larger than kSmallArea.
 bool shareAPlane(const Standing& a, const Standing& b) {
     const Overlap overlap = overlapOf(a, b);
     return overlap.area > kSmallArea && overlap.apart <= kSamePlane;
@@ -87,7 +87,7 @@ TEST(Surfaces, nothingLiesInAnOpening) {
     EXPECT_GT(portals, 10u);
 }
 
-/// Foliage is lit as if light came through it: its normals do not follow its faces.
+/// Foliage has normals that do not follow its faces, as if light came through it.
 bool isFoliage(dat::RecordId surface) {
     const std::set<dat::RecordId> foliage{surfaceId(Material::Leaves), surfaceId(Material::BirchLeaves),
                                           surfaceId(Material::PineBranch), surfaceId(Material::GrassTuft),
