@@ -1,5 +1,5 @@
-# Settings of all our targets: language level, warnings as errors, sanitizers. They are attached to targets, never to
-# directories, so that external libraries keep their own flags.
+# Settings of all our targets: language level, warnings as errors, sanitizers. They are attached to targets,
+# never to directories, so that external libraries keep their own flags.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -24,9 +24,9 @@ if(LIMEN_SANITIZE)
     target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# limen_unite(target): compiles several sources of a folder as one, in less than half the time. Therefore names in unnamed
-# namespaces must be unique within a folder. The presets `dev`, `clang`, `coverage` and `tidy` compile each source alone,
-# which checks that it includes all headers it uses.
+# limen_unite(target): compiles several sources of a folder as one, in less than half the time. Therefore
+# names in unnamed namespaces must be unique within a folder. The presets `dev`, `clang`, `coverage` and
+# `tidy` compile each source alone, which checks that it includes all headers it uses.
 option(LIMEN_UNITE "Compile several sources as one" OFF)
 set(LIMEN_UNITED_SOURCES 8 CACHE STRING "Largest number of sources compiled as one")
 function(limen_unite target)
@@ -45,8 +45,8 @@ function(limen_unite target)
     endforeach()
 endfunction()
 
-# limen_room(name sources...): a library for a folder of src, with the alias limen::name. Its headers are included as
-# "name/Header.h".
+# limen_room(name sources...): a library for a folder of src, with the alias limen::name. Its headers are
+# included as "name/Header.h".
 function(limen_room name)
     add_library(limen_${name} STATIC ${ARGN})
     add_library(limen::${name} ALIAS limen_${name})
@@ -55,11 +55,11 @@ function(limen_room name)
     limen_unite(limen_${name})
 endfunction()
 
-# limen_test(name [TOGETHER] [BUSY] [LONG] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is a CTest test. The
-# tests of a suite share a process, because many use the same world, which takes longer to make than to test. TOGETHER: all
-# suites share one process. LONG: starts first. The target `unlabelled_tests` builds the programs without labels, which are
-# those that run under sanitizers. In sanitizer builds test code is not optimised, which halves its compile time. BUSY: it
-# is, because the test itself computes much.
+# limen_test(name [TOGETHER] [BUSY] [LONG] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is
+# a CTest test. The tests of a suite share a process, because many use the same world, which takes longer to
+# make than to test. TOGETHER: all suites share one process. LONG: starts first. The target `unlabelled_tests`
+# builds the programs without labels, which are those that run under sanitizers. In sanitizer builds test code
+# is not optimised, which halves its compile time. BUSY: it is, because the test itself computes much.
 add_custom_target(unlabelled_tests)
 function(limen_test name)
     cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG" "" "LABELS;SOURCES;LINK" ${ARGN})

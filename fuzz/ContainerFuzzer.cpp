@@ -3,8 +3,8 @@
 #include "dat/File.h"
 #include "dat/Writer.h"
 
-// Input: the bytes of a dat file. Opening, visiting, looking up and reading may fail, but must agree with each other. A
-// file that can be read completely is the same after it was written again.
+// Input: the bytes of a dat file. Opening, visiting, looking up and reading may fail, but must agree with
+// each other. A file that can be read completely is the same after it was written again.
 namespace {
 
 using namespace limen::dat;

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-// Writes corpora for the fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records, DIRECTORY/text,
-// and DIRECTORY/kinds/NAME for each kind of record.
+// Writes corpora for the fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records,
+// DIRECTORY/text, and DIRECTORY/kinds/NAME for each kind of record.
 namespace {
 
 using namespace limen::dat;

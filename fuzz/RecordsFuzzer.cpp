@@ -8,8 +8,9 @@
 #include <cstring>
 #include <optional>
 
-// Input: a byte that selects the type of record, then the payload. A payload that decodes must encode to the same bytes,
-// and it can be described. LIMEN_FUZZ_RECORD, a name of RecordKind: all bytes are a payload of that type.
+// Input: a byte that selects the type of record, then the payload. A payload that decodes must encode to the
+// same bytes, and it can be described. LIMEN_FUZZ_RECORD, a name of RecordKind: all bytes are a payload of
+// that type.
 namespace {
 
 using namespace limen::dat;

@@ -4,8 +4,8 @@
 #include "app/WalkRecord.h"
 #include "world/Places.h"
 
-// Input: a byte that selects a parser (world file, recorded walk, line of a views file), then text. Every refusal has a
-// reason.
+// Input: a byte that selects a parser (world file, recorded walk, line of a views file), then text. Every
+// refusal has a reason.
 namespace {
 
 using namespace limen;

@@ -13,8 +13,8 @@
 
 #include <cstring>
 
-// Input: a list of changes to the records of a small world. Loading may refuse the world or report findings. A world that
-// loads is flooded, planned, traced and walked through; none of this may fail.
+// Input: a list of changes to the records of a small world. Loading may refuse the world or report findings.
+// A world that loads is flooded, planned, traced and walked through; none of this may fail.
 namespace {
 
 using namespace limen;

@@ -5,7 +5,8 @@
 
 namespace limen::worlds {
 
-/// The built-in world as records; every call gives the same ones. Cost: one to two seconds, nearly all of it painting.
+/// The built-in world as records; every call gives the same ones. Cost: one to two seconds, nearly all of it
+/// painting.
 [[nodiscard]] WorldRecords buildBuiltInWorld(Pictures pictures = Pictures::Painted);
 
 } // namespace limen::worlds

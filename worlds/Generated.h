@@ -18,17 +18,18 @@ enum class GeneratedKind : std::uint8_t {
 /// The parameters of a generated world. Every byte of the files follows from them.
 struct GeneratedSpec {
     GeneratedKind kind = GeneratedKind::Dungeon;
-    /// The number of cells of a dungeon (at most 1,000,000) or complex (5,000), of houses of a town (2,000), of sites
-    /// of a terrain (500). For a map, about the number of cells (1,000,000).
+    /// The number of cells of a dungeon (at most 1,000,000) or complex (5,000), of houses of a town (2,000),
+    /// of sites of a terrain (500). For a map, about the number of cells (1,000,000).
     std::uint32_t size = 50;
     std::uint32_t seed = 1;
-    /// The share of a dungeon's cells, 0..0.05, that are corridors through other rooms. Such cells overlap in space.
+    /// The share of a dungeon's cells, 0..0.05, that are corridors through other rooms. Such cells overlap in
+    /// space.
     double overlapShare = 0.02;
 };
 
 /// Writes a generated world to `directory` (made if missing): `client_portal.dat`, `client_cell_1.dat`,
-/// `world.json`. Errors: the size is 0 or beyond the kind's limit; the share is out of range; the directory or a file
-/// cannot be written. Cost: about 10 s for 100,000 cells.
+/// `world.json`. Errors: the size is 0 or beyond the kind's limit; the share is out of range; the directory
+/// or a file cannot be written. Cost: about 10 s for 100,000 cells.
 [[nodiscard]] Result<void> writeGeneratedWorld(const GeneratedSpec& spec,
                                                const std::filesystem::path& directory);
 

@@ -8,8 +8,8 @@ namespace limen::dat {
 /// `client_local_English.dat` are optional. Safe to read from several threads.
 class Archive {
 public:
-    /// Errors: the directory does not exist; a required file is missing, of another format or damaged; a file's role is
-    /// not that of its name.
+    /// Errors: the directory does not exist; a required file is missing, of another format or damaged; a
+    /// file's role is not that of its name.
     [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
     /// An archive of open files. For tests and fuzzing.
     [[nodiscard]] static Archive of(File portal, File cell) {
@@ -22,8 +22,8 @@ public:
     [[nodiscard]] const File* local() const { return local_ ? &*local_ : nullptr; }
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
-    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its type.
-    /// Errors, with file and id: the id is not of this type; the record does not exist or is damaged.
+    /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its
+    /// type. Errors, with file and id: the id is not of this type; the record does not exist or is damaged.
     template <class Record>
     [[nodiscard]] Result<Record> load(RecordId id) const;
     /// True if the file for records of this type has `id`. False if its index is damaged.

@@ -29,8 +29,8 @@ namespace limen::dat {
 [[nodiscard]] std::string describe(const LandBlockInfo& record);
 [[nodiscard]] std::string describe(const EnvCell& record);
 
-/// Decodes and describes a payload as the kind of record that `id` is in a file of that role. For a kind that Limen does
-/// not decode, gives size and first bytes. Errors: those of decode.
+/// Decodes and describes a payload as the kind of record that `id` is in a file of that role. For a kind that
+/// Limen does not decode, gives size and first bytes. Errors: those of decode.
 [[nodiscard]] Result<std::string> describe(FileRole role, RecordId id, ByteView payload);
 
 } // namespace limen::dat

@@ -24,13 +24,13 @@ struct Entry {
     std::int32_t iteration = 0;
 };
 
-/// A memory-mapped dat file. Bytes are read on use. All const members may be called from several threads at once.
-/// Every rule of formats/container.md §9 is checked when the bytes are used: a damaged node or chain gives an Error,
-/// never a crash, an endless loop or a large allocation.
+/// A memory-mapped dat file. Bytes are read on use. All const members may be called from several threads at
+/// once. Every rule of formats/container.md §9 is checked when the bytes are used: a damaged node or chain
+/// gives an Error, never a crash, an endless loop or a large allocation.
 class File {
 public:
-    /// Opens the file and checks the header and the root node. Errors: Unsupported for a file from before the end of
-    /// retail (other magic, other header layout); the message says so.
+    /// Opens the file and checks the header and the root node. Errors: Unsupported for a file from before the
+    /// end of retail (other magic, other header layout); the message says so.
     [[nodiscard]] static Result<File> open(const std::filesystem::path& path);
     /// A file from a copy of bytes in memory; messages use `name` as its path. For tests and fuzzing.
     [[nodiscard]] static Result<File> fromBytes(ByteView bytes, std::string name);
@@ -44,21 +44,23 @@ public:
     /// The role follows from header type and subset, not from the name.
     [[nodiscard]] FileRole role() const;
 
-    /// The entry of `id`, or no value if the file does not have it. Cost: one descent of the tree, at most 1 µs when
-    /// warm.
+    /// The entry of `id`, or no value if the file does not have it. Cost: one descent of the tree, at most 1
+    /// µs when warm.
     [[nodiscard]] Result<std::optional<Entry>> find(RecordId id) const;
-    /// A record's decompressed payload. `scratch` holds the bytes if the record spans blocks or is compressed. The view
-    /// is into `scratch` or into the mapping and is valid as long as both are. Errors: NotFound if absent.
+    /// A record's decompressed payload. `scratch` holds the bytes if the record spans blocks or is
+    /// compressed. The view is into `scratch` or into the mapping and is valid as long as both are. Errors:
+    /// NotFound if absent.
     [[nodiscard]] Result<ByteView> read(const Entry& entry, Bytes& scratch) const;
     [[nodiscard]] Result<ByteView> read(RecordId id, Bytes& scratch) const;
-    /// Calls `visit` for every entry in ascending order of id until it returns false. Checks all nodes that it visits. Adds
-    /// faults that do not prevent reading (leaves at unequal depths) to `warnings` if given.
+    /// Calls `visit` for every entry in ascending order of id until it returns false. Checks all nodes that
+    /// it visits. Adds faults that do not prevent reading (leaves at unequal depths) to `warnings` if given.
     [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
                                        std::vector<std::string>* warnings = nullptr) const;
     /// Faults of the header that do not prevent reading: a fileSize that differs from the real length.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
-    /// Releases the pages that were read, so that they do not count as memory of this process. Views stay valid; the next
-    /// read of a page costs a page fault. Call it after much was read. Safe while other threads read.
+    /// Releases the pages that were read, so that they do not count as memory of this process. Views stay
+    /// valid; the next read of a page costs a page fault. Call it after much was read. Safe while other
+    /// threads read.
     void letPagesGo() const;
 
 private:

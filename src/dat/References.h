@@ -19,8 +19,8 @@ struct Reference {
 };
 using ReferenceVisitor = std::function<void(const Reference&)>;
 
-/// Visits every reference in the order of the record. Omits sounds, and the images of a SurfaceTexture, because one
-/// existing image is enough.
+/// Visits every reference in the order of the record. Omits sounds, and the images of a SurfaceTexture,
+/// because one existing image is enough.
 template <class Record>
 void forEachReference(const Record& record, const ReferenceVisitor& visit);
 

@@ -38,9 +38,10 @@ struct VerifyOptions {
     std::function<void(std::size_t total, std::size_t done)> progress;
 };
 
-/// Reads every record, decodes those of RecordTypes, encodes them again and compares, and looks up every reference
-/// (References.h). Also looks up the shapes of cells and the portals that portals lead to. References into files that are not
-/// among `files` are not checked. Requires: each role occurs once. Memory: 32 bytes a record, and the portals of all shapes.
+/// Reads every record, decodes those of RecordTypes, encodes them again and compares, and looks up every
+/// reference (References.h). Also looks up the shapes of cells and the portals that portals lead to.
+/// References into files that are not among `files` are not checked. Requires: each role occurs once. Memory:
+/// 32 bytes a record, and the portals of all shapes.
 [[nodiscard]] VerifyReport verify(std::span<const File* const> files, const VerifyOptions& options = {});
 
 } // namespace limen::dat

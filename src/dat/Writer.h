@@ -20,8 +20,8 @@ struct FileTraits {
     [[nodiscard]] static FileTraits local();
 };
 
-/// Collects records and writes a complete dat file (formats/container.md §8). The bytes depend on the records only:
-/// dates and iterations are fixed unless given.
+/// Collects records and writes a complete dat file (formats/container.md §8). The bytes depend on the records
+/// only: dates and iterations are fixed unless given.
 class Writer {
 public:
     explicit Writer(FileTraits traits) : traits_(traits) {}

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-// Counts heap allocations. Replacing operator new needs one pair of definitions in a program, hence a separate test
-// program.
+// Counts heap allocations. Replacing operator new needs one pair of definitions in a program, hence a
+// separate test program.
 namespace {
 std::atomic<std::size_t> liveBytes{0};
 std::atomic<std::size_t> peakBytes{0};

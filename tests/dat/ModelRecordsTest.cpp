@@ -253,7 +253,8 @@ TEST(EnvironmentCodec, readsACellShape) {
 }
 
 TEST(EnvironmentCodec, alignsFromTheStartOfTheRecordAndKeepsThePadding) {
-    // Two portals need no padding. Behind one portal, two bytes of padding with any content restore the alignment.
+    // Two portals need no padding. Behind one portal, two bytes of padding with any content restore the
+    // alignment.
     const std::string twoPortals = R"(
         E6 02 00 0D  01 00 00 00  00 00 00 00  00 00 00 00  00 00 00 00  02 00 00 00
         01 00 00 00  00 00 00 00  01 00 02 00

@@ -6,8 +6,9 @@
 
 namespace limen::dat {
 
-/// Records with random content of every form that the format allows: NaNs, empty and long lists, repeated keys, nonzero
-/// padding. For round trips, corpora of the fuzzers, and the benchmark. The same seed gives the same records.
+/// Records with random content of every form that the format allows: NaNs, empty and long lists, repeated
+/// keys, nonzero padding. For round trips, corpora of the fuzzers, and the benchmark. The same seed gives the
+/// same records.
 class RandomRecords {
 public:
     explicit RandomRecords(std::uint64_t seed, std::size_t maxList = 6) : random_(seed), maxList_(maxList) {}

@@ -58,8 +58,8 @@ TEST(WithoutOpenings, leavesExactlyTheRest) {
     EXPECT_TRUE(withoutOpenings(kSquare, std::vector<Polygon>{kSquare}).empty());
 }
 
-/// A cut goes through a corner within kOnCut of it, so the whole edge of a piece may be off the opening's edge by up to
-/// that distance: 1.5e-5 m2 for the seeds 6271 and 7731.
+/// A cut goes through a corner within kOnCut of it, so the whole edge of a piece may be off the opening's
+/// edge by up to that distance: 1.5e-5 m2 for the seeds 6271 and 7731.
 RC_GTEST_PROP(WithoutOpenings, keepsTheAreaForRoundOpenings, (std::uint32_t seed)) {
     Random random(seed);
     const Polygon opening = roundOpening(kSquare, random);

@@ -150,8 +150,8 @@ TEST(Bsp, physicsTreeOfARoomIsEmptyInside) {
     EXPECT_TRUE(solidAt(tree, {-0.1, 1, 1}));
 }
 
-/// A room with a door in its north wall, and a second room behind it. The only window is in the second room: in its north
-/// wall, or in its south wall beside the first room, where no ray through the door reaches it.
+/// A room with a door in its north wall, and a second room behind it. The only window is in the second room:
+/// in its north wall, or in its south wall beside the first room, where no ray through the door reaches it.
 SightMap twoRooms(Side windowSide, double windowFrom, double windowTo) {
     const auto cell = [](const CellPlan& plan, std::vector<std::size_t> leads) {
         SightMap::Cell out;

@@ -63,8 +63,8 @@ TEST(Tour, samplesAreCloseAndInTime) {
     EXPECT_LT(last, 300.0);
 }
 
-/// The cells of the village that the tour enters, in order. After it leaves a house it enters the same cell again, or the
-/// next house.
+/// The cells of the village that the tour enters, in order. After it leaves a house it enters the same cell
+/// again, or the next house.
 std::vector<std::uint32_t> expectedVillageVisits() {
     std::vector<std::uint32_t> out{0x100, 0x101, 0x102, 0x103, 0x104, 0x105,
                                    0x104, 0x103, 0x102, 0x101, 0x100};

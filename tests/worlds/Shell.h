@@ -4,8 +4,9 @@
 
 namespace limen::worlds::test {
 
-/// The winding number of a closed, inward-looking shell around a point in block coordinates: 1 inside, 0 outside. Sums the
-/// solid angles of triangles. ref: A. van Oosterom, J. Strackee, The Solid Angle of a Plane Triangle, 1983.
+/// The winding number of a closed, inward-looking shell around a point in block coordinates: 1 inside, 0
+/// outside. Sums the solid angles of triangles. ref: A. van Oosterom, J. Strackee, The Solid Angle of a Plane
+/// Triangle, 1983.
 [[nodiscard]] double windingAround(const dat::EnvCell& cell, const Vec3& point);
 
 /// The distance (metres) to the nearest plane of a polygon of the shell.

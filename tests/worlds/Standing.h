@@ -21,8 +21,8 @@ struct Standing {
 /// All polygons of buildings, cells, furniture and outdoor props, without terrain and scenery.
 [[nodiscard]] std::vector<Standing> standingPolygons();
 
-/// The overlap of two polygons, seen along the first one's normal: its area in m² (0 if none), and the greatest distance
-/// (metres) of the second from the first one's plane there.
+/// The overlap of two polygons, seen along the first one's normal: its area in m² (0 if none), and the
+/// greatest distance (metres) of the second from the first one's plane there.
 struct Overlap {
     double area = 0.0, apart = 0.0;
 };

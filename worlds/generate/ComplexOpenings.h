@@ -20,9 +20,9 @@ struct OpeningPair {
     bool exact = true;
 };
 
-/// One or two openings in a shared face: round with 3 to 12 corners; cut from the face, with which they share edges; the
-/// whole face; 1 cm wide; or two side by side. `walls`: the two cells' sides that contain the face. An opening that
-/// shares edges with the face has its corners on the walls' edges or clear of them.
+/// One or two openings in a shared face: round with 3 to 12 corners; cut from the face, with which they share
+/// edges; the whole face; 1 cm wide; or two side by side. `walls`: the two cells' sides that contain the
+/// face. An opening that shares edges with the face has its corners on the walls' edges or clear of them.
 [[nodiscard]] std::vector<OpeningPair> makeOpenings(const Polygon& face, std::span<const Polygon> walls,
                                                     const OpeningMix& mix, Random& random);
 

@@ -4,7 +4,8 @@
 
 namespace limen::worlds {
 
-/// Points (across, up) in metres, counter-clockwise. In a passage to the east, `across` is +y. Up is 0 at the floor.
+/// Points (across, up) in metres, counter-clockwise. In a passage to the east, `across` is +y. Up is 0 at the
+/// floor.
 using FlatOutline = std::vector<Vec2>;
 
 /// The openings of a door; openingsOf is their number.

@@ -121,8 +121,8 @@ private:
         }
     }
 
-    /// `way` is east, north or up. Rooms that touch are joined only if they are level. A new room is always joined: it is
-    /// tried in smaller sizes.
+    /// `way` is east, north or up. Rooms that touch are joined only if they are level. A new room is always
+    /// joined: it is tried in smaller sizes.
     void join(std::uint32_t from, std::uint32_t to, std::size_t way, Door door) {
         LatticeRoom& a = out_.rooms[from];
         LatticeRoom& b = out_.rooms[to];

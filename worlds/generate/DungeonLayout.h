@@ -10,7 +10,8 @@
 
 namespace limen::worlds {
 
-/// The six directions out of a room, in the order of its openings. A direction and its opposite differ in bit 0.
+/// The six directions out of a room, in the order of its openings. A direction and its opposite differ in bit
+/// 0.
 enum class Way : std::uint8_t { West, East, South, North, Down, Up };
 inline constexpr std::size_t kWays = 6;
 [[nodiscard]] constexpr std::size_t opposite(std::size_t way) {
@@ -69,7 +70,8 @@ struct DungeonLayout {
     std::uint32_t crossings = 0; ///< passages that run through another room
 };
 
-/// Lays out exactly `cells` >= 1 connected cells; the share `overlapShare` of them are passages through rooms.
+/// Lays out exactly `cells` >= 1 connected cells; the share `overlapShare` of them are passages through
+/// rooms.
 [[nodiscard]] DungeonLayout layOutDungeon(std::uint32_t cells, double overlapShare, Random random);
 
 } // namespace limen::worlds

@@ -6,8 +6,8 @@
 
 namespace limen::worlds {
 
-/// A house of one to four rooms. In its coordinates the floor is z = 0; the front wall's outer face is y = 0 and looks
-/// south.
+/// A house of one to four rooms. In its coordinates the floor is z = 0; the front wall's outer face is y = 0
+/// and looks south.
 struct HouseSpec {
     double halfWidth = 4.5, depth = 8.0, height = 2.75; ///< outer size of the ground floor, metres
     double foot = -1.0;                                 ///< the walls' lower end, below the ground

@@ -28,8 +28,8 @@ public:
     }
     /// Adds all LandBlocks, marked as having a LandBlockInfo.
     void addTo(WorldRecords& records) const;
-    /// Adds the LandBlocks for which `isLand(column, row)` holds, counted from the south-west. Those are marked as having a
-    /// LandBlockInfo for which the records hold one.
+    /// Adds the LandBlocks for which `isLand(column, row)` holds, counted from the south-west. Those are
+    /// marked as having a LandBlockInfo for which the records hold one.
     void addTo(WorldRecords& records, const std::function<bool(int, int)>& isLand) const;
 
 private:

@@ -17,8 +17,8 @@ constexpr int kAcross = 255; ///< landblocks of the map in each direction
 constexpr int kVertices = kAcross * kCellsPerBlock;
 /// Dungeons occupy the westernmost columns of landblocks, under the sea.
 constexpr int kMostDungeonColumns = 64;
-constexpr std::uint32_t kDungeonCells =
-    200;                             ///< of each dungeon; more if kMostDungeonColumns would not suffice
+/// Cells of each dungeon; more if kMostDungeonColumns would not suffice.
+constexpr std::uint32_t kDungeonCells = 200;
 constexpr double kHouseShare = 0.05; ///< of the cells
 constexpr std::size_t kMostMapDoors = 400;
 constexpr std::size_t kDungeonsWithPlaces = 2;

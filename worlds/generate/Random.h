@@ -4,8 +4,8 @@
 
 namespace limen::worlds {
 
-/// A random generator with the same numbers on every machine. ref: G. Steele, D. Lea, C. Flood, Fast Splittable Pseudorandom Number
-/// Generators (SplitMix64), 2014.
+/// A random generator with the same numbers on every machine. ref: G. Steele, D. Lea, C. Flood, Fast
+/// Splittable Pseudorandom Number Generators (SplitMix64), 2014.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -27,15 +27,16 @@ public:
     TownBlocks(const Tools& tools, const Land& land, Random& random)
         : tools_(tools), land_(land), random_(random) {}
 
-    /// Adds the LandBlockInfo and the cells of a landblock with at most kMostHouses houses. Returns the placement of its
-    /// street: x is along the street, the origin is the middle of the landblock.
+    /// Adds the LandBlockInfo and the cells of a landblock with at most kMostHouses houses. Returns the
+    /// placement of its street: x is along the street, the origin is the middle of the landblock.
     Placement build(int bx, int by, std::uint32_t houses);
 
     [[nodiscard]] std::uint32_t cells() const { return cells_; } ///< of all houses so far
 
 private:
     void addHouse(LandblockWriter& block, dat::BlockCoord coord, const Vec3& corner, Placement at);
-    /// A house whose floor is above the ground everywhere and whose walls end below it. Sets the placement's height.
+    /// A house whose floor is above the ground everywhere and whose walls end below it. Sets the placement's
+    /// height.
     [[nodiscard]] HouseSpec groundHouse(const Vec3& corner, Placement& at);
     void addFences(LandblockWriter& block, const Vec3& corner, const Placement& district);
 

@@ -60,7 +60,8 @@ struct Leaf {
 /// `wrap`: it wraps around the borders, else it is clipped.
 void drawLeaf(Canvas& canvas, const Leaf& leaf, bool wrap);
 
-/// Gives transparent texels the colour of opaque ones near by, so that filtering makes no dark fringes. Keeps alpha.
+/// Gives transparent texels the colour of opaque ones near by, so that filtering makes no dark fringes. Keeps
+/// alpha.
 void bleedColour(Canvas& canvas);
 
 } // namespace limen::worlds

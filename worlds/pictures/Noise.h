@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-// Repeatable noise for textures and the shape of the ground. Every function is pure. Those that tile have period 1 in
-// u and v, so a texture painted with them has no seam.
+// Repeatable noise for textures and the shape of the ground. Every function is pure. Those that tile have
+// period 1 in u and v, so a texture painted with them has no seam.
 namespace limen::worlds {
 
 /// 32 well-mixed bits.
@@ -23,8 +23,8 @@ namespace limen::worlds {
 /// Sum of 1-|noise|: sharp ridges; 0..1; tiles.
 [[nodiscard]] double ridged(double u, double v, int cellsU, int cellsV, int octaves, std::uint32_t seed);
 
-/// Worley noise at a point: distances (in cells) to the nearest and second nearest feature point, and the number of the
-/// nearest one. ref: S. Worley, A Cellular Texture Basis Function, 1996.
+/// Worley noise at a point: distances (in cells) to the nearest and second nearest feature point, and the
+/// number of the nearest one. ref: S. Worley, A Cellular Texture Basis Function, 1996.
 struct Cellular {
     double nearest = 0.0, second = 0.0;
     std::uint32_t id = 0;

@@ -2,7 +2,8 @@
 
 #include "worlds/pictures/Canvas.h"
 
-// The pictures of the built-in world, painted from noise and strokes. All tile unless the comment says otherwise.
+// The pictures of the built-in world, painted from noise and strokes. All tile unless the comment says
+// otherwise.
 namespace limen::worlds {
 
 /// The look of a set of boards. Boards are parallel to u.
@@ -61,12 +62,13 @@ struct GrassStyle {
 [[nodiscard]] Canvas paintStream(); ///< ripples over a dark bed
 [[nodiscard]] Canvas paintRoad();   ///< two wheel ruts along u, a tenth above and below the v = 0 border
 
-/// Blend maps: alpha 1 shows the lower layer. A corner for code 8 (north-west), a side for code 9 (the west edge), and
-/// the same for lanes, whose edge is `reach` (share of a landcell) from the corner or side.
+/// Blend maps: alpha 1 shows the lower layer. A corner for code 8 (north-west), a side for code 9 (the west
+/// edge), and the same for lanes, whose edge is `reach` (share of a landcell) from the corner or side.
 enum class BlendShape : std::uint8_t { Corner, Side, RoadCorner, RoadSide, RoadDiagonal };
 [[nodiscard]] Canvas paintBlend(BlendShape shape, std::uint32_t seed);
 
-/// Sky pictures: u goes around the horizon, v from the zenith (0) past the horizon (kHorizonV) to below it (1).
+/// Sky pictures: u goes around the horizon, v from the zenith (0) past the horizon (kHorizonV) to below it
+/// (1).
 inline constexpr double kHorizonV = 0.8;
 [[nodiscard]] Canvas paintDaySky();
 [[nodiscard]] Canvas paintSnowSky(); ///< overcast

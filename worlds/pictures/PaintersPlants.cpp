@@ -30,7 +30,8 @@ void drawBlades(Canvas& canvas, int count, std::uint32_t seed) {
     }
 }
 
-/// Strokes wrap around the borders. This erases the parts that wrapped from the lower to the upper edge or back.
+/// Strokes wrap around the borders. This erases the parts that wrapped from the lower to the upper edge or
+/// back.
 void clearRows(Canvas& canvas, int from, int to) {
     for (int y = from; y < to; ++y)
         for (int x = 0; x < canvas.width(); ++x)

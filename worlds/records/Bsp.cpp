@@ -77,8 +77,8 @@ struct Split {
     std::vector<Fragment> front, back, inPlane;
 };
 
-/// Splits by the plane of one fragment. That fragment counts as in the plane even if it is bent; otherwise it would be
-/// cut again at every level.
+/// Splits by the plane of one fragment. That fragment counts as in the plane even if it is bent; otherwise it
+/// would be cut again at every level.
 Split splitBy(std::size_t splitter, std::vector<Fragment>&& fragments) {
     const Plane plane = fragments[splitter].plane;
     Split out;

@@ -13,8 +13,8 @@ struct Furnishing {
     Placement at;
 };
 
-/// The target of a planned cell's portal: a cell of the same plan and the index of the portal there that leads back,
-/// or the outside.
+/// The target of a planned cell's portal: a cell of the same plan and the index of the portal there that
+/// leads back, or the outside.
 struct CellLink {
     static constexpr std::uint32_t kOutside = 0xFFFFFFFFu;
     std::uint32_t cell = kOutside;
@@ -23,8 +23,8 @@ struct CellLink {
     bool insidePositive = true; ///< winding of the stored polygon, and the flag that goes with it
 };
 
-/// A cell in the coordinates of its plan: a closed shell whose faces look inwards. Its portals are its portal faces,
-/// in order.
+/// A cell in the coordinates of its plan: a closed shell whose faces look inwards. Its portals are its portal
+/// faces, in order.
 struct CellPlan {
     std::string name;
     std::vector<Face> faces;
@@ -45,9 +45,9 @@ struct BuildingPlan {
     std::vector<Exit> exits; ///< linkedByPoints fills them
 };
 
-/// Links portal faces that have the same points: of two cells, or of one cell and the exterior. Exterior and cells get
-/// the same vertices along the openings they share. Requires: the meshes' own seams are closed on kBuiltGrid; every
-/// portal face has exactly one partner.
+/// Links portal faces that have the same points: of two cells, or of one cell and the exterior. Exterior and
+/// cells get the same vertices along the openings they share. Requires: the meshes' own seams are closed on
+/// kBuiltGrid; every portal face has exactly one partner.
 [[nodiscard]] BuildingPlan linkedByPoints(BuildingPlan plan);
 
 /// Closes the seams of each mesh on the finest grid that its floats hold. For plans that are linked by index.

@@ -14,7 +14,8 @@ struct EncodedMesh {
 /// Requires fewer than 32768 distinct vertices and faces.
 [[nodiscard]] EncodedMesh encodeMesh(const std::vector<Face>& faces);
 
-/// The physics polygons of a mesh: all but portals, foliage, flames and glass. They keep the drawing polygons' ids.
+/// The physics polygons of a mesh: all but portals, foliage, flames and glass. They keep the drawing
+/// polygons' ids.
 struct PhysicsMesh {
     dat::PolygonList polygons;
     dat::BspTree tree;

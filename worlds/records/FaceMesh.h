@@ -9,7 +9,8 @@
 
 namespace limen::worlds {
 
-/// A flat convex polygon to be written to a record. Points are in counter-clockwise order seen from the front.
+/// A flat convex polygon to be written to a record. Points are in counter-clockwise order seen from the
+/// front.
 struct Face {
     std::vector<Vec3> points;
     std::vector<Vec2> uvs;     ///< one per point
@@ -50,10 +51,11 @@ public:
     void box(const Vec3& min, const Vec3& max, Material material);
     /// A box whose grain runs along its longest side.
     void beam(const Vec3& min, const Vec3& max, Material material);
-    /// Adds a square timber from a to b, `wide` metres along `side` (made perpendicular), `deep` metres in the third
-    /// direction.
+    /// Adds a square timber from a to b, `wide` metres along `side` (made perpendicular), `deep` metres in
+    /// the third direction.
     void strut(const Vec3& a, const Vec3& b, const Vec3& side, double wide, double deep, Material material);
-    /// A smooth round post on `base`. `wrapOnce`: the picture goes round once, else it repeats by metresPerTile.
+    /// A smooth round post on `base`. `wrapOnce`: the picture goes round once, else it repeats by
+    /// metresPerTile.
     struct Round {
         Vec3 base{0.0};
         double lower = 0.5, upper = 0.5, height = 1.0;

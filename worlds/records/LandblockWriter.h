@@ -16,8 +16,8 @@ struct CellRules {
     };
     Tree tree = Tree::Chain;
     bool environmentPerPlan = true; ///< else plans share Environments
-    bool samplesDaylight =
-        true; ///< kSeenOutside by sampled rays; else for cells within `listSteps` of an exit
+    /// kSeenOutside by sampled rays; else for cells within `listSteps` openings of an exit.
+    bool samplesDaylight = true;
     std::size_t listSteps = kAnyStep; ///< openings that lists of visible cells look through
 };
 inline constexpr CellRules kBuiltInCells{};
@@ -39,8 +39,9 @@ public:
     LandblockWriter(ModelWriter& models, dat::BlockCoord coord, const CellRules& rules);
 
     void addObject(const Furnishing& object);
-    /// Adds the cells of a linked plan, and a building if it has exits. All of them share the frame `at`, so that points
-    /// that agree in the plan agree to the bit in the world. Returns the cells' ids in the plan's order.
+    /// Adds the cells of a linked plan, and a building if it has exits. All of them share the frame `at`, so
+    /// that points that agree in the plan agree to the bit in the world. Returns the cells' ids in the plan's
+    /// order.
     std::vector<dat::RecordId> add(const BuildingPlan& plan, const Placement& at);
     /// Adds cells that refer to each other by their index in `cells`. Returns their ids in that order.
     std::vector<dat::RecordId> addCells(std::span<const PlacedCell> cells);

@@ -85,7 +85,8 @@ enum class Ground : std::uint8_t {
 /// The picture of a material as painted, before it is encoded; empty (0 × 0) for solid colours.
 [[nodiscard]] Canvas paintMaterial(Material material);
 
-/// Blank: pictures are small grey squares in their formats. For tests of shapes: painting takes nearly all of the time.
+/// Blank: pictures are small grey squares in their formats. For tests of shapes: painting takes nearly all of
+/// the time.
 enum class Pictures : std::uint8_t { Painted, Blank };
 
 /// Adds Surface, SurfaceTexture, RenderSurface and Palette records for all materials, grounds and blend maps.

@@ -24,8 +24,8 @@ struct SetupEffects {
     dat::RecordId script = 0, scriptTable = 0, animation = 0;
 };
 
-/// Writes models: GfxObj, Setup, Animation, MotionTable, ParticleEmitter and script records. Ids ascend in the order of
-/// the calls.
+/// Writes models: GfxObj, Setup, Animation, MotionTable, ParticleEmitter and script records. Ids ascend in
+/// the order of the calls.
 class ModelWriter {
 public:
     explicit ModelWriter(WorldRecords& records) : records_(records) {}
@@ -45,7 +45,8 @@ public:
     /// The id that the next script will get.
     [[nodiscard]] dat::RecordId nextScript() const { return nextScript_; }
     dat::RecordId addScriptTable(dat::PhysicsScriptTable table); ///< its id is filled in
-    /// Sets the levels of detail of a GfxObj, or the effects of a Setup. Requires: this writer made the record.
+    /// Sets the levels of detail of a GfxObj, or the effects of a Setup. Requires: this writer made the
+    /// record.
     void setLevels(dat::RecordId gfxObj, std::vector<dat::DegradeLevel> levels);
     void setEffects(dat::RecordId setup, const SetupEffects& effects);
     [[nodiscard]] WorldRecords& records() { return records_; }

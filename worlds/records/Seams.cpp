@@ -9,7 +9,8 @@ namespace limen::worlds {
 
 namespace {
 
-/// In steps of the grid. A point nearer than this to an edge is on it: rounding moves points by up to 0.87 steps.
+/// In steps of the grid. A point nearer than this to an edge is on it: rounding moves points by up to 0.87
+/// steps.
 constexpr double kStepsOnEdge = 2.0;
 constexpr double kFar = 1e9; ///< metres; farther than any point
 
@@ -81,9 +82,9 @@ void rotate(Face& face, std::size_t first) {
     turn(face.normals);
 }
 
-/// Polygons are drawn as fans from their first vertex. If that vertex is on a straight edge with others, triangles have no
-/// area, and their long side lacks the neighbours' vertices. Rotates to a first vertex without such triangles; false if
-/// there is none.
+/// Polygons are drawn as fans from their first vertex. If that vertex is on a straight edge with others,
+/// triangles have no area, and their long side lacks the neighbours' vertices. Rotates to a first vertex
+/// without such triangles; false if there is none.
 bool chooseFan(Face& face, double grid) {
     const std::size_t n = face.points.size();
     const auto at = [&](std::size_t i) -> const Vec3& { return face.points[i % n]; };

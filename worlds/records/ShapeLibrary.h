@@ -22,9 +22,9 @@ public:
     /// The next shape begins an Environment.
     void startEnvironment() { starts_ = true; }
 
-    /// `faces` look inwards and have closed seams; portal faces are the cell's portals, in order. `cellTree`: see
-    /// buildCellBsp and buildSolidCellBsp. Portals marked in `outwardPortals` (by index; may be shorter) are stored
-    /// with the opposite winding.
+    /// `faces` look inwards and have closed seams; portal faces are the cell's portals, in order. `cellTree`:
+    /// see buildCellBsp and buildSolidCellBsp. Portals marked in `outwardPortals` (by index; may be shorter)
+    /// are stored with the opposite winding.
     StoredShape add(std::vector<Face> faces, dat::BspTree cellTree,
                     const std::vector<bool>& outwardPortals = {});
 

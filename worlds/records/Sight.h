@@ -20,11 +20,12 @@ struct SightMap {
     std::vector<Cell> cells;
 };
 
-/// True if some ray from inside the cell reaches the outside. Sampled by rays from a grid of points on the cell's own
-/// openings to a grid of points on every opening that leads outside.
+/// True if some ray from inside the cell reaches the outside. Sampled by rays from a grid of points on the
+/// cell's own openings to a grid of points on every opening that leads outside.
 [[nodiscard]] bool seesOutside(const SightMap& map, std::size_t cell);
 
-/// seesOutside of every cell. Samples only neighbours of cells that see outside, because every ray passes such a cell.
+/// seesOutside of every cell. Samples only neighbours of cells that see outside, because every ray passes
+/// such a cell.
 [[nodiscard]] std::vector<bool> cellsThatSeeOutside(const SightMap& map);
 
 } // namespace limen::worlds

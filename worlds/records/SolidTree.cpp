@@ -14,8 +14,8 @@ bool sameWay(const Plane& a, const Plane& b) {
     return glm::dot(a.n, b.n) > 0.0;
 }
 
-/// Pieces in front of and behind a plane. A piece in the plane is dropped if it faces the same way; else it bounds the
-/// region behind.
+/// Pieces in front of and behind a plane. A piece in the plane is dropped if it faces the same way; else it
+/// bounds the region behind.
 struct Parting {
     std::vector<Piece> front, back;
 };
@@ -26,8 +26,8 @@ bool inPlane(const Piece& piece, const Plane& plane) {
                        [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) <= kInCutPlane; });
 }
 
-/// False for slivers: rounded corners bend the faces of a convex solid. A sliver bounds nothing, and a subtree behind it
-/// would contain points far outside.
+/// False for slivers: rounded corners bend the faces of a convex solid. A sliver bounds nothing, and a
+/// subtree behind it would contain points far outside.
 bool isDeepBehind(const Polygon& piece, const Plane& plane) {
     constexpr double kSliverDepth = 0.005;
     return std::any_of(piece.begin(), piece.end(),

@@ -5,14 +5,15 @@
 
 namespace limen::worlds {
 
-/// The upper border of an upright hole, from left to right in wall coordinates. The hole extends down to the wall's foot.
+/// The upper border of an upright hole, from left to right in wall coordinates. The hole extends down to the
+/// wall's foot.
 using HoleTop = std::vector<Vec2>;
 [[nodiscard]] HoleTop rectangleTop(const Rect& rect);
 /// A half circle on upright sides, with `segments` edges.
 [[nodiscard]] HoleTop archTop(double middle, double radius, double springing, int segments);
 
-/// A wall with a hole on the West or East side of a room, at x = `at`, from z = `foot` up to `outline` (left to right, in
-/// y and z).
+/// A wall with a hole on the West or East side of a room, at x = `at`, from z = `foot` up to `outline` (left
+/// to right, in y and z).
 struct ArchWall {
     Side side = Side::West;
     double at = 0.0, foot = 0.0;

@@ -10,9 +10,9 @@ namespace limen::worlds {
 /// A convex polygon in space. The winding of an opening's outline does not matter.
 using Outline = std::vector<Vec3>;
 
-/// A flat convex face without the openings: upright strips of at most four corners. Each opening is in the face's plane
-/// and inside it (their borders may touch); no two overlap. Exact for corners on a coarse grid if the face is level, or
-/// upright along an axis or at 45 degrees.
+/// A flat convex face without the openings: upright strips of at most four corners. Each opening is in the
+/// face's plane and inside it (their borders may touch); no two overlap. Exact for corners on a coarse grid
+/// if the face is level, or upright along an axis or at 45 degrees.
 [[nodiscard]] std::vector<Face> faceWithout(const Face& face, const std::vector<Outline>& openings);
 
 /// True if the outline is in the face's plane.
@@ -23,20 +23,20 @@ struct ShellMaterials {
     Material floor = Material::Flagstones, walls = Material::StoneWall, ceiling = Material::StoneWall;
 };
 
-/// The faces, looking inwards, of the body that a convex section sweeps along a vector: sides, then both ends. Pictures
-/// continue round the section without seams.
+/// The faces, looking inwards, of the body that a convex section sweeps along a vector: sides, then both
+/// ends. Pictures continue round the section without seams.
 [[nodiscard]] std::vector<Face> sweptFaces(const Outline& section, const Vec3& along,
                                            const ShellMaterials& materials);
 
 /// A level polygon at height z.
 [[nodiscard]] Outline levelOutline(const std::vector<Vec2>& corners, double z);
-/// An octagon around the origin. Four sides cross the axes at `apothem` and extend `half` to either side; the other four
-/// are at 45 degrees.
+/// An octagon around the origin. Four sides cross the axes at `apothem` and extend `half` to either side; the
+/// other four are at 45 degrees.
 [[nodiscard]] std::vector<Vec2> octagon(double apothem, double half);
 [[nodiscard]] std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1);
 
-/// The base of an upright opening: `foot` is the middle of the sill, which extends `half` to either side along `across`
-/// (an axis, or (1,±1,0)).
+/// The base of an upright opening: `foot` is the middle of the sill, which extends `half` to either side
+/// along `across` (an axis, or (1,±1,0)).
 struct Upright {
     Vec3 foot{0.0};
     Vec3 across{1.0, 0.0, 0.0};
@@ -55,8 +55,8 @@ public:
                          const ShellMaterials& materials) {
         return add(std::move(name), sweptFaces(section, along, materials));
     }
-    /// Adds `count` bodies in a row, each swept by `along` and joined to the next by its whole end. Returns the first
-    /// one's index; the others follow.
+    /// Adds `count` bodies in a row, each swept by `along` and joined to the next by its whole end. Returns
+    /// the first one's index; the others follow.
     std::size_t addRun(const std::string& name, const Outline& section, const Vec3& along, std::size_t count,
                        const ShellMaterials& materials);
     /// Cuts an opening into both bodies. Requires: it is in a face of each.

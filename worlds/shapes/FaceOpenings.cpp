@@ -87,7 +87,8 @@ std::vector<double> cutsOf(const Flat& whole, const std::vector<Flat>& holes) {
 /// Metres. Two borders nearer than this to each other are on the same edge.
 constexpr double kNoHeight = 1e-9;
 
-/// Adds the strip between `a` and `b`, from the lower border's heights up to the upper one's, unless it has no area.
+/// Adds the strip between `a` and `b`, from the lower border's heights up to the upper one's, unless it has
+/// no area.
 void addStrip(std::vector<Flat>& out, double a, double b, const Vec2& low, const Vec2& high) {
     Flat piece{{a, low.x}, {b, low.y}};
     if (high.y > low.y + kNoHeight)

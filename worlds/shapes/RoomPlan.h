@@ -18,7 +18,8 @@ struct RoomSpec {
     Material floor = Material::Planks, walls = Material::InnerPlaster, ceiling = Material::Planks;
 };
 
-/// The closed shell of a room: its sides without the openings, and a portal face for each opening, in their order.
+/// The closed shell of a room: its sides without the openings, and a portal face for each opening, in their
+/// order.
 [[nodiscard]] CellPlan roomWithOpenings(const RoomSpec& room, const std::vector<Opening>& openings);
 
 } // namespace limen::worlds

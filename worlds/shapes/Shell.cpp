@@ -56,8 +56,8 @@ std::vector<Shell::Wall> piecesOf(const Shell& shell, const std::vector<std::vec
     return pieces;
 }
 
-/// Metres. Corners nearer than kSame are the same corner, or are on the edge. Corners nearer than kClear may be merged by
-/// rounding and welding.
+/// Metres. Corners nearer than kSame are the same corner, or are on the edge. Corners nearer than kClear may
+/// be merged by rounding and welding.
 constexpr double kSame = 1e-5, kClear = 0.001;
 constexpr std::size_t kWaysToCut = 12;
 

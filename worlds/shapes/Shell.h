@@ -22,8 +22,9 @@ struct Shell {
 /// A U-shaped room: a box without a smaller upright box at its north side.
 [[nodiscard]] Shell courtShell(const Vec3& min, const Vec3& max, const Rect& court, Material walls);
 
-/// The walls without the openings, then a portal face for each opening, in their order. They look inwards, or all of them
-/// outwards. Chooses, of several ways to cut the walls, one whose corners keep clear of each other and of edges.
+/// The walls without the openings, then a portal face for each opening, in their order. They look inwards, or
+/// all of them outwards. Chooses, of several ways to cut the walls, one whose corners keep clear of each
+/// other and of edges.
 [[nodiscard]] std::vector<Face> facesOf(const Shell& shell, bool fromOutside = false);
 
 } // namespace limen::worlds

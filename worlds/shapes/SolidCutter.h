@@ -12,14 +12,15 @@ namespace limen::worlds {
 struct Solid {
     struct Side {
         Polygon points;
-        /// The number of its plane: 0..5 are the box (west, east, south, north, floor, ceiling), then the cuts in order.
+        /// The number of its plane: 0..5 are the box (west, east, south, north, floor, ceiling), then the
+        /// cuts in order.
         std::int32_t cut = 0;
     };
     std::vector<Side> sides;
 };
 
-/// Cuts a box into `count` >= 1 convex solids by planes, two of three tilted. No corner of a solid is near a plane that
-/// cuts it, so edges are at least some centimetres long.
+/// Cuts a box into `count` >= 1 convex solids by planes, two of three tilted. No corner of a solid is near a
+/// plane that cuts it, so edges are at least some centimetres long.
 [[nodiscard]] std::vector<Solid> cutBox(const Vec3& min, const Vec3& max, std::uint32_t count,
                                         Random& random);
 

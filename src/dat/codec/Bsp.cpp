@@ -93,8 +93,8 @@ void innerTail(IO& io, Node& node, BspKind kind) {
     }
 }
 
-/// Reads a node and its subtree. Returns its index. Nodes are addressed by index, because the array grows while it is
-/// read.
+/// Reads a node and its subtree. Returns its index. Nodes are addressed by index, because the array grows
+/// while it is read.
 std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
     const std::size_t start = io.offset();
     const auto tag = io.get<BspTag>();

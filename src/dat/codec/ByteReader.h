@@ -12,9 +12,9 @@ namespace limen::dat {
 static_assert(std::endian::native == std::endian::little,
               "dat files are little-endian and are copied as they are");
 
-/// Reads a record's payload from front to back. It keeps the first failure and its offset. After a failure all values read
-/// as zero and no bytes remain, so callers need not test after every field. ByteWriter has the same members, so one
-/// description of a record's layout serves reading and writing.
+/// Reads a record's payload from front to back. It keeps the first failure and its offset. After a failure
+/// all values read as zero and no bytes remain, so callers need not test after every field. ByteWriter has
+/// the same members, so one description of a record's layout serves reading and writing.
 class ByteReader {
 public:
     static constexpr bool kReading = true;
@@ -66,8 +66,8 @@ public:
             take(out.data(), count * sizeof(T));
     }
 
-    /// Reads a list of `count` items of at least `minItemBytes` each; `item` reads one. Allocates nothing for a count that
-    /// the remaining bytes cannot hold.
+    /// Reads a list of `count` items of at least `minItemBytes` each; `item` reads one. Allocates nothing for
+    /// a count that the remaining bytes cannot hold.
     template <class List, class Item>
     void items(List& out, std::size_t count, std::size_t minItemBytes, const char* what, Item&& item) {
         if (!fits(count, minItemBytes, what))
@@ -98,8 +98,8 @@ public:
         }
         return static_cast<std::size_t>(n);
     }
-    /// Reads a count in 1, 2 or 4 bytes (formats/primitives.md, "cui"). Refuses one in more bytes than it needs, because
-    /// encode would write fewer.
+    /// Reads a count in 1, 2 or 4 bytes (formats/primitives.md, "cui"). Refuses one in more bytes than it
+    /// needs, because encode would write fewer.
     [[nodiscard]] std::uint32_t packedCount();
 
     /// Reads a "legacy string": length, bytes, zeros up to a multiple of 4.

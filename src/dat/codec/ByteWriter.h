@@ -10,8 +10,8 @@
 
 namespace limen::dat {
 
-/// Writes a record's payload, with the members of ByteReader. Requires (asserted): the format can hold the record; a list
-/// fits its count, say.
+/// Writes a record's payload, with the members of ByteReader. Requires (asserted): the format can hold the
+/// record; a list fits its count, say.
 class ByteWriter {
 public:
     static constexpr bool kReading = false;

@@ -15,8 +15,8 @@ inline constexpr std::size_t kMinHookBytes = 8;
 /// The payload of CreateBlockingParticle, which is not certain: none, or that of CreateParticle.
 enum class BlockingParticle { Bare, LikeCreateParticle };
 
-/// Payload bytes of a hook type. No value for an unknown type, and for ReplaceObject, whose length depends on the
-/// payload.
+/// Payload bytes of a hook type. No value for an unknown type, and for ReplaceObject, whose length depends on
+/// the payload.
 [[nodiscard]] std::optional<std::size_t> hookPayloadSize(std::uint32_t type, BlockingParticle blocking);
 
 void hook(ByteReader& io, AnimationHook& out, BlockingParticle blocking);

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-// The base of every codec: one function `layout(io, record)` for each record type. It is called with a ByteReader and a
-// Record&, or with a ByteWriter and a const Record&, so reading and writing always agree.
+// The base of every codec: one function `layout(io, record)` for each record type. It is called with a
+// ByteReader and a Record&, or with a ByteWriter and a const Record&, so reading and writing always agree.
 namespace limen::dat {
 
 /// Reads or writes a record's stored id, which must be its key.

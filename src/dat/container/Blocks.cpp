@@ -27,7 +27,8 @@ std::string inWords(const ChainStatus& status) {
 Blocks::Blocks(ByteView file, std::uint32_t blockSize)
     : file_(file), blockSize_(blockSize), capacity_(blockSize - 4),
       firstUsable_(static_cast<std::uint32_t>(firstUsableOffset(blockSize))) {
-    // Offsets with the top bit mark free blocks and are never followed, so blocks beyond 2 GiB are unreachable.
+    // Offsets with the top bit mark free blocks and are never followed, so blocks beyond 2 GiB are
+    // unreachable.
     const std::uint64_t reach = std::min<std::uint64_t>(file.size(), std::uint64_t{1} << 31);
     const std::uint64_t whole = reach / blockSize * blockSize;
     lastBlock_ = whole >= blockSize ? static_cast<std::uint32_t>(whole - blockSize) : 0;

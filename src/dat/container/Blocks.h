@@ -48,8 +48,8 @@ public:
     }
     /// Writes the offsets of a chain's first `count` blocks to `out`. Does not check for repetitions.
     [[nodiscard]] ChainStatus offsets(std::uint32_t first, std::size_t count, std::uint32_t* out) const;
-    /// Copies `size` bytes of a chain. Before it allocates, refuses sizes larger than the file, and chains that visit a
-    /// block twice.
+    /// Copies `size` bytes of a chain. Before it allocates, refuses sizes larger than the file, and chains
+    /// that visit a block twice.
     [[nodiscard]] ChainStatus copy(std::uint32_t first, std::size_t size, Bytes& out) const;
 
 private:

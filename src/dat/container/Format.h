@@ -31,8 +31,8 @@ inline constexpr std::size_t kBranchesAt = 0, kCountAt = 4 * kMaxBranches, kEntr
                              kEntryBytes = 24;
 inline constexpr std::size_t kNodeBytes = kEntriesAt + kMaxEntries * kEntryBytes;
 static_assert(kNodeBytes == 1716);
-inline constexpr std::uint32_t kNoBranchFill =
-    0xCDCDCDCD; ///< content of unused branches in files of one writer
+/// The content of unused branches in files of one writer.
+inline constexpr std::uint32_t kNoBranchFill = 0xCDCDCDCD;
 inline constexpr int kMaxDepth = 16;
 
 inline constexpr std::uint16_t kCompressedFlag = 1;

@@ -29,8 +29,8 @@ bool isText(ByteView bytes) {
     });
 }
 
-/// True if the magic is at another aligned offset: a file of the same family with another layout. Files from before the
-/// end of retail have it at 0x12C.
+/// True if the magic is at another aligned offset: a file of the same family with another layout. Files from
+/// before the end of retail have it at 0x12C.
 bool isOlderDat(ByteView start) {
     if (wordAt(start, header::kOldMagicAt) == kMagic)
         return true;

@@ -9,7 +9,8 @@ namespace limen::dat {
 /// The bytes of a file, mapped read-only, or a copy in memory. Empty when moved from.
 class Mapping {
 public:
-    /// Errors: the file is missing, is a directory, or cannot be opened or mapped. An empty file gives no bytes.
+    /// Errors: the file is missing, is a directory, or cannot be opened or mapped. An empty file gives no
+    /// bytes.
     [[nodiscard]] static Result<Mapping> open(const std::filesystem::path& path);
     [[nodiscard]] static Mapping copyOf(ByteView bytes);
 
@@ -19,8 +20,8 @@ public:
 
     [[nodiscard]] ByteView bytes() const { return {data_, size_}; }
 
-    /// Releases the pages of the file from this process's memory until they are read again. The system may keep them in its
-    /// cache. Safe while other threads read.
+    /// Releases the pages of the file from this process's memory until they are read again. The system may
+    /// keep them in its cache. Safe while other threads read.
     void letPagesGo() const;
 
 private:

@@ -10,8 +10,8 @@ struct NodePlan {
     std::vector<std::size_t> children;
 };
 
-/// The nodes of a balanced B-tree over `entries` (ascending, unique), children before parents, the root last; none for no
-/// entries. Method: formats/container.md §8.
+/// The nodes of a balanced B-tree over `entries` (ascending, unique), children before parents, the root last;
+/// none for no entries. Method: formats/container.md §8.
 [[nodiscard]] std::vector<NodePlan> planTree(const std::vector<Entry>& entries);
 
 } // namespace limen::dat

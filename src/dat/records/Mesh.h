@@ -5,8 +5,8 @@
 
 #include <optional>
 
-// Vertices, polygons and BSP trees (formats/geometry.md). Short lists are SmallVecs, most of which need no allocation, so
-// a mesh decodes with a few allocations.
+// Vertices, polygons and BSP trees (formats/geometry.md). Short lists are SmallVecs, most of which need no
+// allocation, so a mesh decodes with a few allocations.
 namespace limen::dat {
 
 /// One vertex; `uvs` are indexed by the polygons that use it.

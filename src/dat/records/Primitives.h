@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-// Values shared by several records, as stored (formats/primitives.md). Floats keep their bits, NaNs included, so that a
-// record encodes to the same bytes.
+// Values shared by several records, as stored (formats/primitives.md). Floats keep their bits, NaNs included,
+// so that a record encodes to the same bytes.
 namespace limen::dat {
 
 /// Position and orientation: p_parent = origin + rotate(orientation, p).

@@ -8,8 +8,8 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kCottageHeight = 2.5;
-constexpr double kJoistUnderside =
-    kCottageHeight - 0.17; ///< where lanterns hang: under a joist, x = +-0.95, 2.85
+/// The hook of lanterns, below joists at x = +-0.95 and 2.85.
+constexpr double kJoistUnderside = kCottageHeight - 0.17;
 
 HouseShell cottageShell() {
     HouseShell shell;

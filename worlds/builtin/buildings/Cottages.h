@@ -10,8 +10,8 @@ namespace limen::worlds {
 enum class CottageCell : std::uint32_t { Front, Doorway, Rear, Stairwell, CellarDoorway, Cellar };
 [[nodiscard]] BuildingPlan planCottage(ModelWriter& sink, const Furniture& furniture);
 
-/// The neighbour's cottage across the lane: a room with door and windows, a back room with a window in line with the
-/// door.
+/// The neighbour's cottage across the lane: a room with door and windows, a back room with a window in line
+/// with the door.
 enum class NeighbourCell : std::uint32_t { Room, Doorway, BackRoom };
 [[nodiscard]] BuildingPlan planNeighbour(ModelWriter& sink, const Furniture& furniture);
 

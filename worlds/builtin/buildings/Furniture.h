@@ -4,8 +4,8 @@
 
 namespace limen::worlds {
 
-/// Models of furniture. They stand on z = 0 around their origin with their front to the south, unless the comment says
-/// otherwise.
+/// Models of furniture. They stand on z = 0 around their origin with their front to the south, unless the
+/// comment says otherwise.
 struct Furniture {
     dat::RecordId table = 0, chair = 0, stool = 0, bench = 0, bed = 0, chest = 0;
     dat::RecordId shelf = 0;     ///< back to the north
@@ -17,11 +17,12 @@ struct Furniture {
 };
 [[nodiscard]] Furniture addFurniture(ModelWriter& sink);
 
-/// Joists under a ceiling: `across` metres long in x, spread over `along` metres in y, top at z = 0, middle at the origin.
+/// Joists under a ceiling: `across` metres long in x, spread over `along` metres in y, top at z = 0, middle
+/// at the origin.
 [[nodiscard]] dat::RecordId addJoists(ModelWriter& sink, double across, double along, double spacing);
 
-/// Wooden stairs down to the north from (0,0,0): `count` steps, each `rise` down and `tread` forward, `width` wide in x.
-/// The last riser ends on the lower floor.
+/// Wooden stairs down to the north from (0,0,0): `count` steps, each `rise` down and `tread` forward, `width`
+/// wide in x. The last riser ends on the lower floor.
 struct StairSpec {
     int risers = 13;
     double rise = 0.2, tread = 0.22, width = 1.2;

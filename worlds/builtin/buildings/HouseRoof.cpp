@@ -8,7 +8,8 @@ constexpr double kOverhang = 0.55; ///< metres beyond the wall, horizontally
 constexpr double kGableOverhang = 0.42;
 constexpr double kRoofThick = 0.42;
 
-/// One slope's outline from the eave to the ridge: points (y, z) with normals. The other slope is its mirror image.
+/// One slope's outline from the eave to the ridge: points (y, z) with normals. The other slope is its mirror
+/// image.
 struct OutlinePoint {
     Vec2 point, normal;
 };

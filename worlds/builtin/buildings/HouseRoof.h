@@ -4,8 +4,8 @@
 
 namespace limen::worlds {
 
-/// A thatched gable roof with overhanging eaves, its ridge along x. The walls are from x = -halfWidth to halfWidth and
-/// y = 0 to depth, and end at z = top.
+/// A thatched gable roof with overhanging eaves, its ridge along x. The walls are from x = -halfWidth to
+/// halfWidth and y = 0 to depth, and end at z = top.
 struct RoofSpec {
     double halfWidth = 6.0, depth = 10.0, top = 2.75, pitch = 1.0;
 };

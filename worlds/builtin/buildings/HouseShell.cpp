@@ -56,8 +56,8 @@ std::pair<Vec3, Vec3> boxOnWall(Side side, double at, const Rect& r, double from
     return {{r.u0, r.v0, low}, {r.u1, r.v1, high}};
 }
 
-/// `extra`: metres by which it is thicker at both faces. Timbers that cross differ in it, so that no two of their faces are
-/// in one plane.
+/// `extra`: metres by which it is thicker at both faces. Timbers that cross differ in it, so that no two of
+/// their faces are in one plane.
 void addTimber(FaceMesh& mesh, const HouseShell& h, Side side, const Rect& r, double extra = 0.0) {
     const auto [min, max] = boxOnWall(side, outerPlane(h, side), r, -kBedded - extra, kProud + extra);
     mesh.beam(min, max, Material::Beam);
@@ -145,7 +145,8 @@ bool clearOf(const HouseShell& h, Side side, const Band& band, double margin, do
     });
 }
 
-/// Adds a post at each corner of the house, visible from both sides. Sill beams and head plates end inside it.
+/// Adds a post at each corner of the house, visible from both sides. Sill beams and head plates end inside
+/// it.
 void addCornerPosts(FaceMesh& mesh, const HouseShell& h) {
     const double proud = kProud + 0.02;
     for (const double x : {-h.halfWidth - proud, h.halfWidth - kCornerPost}) {
@@ -266,8 +267,8 @@ double chimneyTop(const HouseShell& h) {
 }
 
 void addFrame(FaceMesh& mesh, Side side, double at, const Rect& r, double width, double out, bool sill) {
-    // The timber extends over the opening's border. If it were flush with the reveals, their faces would fight for depth;
-    // a strip of bare wall between them would show as a bright line.
+    // The timber extends over the opening's border. If it were flush with the reveals, their faces would
+    // fight for depth; a strip of bare wall between them would show as a bright line.
     const double gap = -0.003;
     const auto bar = [&](const Rect& rect, double depth) {
         const auto [min, max] = boxOnWall(side, at, rect, std::min(0.0, -depth), std::max(0.0, -depth));

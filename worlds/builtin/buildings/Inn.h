@@ -5,9 +5,9 @@
 
 namespace limen::worlds {
 
-/// The inn's cells, in the order of its plan. The rooms on the ground floor form a loop: hall, kitchen, passage, parlour,
-/// hall. A tall stairwell leads to the upper floor, from which a shaft looks down into the hall. The way to the basement
-/// is through the floor of the store room.
+/// The inn's cells, in the order of its plan. The rooms on the ground floor form a loop: hall, kitchen,
+/// passage, parlour, hall. A tall stairwell leads to the upper floor, from which a shaft looks down into the
+/// hall. The way to the basement is through the floor of the store room.
 enum class InnCell : std::uint32_t {
     Hall,
     KitchenDoor,
@@ -37,7 +37,8 @@ enum class InnCell : std::uint32_t {
     Vault,
     Count
 };
-/// The inn north of the lane. In its coordinates the front door is in the wall at y = 0, the ground floor at z = 0.
+/// The inn north of the lane. In its coordinates the front door is in the wall at y = 0, the ground floor at
+/// z = 0.
 [[nodiscard]] BuildingPlan planInn(ModelWriter& sink, const Furniture& furniture);
 
 /// Positions inside, for walks (building coordinates).

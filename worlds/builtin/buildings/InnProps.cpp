@@ -46,7 +46,8 @@ dat::RecordId addRoundTable(ModelWriter& sink) {
     return sink.addSingle(mesh);
 }
 
-/// A flight of stairs down to the south from the origin, kUpper high, with a platform to the north of its head.
+/// A flight of stairs down to the south from the origin, kUpper high, with a platform to the north of its
+/// head.
 dat::RecordId addFlight(ModelWriter& sink) {
     constexpr int kRisers = 16;
     const double rise = inn::kUpper / kRisers;

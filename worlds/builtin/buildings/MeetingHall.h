@@ -8,8 +8,8 @@ namespace limen::worlds {
 /// The meeting hall's cells: a nave open to the roof, an apse behind an arch of more than eight edges.
 enum class HallCell : std::uint32_t { Nave, Arch, Apse, Count };
 
-/// The meeting hall south of the lane. In its coordinates the wide doorway is in the wall towards -x, the floor at z = 0,
-/// y from 0 to kWidth.
+/// The meeting hall south of the lane. In its coordinates the wide doorway is in the wall towards -x, the
+/// floor at z = 0, y from 0 to kWidth.
 [[nodiscard]] BuildingPlan planMeetingHall(ModelWriter& sink, const Furniture& furniture);
 
 namespace hall {

@@ -11,8 +11,8 @@ struct WallOpening {
     double at = 0.0;
 };
 
-/// Timber around openings, seen from inside a room with its floor at `floor`. Windows (openings that begin above it) get
-/// a sill. The model's origin is the building's.
+/// Timber around openings, seen from inside a room with its floor at `floor`. Windows (openings that begin
+/// above it) get a sill. The model's origin is the building's.
 [[nodiscard]] dat::RecordId addTrim(ModelWriter& sink, const std::vector<WallOpening>& openings,
                                     double floor = 0.0);
 

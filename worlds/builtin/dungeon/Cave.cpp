@@ -10,8 +10,8 @@ namespace {
 
 using RockRing = std::vector<Vec3>;
 
-/// A ring of rock points around the mouth: its corners and the middles of its sides, moved outwards by `out` metres, at
-/// depth `y`, with random offsets of up to `rough`.
+/// A ring of rock points around the mouth: its corners and the middles of its sides, moved outwards by `out`
+/// metres, at depth `y`, with random offsets of up to `rough`.
 RockRing rockRing(std::uint32_t number, double out, double y, double rough) {
     const Outline mouth = tunnelOutline(0.0, 0.0, 0.0);
     const Vec3 middle{0.0, 0.0, 1.2};
@@ -31,7 +31,8 @@ RockRing rockRing(std::uint32_t number, double out, double y, double rough) {
     return ring;
 }
 
-/// A triangle of rock. Its picture is projected along the axis that it faces most, so that it continues across edges.
+/// A triangle of rock. Its picture is projected along the axis that it faces most, so that it continues
+/// across edges.
 Face rockFace(const std::array<Vec3, 3>& points) {
     Face face = planarFace({points.begin(), points.end()}, Material::Rock);
     const Vec3 n = glm::abs(faceNormal(face));

@@ -5,8 +5,8 @@
 
 namespace limen::worlds {
 
-/// The cave in the hillside and the dungeon behind it, in one plan. The mouth is at the origin and looks south. Cells are
-/// in this order: the cave from the mouth inwards, then the dungeon.
+/// The cave in the hillside and the dungeon behind it, in one plan. The mouth is at the origin and looks
+/// south. Cells are in this order: the cave from the mouth inwards, then the dungeon.
 struct CavePlan {
     BuildingPlan building;
     DungeonParts parts;

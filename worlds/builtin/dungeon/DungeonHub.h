@@ -17,7 +17,8 @@ inline constexpr double kArchSpring = 1.5, kArchHeight = 2.75;
     return archOutline({foot, across, half}, kArchSpring, kArchHeight);
 }
 
-/// Adds a torch to a wall: `at` is a point of the wall, `wall` the direction from the room to it, along an axis.
+/// Adds a torch to a wall: `at` is a point of the wall, `wall` the direction from the room to it, along an
+/// axis.
 void hangTorch(CellComplex& complex, std::size_t cell, const DungeonProps& props, const Vec3& at,
                const Vec3& wall);
 
@@ -37,13 +38,15 @@ struct Ring {
 /// Metres from the middle of a ring room to its walls along the axes.
 inline constexpr double kRingRoomReach = 4.0;
 
-/// Adds the hub with nine openings in its eight walls, the rooms around it, the spokes and the ring's corridors.
+/// Adds the hub with nine openings in its eight walls, the rooms around it, the spokes and the ring's
+/// corridors.
 [[nodiscard]] Ring addHub(CellComplex& complex, ModelWriter& sink, const DungeonProps& props);
 
 /// Adds, west of the ring, a shaft of stacked cells with galleries on three floors and ramps between them.
 void addPit(CellComplex& complex, const DungeonProps& props, const Ring& ring, DungeonParts& parts);
 
-/// Adds, in the north, a crypt and a corridor from its eastern door to its western one. The corridor overlaps the crypt.
+/// Adds, in the north, a crypt and a corridor from its eastern door to its western one. The corridor overlaps
+/// the crypt.
 void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, const Ring& ring,
               DungeonParts& parts);
 /// Adds, in the south-east, a U-shaped room around a yard, with windows to the yard from both arms.

@@ -10,7 +10,8 @@ constexpr double kStorey = 10.0;  ///< metres from gallery to gallery
 constexpr double kCellHeight = 5.0, kGalleryHeight = 4.0;
 constexpr std::size_t kFloors = 3, kShaftCells = 7;
 
-/// Eight cells around the shaft, counter-clockwise, beginning with the eastern one; those with odd indices are corners.
+/// Eight cells around the shaft, counter-clockwise, beginning with the eastern one; those with odd indices
+/// are corners.
 using Gallery = std::array<std::size_t, 8>;
 
 Vec3 pitAt(double x, double y, double z) {
@@ -67,8 +68,8 @@ Gallery addGallery(CellComplex& complex, double z, std::size_t shaft) {
     return gallery;
 }
 
-/// Adds a ramp one storey down, outside the galleries' western (`side` -1) or eastern (1) wall, from the northern corner
-/// to the southern one below.
+/// Adds a ramp one storey down, outside the galleries' western (`side` -1) or eastern (1) wall, from the
+/// northern corner to the southern one below.
 void addRamp(CellComplex& complex, const DungeonProps& props, const Gallery& upper, const Gallery& lower,
              double z, double side) {
     const double wall = side * kPitOuter;

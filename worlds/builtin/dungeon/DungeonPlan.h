@@ -17,8 +17,9 @@ struct DungeonParts {
     std::size_t anteroom = 0;          ///< behind the hub's two northern doors
 };
 
-/// The dungeon has the coordinates of the cave: the mouth at the origin, north inwards. The hub's middle is at (0, kHubY),
-/// its floor at kDungeonFloor. The entrance is a rock tunnel that ends at (0, kEntranceY, kDungeonFloor).
+/// The dungeon has the coordinates of the cave: the mouth at the origin, north inwards. The hub's middle is
+/// at (0, kHubY), its floor at kDungeonFloor. The entrance is a rock tunnel that ends at (0, kEntranceY,
+/// kDungeonFloor).
 inline constexpr double kHubY = 80.0, kDungeonFloor = -16.0, kEntranceY = 52.0;
 /// The pit's middle.
 inline constexpr double kPitX = -52.0, kPitY = kHubY;

@@ -4,7 +4,8 @@
 
 namespace limen::worlds {
 
-/// Models for dungeons and the tower. They stand on z = 0 around their origin, unless the comment says otherwise.
+/// Models for dungeons and the tower. They stand on z = 0 around their origin, unless the comment says
+/// otherwise.
 struct DungeonProps {
     dat::RecordId torch = 0;   ///< on a wall to its north, where its origin is; with a light
     dat::RecordId brazier = 0; ///< waist-high basket of embers; with a light

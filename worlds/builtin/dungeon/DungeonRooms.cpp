@@ -22,8 +22,8 @@ void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props
     complex.join(ring.at(RingRoom::North), way, door);
     parts.crypt = addBoxCell(complex, "crypt", {-8.0, y, z}, {8.0, y + 12.0, z + 6.0}, kMasonry);
     complex.join(way, parts.crypt, shifted(door, {0.0, 4.0, 0.0}));
-    // The corridor: one step up, out through the eastern door, round behind, through the crypt's own volume, in through
-    // the western door.
+    // The corridor: one step up, out through the eastern door, round behind, through the crypt's own volume,
+    // in through the western door.
     const double step = z + 0.25;
     const double top = step + 3.0;
     const ShellMaterials& brick = kBricks;
@@ -90,7 +90,8 @@ void addRecess(CellComplex& complex, const DungeonProps& props, const Ring& ring
         faces.push_back(planarFace(levelOutline(part, z), Material::Flagstones));
         faces.push_back(flipped(planarFace(levelOutline(part, z + high), Material::StoneWall)));
     }
-    // The yard comes first. The U's tree contains it too, and a search for a point's cell takes the first that matches.
+    // The yard comes first. The U's tree contains it too, and a search for a point's cell takes the first
+    // that matches.
     parts.yard = addBoxCell(complex, "yard", {left, south, z}, {right, notch, z + 9.0}, kBareRock);
     parts.recess = complex.add("recess", std::move(faces));
     complex.join(way, parts.recess, shifted(door, {0.0, -4.0, 0.0}));
@@ -133,7 +134,8 @@ void addLongCorridor(CellComplex& complex, ModelWriter& sink, const DungeonProps
 }
 
 Outline tunnelOutline(double x, double y, double z) {
-    // The vertical line through each corner meets the other sides at points of the grid, so walls can be cut exactly.
+    // The vertical line through each corner meets the other sides at points of the grid, so walls can be cut
+    // exactly.
     const std::vector<Vec2> around{{-1.25, 0.0}, {1.25, 0.0},   {1.75, 1.0},   {1.625, 2.0},  {1.25, 2.75},
                                    {0.5, 3.125}, {-0.5, 3.125}, {-1.25, 2.75}, {-1.625, 2.0}, {-1.75, 1.0}};
     Outline out;

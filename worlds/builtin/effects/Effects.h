@@ -6,7 +6,8 @@ namespace limen::worlds {
 
 inline constexpr std::uint32_t kWatchmansPlay = 0x10; ///< sparks from a lantern
 
-/// Records that animate and emit particles by themselves: scripts, emitters, animations (formats/effects_anim.md).
+/// Records that animate and emit particles by themselves: scripts, emitters, animations
+/// (formats/effects_anim.md).
 struct Effects {
     dat::RecordId candleScript = 0;     ///< a glow and smoke over a candle's wick, 0.2 m above its origin
     dat::RecordId cartScript = 0;       ///< dust behind a cart's wheels, emitted per metre
@@ -19,7 +20,8 @@ struct Effects {
 /// PhysicsScript: snow around the place where it is played.
 [[nodiscard]] dat::RecordId addSnowScript(ModelWriter& sink);
 
-/// A hook, for an AnimationFrame or a script, that starts an emitter at a point of a part. `part` -1: the whole object.
+/// A hook, for an AnimationFrame or a script, that starts an emitter at a point of a part. `part` -1: the
+/// whole object.
 [[nodiscard]] dat::AnimationHook particleHook(dat::RecordId emitter, int part, const Vec3& at,
                                               std::uint32_t name = 0);
 

@@ -27,7 +27,8 @@ struct Sprinkle {
     double minScale = 0.8, maxScale = 1.2;
 };
 
-/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch and a random offset inside it.
+/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch and a random offset
+/// inside it.
 dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles) {
     dat::Scene scene;
     scene.id = id;

@@ -5,10 +5,12 @@
 
 namespace limen::worlds {
 
-/// Adds the Region (heights, calendar, sky, terrain types with their scenes, ground pictures, blend maps) and its Scenes.
+/// Adds the Region (heights, calendar, sky, terrain types with their scenes, ground pictures, blend maps) and
+/// its Scenes.
 void addRegion(ModelWriter& sink, const Plants& plants);
 
-/// The sky: domes, sun, moon and clouds as GfxObjs, and two day groups, fair and snowy, with keyframes through the day.
+/// The sky: domes, sun, moon and clouds as GfxObjs, and two day groups, fair and snowy, with keyframes
+/// through the day.
 [[nodiscard]] dat::SkyDesc buildSky(ModelWriter& sink);
 
 } // namespace limen::worlds

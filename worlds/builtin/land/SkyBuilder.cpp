@@ -17,7 +17,8 @@ constexpr double kSunrise = 0.25, kSunset = 0.75;
 /// Indices into the day group's objects.
 enum class SkyPiece : std::uint32_t { Night, Day, Dusk, Sun, Moon, Clouds, Count };
 
-/// A dome seen from inside: u goes around, v from the zenith (0) past the horizon (kHorizonV) to 22.5° below it (1).
+/// A dome seen from inside: u goes around, v from the zenith (0) past the horizon (kHorizonV) to 22.5° below
+/// it (1).
 FaceMesh dome(Material material) {
     constexpr int kAround = 24;
     constexpr int kRings = 10;
@@ -221,7 +222,8 @@ dat::SkyDesc buildSky(ModelWriter& sink) {
     sky.tickSize = 5.0;
     sky.lightTickSize = 1.0;
     sky.dayGroups.push_back(std::move(fair));
-    // Separate statements fix the order of the ids. The evaluation order of arguments differs between compilers.
+    // Separate statements fix the order of the ids. The evaluation order of arguments differs between
+    // compilers.
     const dat::RecordId snow = addSnowScript(sink);
     const dat::RecordId cloud = mesh(dome(Material::SkySnow));
     sky.dayGroups.push_back(snowyDays(night, cloud, snow));

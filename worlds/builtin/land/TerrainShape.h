@@ -6,9 +6,9 @@
 
 namespace limen::worlds {
 
-/// The ground of the built-in world: kBlocksAcross² landblocks around the village. Vertices (24 m apart) and metres of the
-/// area count from the south-west corner of kSouthWest, the village's neighbour. kBlocksBeyond more landblocks, to the
-/// west and south, have negative coordinates.
+/// The ground of the built-in world: kBlocksAcross² landblocks around the village. Vertices (24 m apart) and
+/// metres of the area count from the south-west corner of kSouthWest, the village's neighbour. kBlocksBeyond
+/// more landblocks, to the west and south, have negative coordinates.
 inline constexpr dat::BlockCoord kSouthWest{0xA8, 0xB3};
 inline constexpr int kBlocksBeyond = 1;
 inline constexpr int kBlocksAcross = 5;

@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Metres. Routes are this high above the floor, so that a step over a sill is inside the opening and not on its border.
+/// Metres. Routes are this high above the floor, so that a step over a sill is inside the opening and not on
+/// its border.
 constexpr double kAboveGround = 0.01;
 
 /// Builds a route point by point.

@@ -25,12 +25,13 @@ struct Leg {
     double angle = 0.0, hip = kHip;
 };
 
-/// The angle of a leg whose sole touches the ground at a point that is `ahead` of the hip in the standing pose, after the
-/// hip has moved `gone` metres forward. 0 for `gone` = 0, for heel and toe alike.
+/// The angle of a leg whose sole touches the ground at a point that is `ahead` of the hip in the standing
+/// pose, after the hip has moved `gone` metres forward. 0 for `gone` = 0, for heel and toe alike.
 double angleFor(double ahead, double gone) {
     return std::asin((ahead - gone) / std::hypot(kHip, ahead)) - std::atan2(ahead, kHip);
 }
-/// The angle of a leg on the ground: the foot rolls over its heel while it is ahead of the hip, then over its toe.
+/// The angle of a leg on the ground: the foot rolls over its heel while it is ahead of the hip, then over its
+/// toe.
 double groundedAngle(double gone) {
     return angleFor(gone < 0.0 ? kHeel : kToe, gone);
 }

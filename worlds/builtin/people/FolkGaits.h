@@ -4,7 +4,8 @@
 
 namespace limen::worlds {
 
-// A person's measures, metres: height of the hip; heel and toe relative to the hip, forwards. All in the leg's plane.
+// A person's measures, metres: height of the hip; heel and toe relative to the hip, forwards. All in the
+// leg's plane.
 inline constexpr double kHip = 0.88, kHeel = -0.09, kToe = 0.17;
 inline constexpr double kWheelRadius = 0.555; ///< of a cart, metres
 inline constexpr int kSpokes = 8;             ///< of a wheel, which looks the same after a turn by one spoke
@@ -32,9 +33,9 @@ struct Strides {
 /// Short steps, for people in a gown or an apron.
 [[nodiscard]] Strides shortStrides();
 
-/// Adds a MotionTable and Animations for standing, walking and running; returns the table's id. Feet on the ground do not
-/// slide. `roles`: one for each part; a held object and the arm that holds it keep the pose of the Setup. `dust`: a
-/// ParticleEmitter to start at each footfall, or 0.
+/// Adds a MotionTable and Animations for standing, walking and running; returns the table's id. Feet on the
+/// ground do not slide. `roles`: one for each part; a held object and the arm that holds it keep the pose of
+/// the Setup. `dust`: a ParticleEmitter to start at each footfall, or 0.
 [[nodiscard]] dat::RecordId addGaits(ModelWriter& sink, const std::vector<SetupPart>& parts,
                                      const std::vector<Role>& roles, const Strides& strides,
                                      dat::RecordId dust = 0);

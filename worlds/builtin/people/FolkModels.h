@@ -4,8 +4,8 @@
 
 namespace limen::worlds {
 
-/// Models of people, about 1.75 m tall, of six parts (body, head, arms, legs): feet at z = 0, front to the north. The
-/// origin of arms and legs is the joint. FolkGaits has their motions.
+/// Models of people, about 1.75 m tall, of six parts (body, head, arms, legs): feet at z = 0, front to the
+/// north. The origin of arms and legs is the joint. FolkGaits has their motions.
 struct FolkModels {
     dat::RecordId innkeeper = 0, maid = 0, farmer = 0, elder = 0;
     dat::RecordId watchman = 0;  ///< carries a lantern at `kLantern`

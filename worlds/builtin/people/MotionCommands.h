@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-// Ids of styles and motions in motion tables. ref: MotionCommand in the record schema of Chorizite's DatReaderWriter
-// (dats.xml).
+// Ids of styles and motions in motion tables. ref: MotionCommand in the record schema of Chorizite's
+// DatReaderWriter (dats.xml).
 namespace limen::worlds {
 
 inline constexpr std::uint32_t kNonCombat = 0x8000003D; ///< a style

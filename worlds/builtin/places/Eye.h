@@ -21,7 +21,8 @@ struct Eye {
 void lookAt(Eye& eye, const Vec3& target);
 /// An eye at a point that looks at `target`; global metres.
 [[nodiscard]] Eye eyeTowards(const Vec3& position, const Vec3& target, dat::RecordId cell);
-/// An eye at kEyeHeight above the ground at a point (metres of the area) that looks at `target` (global metres).
+/// An eye at kEyeHeight above the ground at a point (metres of the area) that looks at `target` (global
+/// metres).
 [[nodiscard]] Eye groundEye(double x, double y, const Vec3& target);
 
 /// A place of `world.json` (docs/world-file.md).

@@ -9,8 +9,8 @@
 
 namespace limen::worlds {
 
-/// The placements of the village's buildings (coordinates of the village block), their cells, and the lists of doors and
-/// people in the form of `world.json` (docs/world-file.md).
+/// The placements of the village's buildings (coordinates of the village block), their cells, and the lists
+/// of doors and people in the form of `world.json` (docs/world-file.md).
 struct VillageMap {
     Placement cottage, neighbour, inn, hall;
     std::vector<dat::RecordId> cottageCells, neighbourCells, innCells, hallCells;

@@ -13,7 +13,8 @@ enum class LegKind {
     Look      ///< a turn in place
 };
 
-/// A leg of the tour: a way to a point, or a turn in place. At its end the eye looks at `target`. Global metres.
+/// A leg of the tour: a way to a point, or a turn in place. At its end the eye looks at `target`. Global
+/// metres.
 struct TourLeg {
     LegKind kind = LegKind::Straight;
     Vec3 to{0.0}, target{0.0};

@@ -19,8 +19,8 @@ struct VillageModels {
 /// Puts a model on the ground at a point of the village block.
 void stand(LandblockWriter& block, dat::RecordId model, double x, double y, double turn);
 
-/// Adds the inn, the meeting hall, props around them, doors and people of the village. Fills the rest of the map.
-/// Requires: the map's cottages are placed.
+/// Adds the inn, the meeting hall, props around them, doors and people of the village. Fills the rest of the
+/// map. Requires: the map's cottages are placed.
 void addEastVillage(ModelWriter& sink, LandblockWriter& block, const VillageModels& models, VillageMap& map);
 
 } // namespace limen::worlds

@@ -5,8 +5,8 @@
 
 namespace limen::worlds {
 
-/// Adds the models of leaves and panes. Returns the doors of `world.json`: named doors, then a pane for every window of
-/// the village's buildings. Requires: the map's buildings are placed.
+/// Adds the models of leaves and panes. Returns the doors of `world.json`: named doors, then a pane for every
+/// window of the village's buildings. Requires: the map's buildings are placed.
 [[nodiscard]] nlohmann::ordered_json buildDoors(ModelWriter& sink, const VillageMap& map);
 
 } // namespace limen::worlds
