@@ -3,8 +3,8 @@
 #include "TemporaryDirectory.h"
 
 #include "dat/Archive.h"
-#include "world/Places.h"
 #include "worlds/Demo.h"
+#include "world/Places.h"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "worlds/Generated.h"
 #include "visibility/Graph.h"
 #include "visibility/View.h"
 #include "world/World.h"
-#include "worlds/Generated.h"
 
 #include <cstdint>
 #include <vector>

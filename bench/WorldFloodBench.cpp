@@ -148,8 +148,7 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
     std::vector<BenchRow> rows;
     SeenCounts wanted;
     for (const std::uint32_t size : {1000u, 10000u, 100000u}) {
-        const Result<world::World> world =
-            generatedWorld({worlds::GeneratedKind::Dungeon, size, kSeed, 0.02});
+        const Result<world::World> world = generatedWorld({worlds::GeneratedKind::Dungeon, size, kSeed, 0.02});
         if (!world) {
             rows.push_back(failedRow("flood/scale", world.error()));
             continue;

@@ -1,7 +1,7 @@
 #include "app/WorldSource.h"
 
-#include "world/Loader.h"
 #include "worlds/Demo.h"
+#include "world/Loader.h"
 
 #include <algorithm>
 #include <fmt/format.h>

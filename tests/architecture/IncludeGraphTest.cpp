@@ -109,7 +109,8 @@ bool isGlHeader(const std::string& include) {
 TEST(IncludeGraph, everyRoomIsKnown) {
     const auto allowed = allowedRooms();
     for (const std::string& room : roomsThere())
-        EXPECT_TRUE(allowed.contains(room)) << room << " has no line in the table of allowed includes";
+        EXPECT_TRUE(allowed.contains(room))
+            << room << " has no line in the table of allowed includes";
 }
 
 TEST(IncludeGraph, noRoomIncludesOneItMayNotKnow) {

@@ -2,11 +2,11 @@
 // wall, be stuck where there is room, or be in a space that its position contradicts.
 // LIMEN_TEST_BODIES: how many in each kind of world (48); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them;
 // LIMEN_TEST_BODY: only the one of that number.
+#include "worlds/Demo.h"
+#include "worlds/GeneratedWorlds.h"
 #include "geometry/Compass.h"
 #include "motion/DoorUse.h"
 #include "motion/Locate.h"
-#include "worlds/Demo.h"
-#include "worlds/GeneratedWorlds.h"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -15,9 +15,9 @@
 namespace limen::motion {
 namespace {
 
-using world::kOutside;
 using worlds::GeneratedKind;
 using worlds::test::GeneratedWorld;
+using world::kOutside;
 
 constexpr double kBodyFrame = 1.0 / 30.0;
 constexpr int kFrames = 1800, kFramesEach = 15; ///< of a life; of what is done at random

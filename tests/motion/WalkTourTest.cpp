@@ -1,10 +1,10 @@
 // A body walks the built-in world's tour, through rooms, up and down stairs, into a cellar, an inn, a tower, a cave and a dungeon, and
 // over the land between them.
+#include "worlds/Demo.h"
 #include "motion/Body.h"
 #include "motion/Locate.h"
 #include "support/LoadTestWorld.h"
 #include "world/Places.h"
-#include "worlds/Demo.h"
 
 #include <cmath>
 

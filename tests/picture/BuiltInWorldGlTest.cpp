@@ -1,10 +1,10 @@
 // The built-in world, drawn and held against the ray rule: its places, its tour, and random eyes.
 #include "picture/PictureWorld.h"
 
+#include "worlds/Demo.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 #include "world/Places.h"
-#include "worlds/Demo.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include "picture/PictureWorld.h"
 #include "support/TemporaryDirectory.h"
 
+#include "worlds/Demo.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 #include "world/Places.h"
-#include "worlds/Demo.h"
 
 #include <gtest/gtest.h>
 

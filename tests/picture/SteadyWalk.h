@@ -3,6 +3,7 @@
 #include "support/TemporaryDirectory.h"
 
 #include "dat/Archive.h"
+#include "worlds/Demo.h"
 #include "frame/Planner.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
@@ -12,7 +13,6 @@
 #include "visibility/Flood.h"
 #include "world/Loader.h"
 #include "world/Places.h"
-#include "worlds/Demo.h"
 
 #include <cmath>
 #include <optional>

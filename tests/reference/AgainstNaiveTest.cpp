@@ -11,9 +11,9 @@
 #include "picture/NaiveTracer.h"
 #include "reference/TracedWorld.h"
 
+#include "worlds/Demo.h"
 #include "motion/Locate.h"
 #include "world/Places.h"
-#include "worlds/Demo.h"
 
 #include <random>
 

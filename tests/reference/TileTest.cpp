@@ -3,11 +3,11 @@
 // angles and telescopes.
 #include "reference/Picture.h"
 
+#include "worlds/Demo.h"
 #include "motion/DynamicStateBuilder.h"
 #include "reference/DynamicStateMaker.h"
 #include "reference/TracedWorld.h"
 #include "world/Places.h"
-#include "worlds/Demo.h"
 
 #include <algorithm>
 #include <random>
