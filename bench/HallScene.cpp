@@ -19,16 +19,15 @@ constexpr std::int32_t kFirstCut = 6; ///< planes before it are the box's sides
 
 /// Which faces are open: of those inside halls the largest, of those between halls any.
 std::vector<worlds::SharedFace> openFaces(const std::vector<worlds::Solid>& solids, const HallSpec& spec,
-                                          worlds::Random& random) {
+                                        worlds::Random& random) {
     std::vector<worlds::SharedFace> faces = worlds::sharedFaces(solids, kLeastRadius);
     for (std::size_t i = faces.size(); i > 1; --i)
         std::swap(faces[i - 1], faces[random.below(static_cast<std::uint32_t>(i))]);
     // The largest solid is always cut next, so the first cuts part the box into halls.
     const std::int32_t firstInside = kFirstCut + static_cast<std::int32_t>(spec.halls) - 1;
-    const auto between =
-        std::stable_partition(faces.begin(), faces.end(), [&](const worlds::SharedFace& face) {
-            return solids[face.first].sides[face.firstSide].cut >= firstInside;
-        });
+    const auto between = std::stable_partition(faces.begin(), faces.end(), [&](const worlds::SharedFace& face) {
+        return solids[face.first].sides[face.firstSide].cut >= firstInside;
+    });
     std::stable_sort(faces.begin(), between, [](const auto& a, const auto& b) {
         return worlds::areaOf(a.points) > worlds::areaOf(b.points);
     });
