@@ -11,11 +11,11 @@ namespace limen::worlds {
 WorldRecords buildBuiltInWorld(Pictures pictures) {
     WorldRecords records;
     addMaterials(records, pictures);
-    ModelWriter sink(records);
-    const Plants plants = addPlants(sink);
-    addRegion(sink, plants);
-    const VillageMap map = addVillage(sink, plants);
-    const DungeonMap dungeons = addDungeonBlocks(sink, map.furniture, plants);
+    ModelWriter writer(records);
+    const Plants plants = addPlants(writer);
+    addRegion(writer, plants);
+    const VillageMap map = addVillage(writer, plants);
+    const DungeonMap dungeons = addDungeonBlocks(writer, map.furniture, plants);
     addLandBlocks(records, {kVillage, kTowerBlock, kCaveBlock});
     records.worldFile = buildWorldFile(map, dungeons);
     return records;

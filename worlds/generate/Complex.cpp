@@ -187,8 +187,8 @@ private:
 WorldRecords buildComplex(const GeneratedSpec& spec) {
     WorldRecords records;
     addSmallMaterials(records);
-    ModelWriter sink(records);
-    const Props props = addProps(sink);
+    ModelWriter writer(records);
+    const Props props = addProps(writer);
     Random random(seedOf(spec));
     const OpeningMix mix = mixOf(random);
     const Land land(kBlock, 1, 1, mix.toGround ? kComplexGround : 0);
@@ -198,10 +198,10 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     BuildingPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
     WorldNotes notes;
     const std::vector<CellPlan> cells = plan.cells;
-    LandblockWriter block(sink, kBlock, kGeneratedCells);
+    LandblockWriter block(writer, kBlock, kGeneratedCells);
     const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
     if (mix.toGround) {
-        addRegion(sink, addPlants(sink));
+        addRegion(writer, addPlants(writer));
         const double away = 12.0 + std::cbrt(kVolume * spec.size);
         notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
                        blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);

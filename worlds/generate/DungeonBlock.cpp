@@ -49,8 +49,8 @@ std::uint16_t openingCount(const LatticeRoom& room, std::size_t way) {
 class BlockOfRooms {
 public:
     BlockOfRooms(const DungeonTools& tools, dat::BlockCoord coord, Random random)
-        : sink_(tools.sink), shapes_(tools.shapes), props_(tools.props), leaves_(tools.leaves), coord_(coord),
-          random_(random) {}
+        : writer_(tools.writer), shapes_(tools.shapes), props_(tools.props), leaves_(tools.leaves),
+          coord_(coord), random_(random) {}
 
     void write(const DungeonLayout& layout, WorldNotes& notes) {
         layout_ = &layout;
@@ -203,16 +203,16 @@ private:
         }
         for (std::uint32_t c = 0; c < cells_.size(); ++c)
             cells_[c].visible = cellsWithin(neighbours, c, kDungeonListSteps);
-        LandblockWriter block(sink_, coord_, kGeneratedCells);
+        LandblockWriter block(writer_, coord_, kGeneratedCells);
         block.addCells(cells_);
         block.finish();
         dat::LandBlock land;
         land.id = dat::landBlockId(coord_);
         land.hasObjects = 1;
-        sink_.records().landBlocks.push_back(land);
+        writer_.records().landBlocks.push_back(land);
     }
 
-    ModelWriter& sink_;
+    ModelWriter& writer_;
     DungeonShapes& shapes_;
     const Props& props_;
     const DungeonLeaves& leaves_;
@@ -224,8 +224,9 @@ private:
 
 } // namespace
 
-DungeonLeaves addDungeonLeaves(ModelWriter& sink) {
-    return {addLeaf(sink, 1.25, 2.25, true), addLeaf(sink, 1.0, 2.5, true), addLeaf(sink, 2.0, 2.5, false)};
+DungeonLeaves addDungeonLeaves(ModelWriter& writer) {
+    return {addLeaf(writer, 1.25, 2.25, true), addLeaf(writer, 1.0, 2.5, true),
+            addLeaf(writer, 2.0, 2.5, false)};
 }
 
 void writeDungeonBlock(const DungeonTools& tools, dat::BlockCoord coord, const DungeonLayout& layout,

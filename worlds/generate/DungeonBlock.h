@@ -10,11 +10,11 @@ namespace limen::worlds {
 struct DungeonLeaves {
     dat::RecordId narrow = 0, half = 0, glass = 0;
 };
-[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelWriter& sink);
+[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelWriter& writer);
 
 /// The models and shapes of dungeons, and the writer of models.
 struct DungeonTools {
-    ModelWriter& sink;
+    ModelWriter& writer;
     DungeonShapes& shapes;
     const Props& props;
     const DungeonLeaves& leaves;

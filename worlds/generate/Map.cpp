@@ -43,10 +43,10 @@ public:
 
     WorldRecords build() {
         addSmallMaterials(records_);
-        props_ = addProps(sink_);
-        houseLeaves_ = addHouseLeaves(sink_);
-        dungeonLeaves_ = addDungeonLeaves(sink_);
-        addRegion(sink_, addPlants(sink_));
+        props_ = addProps(writer_);
+        houseLeaves_ = addHouseLeaves(writer_);
+        dungeonLeaves_ = addDungeonLeaves(writer_);
+        addRegion(writer_, addPlants(writer_));
         raise();
         addTowns();
         land_.addTo(records_, [&](int bx, int by) { return !isDungeon(bx, by); });
@@ -93,7 +93,7 @@ private:
 
     // Towns are at crossings and beside roads until there are enough cells. Other landblocks are empty.
     void addTowns() {
-        TownBlocks towns({sink_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
+        TownBlocks towns({writer_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
         const auto wanted = static_cast<std::uint32_t>(spec_.size * kHouseShare);
         std::set<std::pair<int, int>> built;
         while (towns.cells() < wanted && built.size() < kMostTownBlocks) {
@@ -118,7 +118,7 @@ private:
     }
 
     void addDungeons() {
-        const DungeonTools tools{sink_, dungeonShapes_, props_, dungeonLeaves_};
+        const DungeonTools tools{writer_, dungeonShapes_, props_, dungeonLeaves_};
         for (std::uint32_t d = 0; d < dungeons_; ++d) {
             const dat::BlockCoord coord{static_cast<int>(d) / kAcross, static_cast<int>(d) % kAcross};
             const std::uint64_t seed = seedOf(spec_) ^ static_cast<std::uint64_t>(d + 1) << 40;
@@ -151,7 +151,7 @@ private:
     std::uint32_t dungeonCells_ = 0, dungeons_ = 0;
     int firstColumn_ = 0; ///< of land
     WorldRecords records_;
-    ModelWriter sink_{records_};
+    ModelWriter writer_{records_};
     ShapeLibrary shapes_{records_};
     DungeonShapes dungeonShapes_{shapes_};
     Props props_;

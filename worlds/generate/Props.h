@@ -15,12 +15,12 @@ struct Props {
     dat::RecordId fence = 0;  ///< 3 m along x, from the origin
     dat::RecordId lamp = 0;   ///< a candle on the floor that lights its room
 };
-[[nodiscard]] Props addProps(ModelWriter& sink);
+[[nodiscard]] Props addProps(ModelWriter& writer);
 
 /// A random crate, pillar, screen or lamp: props that stand on a floor.
 [[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
 
 /// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.
-[[nodiscard]] dat::RecordId addLeaf(ModelWriter& sink, double width, double height, bool opaque);
+[[nodiscard]] dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque);
 
 } // namespace limen::worlds

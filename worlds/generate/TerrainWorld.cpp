@@ -31,14 +31,14 @@ public:
 
     WorldRecords build() {
         addSmallMaterials(records_);
-        props_ = addProps(sink_);
-        leaves_ = addHouseLeaves(sink_);
-        addRegion(sink_, addPlants(sink_));
+        props_ = addProps(writer_);
+        leaves_ = addHouseLeaves(writer_);
+        addRegion(writer_, addPlants(writer_));
         const std::uint32_t first = random_.below(static_cast<std::uint32_t>(Site::Count));
         std::uint32_t site = 0;
         for (int by = 0; by < rowsOf(blocks_, across_); ++by) {
             for (int bx = 0; bx < across_; ++bx) {
-                LandblockWriter block(sink_, land_.blockAt(bx, by), kGeneratedCells);
+                LandblockWriter block(writer_, land_.blockAt(bx, by), kGeneratedCells);
                 for (std::uint32_t k = 0; k < kSitesPerBlock && site < spec_.size; ++k, ++site) {
                     // Kinds alternate, so that even a small world has most of them.
                     const auto kind =
@@ -142,7 +142,7 @@ private:
     int across_;
     Land land_;
     WorldRecords records_;
-    ModelWriter sink_{records_};
+    ModelWriter writer_{records_};
     Props props_;
     HouseLeaves leaves_;
     WorldNotes notes_;

@@ -24,11 +24,11 @@ public:
 
     WorldRecords build() {
         addSmallMaterials(records_);
-        props_ = addProps(sink_);
-        leaves_ = addHouseLeaves(sink_);
-        addRegion(sink_, addPlants(sink_));
+        props_ = addProps(writer_);
+        leaves_ = addHouseLeaves(writer_);
+        addRegion(writer_, addPlants(writer_));
         roll();
-        TownBlocks town({sink_, props_, leaves_, notes_}, land_, random_);
+        TownBlocks town({writer_, props_, leaves_, notes_}, land_, random_);
         for (std::uint32_t b = 0; b < blocks_; ++b) {
             const std::uint32_t houses = spec_.size / blocks_ + (b < spec_.size % blocks_ ? 1u : 0u);
             const Placement district =
@@ -37,7 +37,7 @@ public:
                 notePlaces(land_.blockAt(0, 0), Vec3(0.0), district);
         }
         for (std::uint32_t b = blocks_; b < static_cast<std::uint32_t>(across_ * landBlocksY()); ++b) {
-            LandblockWriter(sink_,
+            LandblockWriter(writer_,
                             land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_),
                             kGeneratedCells)
                 .finish();
@@ -84,7 +84,7 @@ private:
     int across_;
     Land land_;
     WorldRecords records_;
-    ModelWriter sink_{records_};
+    ModelWriter writer_{records_};
     Props props_;
     HouseLeaves leaves_;
     WorldNotes notes_;

@@ -25,7 +25,7 @@ constexpr std::array<double, 2> kFences{16.5, -16.5};
 Placement TownBlocks::build(int bx, int by, std::uint32_t houses) {
     const dat::BlockCoord coord = land_.blockAt(bx, by);
     const Vec3 corner(192.0 * bx, 192.0 * by, 0.0);
-    LandblockWriter block(tools_.sink, coord, kGeneratedCells);
+    LandblockWriter block(tools_.writer, coord, kGeneratedCells);
     constexpr std::array<double, 6> kAngles{0.0, 90.0, 17.0, 45.0, 128.5, 0.0};
     const Placement district{{96.0, 96.0, 0.0}, kAngles[random_.below(kAngles.size())]};
     for (std::uint32_t h = 0; h < houses; ++h) {

@@ -17,7 +17,7 @@ class TownBlocks {
 public:
     /// The models to use, and the writer and the notes to write to.
     struct Tools {
-        ModelWriter& sink;
+        ModelWriter& writer;
         const Props& props;
         const HouseLeaves& leaves;
         WorldNotes& notes;

@@ -127,7 +127,7 @@ void encodePalettised(const Canvas& canvas, bool wide, EncodedImage& out) {
     }
     // The nearest entry, cached by 15-bit colour. A full search for every texel would take seconds.
     std::vector<int> nearest(1u << 15, -1);
-    ByteSink sink(out.image.pixels);
+    ByteSink writer(out.image.pixels);
     for (int y = 0; y < canvas.height(); ++y) {
         for (int x = 0; x < canvas.width(); ++x) {
             std::size_t index = 0;
@@ -144,7 +144,7 @@ void encodePalettised(const Canvas& canvas, bool wide, EncodedImage& out) {
                 }
                 index = static_cast<std::size_t>(known) + kReservedIndices;
             }
-            wide ? sink.u16(static_cast<unsigned>(index)) : sink.u8(static_cast<int>(index));
+            wide ? writer.u16(static_cast<unsigned>(index)) : writer.u8(static_cast<int>(index));
         }
     }
 }
@@ -189,7 +189,7 @@ std::pair<Rgb, Rgb> endPoints(const Block& block) {
     return out;
 }
 
-void encodeDxt1Block(const Block& block, ByteSink& sink) {
+void encodeDxt1Block(const Block& block, ByteSink& writer) {
     const auto [first, second] = endPoints(block);
     std::uint16_t c0 = to565(first);
     std::uint16_t c1 = to565(second);
@@ -213,39 +213,39 @@ void encodeDxt1Block(const Block& block, ByteSink& sink) {
                 best = k;
         indices |= (block.clear[i] ? 3u : best) << (2 * i);
     }
-    sink.u16(c0);
-    sink.u16(c1);
-    sink.u32(indices);
+    writer.u16(c0);
+    writer.u16(c1);
+    writer.u32(indices);
 }
 
 void encodeDxt1(const Canvas& canvas, std::vector<std::uint8_t>& bytes) {
-    ByteSink sink(bytes);
+    ByteSink writer(bytes);
     for (int y = 0; y < canvas.height(); y += 4)
         for (int x = 0; x < canvas.width(); x += 4)
-            encodeDxt1Block(gatherBlock(canvas, x, y), sink);
+            encodeDxt1Block(gatherBlock(canvas, x, y), writer);
 }
 
-void encodeTexel(const Vec4f& texel, dat::PixelFormat format, ByteSink& sink) {
+void encodeTexel(const Vec4f& texel, dat::PixelFormat format, ByteSink& writer) {
     const Rgb c = rgbOf(texel);
     const int alpha = toByte(texel.w);
     switch (format) {
     case dat::PixelFormat::A8:
     case dat::PixelFormat::LandscapeAlpha:
-        sink.u8(alpha);
+        writer.u8(alpha);
         break;
     case dat::PixelFormat::R5G6B5:
-        sink.u16(to565(c));
+        writer.u16(to565(c));
         break;
     case dat::PixelFormat::A4R4G4B4:
-        sink.u16(static_cast<unsigned>((alpha + 8) / 17 << 12 | (c[0] + 8) / 17 << 8 | (c[1] + 8) / 17 << 4 |
-                                       (c[2] + 8) / 17));
+        writer.u16(static_cast<unsigned>((alpha + 8) / 17 << 12 | (c[0] + 8) / 17 << 8 |
+                                         (c[1] + 8) / 17 << 4 | (c[2] + 8) / 17));
         break;
     default:
-        sink.u8(c[2]);
-        sink.u8(c[1]);
-        sink.u8(c[0]);
+        writer.u8(c[2]);
+        writer.u8(c[1]);
+        writer.u8(c[0]);
         if (format == dat::PixelFormat::A8R8G8B8)
-            sink.u8(alpha);
+            writer.u8(alpha);
     }
 }
 
@@ -262,10 +262,10 @@ EncodedImage encodeImage(const Canvas& canvas, dat::PixelFormat format) {
         LIMEN_ASSERT(canvas.width() % 4 == 0 && canvas.height() % 4 == 0, "DXT1 needs whole blocks");
         encodeDxt1(canvas, out.image.pixels);
     } else {
-        ByteSink sink(out.image.pixels);
+        ByteSink writer(out.image.pixels);
         for (int y = 0; y < canvas.height(); ++y)
             for (int x = 0; x < canvas.width(); ++x)
-                encodeTexel(canvas.at(x, y), format, sink);
+                encodeTexel(canvas.at(x, y), format, writer);
     }
     return out;
 }

@@ -39,7 +39,7 @@ HouseShell neighbourShell() {
     return shell;
 }
 
-CellPlan frontRoom(ModelWriter& sink, const Furniture& f) {
+CellPlan frontRoom(ModelWriter& writer, const Furniture& f) {
     const Rect door{-0.6, 0.0, 0.6, 2.1};
     const Rect west{-4.1, 0.9, -2.9, 2.0};
     const Rect east{2.9, 0.9, 4.1, 2.0};
@@ -50,12 +50,12 @@ CellPlan frontRoom(ModelWriter& sink, const Furniture& f) {
          .max = {5.7, 4.7, kCottageHeight},
          .floor = Material::Planks},
         {{Side::South, door}, {Side::South, west}, {Side::South, east}, {Side::North, inner}});
-    const dat::RecordId trim = addTrim(sink, {{{Side::South, door}, 0.3},
-                                              {{Side::South, west}, 0.3},
-                                              {{Side::South, east}, 0.3},
-                                              {{Side::North, inner}, 4.7}});
+    const dat::RecordId trim = addTrim(writer, {{{Side::South, door}, 0.3},
+                                                {{Side::South, west}, 0.3},
+                                                {{Side::South, east}, 0.3},
+                                                {{Side::North, inner}, 4.7}});
     cell.statics = {{trim, {}},
-                    {addJoists(sink, 4.4, 11.4, 1.9), {{0.0, 2.5, kCottageHeight}, 90.0}},
+                    {addJoists(writer, 4.4, 11.4, 1.9), {{0.0, 2.5, kCottageHeight}, 90.0}},
                     {f.fireplace, {{5.69, 2.5, 0.0}, -90.0}},
                     {f.table, {{2.5, 2.5, 0.0}, 0.0}},
                     {f.chair, {{2.2, 3.3, 0.0}, 8.0}},
@@ -73,7 +73,7 @@ CellPlan frontRoom(ModelWriter& sink, const Furniture& f) {
     return cell;
 }
 
-CellPlan rearRoom(ModelWriter& sink, const Furniture& f) {
+CellPlan rearRoom(ModelWriter& writer, const Furniture& f) {
     const Rect inner{-0.8, 0.0, 0.8, 2.1};
     const Rect north{-0.7, 0.8, 0.7, 2.0};
     const Rect east{6.6, 0.9, 7.8, 2.0};
@@ -84,11 +84,11 @@ CellPlan rearRoom(ModelWriter& sink, const Furniture& f) {
          .max = {5.7, 9.7, kCottageHeight},
          .floor = Material::Planks},
         {{Side::South, inner}, {Side::North, north}, {Side::East, east}, {Side::Floor, stairs}});
-    const dat::RecordId trim =
-        addTrim(sink, {{{Side::South, inner}, 4.9}, {{Side::North, north}, 9.7}, {{Side::East, east}, 5.7}});
-    const dat::RecordId railing = addRailing(sink, 3.6);
+    const dat::RecordId trim = addTrim(
+        writer, {{{Side::South, inner}, 4.9}, {{Side::North, north}, 9.7}, {{Side::East, east}, 5.7}});
+    const dat::RecordId railing = addRailing(writer, 3.6);
     cell.statics = {{trim, {}},
-                    {addJoists(sink, 4.8, 11.4, 1.9), {{0.0, 7.3, kCottageHeight}, 90.0}},
+                    {addJoists(writer, 4.8, 11.4, 1.9), {{0.0, 7.3, kCottageHeight}, 90.0}},
                     {railing, {{-0.64, kStairsTopY, 0.0}, 0.0}},
                     {railing, {{-1.96, kStairsTopY, 0.0}, 0.0}},
                     {f.bed, {{-4.9, 8.55, 0.0}, 0.0}},
@@ -107,7 +107,7 @@ CellPlan rearRoom(ModelWriter& sink, const Furniture& f) {
     return cell;
 }
 
-CellPlan stairwell(ModelWriter& sink) {
+CellPlan stairwell(ModelWriter& writer) {
     const Rect top{-1.9, kStairsTopY, -0.7, 9.5};
     const Rect side{8.55, -2.6, 9.45, -0.6};
     CellPlan cell = roomWithOpenings({.name = "stairs",
@@ -116,11 +116,11 @@ CellPlan stairwell(ModelWriter& sink) {
                                       .floor = Material::Flagstones,
                                       .walls = Material::StoneWall},
                                      {{Side::Ceiling, top}, {Side::East, side}});
-    cell.statics = {{addStairs(sink, {}), {{kStairsX, kStairsTopY, 0.0}, 0.0}}};
+    cell.statics = {{addStairs(writer, {}), {{kStairsX, kStairsTopY, 0.0}, 0.0}}};
     return cell;
 }
 
-CellPlan cellar(ModelWriter& sink, const Furniture& f) {
+CellPlan cellar(ModelWriter& writer, const Furniture& f) {
     const Rect door{8.55, -2.6, 9.45, -0.6};
     CellPlan cell = roomWithOpenings({.name = "cellar",
                                       .min = {-0.5, 3.2, -2.6},
@@ -130,8 +130,8 @@ CellPlan cellar(ModelWriter& sink, const Furniture& f) {
                                       .ceiling = Material::OldPlanks},
                                      {{Side::West, door}});
     constexpr double kFloor = -2.6;
-    cell.statics = {{addTrim(sink, {{{Side::West, door}, -0.5}}), {}},
-                    {addJoists(sink, 5.7, 6.3, 1.3), {{2.35, 6.35, -0.45}, 0.0}},
+    cell.statics = {{addTrim(writer, {{{Side::West, door}, -0.5}}), {}},
+                    {addJoists(writer, 5.7, 6.3, 1.3), {{2.35, 6.35, -0.45}, 0.0}},
                     {f.barrel, {{4.75, 3.75, kFloor}, 0.0}},
                     {f.barrel, {{4.75, 4.6, kFloor}, 70.0}},
                     {f.barrel, {{3.9, 3.75, kFloor}, 130.0}},
@@ -151,22 +151,22 @@ CellPlan cellar(ModelWriter& sink, const Furniture& f) {
 
 } // namespace
 
-BuildingPlan planCottage(ModelWriter& sink, const Furniture& furniture) {
+BuildingPlan planCottage(ModelWriter& writer, const Furniture& furniture) {
     BuildingPlan plan;
     plan.name = "cottage";
     plan.exterior = buildHouseShell(cottageShell());
-    plan.cells.push_back(frontRoom(sink, furniture));
+    plan.cells.push_back(frontRoom(writer, furniture));
     plan.cells.push_back(
         doorway("doorway", {-0.8, 4.7, 0.0}, {0.8, 4.9, 2.1}, Axis::Y, Material::Beam, Material::Oak));
-    plan.cells.push_back(rearRoom(sink, furniture));
-    plan.cells.push_back(stairwell(sink));
+    plan.cells.push_back(rearRoom(writer, furniture));
+    plan.cells.push_back(stairwell(writer));
     plan.cells.push_back(doorway("cellar.doorway", {-0.7, 8.55, -2.6}, {-0.5, 9.45, -0.6}, Axis::X,
                                  Material::StoneWall, Material::Flagstones));
-    plan.cells.push_back(cellar(sink, furniture));
+    plan.cells.push_back(cellar(writer, furniture));
     return plan;
 }
 
-BuildingPlan planNeighbour(ModelWriter& sink, const Furniture& f) {
+BuildingPlan planNeighbour(ModelWriter& writer, const Furniture& f) {
     const HouseShell shell = neighbourShell();
     const Rect inner{-0.6, 0.0, 0.6, 2.1};
     BuildingPlan plan;
@@ -185,8 +185,8 @@ BuildingPlan planNeighbour(ModelWriter& sink, const Furniture& f) {
                                       .max = {3.7, 4.4, kCottageHeight},
                                       .floor = Material::Flagstones},
                                      openings);
-    room.statics = {{addTrim(sink, trims), {}},
-                    {addJoists(sink, 4.1, 7.4, 1.8), {{0.0, 2.35, kCottageHeight}, 90.0}},
+    room.statics = {{addTrim(writer, trims), {}},
+                    {addJoists(writer, 4.1, 7.4, 1.8), {{0.0, 2.35, kCottageHeight}, 90.0}},
                     {f.fireplace, {{-3.69, 2.4, 0.0}, 90.0}},
                     {f.table, {{2.2, 2.4, 0.0}, 90.0}},
                     {f.chair, {{1.4, 2.5, 0.0}, 85.0}},
@@ -205,7 +205,7 @@ BuildingPlan planNeighbour(ModelWriter& sink, const Furniture& f) {
                                       .max = {3.7, 6.7, kCottageHeight},
                                       .floor = Material::Planks},
                                      {{Side::South, inner}, {Side::North, window}});
-    back.statics = {{addTrim(sink, {{{Side::South, inner}, 4.6}, {{Side::North, window}, 6.7}}), {}},
+    back.statics = {{addTrim(writer, {{{Side::South, inner}, 4.6}, {{Side::North, window}, 6.7}}), {}},
                     {f.bed, {{-2.4, 5.9, 0.0}, 90.0}},
                     {f.chest, {{2.6, 6.35, 0.0}, 0.0}},
                     {f.stool, {{1.4, 6.2, 0.0}, 0.0}},

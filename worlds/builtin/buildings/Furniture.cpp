@@ -8,19 +8,19 @@ constexpr std::uint32_t kCandleLight = 0xFFFFC070;
 constexpr std::uint32_t kFireLight = 0xFFFF9040;
 
 /// A Setup of a top and four legs as parts.
-dat::RecordId onLegs(ModelWriter& sink, const FaceMesh& top, double x, double y, double height,
+dat::RecordId onLegs(ModelWriter& writer, const FaceMesh& top, double x, double y, double height,
                      double thick) {
     FaceMesh leg;
     leg.beam({-thick / 2, -thick / 2, 0.0}, {thick / 2, thick / 2, height}, Material::Oak);
-    const dat::RecordId legId = sink.addMesh(leg);
-    std::vector<SetupPart> parts{{sink.addMesh(top), {}}};
+    const dat::RecordId legId = writer.addMesh(leg);
+    std::vector<SetupPart> parts{{writer.addMesh(top), {}}};
     for (const double sx : {-1.0, 1.0})
         for (const double sy : {-1.0, 1.0})
             parts.push_back({legId, {{sx * x, sy * y, 0.0}, 0.0}});
-    return sink.addSetup(parts);
+    return writer.addSetup(parts);
 }
 
-dat::RecordId addTable(ModelWriter& sink) {
+dat::RecordId addTable(ModelWriter& writer) {
     FaceMesh top;
     for (int k = 0; k < 4; ++k) {
         const double y = -0.42 + 0.21 * k;
@@ -30,35 +30,35 @@ dat::RecordId addTable(ModelWriter& sink) {
     top.beam({-0.72, 0.31, 0.60}, {0.72, 0.34, 0.71}, Material::Oak);
     top.beam({-0.75, -0.31, 0.60}, {-0.72, 0.31, 0.71}, Material::Oak);
     top.beam({0.72, -0.31, 0.60}, {0.75, 0.31, 0.71}, Material::Oak);
-    return onLegs(sink, top, 0.73, 0.33, 0.72, 0.08); // the legs end inside the boards
+    return onLegs(writer, top, 0.73, 0.33, 0.72, 0.08); // the legs end inside the boards
 }
 
-dat::RecordId addChair(ModelWriter& sink) {
+dat::RecordId addChair(ModelWriter& writer) {
     FaceMesh seat;
     seat.beam({-0.22, -0.22, 0.42}, {0.22, 0.22, 0.46}, Material::Oak);
     for (const double x : {-0.19, 0.19})
         seat.strut({x, 0.20, 0.46}, {x, 0.27, 1.02}, {1, 0, 0}, 0.045, 0.045, Material::Oak);
     seat.beam({-0.21, 0.235, 0.86}, {0.21, 0.265, 1.00}, Material::Oak);
     seat.beam({-0.17, 0.215, 0.62}, {0.17, 0.24, 0.70}, Material::Oak);
-    return onLegs(sink, seat, 0.19, 0.19, 0.42, 0.045);
+    return onLegs(writer, seat, 0.19, 0.19, 0.42, 0.045);
 }
 
-dat::RecordId addStool(ModelWriter& sink) {
+dat::RecordId addStool(ModelWriter& writer) {
     FaceMesh seat;
     seat.cylinder({.base = {0, 0, 0.40}, .lower = 0.19, .upper = 0.20, .height = 0.05, .sides = 12});
-    return onLegs(sink, seat, 0.11, 0.11, 0.40, 0.045);
+    return onLegs(writer, seat, 0.11, 0.11, 0.40, 0.045);
 }
 
-dat::RecordId addBench(ModelWriter& sink) {
+dat::RecordId addBench(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.75, -0.16, 0.41}, {0.75, 0.16, 0.46}, Material::OldPlanks);
     for (const double x : {-0.58, 0.58})
         mesh.beam({x - 0.03, -0.14, 0.0}, {x + 0.03, 0.14, 0.41}, Material::OldPlanks);
     mesh.beam({-0.55, -0.02, 0.14}, {0.55, 0.02, 0.20}, Material::OldPlanks);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addBed(ModelWriter& sink) {
+dat::RecordId addBed(ModelWriter& writer) {
     FaceMesh frame;
     for (const double x : {-0.55, 0.55}) {
         frame.beam({x - 0.04, -1.05, 0.0}, {x + 0.04, -0.97, 0.75}, Material::Oak);
@@ -71,20 +71,20 @@ dat::RecordId addBed(ModelWriter& sink) {
     bedding.box({-0.52, -0.97, 0.30}, {0.52, 0.97, 0.52}, Material::Linen);
     bedding.box({-0.56, -0.98, 0.36}, {0.56, 0.42, 0.565}, Material::Blanket);
     bedding.box({-0.36, 0.55, 0.52}, {0.36, 0.92, 0.66}, Material::Linen);
-    return sink.addSetup({{sink.addMesh(frame), {}}, {sink.addMesh(bedding), {}}});
+    return writer.addSetup({{writer.addMesh(frame), {}}, {writer.addMesh(bedding), {}}});
 }
 
-dat::RecordId addChest(ModelWriter& sink) {
+dat::RecordId addChest(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.5, -0.27, 0.04}, {0.5, 0.27, 0.42}, Material::OldPlanks);
     mesh.beam({-0.53, -0.30, 0.42}, {0.53, 0.30, 0.52}, Material::Oak);
     for (const double x : {-0.36, 0.36})
         mesh.box({x - 0.03, -0.31, 0.02}, {x + 0.03, 0.31, 0.53}, Material::Iron);
     mesh.box({-0.06, -0.325, 0.36}, {0.06, -0.27, 0.47}, Material::Iron);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addShelf(ModelWriter& sink) {
+dat::RecordId addShelf(ModelWriter& writer) {
     FaceMesh mesh;
     for (const double x : {-0.6, 0.57})
         mesh.beam({x, -0.32, 0.0}, {x + 0.03, 0.0, 1.95}, Material::Oak);
@@ -119,10 +119,10 @@ dat::RecordId addShelf(ModelWriter& sink) {
                    .side = Material::Brick,
                    .cap = Material::Iron});
     mesh.box({-0.4, -0.26, 0.11}, {0.2, -0.04, 0.36}, Material::OldPlanks);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addFireplace(ModelWriter& sink) {
+dat::RecordId addFireplace(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.box({-1.05, -0.62, 0.0}, {-0.62, 0.0, 1.25}, Material::StoneWall);
     mesh.box({0.62, -0.62, 0.0}, {1.05, 0.0, 1.25}, Material::StoneWall);
@@ -148,11 +148,11 @@ dat::RecordId addFireplace(ModelWriter& sink) {
                      Vec3(x, -0.40, 0.12 + high)},
                     Material::Flame, true);
     }
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flames, false), {}}},
-                         {{{0.0, -0.75, 0.55}, kFireLight, 0.55, 6.5}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}, {writer.addMesh(flames, false), {}}},
+                           {{{0.0, -0.75, 0.55}, kFireLight, 0.55, 6.5}});
 }
 
-dat::RecordId addBarrel(ModelWriter& sink) {
+dat::RecordId addBarrel(ModelWriter& writer) {
     FaceMesh mesh;
     const std::array<Vec2, 5> rings{Vec2{0.29, 0.0}, Vec2{0.345, 0.24}, Vec2{0.365, 0.45}, Vec2{0.345, 0.66},
                                     Vec2{0.29, 0.90}};
@@ -181,10 +181,10 @@ dat::RecordId addBarrel(ModelWriter& sink) {
                   .side = Material::Oak,
                   .cap = Material::OldPlanks});
     mesh.add(lid.faces()[lid.faces().size() - 2]);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addCrate(ModelWriter& sink) {
+dat::RecordId addCrate(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.36, -0.28, 0.03}, {0.36, 0.28, 0.55}, Material::OldPlanks);
     for (const double x : {-0.38, 0.31})
@@ -194,10 +194,10 @@ dat::RecordId addCrate(ModelWriter& sink) {
         mesh.beam({-0.31, -0.295, z}, {0.31, -0.265, z + 0.07}, Material::Oak);
         mesh.beam({-0.31, 0.265, z}, {0.31, 0.295, z + 0.07}, Material::Oak);
     }
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addSacks(ModelWriter& sink) {
+dat::RecordId addSacks(ModelWriter& writer) {
     FaceMesh sack;
     const std::array<Vec2, 5> rings{Vec2{0.24, 0.0}, Vec2{0.30, 0.18}, Vec2{0.26, 0.42}, Vec2{0.10, 0.56},
                                     Vec2{0.15, 0.64}};
@@ -211,8 +211,8 @@ dat::RecordId addSacks(ModelWriter& sink) {
                        .cap = Material::Linen,
                        .caps = k + 2 == rings.size()});
     }
-    const dat::RecordId id = sink.addMesh(sack);
-    return sink.addSetup(
+    const dat::RecordId id = writer.addMesh(sack);
+    return writer.addSetup(
         {{id, {{-0.3, 0.0, 0.0}, 15.0}}, {id, {{0.28, 0.06, 0.0}, 80.0}}, {id, {{0.0, -0.45, 0.0}, 140.0}}});
 }
 
@@ -226,7 +226,7 @@ void addFlameCards(FaceMesh& mesh, const Vec3& foot, double size) {
         Material::Flame, true);
 }
 
-dat::RecordId addCandle(ModelWriter& sink) {
+dat::RecordId addCandle(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.cylinder({.base = {0, 0, 0},
                    .lower = 0.075,
@@ -244,11 +244,11 @@ dat::RecordId addCandle(ModelWriter& sink) {
                    .cap = Material::Wax});
     FaceMesh flame;
     addFlameCards(flame, {0, 0, 0.17}, 0.09);
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flame, false), {}}},
-                         {{{0, 0, 0.32}, kCandleLight, 0.32, 5.0}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}, {writer.addMesh(flame, false), {}}},
+                           {{{0, 0, 0.32}, kCandleLight, 0.32, 5.0}});
 }
 
-dat::RecordId addLantern(ModelWriter& sink) {
+dat::RecordId addLantern(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.006, -0.006, -0.22}, {0.006, 0.006, 0.0}, Material::Iron);
     mesh.cylinder({.base = {0, 0, -0.30},
@@ -272,37 +272,37 @@ dat::RecordId addLantern(ModelWriter& sink) {
     FaceMesh glass;
     addFlameCards(glass, {0, 0, -0.45}, 0.10);
     glass.box({-0.078, -0.078, -0.545}, {0.078, 0.078, -0.31}, Material::LampGlass);
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(glass, false), {}}},
-                         {{{0, 0, -0.72}, kCandleLight, 0.48, 8.5}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}, {writer.addMesh(glass, false), {}}},
+                           {{{0, 0, -0.72}, kCandleLight, 0.48, 8.5}});
 }
 
-dat::RecordId addRug(ModelWriter& sink) {
+dat::RecordId addRug(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.box({-1.1, -0.75, 0.0}, {1.1, 0.75, 0.01}, Material::Linen);
     mesh.card(
         {Vec3(-1.1, -0.75, 0.014), Vec3(1.1, -0.75, 0.014), Vec3(1.1, 0.75, 0.014), Vec3(-1.1, 0.75, 0.014)},
         Material::Rug, false);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 } // namespace
 
-Furniture addFurniture(ModelWriter& sink) {
+Furniture addFurniture(ModelWriter& writer) {
     Furniture f;
-    f.table = addTable(sink);
-    f.chair = addChair(sink);
-    f.stool = addStool(sink);
-    f.bench = addBench(sink);
-    f.bed = addBed(sink);
-    f.chest = addChest(sink);
-    f.shelf = addShelf(sink);
-    f.fireplace = addFireplace(sink);
-    f.rug = addRug(sink);
-    f.barrel = addBarrel(sink);
-    f.crate = addCrate(sink);
-    f.sacks = addSacks(sink);
-    f.candle = addCandle(sink);
-    f.lantern = addLantern(sink);
+    f.table = addTable(writer);
+    f.chair = addChair(writer);
+    f.stool = addStool(writer);
+    f.bench = addBench(writer);
+    f.bed = addBed(writer);
+    f.chest = addChest(writer);
+    f.shelf = addShelf(writer);
+    f.fireplace = addFireplace(writer);
+    f.rug = addRug(writer);
+    f.barrel = addBarrel(writer);
+    f.crate = addCrate(writer);
+    f.sacks = addSacks(writer);
+    f.candle = addCandle(writer);
+    f.lantern = addLantern(writer);
     FaceMesh jug;
     jug.cylinder({.base = {0, 0, 0},
                   .lower = 0.06,
@@ -318,7 +318,7 @@ Furniture addFurniture(ModelWriter& sink) {
                   .sides = 10,
                   .side = Material::Brick,
                   .cap = Material::Iron});
-    f.jug = sink.addSingle(jug);
+    f.jug = writer.addSingle(jug);
     FaceMesh bowl;
     bowl.cylinder({.base = {0, 0, 0},
                    .lower = 0.05,
@@ -327,11 +327,11 @@ Furniture addFurniture(ModelWriter& sink) {
                    .sides = 12,
                    .side = Material::Oak,
                    .cap = Material::Linen});
-    f.bowl = sink.addSingle(bowl);
+    f.bowl = writer.addSingle(bowl);
     return f;
 }
 
-dat::RecordId addJoists(ModelWriter& sink, double across, double along, double spacing) {
+dat::RecordId addJoists(ModelWriter& writer, double across, double along, double spacing) {
     FaceMesh mesh;
     const int count = std::max(1, static_cast<int>(along / spacing));
     for (int k = 0; k < count; ++k) {
@@ -339,10 +339,10 @@ dat::RecordId addJoists(ModelWriter& sink, double across, double along, double s
         mesh.beam({-across / 2 + 0.01, y - 0.07, -0.17}, {across / 2 - 0.01, y + 0.07, -0.002},
                   Material::Beam);
     }
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addStairs(ModelWriter& sink, const StairSpec& s) {
+dat::RecordId addStairs(ModelWriter& writer, const StairSpec& s) {
     FaceMesh mesh;
     const double half = s.width / 2 - 0.005;
     for (int k = 1; k < s.risers; ++k) {
@@ -355,10 +355,10 @@ dat::RecordId addStairs(ModelWriter& sink, const StairSpec& s) {
     const double drop = s.rise * (s.risers - 1);
     for (const double x : {-half + 0.03, half - 0.03})
         mesh.strut({x, 0.12, -0.30}, {x, run, -drop - 0.08}, {1, 0, 0}, 0.05, 0.20, Material::Beam);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addRailing(ModelWriter& sink, double length) {
+dat::RecordId addRailing(ModelWriter& writer, double length) {
     FaceMesh mesh;
     const int posts = std::max(2, static_cast<int>(length / 0.5) + 1);
     for (int k = 0; k < posts; ++k) {
@@ -367,7 +367,7 @@ dat::RecordId addRailing(ModelWriter& sink, double length) {
         mesh.beam({-half, y - half, 0.0}, {half, y + half, 0.90}, Material::Oak);
     }
     mesh.beam({-0.05, 0.0, 0.90}, {0.05, length, 0.96}, Material::Oak);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 } // namespace limen::worlds

@@ -15,11 +15,11 @@ struct Furniture {
     dat::RecordId lantern = 0; ///< hangs: origin at its hook; with a light
     dat::RecordId jug = 0, bowl = 0;
 };
-[[nodiscard]] Furniture addFurniture(ModelWriter& sink);
+[[nodiscard]] Furniture addFurniture(ModelWriter& writer);
 
 /// Joists under a ceiling: `across` metres long in x, spread over `along` metres in y, top at z = 0, middle
 /// at the origin.
-[[nodiscard]] dat::RecordId addJoists(ModelWriter& sink, double across, double along, double spacing);
+[[nodiscard]] dat::RecordId addJoists(ModelWriter& writer, double across, double along, double spacing);
 
 /// Wooden stairs down to the north from (0,0,0): `count` steps, each `rise` down and `tread` forward, `width`
 /// wide in x. The last riser ends on the lower floor.
@@ -27,9 +27,9 @@ struct StairSpec {
     int risers = 13;
     double rise = 0.2, tread = 0.22, width = 1.2;
 };
-[[nodiscard]] dat::RecordId addStairs(ModelWriter& sink, const StairSpec& stairs);
+[[nodiscard]] dat::RecordId addStairs(ModelWriter& writer, const StairSpec& stairs);
 
 /// A railing along y from 0 to `length`, 0.95 m high.
-[[nodiscard]] dat::RecordId addRailing(ModelWriter& sink, double length);
+[[nodiscard]] dat::RecordId addRailing(ModelWriter& writer, double length);
 
 } // namespace limen::worlds

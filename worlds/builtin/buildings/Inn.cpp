@@ -68,13 +68,13 @@ Vec3 hearthFire() {
 
 } // namespace inn
 
-BuildingPlan planInn(ModelWriter& sink, const Furniture& furniture) {
+BuildingPlan planInn(ModelWriter& writer, const Furniture& furniture) {
     const HouseShell shell = innShell();
     BuildingPlan plan;
     plan.name = "inn";
     plan.exterior = buildHouseShell(shell);
     addBalcony(plan.exterior, shell.ground);
-    plan.cells = planInnRooms(sink, furniture);
+    plan.cells = planInnRooms(writer, furniture);
     return plan;
 }
 

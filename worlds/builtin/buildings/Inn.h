@@ -39,7 +39,7 @@ enum class InnCell : std::uint32_t {
 };
 /// The inn north of the lane. In its coordinates the front door is in the wall at y = 0, the ground floor at
 /// z = 0.
-[[nodiscard]] BuildingPlan planInn(ModelWriter& sink, const Furniture& furniture);
+[[nodiscard]] BuildingPlan planInn(ModelWriter& writer, const Furniture& furniture);
 
 /// Positions inside, for walks (building coordinates).
 namespace inn {

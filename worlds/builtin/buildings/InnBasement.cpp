@@ -3,20 +3,20 @@
 namespace limen::worlds::inn {
 
 CellPlan basementStairs(Kit& k) {
-    CellPlan cell = furnished(k.sink,
+    CellPlan cell = furnished(k.writer,
                               {.name = "basement stairs",
                                .min = {kDown.u0, kDown.v0, kBasement},
                                .max = {kDown.u1, kDown.v1, 0.0},
                                .floor = Material::Flagstones,
                                .walls = Material::StoneWall},
                               {{Side::Ceiling, kDown}, {Side::West, kBasementDoor}},
-                              {{addStairs(k.sink, {}), {{kDownX, kDownHead, 0.0}, 0.0}}});
+                              {{addStairs(k.writer, {}), {{kDownX, kDownHead, 0.0}, 0.0}}});
     return cell;
 }
 
 CellPlan basement(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink,
+    return furnished(k.writer,
                      {.name = "basement",
                       .min = {-1.5, 4.2, kBasement},
                       .max = {4.6, 10.3, -0.45},
@@ -24,7 +24,7 @@ CellPlan basement(Kit& k) {
                       .walls = Material::StoneWall,
                       .ceiling = Material::OldPlanks},
                      {{Side::East, kBasementDoor}, {Side::West, kVaultArch}},
-                     {{addJoists(k.sink, 6.1, 6.1, 1.4), {{1.55, 7.25, -0.45}, 0.0}},
+                     {{addJoists(k.writer, 6.1, 6.1, 1.4), {{1.55, 7.25, -0.45}, 0.0}},
                       {k.p.rack, {{1.6, 10.29, kBasement}, 0.0}},
                       {k.p.rack, {{1.5, 4.21, kBasement}, 180.0}},
                       {f.barrel, {{4.1, 4.7, kBasement}, 0.0}},
@@ -41,7 +41,7 @@ CellPlan basement(Kit& k) {
 
 CellPlan vault(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink,
+    return furnished(k.writer,
                      {.name = "vault",
                       .min = {-7.4, 4.6, kBasement},
                       .max = {-1.7, 9.9, -0.45},
@@ -49,7 +49,7 @@ CellPlan vault(Kit& k) {
                       .walls = Material::StoneWall,
                       .ceiling = Material::OldPlanks},
                      {{Side::East, kVaultArch}},
-                     {{addJoists(k.sink, 5.7, 5.3, 1.3), {{-4.55, 7.25, -0.45}, 0.0}},
+                     {{addJoists(k.writer, 5.7, 5.3, 1.3), {{-4.55, 7.25, -0.45}, 0.0}},
                       {k.p.rack, {{-4.6, 9.89, kBasement}, 0.0}},
                       {k.p.rack, {{-4.6, 4.61, kBasement}, 180.0}},
                       {k.p.rack, {{-7.39, 7.25, kBasement}, 90.0}},

@@ -4,12 +4,12 @@ namespace limen::worlds::inn {
 
 CellPlan innHall(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink, {.name = "hall", .min = {-7.7, 0.3, 0.0}, .max = {1.4, 6.4, kHeight}},
+    return furnished(k.writer, {.name = "hall", .min = {-7.7, 0.3, 0.0}, .max = {1.4, 6.4, kHeight}},
                      {{Side::North, kKitchenDoor}, {Side::East, kParlourDoor}, {Side::Ceiling, kShaft}},
                      {{f.fireplace, {{-7.69, kHearthY, 0.0}, 90.0}},
                       {k.p.breast, {{-7.69, kHearthY, 0.0}, 90.0}},
-                      {addJoists(k.sink, 6.1, 5.2, 1.3), {{-5.0, 3.35, kHeight}, 90.0}},
-                      {addJoists(k.sink, 2.5, 3.4, 1.1), {{-0.5, 1.55, kHeight}, 90.0}},
+                      {addJoists(k.writer, 6.1, 5.2, 1.3), {{-5.0, 3.35, kHeight}, 90.0}},
+                      {addJoists(k.writer, 2.5, 3.4, 1.1), {{-0.5, 1.55, kHeight}, 90.0}},
                       {k.p.post, {{-2.42, 2.88, 0.0}, 90.0}},
                       {k.p.post, {{-2.42, 5.72, 0.0}, 90.0}},
                       {k.p.bar, {{-0.75, 4.95, 0.0}, 0.0}},
@@ -43,13 +43,13 @@ CellPlan innHall(Kit& k) {
 
 CellPlan kitchen(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink,
+    return furnished(k.writer,
                      {.name = "kitchen",
                       .min = {-7.7, 6.6, 0.0},
                       .max = {1.4, 10.7, kHeight},
                       .floor = Material::Flagstones},
                      {{Side::South, kKitchenDoor}, {Side::East, kBackDoor}},
-                     {{addJoists(k.sink, 4.1, 9.1, 1.5), {{-3.15, 8.65, kHeight}, 90.0}},
+                     {{addJoists(k.writer, 4.1, 9.1, 1.5), {{-3.15, 8.65, kHeight}, 90.0}},
                       {f.table, {{-3.6, 8.9, 0.0}, 0.0}},
                       {f.table, {{-1.85, 8.9, 0.0}, 0.0}},
                       {f.bowl, {{-3.9, 8.8, 0.76}, 0.0}},
@@ -71,7 +71,7 @@ CellPlan kitchen(Kit& k) {
 
 CellPlan passage(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink,
+    return furnished(k.writer,
                      {.name = "passage",
                       .min = {1.6, 5.2, 0.0},
                       .max = {3.0, 10.7, kHeight},
@@ -84,9 +84,9 @@ CellPlan passage(Kit& k) {
 
 CellPlan parlour(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink, {.name = "parlour", .min = {1.6, 0.3, 0.0}, .max = {7.7, 5.0, kHeight}},
+    return furnished(k.writer, {.name = "parlour", .min = {1.6, 0.3, 0.0}, .max = {7.7, 5.0, kHeight}},
                      {{Side::West, kParlourDoor}, {Side::North, kPassageDoor}, {Side::North, kStoreDoor}},
-                     {{addJoists(k.sink, 4.7, 6.1, 1.5), {{4.65, 2.65, kHeight}, 90.0}},
+                     {{addJoists(k.writer, 4.7, 6.1, 1.5), {{4.65, 2.65, kHeight}, 90.0}},
                       {f.rug, {{4.6, 2.6, 0.0}, 0.0}},
                       {k.p.roundTable, {{4.6, 2.6, 0.014}, 15.0}},
                       {f.chair, {{4.5, 3.4, 0.014}, 5.0}},
@@ -103,8 +103,8 @@ CellPlan parlour(Kit& k) {
 
 CellPlan store(Kit& k) {
     const Furniture& f = k.f;
-    const dat::RecordId railing = addRailing(k.sink, kDown.v1 - kDown.v0);
-    return furnished(k.sink, {.name = "store", .min = {4.6, 5.2, 0.0}, .max = {7.7, 10.7, kHeight}},
+    const dat::RecordId railing = addRailing(k.writer, kDown.v1 - kDown.v0);
+    return furnished(k.writer, {.name = "store", .min = {4.6, 5.2, 0.0}, .max = {7.7, 10.7, kHeight}},
                      {{Side::South, kStoreDoor}, {Side::Floor, kDown}},
                      {{railing, {{kDown.u1 + 0.06, kDown.v0, 0.0}, 0.0}},
                       {f.barrel, {{7.25, 5.7, 0.0}, 0.0}},

@@ -25,13 +25,13 @@ inline constexpr Rect kBasementDoor{9.05, kBasement, 9.95, -0.6};
 inline constexpr Rect kVaultArch{6.0, kBasement, 8.4, -0.75};
 
 struct Kit {
-    ModelWriter& sink;
+    ModelWriter& writer;
     const Furniture& f;
     InnProps p;
 };
 
 /// A room with `openings`, then those of the outer walls, and with timber around all of them.
-[[nodiscard]] CellPlan furnished(ModelWriter& sink, const RoomSpec& room, std::vector<Opening> openings,
+[[nodiscard]] CellPlan furnished(ModelWriter& writer, const RoomSpec& room, std::vector<Opening> openings,
                                  std::vector<Furnishing> statics);
 
 [[nodiscard]] CellPlan innHall(Kit& kit);

@@ -6,7 +6,7 @@ namespace limen::worlds {
 
 namespace {
 
-dat::RecordId addBar(ModelWriter& sink) {
+dat::RecordId addBar(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-1.80, -0.36, 1.04}, {1.80, 0.30, 1.10}, Material::Oak);
     mesh.beam({-1.74, -0.24, 0.0}, {1.74, -0.18, 1.04}, Material::OldPlanks);
@@ -24,15 +24,15 @@ dat::RecordId addBar(ModelWriter& sink) {
                   .side = Material::Oak,
                   .cap = Material::WaterDark});
     jug.strut({0.05, 0.0, 0.03}, {0.05, 0.0, 0.11}, {0, 1, 0}, 0.02, 0.02, Material::Iron);
-    const dat::RecordId mug = sink.addMesh(jug);
-    return sink.addSetup({{sink.addMesh(mesh), {}},
-                          {mug, {{-0.9, -0.12, 1.10}, 20.0}},
-                          {mug, {{-0.66, -0.02, 1.10}, 80.0}},
-                          {mug, {{0.72, -0.14, 1.10}, 200.0}},
-                          {mug, {{1.3, 0.08, 1.10}, 130.0}}});
+    const dat::RecordId mug = writer.addMesh(jug);
+    return writer.addSetup({{writer.addMesh(mesh), {}},
+                            {mug, {{-0.9, -0.12, 1.10}, 20.0}},
+                            {mug, {{-0.66, -0.02, 1.10}, 80.0}},
+                            {mug, {{0.72, -0.14, 1.10}, 200.0}},
+                            {mug, {{1.3, 0.08, 1.10}, 130.0}}});
 }
 
-dat::RecordId addRoundTable(ModelWriter& sink) {
+dat::RecordId addRoundTable(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.cylinder({.base = {0, 0, 0.70},
                    .lower = 0.52,
@@ -43,12 +43,12 @@ dat::RecordId addRoundTable(ModelWriter& sink) {
     mesh.cylinder({.base = {0, 0, 0.04}, .lower = 0.09, .upper = 0.07, .height = 0.67, .sides = 10});
     mesh.beam({-0.34, -0.05, 0.0}, {0.34, 0.05, 0.07}, Material::Oak);
     mesh.beam({-0.05, -0.34, 0.004}, {0.05, 0.34, 0.065}, Material::Oak);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 /// A flight of stairs down to the south from the origin, kUpper high, with a platform to the north of its
 /// head.
-dat::RecordId addFlight(ModelWriter& sink) {
+dat::RecordId addFlight(ModelWriter& writer) {
     constexpr int kRisers = 16;
     const double rise = inn::kUpper / kRisers;
     const double run = inn::kStairsHead - inn::kStairsFoot;
@@ -72,10 +72,10 @@ dat::RecordId addFlight(ModelWriter& sink) {
     mesh.beam({-kHalf + 0.01, 0.03, -0.22}, {kHalf - 0.01, 0.13, -0.06}, Material::Beam);
     for (const double x : {-kHalf + 0.01, kHalf - 0.11})
         mesh.beam({x, 0.035, -inn::kUpper}, {x + 0.10, 0.125, -0.22}, Material::Beam);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addRack(ModelWriter& sink) {
+dat::RecordId addRack(ModelWriter& writer) {
     FaceMesh frame;
     for (const double x : {-1.25, 0.0, 1.25}) {
         frame.beam({x - 0.05, -0.75, 0.0}, {x + 0.05, -0.65, 1.55}, Material::Beam);
@@ -111,40 +111,40 @@ dat::RecordId addRack(ModelWriter& sink) {
                 p = {p.x, -p.z, p.y};
     }
     cask.beam({-0.02, -0.46, -0.14}, {0.02, -0.355, -0.10}, Material::Oak);
-    const dat::RecordId id = sink.addMesh(cask);
-    std::vector<SetupPart> parts{{sink.addMesh(frame), {}}};
+    const dat::RecordId id = writer.addMesh(cask);
+    std::vector<SetupPart> parts{{writer.addMesh(frame), {}}};
     for (const double x : {-0.92, -0.32, 0.32, 0.92}) {
         parts.push_back({id, {{x, -0.40, 0.515}, 0.0}});
         parts.push_back({id, {{x, -0.40, 1.255}, 0.0}});
     }
-    return sink.addSetup(parts);
+    return writer.addSetup(parts);
 }
 
-dat::RecordId addPost(ModelWriter& sink) {
+dat::RecordId addPost(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.box({-0.16, -0.16, 0.0}, {0.16, 0.16, 0.22}, Material::StoneWall);
     mesh.beam({-0.10, -0.10, 0.22}, {0.10, 0.10, inn::kHeight - 0.19}, Material::Beam);
     mesh.beam({-0.62, -0.09, inn::kHeight - 0.19}, {0.62, 0.09, inn::kHeight - 0.002}, Material::Beam);
     for (const double side : {-1.0, 1.0})
         mesh.strut({side * 0.06, 0.0, 2.05}, {side * 0.50, 0.0, 2.62}, {0, 1, 0}, 0.11, 0.10, Material::Beam);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 } // namespace
 
-InnProps addInnProps(ModelWriter& sink) {
+InnProps addInnProps(ModelWriter& writer) {
     InnProps p;
-    p.bar = addBar(sink);
-    p.roundTable = addRoundTable(sink);
+    p.bar = addBar(writer);
+    p.roundTable = addRoundTable(writer);
     FaceMesh low;
     low.box({-0.85, -0.52, 2.5}, {0.85, 0.0, inn::kHeight - 0.003}, Material::StoneWall);
-    p.breast = sink.addSingle(low);
+    p.breast = writer.addSingle(low);
     FaceMesh high;
     high.box({-0.80, -0.48, 0.003}, {0.80, 0.0, inn::kTop - inn::kUpper - 0.003}, Material::StoneWall);
-    p.upperBreast = sink.addSingle(high);
-    p.stairs = addFlight(sink);
-    p.rack = addRack(sink);
-    p.post = addPost(sink);
+    p.upperBreast = writer.addSingle(high);
+    p.stairs = addFlight(writer);
+    p.rack = addRack(writer);
+    p.post = addPost(writer);
     return p;
 }
 

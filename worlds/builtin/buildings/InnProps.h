@@ -15,7 +15,7 @@ struct InnProps {
     dat::RecordId rack = 0;   ///< two rows of casks; back to the north
     dat::RecordId post = 0;   ///< of the hall, with braces; 2.8 m
 };
-[[nodiscard]] InnProps addInnProps(ModelWriter& sink);
+[[nodiscard]] InnProps addInnProps(ModelWriter& writer);
 
 /// Adds the balcony over the front door, its posts and the sign to the exterior.
 void addBalcony(FaceMesh& mesh, double ground);

@@ -63,7 +63,7 @@ CellPlan cellarPassage(const char* name, double from, double to, const Rect& r) 
 
 } // namespace
 
-CellPlan furnished(ModelWriter& sink, const RoomSpec& room, std::vector<Opening> openings,
+CellPlan furnished(ModelWriter& writer, const RoomSpec& room, std::vector<Opening> openings,
                    std::vector<Furnishing> statics) {
     for (const Opening& o : outerOpenings(room))
         openings.push_back(o);
@@ -73,15 +73,15 @@ CellPlan furnished(ModelWriter& sink, const RoomSpec& room, std::vector<Opening>
         if (o.side != Side::Floor && o.side != Side::Ceiling)
             framed.push_back({o, planeOn(room, o.side)});
     cell.statics = std::move(statics);
-    cell.statics.push_back({addTrim(sink, framed, room.min.z), {}});
+    cell.statics.push_back({addTrim(writer, framed, room.min.z), {}});
     return cell;
 }
 
 } // namespace inn
 
-std::vector<CellPlan> planInnRooms(ModelWriter& sink, const Furniture& furniture) {
+std::vector<CellPlan> planInnRooms(ModelWriter& writer, const Furniture& furniture) {
     using namespace inn;
-    Kit kit{sink, furniture, addInnProps(sink)};
+    Kit kit{writer, furniture, addInnProps(writer)};
     std::vector<CellPlan> cells;
     cells.push_back(innHall(kit));
     cells.push_back(throughWall("kitchen door", Axis::Y, 6.4, 6.6, kKitchenDoor));

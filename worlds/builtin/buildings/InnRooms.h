@@ -10,6 +10,6 @@ namespace limen::worlds {
 [[nodiscard]] std::vector<Opening> innWindows();
 
 /// The inn's cells in the order of InnCell.
-[[nodiscard]] std::vector<CellPlan> planInnRooms(ModelWriter& sink, const Furniture& furniture);
+[[nodiscard]] std::vector<CellPlan> planInnRooms(ModelWriter& writer, const Furniture& furniture);
 
 } // namespace limen::worlds

@@ -4,7 +4,7 @@ namespace limen::worlds::inn {
 
 CellPlan stairs(Kit& k) {
     return furnished(
-        k.sink,
+        k.writer,
         {.name = "stairs", .min = {3.2, 5.2, 0.0}, .max = {4.4, 10.7, kTop}, .floor = Material::Flagstones},
         {{Side::West, kStairsDoor}, {Side::West, kLandingDoor}},
         {{k.p.stairs, {{kUpX, kStairsHead, kUpper}, 0.0}},
@@ -14,9 +14,9 @@ CellPlan stairs(Kit& k) {
 
 CellPlan landing(Kit& k) {
     const Furniture& f = k.f;
-    const dat::RecordId side = addRailing(k.sink, kShaft.v1 - kShaft.v0);
-    const dat::RecordId end = addRailing(k.sink, kShaft.u1 - kShaft.u0);
-    return furnished(k.sink, {.name = "landing", .min = {-2.6, 0.3, kUpper}, .max = {3.0, 10.7, kTop}},
+    const dat::RecordId side = addRailing(k.writer, kShaft.v1 - kShaft.v0);
+    const dat::RecordId end = addRailing(k.writer, kShaft.u1 - kShaft.u0);
+    return furnished(k.writer, {.name = "landing", .min = {-2.6, 0.3, kUpper}, .max = {3.0, 10.7, kTop}},
                      {{Side::East, kLandingDoor},
                       {Side::East, kEastRoomDoor},
                       {Side::West, kWestRoomDoor},
@@ -26,7 +26,7 @@ CellPlan landing(Kit& k) {
                       {side, {{kShaft.u1 + 0.06, kShaft.v0, kUpper}, 0.0}},
                       {end, {{kShaft.u0, kShaft.v0 - 0.06, kUpper}, -90.0}},
                       {end, {{kShaft.u0, kShaft.v1 + 0.06, kUpper}, -90.0}},
-                      {addJoists(k.sink, 5.6, 10.4, 1.6), {{0.2, 5.5, kTop}, 0.0}},
+                      {addJoists(k.writer, 5.6, 10.4, 1.6), {{0.2, 5.5, kTop}, 0.0}},
                       {f.bench, {{2.75, 5.0, kUpper}, 90.0}},
                       {f.chest, {{-1.7, 10.35, kUpper}, 0.0}},
                       {f.shelf, {{2.98, 7.4, kUpper}, -90.0}},
@@ -40,7 +40,7 @@ CellPlan landing(Kit& k) {
 
 CellPlan westRoom(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink, {.name = "west room", .min = {-7.7, 0.3, kUpper}, .max = {-2.8, 5.3, kTop}},
+    return furnished(k.writer, {.name = "west room", .min = {-7.7, 0.3, kUpper}, .max = {-2.8, 5.3, kTop}},
                      {{Side::East, kWestRoomDoor}},
                      {{k.p.upperBreast, {{-7.69, kHearthY, kUpper}, 90.0}},
                       {f.bed, {{-6.9, 1.42, kUpper}, 180.0}},
@@ -54,7 +54,7 @@ CellPlan westRoom(Kit& k) {
 
 CellPlan northRoom(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink, {.name = "north room", .min = {-7.7, 5.5, kUpper}, .max = {-2.8, 10.7, kTop}},
+    return furnished(k.writer, {.name = "north room", .min = {-7.7, 5.5, kUpper}, .max = {-2.8, 10.7, kTop}},
                      {{Side::East, kNorthRoomDoor}},
                      {{f.bed, {{-3.6, 9.55, kUpper}, 0.0}},
                       {f.bed, {{-6.9, 6.7, kUpper}, 180.0}},
@@ -69,7 +69,7 @@ CellPlan northRoom(Kit& k) {
 
 CellPlan eastRoom(Kit& k) {
     const Furniture& f = k.f;
-    return furnished(k.sink, {.name = "east room", .min = {3.2, 0.3, kUpper}, .max = {7.7, 5.0, kTop}},
+    return furnished(k.writer, {.name = "east room", .min = {3.2, 0.3, kUpper}, .max = {7.7, 5.0, kTop}},
                      {{Side::West, kEastRoomDoor}},
                      {{f.bed, {{6.9, 3.85, kUpper}, 0.0}},
                       {f.shelf, {{5.2, 4.99, kUpper}, 0.0}},

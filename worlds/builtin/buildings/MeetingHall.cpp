@@ -71,7 +71,7 @@ HouseShell apseShell() {
 }
 
 /// The nave: walls, end walls up to the roof, two slopes as a ceiling.
-CellPlan nave(ModelWriter& sink) {
+CellPlan nave(ModelWriter& writer) {
     constexpr double kSouth = kWall;
     constexpr double kNorth = kWidth - kWall;
     constexpr double kRidge = kWallTop + (kMiddle - kSouth); // the roof has a slope of 1
@@ -114,11 +114,11 @@ CellPlan nave(ModelWriter& sink) {
         framed.push_back({o, at});
     }
     closeSeams(cell.faces);
-    cell.statics.push_back({addTrim(sink, framed), {}});
+    cell.statics.push_back({addTrim(writer, framed), {}});
     return cell;
 }
 
-CellPlan apse(ModelWriter& sink) {
+CellPlan apse(ModelWriter& writer) {
     CellPlan cell;
     cell.name = "apse";
     const Rect plan{kApseWest, kApseSouth, kApseEast, kApseNorth};
@@ -138,11 +138,11 @@ CellPlan apse(ModelWriter& sink) {
     cell.faces.push_back(holePortal(west));
     cell.faces.push_back(portalFace(rectOnSide(Side::East, kApseEast, kApseWindow)));
     closeSeams(cell.faces);
-    cell.statics.push_back({addTrim(sink, {{{Side::East, kApseWindow}, kApseEast}}), {}});
+    cell.statics.push_back({addTrim(writer, {{{Side::East, kApseWindow}, kApseEast}}), {}});
     return cell;
 }
 
-dat::RecordId addColumn(ModelWriter& sink) {
+dat::RecordId addColumn(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.box({-0.30, -0.30, 0.0}, {0.30, 0.30, 0.18}, Material::Flagstones);
     mesh.cylinder({.base = {0, 0, 0.18},
@@ -153,11 +153,11 @@ dat::RecordId addColumn(ModelWriter& sink) {
                    .side = Material::StoneWall,
                    .caps = false});
     mesh.box({-0.29, -0.29, 3.50}, {0.29, 0.29, 3.70}, Material::Flagstones);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 /// A tie beam across the nave with a king post and struts: middle at the origin, underside at z = 3.7.
-dat::RecordId addTruss(ModelWriter& sink) {
+dat::RecordId addTruss(ModelWriter& writer) {
     FaceMesh mesh;
     const double half = kMiddle - kWall - 0.01;
     mesh.beam({-0.12, -half, 3.7}, {0.12, half, 3.87}, Material::Beam);
@@ -167,21 +167,21 @@ dat::RecordId addTruss(ModelWriter& sink) {
         mesh.strut({0.0, side * (half - 0.2), 3.83}, {0.0, side * 0.08, 7.82}, {1, 0, 0}, 0.16, 0.18,
                    Material::Beam);
     }
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addLectern(ModelWriter& sink) {
+dat::RecordId addLectern(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.box({-1.3, -1.8, 0.0}, {1.4, 1.8, 0.16}, Material::Flagstones);
     mesh.beam({-0.30, -0.30, 0.16}, {0.30, 0.30, 0.24}, Material::Oak);
     mesh.beam({-0.07, -0.07, 0.24}, {0.07, 0.07, 1.18}, Material::Oak);
     mesh.strut({-0.26, 0.0, 1.14}, {0.26, 0.0, 1.32}, {0, 1, 0}, 0.62, 0.05, Material::Oak);
     mesh.strut({-0.20, 0.0, 1.195}, {0.20, 0.0, 1.335}, {0, 1, 0}, 0.42, 0.05, Material::Linen);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 /// A carpet down the middle of the nave.
-dat::RecordId addCarpet(ModelWriter& sink) {
+dat::RecordId addCarpet(ModelWriter& writer) {
     FaceMesh mesh;
     for (int k = 0; k < 4; ++k) {
         const double x = -4.4 + 2.2 * k;
@@ -189,12 +189,12 @@ dat::RecordId addCarpet(ModelWriter& sink) {
                    Vec3(x + 2.2, 0.75, 0.008)},
                   Material::Rug, false);
     }
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-void furnish(ModelWriter& sink, const Furniture& f, CellPlan& nave, CellPlan& apse) {
-    const dat::RecordId column = addColumn(sink);
-    const dat::RecordId truss = addTruss(sink);
+void furnish(ModelWriter& writer, const Furniture& f, CellPlan& nave, CellPlan& apse) {
+    const dat::RecordId column = addColumn(writer);
+    const dat::RecordId truss = addTruss(writer);
     for (const double x : {-3.75 + 1.875, 1.875}) {
         nave.statics.push_back({truss, {{x, kMiddle, 0.0}, 0.0}});
         for (const double y : {kMiddle - 2.6, kMiddle + 2.6})
@@ -202,7 +202,7 @@ void furnish(ModelWriter& sink, const Furniture& f, CellPlan& nave, CellPlan& ap
         nave.statics.push_back({f.lantern, {{x, kMiddle - 1.5, 3.7}, 0.0}});
         nave.statics.push_back({f.lantern, {{x, kMiddle + 1.5, 3.7}, 40.0}});
     }
-    nave.statics.push_back({addCarpet(sink), {{0.6, kMiddle, 0.0}, 0.0}});
+    nave.statics.push_back({addCarpet(writer), {{0.6, kMiddle, 0.0}, 0.0}});
     for (const double x : {-2.9, -0.9, 0.9, 2.9})
         for (const double y : {kMiddle - 1.75, kMiddle + 1.75})
             nave.statics.push_back({f.bench, {{x, y, 0.0}, 90.0}});
@@ -212,7 +212,7 @@ void furnish(ModelWriter& sink, const Furniture& f, CellPlan& nave, CellPlan& ap
     }
     nave.statics.push_back({f.chest, {{5.6, 1.2, 0.0}, -90.0}});
     nave.statics.push_back({f.barrel, {{-5.6, 8.7, 0.0}, 0.0}});
-    apse.statics.push_back({addLectern(sink), {{8.7, kMiddle, 0.0}, 0.0}});
+    apse.statics.push_back({addLectern(writer), {{8.7, kMiddle, 0.0}, 0.0}});
     apse.statics.push_back({f.candle, {{9.2, kMiddle - 1.4, 0.16}, 0.0}});
     apse.statics.push_back({f.candle, {{9.2, kMiddle + 1.4, 0.16}, 0.0}});
     apse.statics.push_back({f.shelf, {{9.4, kApseNorth - 0.01, 0.0}, 0.0}});
@@ -222,7 +222,7 @@ void furnish(ModelWriter& sink, const Furniture& f, CellPlan& nave, CellPlan& ap
 
 } // namespace
 
-BuildingPlan planMeetingHall(ModelWriter& sink, const Furniture& furniture) {
+BuildingPlan planMeetingHall(ModelWriter& writer, const Furniture& furniture) {
     BuildingPlan plan;
     plan.name = "meeting hall";
     plan.exterior = buildHouseShell(naveShell());
@@ -230,10 +230,10 @@ BuildingPlan planMeetingHall(ModelWriter& sink, const Furniture& furniture) {
     plan.exterior.append(buildHouseShell(behind),
                          {{6.25 + behind.halfWidth, kApseSouth - kWall, -kApseLower}, 0.0});
     plan.cells = {
-        nave(sink),
+        nave(writer),
         archedPassage("arch", kInnerEnd, kApseWest, 0.0, arch(), Material::StoneWall, Material::Flagstones),
-        apse(sink)};
-    furnish(sink, furniture, plan.cells[0], plan.cells[2]);
+        apse(writer)};
+    furnish(writer, furniture, plan.cells[0], plan.cells[2]);
     return plan;
 }
 

@@ -10,7 +10,7 @@ enum class HallCell : std::uint32_t { Nave, Arch, Apse, Count };
 
 /// The meeting hall south of the lane. In its coordinates the wide doorway is in the wall towards -x, the
 /// floor at z = 0, y from 0 to kWidth.
-[[nodiscard]] BuildingPlan planMeetingHall(ModelWriter& sink, const Furniture& furniture);
+[[nodiscard]] BuildingPlan planMeetingHall(ModelWriter& writer, const Furniture& furniture);
 
 namespace hall {
 inline constexpr double kHalfLength = 6.5, kWidth = 9.625, kWall = 0.375;

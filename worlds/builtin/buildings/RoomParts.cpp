@@ -4,13 +4,13 @@
 
 namespace limen::worlds {
 
-dat::RecordId addTrim(ModelWriter& sink, const std::vector<WallOpening>& openings, double floor) {
+dat::RecordId addTrim(ModelWriter& writer, const std::vector<WallOpening>& openings, double floor) {
     FaceMesh mesh;
     for (const auto& [opening, at] : openings) {
         const bool window = opening.rect.v0 > floor + 0.3;
         addFrame(mesh, opening.side, at, opening.rect, 0.11, 0.035, window);
     }
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}});
 }
 
 CellPlan doorway(const char* name, const Vec3& min, const Vec3& max, Axis axis, Material walls,

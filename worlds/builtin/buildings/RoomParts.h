@@ -13,7 +13,7 @@ struct WallOpening {
 
 /// Timber around openings, seen from inside a room with its floor at `floor`. Windows (openings that begin
 /// above it) get a sill. The model's origin is the building's.
-[[nodiscard]] dat::RecordId addTrim(ModelWriter& sink, const std::vector<WallOpening>& openings,
+[[nodiscard]] dat::RecordId addTrim(ModelWriter& writer, const std::vector<WallOpening>& openings,
                                     double floor = 0.0);
 
 /// The direction of a cell inside a wall or floor: a box that is open at both ends.

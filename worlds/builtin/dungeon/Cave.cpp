@@ -94,7 +94,7 @@ void furnishChamber(CellComplex& complex, const DungeonProps& props, std::size_t
 
 } // namespace
 
-CavePlan planCave(ModelWriter& sink, const DungeonProps& props) {
+CavePlan planCave(ModelWriter& writer, const DungeonProps& props) {
     CavePlan plan;
     CellComplex complex;
     const Outline mouth = tunnelOutline(0.0, 0.0, 0.0);
@@ -113,7 +113,7 @@ CavePlan planCave(ModelWriter& sink, const DungeonProps& props) {
     const std::size_t tunnel = complex.addRun("cave.tunnel", out, {0.25, 6.5, -3.0}, 4, kBareRock);
     complex.join(plan.chamber, tunnel, out);
     furnishChamber(complex, props, plan.chamber);
-    plan.parts = addDungeonCells(complex, sink, props, tunnel + 3);
+    plan.parts = addDungeonCells(complex, writer, props, tunnel + 3);
     plan.building.name = "cave";
     plan.building.exterior = outcrop();
     plan.building.cells = complex.finish();

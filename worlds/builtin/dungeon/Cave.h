@@ -12,7 +12,7 @@ struct CavePlan {
     DungeonParts parts;
     std::size_t chamber = 0; ///< index of the cave's wide part
 };
-[[nodiscard]] CavePlan planCave(ModelWriter& sink, const DungeonProps& props);
+[[nodiscard]] CavePlan planCave(ModelWriter& writer, const DungeonProps& props);
 
 /// Metres from the level ground in front of the mouth up to the mouth's floor.
 inline constexpr double kCaveSill = 0.3125;

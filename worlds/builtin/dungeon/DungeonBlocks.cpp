@@ -17,10 +17,10 @@ void stand(LandblockWriter& block, dat::BlockCoord coord, dat::RecordId model, d
     block.addObject({model, {{x, y, groundHeight(area.x, area.y)}, turn}});
 }
 
-void addTowerBlock(ModelWriter& sink, const DungeonProps& props, const Plants& plants, DungeonMap& map) {
-    LandblockWriter block(sink, kTowerBlock, kBuiltInCells);
+void addTowerBlock(ModelWriter& writer, const DungeonProps& props, const Plants& plants, DungeonMap& map) {
+    LandblockWriter block(writer, kTowerBlock, kBuiltInCells);
     map.tower = {{108.0, 108.0, towerLevel() + kTowerSill}, 0.0};
-    map.towerCells = block.add(linkedByPoints(planTower(sink, props)), map.tower);
+    map.towerCells = block.add(linkedByPoints(planTower(writer, props)), map.tower);
     stand(block, kTowerBlock, props.mast, 98.5, 102.5, 10.0);
     for (int k = 0; k < 5; ++k) {
         const double a = 0.9 + 0.55 * k;
@@ -34,9 +34,9 @@ void addTowerBlock(ModelWriter& sink, const DungeonProps& props, const Plants& p
     block.finish();
 }
 
-void addCaveBlock(ModelWriter& sink, const DungeonProps& props, const Plants& plants, DungeonMap& map) {
-    LandblockWriter block(sink, kCaveBlock, kBuiltInCells);
-    CavePlan plan = planCave(sink, props);
+void addCaveBlock(ModelWriter& writer, const DungeonProps& props, const Plants& plants, DungeonMap& map) {
+    LandblockWriter block(writer, kCaveBlock, kBuiltInCells);
+    CavePlan plan = planCave(writer, props);
     map.parts = plan.parts;
     map.chamber = plan.chamber;
     map.cave = {{84.0, 23.5, caveLevel() + kCaveSill}, 0.0};
@@ -61,26 +61,26 @@ void addCaveBlock(ModelWriter& sink, const DungeonProps& props, const Plants& pl
     block.finish();
 }
 
-void addSealedBlock(ModelWriter& sink, const DungeonProps& props, DungeonMap& map) {
-    LandblockWriter block(sink, kSealedBlock, kBuiltInCells);
+void addSealedBlock(ModelWriter& writer, const DungeonProps& props, DungeonMap& map) {
+    LandblockWriter block(writer, kSealedBlock, kBuiltInCells);
     map.sealed = {{96.0, 96.0, -24.0}, 0.0};
     map.sealedCells =
-        block.add(linkedByPoints({"sealed", {}, planSealedDungeon(sink, props), {}}), map.sealed);
+        block.add(linkedByPoints({"sealed", {}, planSealedDungeon(writer, props), {}}), map.sealed);
     block.finish();
     dat::LandBlock land;
     land.id = dat::landBlockId(kSealedBlock);
     land.hasObjects = 1;
-    sink.records().landBlocks.push_back(land);
+    writer.records().landBlocks.push_back(land);
 }
 
 } // namespace
 
-DungeonMap addDungeonBlocks(ModelWriter& sink, const Furniture& furniture, const Plants& plants) {
-    const DungeonProps props = addDungeonProps(sink, furniture);
+DungeonMap addDungeonBlocks(ModelWriter& writer, const Furniture& furniture, const Plants& plants) {
+    const DungeonProps props = addDungeonProps(writer, furniture);
     DungeonMap map;
-    addTowerBlock(sink, props, plants, map);
-    addCaveBlock(sink, props, plants, map);
-    addSealedBlock(sink, props, map);
+    addTowerBlock(writer, props, plants, map);
+    addCaveBlock(writer, props, plants, map);
+    addSealedBlock(writer, props, map);
     return map;
 }
 

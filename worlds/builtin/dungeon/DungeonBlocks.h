@@ -17,7 +17,7 @@ struct DungeonMap {
 };
 
 /// Builds the landblocks of the tower, of the cave with the dungeon behind it, and of the sealed dungeon.
-[[nodiscard]] DungeonMap addDungeonBlocks(ModelWriter& sink, const Furniture& furniture,
+[[nodiscard]] DungeonMap addDungeonBlocks(ModelWriter& writer, const Furniture& furniture,
                                           const Plants& plants);
 
 } // namespace limen::worlds

@@ -92,8 +92,8 @@ void addRingCorridors(CellComplex& complex, const DungeonProps& props, const Rin
     }
 }
 
-void furnishHub(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, std::size_t hub) {
-    const dat::RecordId column = addColumn(sink, kHubHeight, 0.5);
+void furnishHub(CellComplex& complex, ModelWriter& writer, const DungeonProps& props, std::size_t hub) {
+    const dat::RecordId column = addColumn(writer, kHubHeight, 0.5);
     for (const Vec2& p : octagon(5.25, 2.175))
         complex.furnish(hub, {column, {hubMiddle() + Vec3(p, 0.0), 0.0}});
     complex.furnish(hub, {props.brazier, {hubMiddle(), 0.0}});
@@ -141,7 +141,7 @@ Vec3 ringRoomMiddle(RingRoom room) {
     return hubMiddle() + wayTo(static_cast<std::size_t>(room)) * kRingSide;
 }
 
-Ring addHub(CellComplex& complex, ModelWriter& sink, const DungeonProps& props) {
+Ring addHub(CellComplex& complex, ModelWriter& writer, const DungeonProps& props) {
     Ring ring;
     ring.hub = addOctagon(complex, "hub", hubMiddle(), kHubReach, kHubHalf, kHubHeight, kMasonry);
     for (std::size_t k = 0; k < ring.rooms.size(); ++k) {
@@ -152,7 +152,7 @@ Ring addHub(CellComplex& complex, ModelWriter& sink, const DungeonProps& props) 
     ring.anteroom = addAnteroom(complex, ring.hub, ring.at(RingRoom::North));
     addSpokes(complex, ring);
     addRingCorridors(complex, props, ring);
-    furnishHub(complex, sink, props, ring.hub);
+    furnishHub(complex, writer, props, ring.hub);
     furnishRing(complex, props, ring);
     return ring;
 }

@@ -40,19 +40,19 @@ inline constexpr double kRingRoomReach = 4.0;
 
 /// Adds the hub with nine openings in its eight walls, the rooms around it, the spokes and the ring's
 /// corridors.
-[[nodiscard]] Ring addHub(CellComplex& complex, ModelWriter& sink, const DungeonProps& props);
+[[nodiscard]] Ring addHub(CellComplex& complex, ModelWriter& writer, const DungeonProps& props);
 
 /// Adds, west of the ring, a shaft of stacked cells with galleries on three floors and ramps between them.
 void addPit(CellComplex& complex, const DungeonProps& props, const Ring& ring, DungeonParts& parts);
 
 /// Adds, in the north, a crypt and a corridor from its eastern door to its western one. The corridor overlaps
 /// the crypt.
-void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, const Ring& ring,
+void addCrypt(CellComplex& complex, ModelWriter& writer, const DungeonProps& props, const Ring& ring,
               DungeonParts& parts);
 /// Adds, in the south-east, a U-shaped room around a yard, with windows to the yard from both arms.
 void addRecess(CellComplex& complex, const DungeonProps& props, const Ring& ring, DungeonParts& parts);
 /// Adds, in the east, twelve cells in a row and a shrine at their end.
-void addLongCorridor(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, const Ring& ring,
+void addLongCorridor(CellComplex& complex, ModelWriter& writer, const DungeonProps& props, const Ring& ring,
                      DungeonParts& parts);
 
 } // namespace limen::worlds

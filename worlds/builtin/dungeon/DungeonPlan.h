@@ -28,10 +28,10 @@ inline constexpr double kPitX = -52.0, kPitY = kHubY;
 [[nodiscard]] Outline tunnelOutline(double x, double y, double z);
 
 /// Adds the dungeon behind `entrance`, the cell that ends with the tunnel's outline at kEntranceY.
-[[nodiscard]] DungeonParts addDungeonCells(CellComplex& complex, ModelWriter& sink, const DungeonProps& props,
-                                           std::size_t entrance);
+[[nodiscard]] DungeonParts addDungeonCells(CellComplex& complex, ModelWriter& writer,
+                                           const DungeonProps& props, std::size_t entrance);
 
 /// An isolated small ring of rooms, around its own origin. The first cell is the hall.
-[[nodiscard]] std::vector<CellPlan> planSealedDungeon(ModelWriter& sink, const DungeonProps& props);
+[[nodiscard]] std::vector<CellPlan> planSealedDungeon(ModelWriter& writer, const DungeonProps& props);
 
 } // namespace limen::worlds

@@ -14,7 +14,7 @@ void addFlame(FaceMesh& mesh, const Vec3& foot, double half, double high) {
         mesh.card({foot - side, foot + side, foot + side + up, foot - side + up}, Material::Flame, true);
 }
 
-dat::RecordId addTorch(ModelWriter& sink) {
+dat::RecordId addTorch(ModelWriter& writer) {
     const Vec3 bowl{0.0, -kTorchFlameOut, kTorchFlameUp};
     FaceMesh mesh;
     mesh.beam({-0.05, -0.03, -0.16}, {0.05, 0.0, 0.12}, Material::Iron);
@@ -35,11 +35,11 @@ dat::RecordId addTorch(ModelWriter& sink) {
                    .cap = Material::Embers});
     FaceMesh flame;
     addFlame(flame, bowl - Vec3(0.0, 0.0, 0.03), 0.13, 0.40);
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flame, false), {}}},
-                         {{bowl + Vec3(0.0, -0.15, 0.25), kTorchLight, 0.55, 10.0}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}, {writer.addMesh(flame, false), {}}},
+                           {{bowl + Vec3(0.0, -0.15, 0.25), kTorchLight, 0.55, 10.0}});
 }
 
-dat::RecordId addBrazier(ModelWriter& sink) {
+dat::RecordId addBrazier(ModelWriter& writer) {
     FaceMesh mesh;
     for (int k = 0; k < 3; ++k) {
         const double a = 2.0943951023931953 * k + 0.3;
@@ -57,11 +57,11 @@ dat::RecordId addBrazier(ModelWriter& sink) {
     FaceMesh flames;
     for (const Vec3& foot : {Vec3(0.0, 0.0, 0.80), Vec3(0.19, 0.08, 0.82), Vec3(-0.16, 0.13, 0.82)})
         addFlame(flames, foot, 0.22, foot.x == 0.0 ? 0.78 : 0.5);
-    return sink.addSetup({{sink.addMesh(mesh), {}}, {sink.addMesh(flames, false), {}}},
-                         {{{0.0, 0.0, 1.7}, kEmberLight, 0.75, 14.0}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}, {writer.addMesh(flames, false), {}}},
+                           {{{0.0, 0.0, 1.7}, kEmberLight, 0.75, 14.0}});
 }
 
-dat::RecordId addStele(ModelWriter& sink) {
+dat::RecordId addStele(ModelWriter& writer) {
     FaceMesh mesh;
     const std::array<Vec3, 4> rings{Vec3(0.85, 0.5, -1.0), Vec3(0.8, 0.45, 1.6), Vec3(0.62, 0.36, 4.1),
                                     Vec3(0.3, 0.2, 5.0)};
@@ -78,10 +78,10 @@ dat::RecordId addStele(ModelWriter& sink) {
         }
     }
     mesh.polygon({corner(3, 0), corner(3, 1), corner(3, 2), corner(3, 3)}, Material::Rock);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addMast(ModelWriter& sink) {
+dat::RecordId addMast(ModelWriter& writer) {
     constexpr double kTop = 13.0;
     FaceMesh mesh;
     mesh.cylinder({.base = {0, 0, -1.0}, .lower = 0.14, .upper = 0.06, .height = kTop + 1.0, .sides = 10});
@@ -96,22 +96,22 @@ dat::RecordId addMast(ModelWriter& sink) {
     mesh.beam({-0.2, -0.03, 12.30}, {1.75, 0.03, 12.36}, Material::Oak);
     mesh.card({Vec3(0.15, 0.0, 8.6), Vec3(1.65, 0.0, 8.6), Vec3(1.65, 0.0, 12.30), Vec3(0.15, 0.0, 12.30)},
               Material::Blanket, true);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 } // namespace
 
-DungeonProps addDungeonProps(ModelWriter& sink, const Furniture& house) {
+DungeonProps addDungeonProps(ModelWriter& writer, const Furniture& house) {
     DungeonProps props;
-    props.torch = addTorch(sink);
-    props.brazier = addBrazier(sink);
-    props.stele = addStele(sink);
-    props.mast = addMast(sink);
+    props.torch = addTorch(writer);
+    props.brazier = addBrazier(writer);
+    props.stele = addStele(writer);
+    props.mast = addMast(writer);
     props.house = house;
     return props;
 }
 
-dat::RecordId addColumn(ModelWriter& sink, double height, double radius) {
+dat::RecordId addColumn(ModelWriter& writer, double height, double radius) {
     const double wide = radius * 1.35;
     FaceMesh mesh;
     mesh.box({-wide, -wide, 0.0}, {wide, wide, 0.35}, Material::Flagstones);
@@ -123,10 +123,10 @@ dat::RecordId addColumn(ModelWriter& sink, double height, double radius) {
                    .side = Material::StoneWall,
                    .caps = false});
     mesh.box({-wide, -wide, height - 0.4}, {wide, wide, height - 0.003}, Material::Flagstones);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addIronRailing(ModelWriter& sink, double length) {
+dat::RecordId addIronRailing(ModelWriter& writer, double length) {
     FaceMesh mesh;
     const int bars = std::max(2, static_cast<int>(length / 0.25) + 1);
     for (int k = 0; k < bars; ++k) {
@@ -134,7 +134,7 @@ dat::RecordId addIronRailing(ModelWriter& sink, double length) {
         mesh.beam({-0.015, y - 0.015, 0.0}, {0.015, y + 0.015, 0.87}, Material::Iron);
     }
     mesh.beam({-0.03, 0.0, 0.87}, {0.03, length, 0.91}, Material::Iron);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
 } // namespace limen::worlds

@@ -13,14 +13,14 @@ struct DungeonProps {
     dat::RecordId mast = 0;    ///< 13 m tall, with a banner to the east
     Furniture house;           ///< crates, barrels, chests
 };
-[[nodiscard]] DungeonProps addDungeonProps(ModelWriter& sink, const Furniture& house);
+[[nodiscard]] DungeonProps addDungeonProps(ModelWriter& writer, const Furniture& house);
 
 /// The flame of a torch: metres above its origin, and metres from the wall.
 inline constexpr double kTorchFlameUp = 0.32, kTorchFlameOut = 0.25;
 
 /// A round column on a square foot, with a square capital, `height` metres tall.
-[[nodiscard]] dat::RecordId addColumn(ModelWriter& sink, double height, double radius);
+[[nodiscard]] dat::RecordId addColumn(ModelWriter& writer, double height, double radius);
 /// An iron railing along y from 0 to `length`, 0.9 m high.
-[[nodiscard]] dat::RecordId addIronRailing(ModelWriter& sink, double length);
+[[nodiscard]] dat::RecordId addIronRailing(ModelWriter& writer, double length);
 
 } // namespace limen::worlds

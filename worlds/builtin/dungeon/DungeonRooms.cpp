@@ -12,7 +12,7 @@ Outline shifted(Outline outline, const Vec3& by) {
 
 } // namespace
 
-void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, const Ring& ring,
+void addCrypt(CellComplex& complex, ModelWriter& writer, const DungeonProps& props, const Ring& ring,
               DungeonParts& parts) {
     const Vec3 foot = ringRoomMiddle(RingRoom::North) + Vec3(0.0, kRingRoomReach, 0.0);
     const double y = foot.y + 4.0; // y of the crypt's southern wall
@@ -43,7 +43,7 @@ void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props
     }
     complex.join(parts.wrap + 4, parts.wrap + 5, rectOutline({{-10.5, y + 5.0, step}, {1, 0, 0}, 1.5}, 3.0));
     complex.join(parts.wrap + 5, parts.crypt, corridorOutline({-8.0, y + 3.0, step}, {0, 1, 0}));
-    const dat::RecordId column = addColumn(sink, 6.0, 0.4);
+    const dat::RecordId column = addColumn(writer, 6.0, 0.4);
     for (const double x : {-5.0, 5.0})
         for (const double along : {2.5, 9.5})
             complex.furnish(parts.crypt, {column, {{x, y + along, z}, 0.0}});
@@ -51,7 +51,7 @@ void addCrypt(CellComplex& complex, ModelWriter& sink, const DungeonProps& props
     tomb.box({-1.3, -0.7, 0.0}, {1.3, 0.7, 0.31}, Material::Flagstones);
     tomb.box({-1.1, -0.5, 0.31}, {1.1, 0.5, 0.85}, Material::StoneWall);
     tomb.box({-1.2, -0.6, 0.85}, {1.2, 0.6, 1.0}, Material::Flagstones);
-    const dat::RecordId tombs = sink.addSetup({{sink.addMesh(tomb), {}}});
+    const dat::RecordId tombs = writer.addSetup({{writer.addMesh(tomb), {}}});
     for (const double x : {-3.0, 0.0, 3.0})
         complex.furnish(parts.crypt, {tombs, {{x, y + 7.0, z}, 90.0}});
     for (const double x : {-3.0, 3.0})
@@ -108,7 +108,7 @@ void addRecess(CellComplex& complex, const DungeonProps& props, const Ring& ring
     complex.furnish(parts.recess, {props.house.barrel, {{east - 0.6, south + 0.7, z}, 0.0}});
 }
 
-void addLongCorridor(CellComplex& complex, ModelWriter& sink, const DungeonProps& props, const Ring& ring,
+void addLongCorridor(CellComplex& complex, ModelWriter& writer, const DungeonProps& props, const Ring& ring,
                      DungeonParts& parts) {
     constexpr std::size_t kCells = 12;
     const Vec3 step{6.0, 0.0, 0.0};
@@ -128,7 +128,7 @@ void addLongCorridor(CellComplex& complex, ModelWriter& sink, const DungeonProps
         addBoxCell(complex, "shrine", end - Vec3(0.0, 4.0, 0.0), end + Vec3(6.0, 4.0, 5.0), kMasonry);
     complex.join(parts.longCorridor + kCells - 1, shrine, corridorOutline(end, {0, 1, 0}, 1.5));
     complex.furnish(shrine, {props.brazier, {end + Vec3(4.5, 0.0, 0.0), 0.0}});
-    const dat::RecordId column = addColumn(sink, 5.0, 0.35);
+    const dat::RecordId column = addColumn(writer, 5.0, 0.35);
     for (const double y : {-2.8, 2.8})
         complex.furnish(shrine, {column, {end + Vec3(3.0, y, 0.0), 0.0}});
 }
@@ -144,26 +144,26 @@ Outline tunnelOutline(double x, double y, double z) {
     return out;
 }
 
-DungeonParts addDungeonCells(CellComplex& complex, ModelWriter& sink, const DungeonProps& props,
+DungeonParts addDungeonCells(CellComplex& complex, ModelWriter& writer, const DungeonProps& props,
                              std::size_t entrance) {
     DungeonParts parts;
-    const Ring ring = addHub(complex, sink, props);
+    const Ring ring = addHub(complex, writer, props);
     parts.hub = ring.hub;
     parts.anteroom = ring.anteroom;
     complex.join(entrance, ring.at(RingRoom::South), tunnelOutline(0.0, kEntranceY, kDungeonFloor));
     addPit(complex, props, ring, parts);
-    addCrypt(complex, sink, props, ring, parts);
+    addCrypt(complex, writer, props, ring, parts);
     addRecess(complex, props, ring, parts);
-    addLongCorridor(complex, sink, props, ring, parts);
+    addLongCorridor(complex, writer, props, ring, parts);
     return parts;
 }
 
-std::vector<CellPlan> planSealedDungeon(ModelWriter& sink, const DungeonProps& props) {
+std::vector<CellPlan> planSealedDungeon(ModelWriter& writer, const DungeonProps& props) {
     CellComplex complex;
     const std::size_t hall =
         complex.addSwept("hall", levelOutline(octagon(6.0, 2.5), 0.0), {0.0, 0.0, 6.0}, kMasonry);
     complex.furnish(hall, {props.brazier, {}});
-    const dat::RecordId column = addColumn(sink, 6.0, 0.4);
+    const dat::RecordId column = addColumn(writer, 6.0, 0.4);
     for (const Vec2& p : octagon(4.25, 1.75))
         complex.furnish(hall, {column, {Vec3(p, 0.0), 0.0}});
     // A way out to the east, round to the north, and back in.

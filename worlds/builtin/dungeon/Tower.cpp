@@ -164,10 +164,10 @@ FaceMesh exterior() {
     return mesh;
 }
 
-void furnishTower(CellComplex& complex, ModelWriter& sink, const DungeonProps& props) {
-    const dat::RecordId stair = addWindingStair(sink);
-    const dat::RecordId railing = addHatchRailing(sink);
-    const dat::RecordId newel = addNewelEnd(sink);
+void furnishTower(CellComplex& complex, ModelWriter& writer, const DungeonProps& props) {
+    const dat::RecordId stair = addWindingStair(writer);
+    const dat::RecordId railing = addHatchRailing(writer);
+    const dat::RecordId newel = addNewelEnd(writer);
     for (std::size_t room = 0; room < 3; ++room) {
         const Vec3 floor{0.0, 0.0, static_cast<double>(room) * kTowerStorey};
         const std::size_t cell = 2 * room;
@@ -191,7 +191,7 @@ void furnishTower(CellComplex& complex, ModelWriter& sink, const DungeonProps& p
 
 } // namespace
 
-BuildingPlan planTower(ModelWriter& sink, const DungeonProps& props) {
+BuildingPlan planTower(ModelWriter& writer, const DungeonProps& props) {
     CellComplex complex;
     const ShellMaterials stone{Material::Flagstones, Material::StoneWall, Material::OldPlanks};
     const ShellMaterials boards{Material::Planks, Material::StoneWall, Material::OldPlanks};
@@ -213,7 +213,7 @@ BuildingPlan planTower(ModelWriter& sink, const DungeonProps& props) {
             complex.open(cell, hatchAt(kCeiling));
         }
     }
-    furnishTower(complex, sink, props);
+    furnishTower(complex, writer, props);
     BuildingPlan plan;
     plan.name = "tower";
     plan.exterior = exterior();

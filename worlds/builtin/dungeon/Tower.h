@@ -9,7 +9,7 @@ namespace limen::worlds {
 /// An eight-sided tower of three rooms, one above the other. In its coordinates the middle is the origin, z =
 /// 0 the ground floor; the door is in the south. A winding stair goes up through eight-sided openings in the
 /// floors; the last one leads outside onto the roof. Cells from below: room, hatch, room, hatch, room.
-[[nodiscard]] BuildingPlan planTower(ModelWriter& sink, const DungeonProps& props);
+[[nodiscard]] BuildingPlan planTower(ModelWriter& writer, const DungeonProps& props);
 
 inline constexpr double kTowerStorey = 4.75;                  ///< from floor to floor
 inline constexpr double kTowerRoof = 3.0 * kTowerStorey;      ///< height of the roof's surface

@@ -17,7 +17,7 @@ double stairAngle(double z) {
     return 2.0 * std::numbers::pi * z / kTowerStorey;
 }
 
-dat::RecordId addWindingStair(ModelWriter& sink) {
+dat::RecordId addWindingStair(ModelWriter& writer) {
     const auto at = [](double radius, int step, double z) {
         const double a = 2.0 * std::numbers::pi * step / kStairsPerTurn;
         return Vec3(radius * std::cos(a), radius * std::sin(a), z);
@@ -56,10 +56,10 @@ dat::RecordId addWindingStair(ModelWriter& sink) {
                    .sides = 12,
                    .side = Material::StoneWall,
                    .caps = false});
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}});
 }
 
-dat::RecordId addHatchRailing(ModelWriter& sink) {
+dat::RecordId addHatchRailing(ModelWriter& writer) {
     const std::vector<Vec2> corners = octagon(kHatch + 0.08, kHatchHalf + 0.03);
     FaceMesh mesh;
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -77,10 +77,10 @@ dat::RecordId addHatchRailing(ModelWriter& sink) {
                       Material::Oak);
         }
     }
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}});
 }
 
-dat::RecordId addNewelEnd(ModelWriter& sink) {
+dat::RecordId addNewelEnd(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.cylinder({.base = {0, 0, 0},
                    .lower = kNewel,
@@ -90,7 +90,7 @@ dat::RecordId addNewelEnd(ModelWriter& sink) {
                    .side = Material::StoneWall,
                    .cap = Material::Flagstones});
     mesh.faces().pop_back(); // the lower cap is never visible
-    return sink.addSetup({{sink.addMesh(mesh), {}}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}});
 }
 
 } // namespace limen::worlds

@@ -39,12 +39,12 @@ dat::Fade fadeOf(double start, double end, double random = 0.0) {
 }
 
 /// A picture that faces the camera, `size` metres wide and high.
-dat::RecordId addSprite(ModelWriter& sink, Material material, double size) {
+dat::RecordId addSprite(ModelWriter& writer, Material material, double size) {
     FaceMesh mesh;
     const double h = size / 2.0;
     mesh.card({Vec3(-h, 0, -h), Vec3(h, 0, -h), Vec3(h, 0, h), Vec3(-h, 0, h)}, material, true);
-    const dat::RecordId id = sink.addMesh(mesh, false);
-    sink.setLevels(id, {{id, 2, 0.0f, 60.0f, 120.0f}});
+    const dat::RecordId id = writer.addMesh(mesh, false);
+    writer.setLevels(id, {{id, 2, 0.0f, 60.0f, 120.0f}});
     return id;
 }
 
@@ -64,11 +64,11 @@ struct Sprites {
     dat::RecordId flame = 0, spark = 0, smoke = 0, drop = 0;
 };
 
-Sprites addSprites(ModelWriter& sink) {
+Sprites addSprites(ModelWriter& writer) {
     Sprites s;
-    s.flame = addSprite(sink, Material::Fire, 0.36);
-    s.spark = addSprite(sink, Material::Firefly, 0.12);
-    s.smoke = addSprite(sink, Material::Smoke, 0.4);
+    s.flame = addSprite(writer, Material::Fire, 0.36);
+    s.spark = addSprite(writer, Material::Firefly, 0.12);
+    s.smoke = addSprite(writer, Material::Smoke, 0.4);
     FaceMesh drop; // a solid mesh, because it tumbles
     const std::array<Vec3, 4> p{Vec3(0, 0, 0.04), Vec3(0.03, 0, -0.02), Vec3(-0.02, 0.03, -0.02),
                                 Vec3(-0.02, -0.03, -0.02)};
@@ -76,11 +76,11 @@ Sprites addSprites(ModelWriter& sink) {
     drop.polygon({p[0], p[2], p[3]}, Material::Wax);
     drop.polygon({p[0], p[3], p[1]}, Material::Wax);
     drop.polygon({p[1], p[3], p[2]}, Material::Wax);
-    s.drop = sink.addMesh(drop, false);
+    s.drop = writer.addMesh(drop, false);
     return s;
 }
 
-dat::RecordId addFlames(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addFlames(ModelWriter& writer, const Sprites& sprites) {
     dat::ParticleEmitter e = emitterOf(sprites.flame, ParticleType::ParabolicLVGA, 0.06, 16, 0.8);
     e.lifespanRandom = 0.2;
     e.offset = vectorOf({0, 0, 1}, 0.0, 0.22);
@@ -88,10 +88,10 @@ dat::RecordId addFlames(ModelWriter& sink, const Sprites& sprites) {
     e.b = vectorOf({0.05, 0, 0.7}, 0.5, 1.5);
     e.scale = fadeOf(1.2, 0.4, 0.2);
     e.translucency = fadeOf(0.2, 1.0);
-    return sink.addEmitter(e);
+    return writer.addEmitter(e);
 }
 
-dat::RecordId addSparks(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addSparks(ModelWriter& writer, const Sprites& sprites) {
     dat::ParticleEmitter e = emitterOf(sprites.spark, ParticleType::Swarm, 0.4, 10, 3.0);
     e.lifespanRandom = 1.0;
     e.offset = vectorOf({0, 0, 1}, 0.0, 0.3);
@@ -100,20 +100,20 @@ dat::RecordId addSparks(ModelWriter& sink, const Sprites& sprites) {
     e.c = vectorOf({0.25, 0.25, 0.1}, 0.5, 1.0);
     e.scale = fadeOf(1.0, 0.5);
     e.translucency = fadeOf(0.0, 0.8);
-    return sink.addEmitter(e);
+    return writer.addEmitter(e);
 }
 
-dat::RecordId addSmoke(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addSmoke(ModelWriter& writer, const Sprites& sprites) {
     dat::ParticleEmitter e = emitterOf(sprites.smoke, ParticleType::GlobalVelocity, 0.5, 12, 5.0);
     e.offset = vectorOf({0, 0, 1}, 0.0, 0.2);
     e.a = vectorOf({0.12, 0.05, 0.8}, 0.8, 1.1);
     e.scale = fadeOf(1.0, 4.0, 0.3);
     e.translucency = fadeOf(0.55, 1.0);
-    return sink.addEmitter(e);
+    return writer.addEmitter(e);
 }
 
 /// A ring of stones, two logs, and fire.
-dat::RecordId addCampfire(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addCampfire(ModelWriter& writer, const Sprites& sprites) {
     FaceMesh mesh;
     for (int k = 0; k < 8; ++k) {
         const double a = 2.0 * std::numbers::pi * k / 8.0;
@@ -123,17 +123,17 @@ dat::RecordId addCampfire(ModelWriter& sink, const Sprites& sprites) {
     mesh.strut({-0.4, -0.1, 0.04}, {0.35, 0.15, 0.12}, {0, 0, 1}, 0.12, 0.12, Material::Bark);
     mesh.strut({0.1, -0.4, 0.10}, {-0.05, 0.4, 0.16}, {0, 0, 1}, 0.12, 0.12, Material::Embers);
     const dat::RecordId setup =
-        sink.addSetup({{sink.addMesh(mesh), {}}}, {{{0.0, 0.0, 0.7}, 0xFFFF9C50, 0.8, 9.0}});
+        writer.addSetup({{writer.addMesh(mesh), {}}}, {{{0.0, 0.0, 0.7}, 0xFFFF9C50, 0.8, 9.0}});
     const dat::RecordId script =
-        sink.addScript({{0.0, particleHook(addFlames(sink, sprites), -1, {0, 0, 0.2}, 1)},
-                        {0.0, particleHook(addSparks(sink, sprites), -1, {0, 0, 0.4}, 2)},
-                        {0.0, particleHook(addSmoke(sink, sprites), -1, {0, 0, 1.1}, 3)}});
-    sink.setEffects(setup, {.script = script});
+        writer.addScript({{0.0, particleHook(addFlames(writer, sprites), -1, {0, 0, 0.2}, 1)},
+                          {0.0, particleHook(addSparks(writer, sprites), -1, {0, 0, 0.4}, 2)},
+                          {0.0, particleHook(addSmoke(writer, sprites), -1, {0, 0, 1.1}, 3)}});
+    writer.setEffects(setup, {.script = script});
     return setup;
 }
 
 /// A basin and a pillar with water that springs from its top and sometimes splashes to all sides.
-dat::RecordId addFountain(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addFountain(ModelWriter& writer, const Sprites& sprites) {
     FaceMesh basin, pillar;
     for (const double s : {-1.0, 1.0}) {
         basin.box({s * 0.85 - 0.1, -0.95, -0.4}, {s * 0.85 + 0.1, 0.95, 0.35}, Material::StoneWall);
@@ -142,7 +142,7 @@ dat::RecordId addFountain(ModelWriter& sink, const Sprites& sprites) {
     basin.polygon({{-0.75, -0.75, 0.22}, {0.75, -0.75, 0.22}, {0.75, 0.75, 0.22}, {-0.75, 0.75, 0.22}},
                   Material::WaterDark);
     pillar.box({-0.12, -0.12, -0.4}, {0.12, 0.12, 0.9}, Material::StoneWall);
-    const dat::RecordId setup = sink.addSetup({{sink.addMesh(basin), {}}, {sink.addMesh(pillar), {}}});
+    const dat::RecordId setup = writer.addSetup({{writer.addMesh(basin), {}}, {writer.addMesh(pillar), {}}});
     std::vector<dat::ScriptedHook> hooks;
     for (const Vec3& side : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)}) {
         dat::ParticleEmitter jet = emitterOf(sprites.drop, ParticleType::ParabolicLVGAGR, 0.05, 20, 0.65);
@@ -152,18 +152,18 @@ dat::RecordId addFountain(ModelWriter& sink, const Sprites& sprites) {
         jet.b = vectorOf({0, 0, -9.8});
         jet.c = vectorOf({4.0, 3.0, 0.0}, 0.5, 1.5);
         jet.scale = fadeOf(1.0, 0.6, 0.3);
-        hooks.push_back({0.0, particleHook(sink.addEmitter(jet), 1, {0, 0, 0.92})});
+        hooks.push_back({0.0, particleHook(writer.addEmitter(jet), 1, {0, 0, 0.92})});
     }
     dat::ParticleEmitter splash = emitterOf(sprites.drop, ParticleType::Explode, 1.0, 30, 0.5);
     splash.initialParticles = splash.totalParticles = 30;
     splash.a = vectorOf({1.1, 0, 0}, 0.6, 1.0);
     splash.b = vectorOf({0, 0, -2.2});
     splash.c = vectorOf({1, 1, 0.8});
-    const dat::RecordId script = sink.nextScript();
-    hooks.push_back({0.5, particleHook(sink.addEmitter(splash), 1, {0, 0, 1.05})});
+    const dat::RecordId script = writer.nextScript();
+    hooks.push_back({0.5, particleHook(writer.addEmitter(splash), 1, {0, 0, 1.05})});
     hooks.push_back({1.5, callHook(script, 2.0)});
-    sink.addScript(std::move(hooks));
-    sink.setEffects(setup, {.script = script});
+    writer.addScript(std::move(hooks));
+    writer.setEffects(setup, {.script = script});
     return setup;
 }
 
@@ -172,7 +172,7 @@ dat::Frame turnedFrame(const Vec3& origin, const Vec3& axis, double angle) {
 }
 
 /// A wheel of four sails on a post, turned by the Setup's own animation.
-dat::RecordId addWhirligig(ModelWriter& sink) {
+dat::RecordId addWhirligig(ModelWriter& writer) {
     constexpr double kHub = 2.6;
     constexpr int kFrames = 120;
     FaceMesh post, sails;
@@ -185,27 +185,27 @@ dat::RecordId addWhirligig(ModelWriter& sink) {
         sails.strut(hub + out * 0.05, hub + out * 0.3, {0, 1, 0}, 0.02, 0.05, Material::Iron);
         sails.strut(hub + out * 0.2, hub + out * 0.95, {0, 1, 0}, 0.03, 0.30, Material::Linen);
     }
-    const std::vector<SetupPart> parts{{sink.addMesh(post), {}},
-                                       {sink.addMesh(sails, false), {{0, 0, kHub}, 0.0}}};
+    const std::vector<SetupPart> parts{{writer.addMesh(post), {}},
+                                       {writer.addMesh(sails, false), {{0, 0, kHub}, 0.0}}};
     std::vector<dat::AnimationFrame> frames;
     for (int k = 0; k < kFrames; ++k) {
         const double a = 2.0 * std::numbers::pi * k / kFrames;
         frames.push_back({{toFrame(parts[0].at), turnedFrame(parts[1].at.origin, {0, 1, 0}, a)}, {}});
     }
-    const dat::RecordId setup = sink.addSetup(parts);
-    sink.setEffects(setup, {.animation = sink.addAnimation(std::move(frames))});
+    const dat::RecordId setup = writer.addSetup(parts);
+    writer.setEffects(setup, {.animation = writer.addAnimation(std::move(frames))});
     return setup;
 }
 
 /// A vane on a post, swung to and fro by its motion table.
-dat::RecordId addVane(ModelWriter& sink) {
+dat::RecordId addVane(ModelWriter& writer) {
     constexpr int kFrames = 48;
     FaceMesh post, arrow;
     post.beam({-0.04, -0.04, -0.6}, {0.04, 0.04, 3.0}, Material::Iron);
     arrow.beam({-0.02, -0.6, -0.02}, {0.02, 0.6, 0.02}, Material::Iron);
     arrow.box({-0.01, -0.62, -0.14}, {0.01, -0.30, 0.14}, Material::Iron);
-    const std::vector<SetupPart> parts{{sink.addMesh(post), {}},
-                                       {sink.addMesh(arrow, false), {{0, 0, 3.05}, 0.0}}};
+    const std::vector<SetupPart> parts{{writer.addMesh(post), {}},
+                                       {writer.addMesh(arrow, false), {{0, 0, 3.05}, 0.0}}};
     std::vector<dat::AnimationFrame> frames;
     for (int k = 0; k < kFrames; ++k) {
         const double phase = 2.0 * std::numbers::pi * k / kFrames;
@@ -213,15 +213,15 @@ dat::RecordId addVane(ModelWriter& sink) {
         frames.push_back({{toFrame(parts[0].at), turnedFrame(parts[1].at.origin, {0, 0, 1}, a)}, {}});
     }
     dat::MotionData swings;
-    swings.animations = {{sink.addAnimation(std::move(frames)), 0, -1, 6.0f}};
+    swings.animations = {{writer.addAnimation(std::move(frames)), 0, -1, 6.0f}};
     dat::MotionTable table;
     table.defaultStyle = kNonCombat;
     table.styleDefaults = {{kNonCombat, kReady}};
     table.cycles = {{dat::motionKey(kNonCombat, kReady), swings}};
-    return sink.addSetup(parts, {}, sink.addMotionTable(std::move(table)));
+    return writer.addSetup(parts, {}, writer.addMotionTable(std::move(table)));
 }
 
-dat::RecordId addCandleScript(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addCandleScript(ModelWriter& writer, const Sprites& sprites) {
     dat::ParticleEmitter glow = emitterOf(sprites.spark, ParticleType::Still, 1.0, 2, 1.0);
     glow.scale = fadeOf(1.6, 2.2, 0.2);
     glow.translucency = fadeOf(0.6, 0.75, 0.1);
@@ -230,11 +230,11 @@ dat::RecordId addCandleScript(ModelWriter& sink, const Sprites& sprites) {
     thread.scale = fadeOf(0.1, 0.3);
     thread.translucency = fadeOf(0.75, 1.0);
     thread.isParentLocal = 1;
-    return sink.addScript({{0.0, particleHook(sink.addEmitter(glow), -1, {0, 0, 0.22})},
-                           {0.0, particleHook(sink.addEmitter(thread), -1, {0, 0, 0.28})}});
+    return writer.addScript({{0.0, particleHook(writer.addEmitter(glow), -1, {0, 0, 0.22})},
+                             {0.0, particleHook(writer.addEmitter(thread), -1, {0, 0, 0.28})}});
 }
 
-dat::RecordId addCartScript(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addCartScript(ModelWriter& writer, const Sprites& sprites) {
     dat::ParticleEmitter e = emitterOf(sprites.smoke, ParticleType::ParabolicGVGA, 0.6, 12, 2.0);
     e.emitterType = dat::ParticleEmitter::kPerMetre;
     e.offset = vectorOf({0, 0, 1}, 0.0, 0.1);
@@ -242,23 +242,23 @@ dat::RecordId addCartScript(ModelWriter& sink, const Sprites& sprites) {
     e.b = vectorOf({0, 0, -0.1});
     e.scale = fadeOf(0.5, 1.5, 0.2);
     e.translucency = fadeOf(0.75, 1.0);
-    const dat::RecordId dust = sink.addEmitter(e);
-    return sink.addScript(
+    const dat::RecordId dust = writer.addEmitter(e);
+    return writer.addScript(
         {{0.0, particleHook(dust, -1, {-0.7, -2.2, 0.1})}, {0.0, particleHook(dust, -1, {0.7, -2.2, 0.1})}});
 }
 
-dat::RecordId addDust(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addDust(ModelWriter& writer, const Sprites& sprites) {
     dat::ParticleEmitter e = emitterOf(sprites.smoke, ParticleType::LocalVelocity, 0.1, 3, 0.9);
     e.initialParticles = e.totalParticles = 3;
     e.offset = vectorOf({0, 0, 1}, 0.02, 0.08);
     e.a = vectorOf({0, -0.15, 0.12}, 0.5, 1.0);
     e.scale = fadeOf(0.2, 0.7, 0.1);
     e.translucency = fadeOf(0.8, 1.0);
-    return sink.addEmitter(e);
+    return writer.addEmitter(e);
 }
 
 /// Sparks at the lantern: a weak and a strong script.
-dat::RecordId addWatchmansScripts(ModelWriter& sink, const Sprites& sprites) {
+dat::RecordId addWatchmansScripts(ModelWriter& writer, const Sprites& sprites) {
     dat::PhysicsScriptTable table;
     table.scripts = {{kWatchmansPlay, {}}};
     for (const int most : {4, 12}) {
@@ -270,10 +270,11 @@ dat::RecordId addWatchmansScripts(ModelWriter& sink, const Sprites& sprites) {
         e.translucency = fadeOf(0.2, 0.9);
         e.isParentLocal = 1;
         // Part 6 is the lantern; its origin is the flame.
-        const dat::RecordId script = sink.addScript({{0.0, particleHook(sink.addEmitter(e), 6, {0, 0, 0})}});
+        const dat::RecordId script =
+            writer.addScript({{0.0, particleHook(writer.addEmitter(e), 6, {0, 0, 0})}});
         table.scripts.front().second.push_back({most == 4 ? 0.5f : 1.0f, script});
     }
-    return sink.addScriptTable(std::move(table));
+    return writer.addScriptTable(std::move(table));
 }
 
 } // namespace
@@ -290,34 +291,34 @@ dat::AnimationHook particleHook(dat::RecordId emitter, int part, const Vec3& at,
     return hook;
 }
 
-dat::RecordId addSnowScript(ModelWriter& sink) {
+dat::RecordId addSnowScript(ModelWriter& writer) {
     constexpr double kAbove = 6.0, kAround = 10.0; // metres
     constexpr double kFastest = 1.0 / 60.0; // seconds between flakes; the shortest interval of any emitter
     std::vector<dat::ScriptedHook> hooks;
     for (const double size : {0.035, 0.05, 0.07}) {
         dat::ParticleEmitter e =
-            emitterOf(addSprite(sink, Material::Snowflake, size), ParticleType::Swarm, kFastest, 420, 7.0);
+            emitterOf(addSprite(writer, Material::Snowflake, size), ParticleType::Swarm, kFastest, 420, 7.0);
         e.offset = vectorOf({0, 0, 1}, 0.0, kAround);
         e.a = vectorOf({0.3, 0.12, -1.3}, 0.75, 1.15);
         e.b = vectorOf({1.4, 1.1, 0.6}, 0.7, 1.3);
         e.c = vectorOf({0.22, 0.22, 0.05}, 0.5, 1.0);
         e.translucency = fadeOf(0.0, 0.2);
-        hooks.push_back({0.0, particleHook(sink.addEmitter(e), -1, {0, 0, kAbove})});
+        hooks.push_back({0.0, particleHook(writer.addEmitter(e), -1, {0, 0, kAbove})});
     }
-    return sink.addScript(std::move(hooks));
+    return writer.addScript(std::move(hooks));
 }
 
-Effects addEffects(ModelWriter& sink) {
-    const Sprites sprites = addSprites(sink);
+Effects addEffects(ModelWriter& writer) {
+    const Sprites sprites = addSprites(writer);
     Effects effects;
-    effects.candleScript = addCandleScript(sink, sprites);
-    effects.cartScript = addCartScript(sink, sprites);
-    effects.dust = addDust(sink, sprites);
-    effects.watchmansScripts = addWatchmansScripts(sink, sprites);
-    effects.campfire = addCampfire(sink, sprites);
-    effects.fountain = addFountain(sink, sprites);
-    effects.whirligig = addWhirligig(sink);
-    effects.vane = addVane(sink);
+    effects.candleScript = addCandleScript(writer, sprites);
+    effects.cartScript = addCartScript(writer, sprites);
+    effects.dust = addDust(writer, sprites);
+    effects.watchmansScripts = addWatchmansScripts(writer, sprites);
+    effects.campfire = addCampfire(writer, sprites);
+    effects.fountain = addFountain(writer, sprites);
+    effects.whirligig = addWhirligig(writer);
+    effects.vane = addVane(writer);
     return effects;
 }
 

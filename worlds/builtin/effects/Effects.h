@@ -15,10 +15,10 @@ struct Effects {
     dat::RecordId dust = 0;             ///< ParticleEmitter: a puff where a foot is set down
     dat::RecordId campfire = 0, fountain = 0, whirligig = 0, vane = 0; ///< Setups that stand on the ground
 };
-[[nodiscard]] Effects addEffects(ModelWriter& sink);
+[[nodiscard]] Effects addEffects(ModelWriter& writer);
 
 /// PhysicsScript: snow around the place where it is played.
-[[nodiscard]] dat::RecordId addSnowScript(ModelWriter& sink);
+[[nodiscard]] dat::RecordId addSnowScript(ModelWriter& writer);
 
 /// A hook, for an AnimationFrame or a script, that starts an emitter at a point of a part. `part` -1: the
 /// whole object.

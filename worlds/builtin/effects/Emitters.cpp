@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The parameters of an emitter's sprites (docs/world-file.md).
-struct Manner {
+struct SpriteSettings {
     Material surface = Material::Smoke;
     double rate = 6.0, life = 3.0;
     Vec3 velocity{0.0};
@@ -34,16 +34,16 @@ Json toJson(const Vec3& v) {
 
 class EmitterList {
 public:
-    void at(const std::string& name, const Manner& manner, const Vec3& global, dat::RecordId cell) {
-        add(name, manner, global, cell == 0 ? "outside" : fmt::format("0x{:08X}", cell), "");
+    void at(const std::string& name, const SpriteSettings& sprites, const Vec3& global, dat::RecordId cell) {
+        add(name, sprites, global, cell == 0 ? "outside" : fmt::format("0x{:08X}", cell), "");
     }
-    void on(const std::string& name, const Manner& manner, const char* villager, const Vec3& local) {
-        add(name, manner, local, "outside", villager);
+    void on(const std::string& name, const SpriteSettings& sprites, const char* villager, const Vec3& local) {
+        add(name, sprites, local, "outside", villager);
     }
     Json take() { return std::move(list_); }
 
 private:
-    void add(const std::string& name, const Manner& m, const Vec3& position, const std::string& cell,
+    void add(const std::string& name, const SpriteSettings& m, const Vec3& position, const std::string& cell,
              const char* villager) {
         Json json;
         json["name"] = name;
@@ -66,20 +66,20 @@ private:
     Json list_ = Json::array();
 };
 
-constexpr Manner kSmoke{Material::Smoke,     5.0,  5.0,           {0.0, 0.0, 0.9}, 0.15,
-                        {0.12, 0.05, -0.05}, 0.10, {{0.35, 1.9}}, {{0.55, 0.0}}};
-constexpr Manner kHearth{Material::Fire, 14.0,           0.7,          {0.0, 0.0, 0.7}, 0.12, {0.0, 0.0, 0.3},
-                         0.22,           {{0.34, 0.14}}, {{0.75, 0.0}}};
-constexpr Manner kTorch{Material::Fire, 14.0,           0.6,          {0.0, 0.0, 0.7}, 0.08, {0.1, 0.0, 0.4},
-                        0.03,           {{0.26, 0.08}}, {{0.85, 0.0}}};
-constexpr Manner kBrazier{Material::Fire,  9.0, 1.25,           {0.0, 0.0, 0.9}, 0.2,
-                          {0.0, 0.0, 0.3}, 0.2, {{0.26, 0.06}}, {{0.8, 0.0}}};
-constexpr Manner kFireflies{
+constexpr SpriteSettings kSmoke{Material::Smoke,     5.0,  5.0,           {0.0, 0.0, 0.9}, 0.15,
+                                {0.12, 0.05, -0.05}, 0.10, {{0.35, 1.9}}, {{0.55, 0.0}}};
+constexpr SpriteSettings kHearth{
+    Material::Fire, 14.0, 0.7, {0.0, 0.0, 0.7}, 0.12, {0.0, 0.0, 0.3}, 0.22, {{0.34, 0.14}}, {{0.75, 0.0}}};
+constexpr SpriteSettings kTorch{
+    Material::Fire, 14.0, 0.6, {0.0, 0.0, 0.7}, 0.08, {0.1, 0.0, 0.4}, 0.03, {{0.26, 0.08}}, {{0.85, 0.0}}};
+constexpr SpriteSettings kBrazier{Material::Fire,  9.0, 1.25,           {0.0, 0.0, 0.9}, 0.2,
+                                  {0.0, 0.0, 0.3}, 0.2, {{0.26, 0.06}}, {{0.8, 0.0}}};
+constexpr SpriteSettings kFireflies{
     Material::Firefly, 9.0, 6.0, {0.0, 0.0, 0.05}, 0.35, {0.0, 0.0, 0.02}, 4.5, {{0.30, 0.20}}, {{1.0, 0.0}}};
-constexpr Manner kSwirl{Material::Swirl, 5.0,  2.4,          {0.0, 0.0, 0.12}, 0.05,
-                        {0.0, 0.0, 0.0}, 0.18, {{0.7, 2.1}}, {{0.3, 0.0}}};
-constexpr Manner kLanternGlow{Material::Fire, 9.0,         0.4, {0.0, 0.0, 0.25}, 0.02, {0.0, 0.0, 0.0}, 0.01,
-                              {{0.14, 0.06}}, {{0.9, 0.1}}};
+constexpr SpriteSettings kSwirl{Material::Swirl, 5.0,  2.4,          {0.0, 0.0, 0.12}, 0.05,
+                                {0.0, 0.0, 0.0}, 0.18, {{0.7, 2.1}}, {{0.3, 0.0}}};
+constexpr SpriteSettings kLanternGlow{
+    Material::Fire, 9.0, 0.4, {0.0, 0.0, 0.25}, 0.02, {0.0, 0.0, 0.0}, 0.01, {{0.14, 0.06}}, {{0.9, 0.1}}};
 
 Vec3 overGround(double x, double y, double height) {
     return toGlobal({192.0 + x, 192.0 + y, groundHeight(192.0 + x, 192.0 + y) + height});

@@ -195,14 +195,14 @@ FaceMesh stone(const Vec3& size, std::uint32_t seed) {
 
 } // namespace
 
-Plants addPlants(ModelWriter& sink) {
-    const auto tree = [&](const FaceMesh& mesh) { return sink.addSetup({{sink.addMesh(mesh), {}}}); };
+Plants addPlants(ModelWriter& writer) {
+    const auto tree = [&](const FaceMesh& mesh) { return writer.addSetup({{writer.addMesh(mesh), {}}}); };
     Plants p;
     p.oak = tree(oakTree());
     p.birch = tree(birchTree());
     p.pine = tree(pineTree(9.5, 2.7, 9));
     p.youngPine = tree(pineTree(4.2, 1.5, 6));
-    p.bush = sink.addMesh(bush(), false);
+    p.bush = writer.addMesh(bush(), false);
     FaceMesh stump;
     stump.cylinder({.base = {0, 0, -0.3},
                     .lower = 0.46,
@@ -211,10 +211,10 @@ Plants addPlants(ModelWriter& sink) {
                     .sides = 9,
                     .side = Material::Bark,
                     .cap = Material::OldPlanks});
-    p.stump = sink.addMesh(stump);
-    p.grass = sink.addMesh(tuft(Material::GrassTuft, 0.34, 0.42, 2), false);
-    p.tallGrass = sink.addMesh(tuft(Material::GrassTuft, 0.45, 0.75, 3), false);
-    p.flowers = sink.addMesh(tuft(Material::Flowers, 0.28, 0.46, 2), false);
+    p.stump = writer.addMesh(stump);
+    p.grass = writer.addMesh(tuft(Material::GrassTuft, 0.34, 0.42, 2), false);
+    p.tallGrass = writer.addMesh(tuft(Material::GrassTuft, 0.45, 0.75, 3), false);
+    p.flowers = writer.addMesh(tuft(Material::Flowers, 0.28, 0.46, 2), false);
     FaceMesh fern;
     for (int k = 0; k < 6; ++k) {
         const double a = kTurn * k / 6.0;
@@ -228,9 +228,9 @@ Plants addPlants(ModelWriter& sink) {
         face.material = Material::PineBranch;
         fern.addThin(face);
     }
-    p.fern = sink.addMesh(fern, false);
-    p.rock = sink.addMesh(stone({0.55, 0.42, 0.36}, 3041));
-    p.boulder = sink.addMesh(stone({1.5, 1.2, 1.1}, 3043));
+    p.fern = writer.addMesh(fern, false);
+    p.rock = writer.addMesh(stone({0.55, 0.42, 0.36}, 3041));
+    p.boulder = writer.addMesh(stone({1.5, 1.2, 1.1}, 3043));
     return p;
 }
 

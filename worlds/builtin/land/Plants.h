@@ -10,6 +10,6 @@ struct Plants {
     dat::RecordId grass = 0, tallGrass = 0, flowers = 0, fern = 0;
     dat::RecordId rock = 0, boulder = 0;
 };
-[[nodiscard]] Plants addPlants(ModelWriter& sink);
+[[nodiscard]] Plants addPlants(ModelWriter& writer);
 
 } // namespace limen::worlds

@@ -229,7 +229,7 @@ dat::GameTime calendar() {
 
 } // namespace
 
-void addRegion(ModelWriter& sink, const Plants& plants) {
+void addRegion(ModelWriter& writer, const Plants& plants) {
     dat::Region region;
     region.id = dat::kRegionId;
     region.name = "Limen";
@@ -240,11 +240,11 @@ void addRegion(ModelWriter& sink, const Plants& plants) {
     for (int i = 0; i < 256; ++i)
         region.landDefs.heights[static_cast<std::size_t>(i)] = static_cast<float>(heightOfIndex(i));
     region.gameTime = calendar();
-    region.sky = buildSky(sink);
-    addScenes(region, sink.records(), plants);
+    region.sky = buildSky(writer);
+    addScenes(region, writer.records(), plants);
     addTerrainTypes(region);
     addTexMerge(region.texMerge);
-    sink.records().regions.push_back(std::move(region));
+    writer.records().regions.push_back(std::move(region));
 }
 
 } // namespace limen::worlds

@@ -7,10 +7,10 @@ namespace limen::worlds {
 
 /// Adds the Region (heights, calendar, sky, terrain types with their scenes, ground pictures, blend maps) and
 /// its Scenes.
-void addRegion(ModelWriter& sink, const Plants& plants);
+void addRegion(ModelWriter& writer, const Plants& plants);
 
 /// The sky: domes, sun, moon and clouds as GfxObjs, and two day groups, fair and snowy, with keyframes
 /// through the day.
-[[nodiscard]] dat::SkyDesc buildSky(ModelWriter& sink);
+[[nodiscard]] dat::SkyDesc buildSky(ModelWriter& writer);
 
 } // namespace limen::worlds

@@ -196,8 +196,8 @@ dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId 
 
 } // namespace
 
-dat::SkyDesc buildSky(ModelWriter& sink) {
-    const auto mesh = [&sink](const FaceMesh& m) { return sink.addMesh(m, false); };
+dat::SkyDesc buildSky(ModelWriter& writer) {
+    const auto mesh = [&writer](const FaceMesh& m) { return writer.addMesh(m, false); };
     const dat::RecordId night = mesh(dome(Material::SkyNight));
     dat::DayGroup fair;
     fair.chance = 0.8f;
@@ -224,7 +224,7 @@ dat::SkyDesc buildSky(ModelWriter& sink) {
     sky.dayGroups.push_back(std::move(fair));
     // Separate statements fix the order of the ids. The evaluation order of arguments differs between
     // compilers.
-    const dat::RecordId snow = addSnowScript(sink);
+    const dat::RecordId snow = addSnowScript(writer);
     const dat::RecordId cloud = mesh(dome(Material::SkySnow));
     sky.dayGroups.push_back(snowyDays(night, cloud, snow));
     return sky;

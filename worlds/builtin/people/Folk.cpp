@@ -200,8 +200,8 @@ std::vector<Vec3> hallTorches() {
     return {{wall, hall::kMiddle - 2.2, 2.1}, {wall, hall::kMiddle + 2.2, 2.1}};
 }
 
-void addFolk(ModelWriter& sink, const Effects& effects, VillageMap& map) {
-    const FolkModels models = addFolkModels(sink, effects);
+void addFolk(ModelWriter& writer, const Effects& effects, VillageMap& map) {
+    const FolkModels models = addFolkModels(writer, effects);
     map.routes = {guestRoute(map), innkeeperRoute(map), maidRoute(map), elderRoute(map),
                   watchRoute(map), farmerRoute(map),    cartRoute(map)};
     map.villagers = {villager("guest", models.farmer, "guest", 1.3, 0.0),

@@ -41,8 +41,8 @@ dat::Palette dyed(dat::Palette palette, dat::RecordId id, std::uint32_t percent)
 
 } // namespace
 
-dat::RecordId addCloak(ModelWriter& sink, const std::vector<dat::RecordId>& setups, dat::RecordId cloaked) {
-    WorldRecords& records = sink.records();
+dat::RecordId addCloak(ModelWriter& writer, const std::vector<dat::RecordId>& setups, dat::RecordId cloaked) {
+    WorldRecords& records = writer.records();
     const dat::Palette cloth =
         paletteOf(records, Material::Rug); // a copy, because adding palettes moves them
     dat::PaletteSet dyes{kDyes, {}};

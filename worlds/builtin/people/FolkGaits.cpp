@@ -153,7 +153,7 @@ dat::MotionData played(dat::RecordId animation, double rate, double velocity) {
     return data;
 }
 
-dat::MotionData addGoing(ModelWriter& sink, const std::vector<SetupPart>& parts,
+dat::MotionData addGoing(ModelWriter& writer, const std::vector<SetupPart>& parts,
                          const std::vector<Role>& roles, const Stride& stride, dat::RecordId dust) {
     // The cycle has whole turns of a wheel, so that it ends in its first pose.
     const int rounds = std::count(roles.begin(), roles.end(), Role::Wheel) > 0 ? kSpokes : 1;
@@ -168,7 +168,7 @@ dat::MotionData addGoing(ModelWriter& sink, const std::vector<SetupPart>& parts,
                 particleHook(dust, static_cast<int>(part), {0.0, kHeel, 0.02 - kHip}));
         }
     }
-    return played(sink.addAnimation(std::move(frames)), kRate, stride.length * kRate / stride.frames);
+    return played(writer.addAnimation(std::move(frames)), kRate, stride.length * kRate / stride.frames);
 }
 
 } // namespace
@@ -198,8 +198,8 @@ Strides shortStrides() {
              .twist = 0.06}};
 }
 
-dat::RecordId addGaits(ModelWriter& sink, const std::vector<SetupPart>& parts, const std::vector<Role>& roles,
-                       const Strides& strides, dat::RecordId dust) {
+dat::RecordId addGaits(ModelWriter& writer, const std::vector<SetupPart>& parts,
+                       const std::vector<Role>& roles, const Strides& strides, dat::RecordId dust) {
     std::vector<dat::AnimationFrame> still;
     for (int k = 0; k < kStandingFrames; ++k)
         still.push_back(frameOf(standing(static_cast<double>(k) / kStandingFrames), parts, roles));
@@ -207,10 +207,11 @@ dat::RecordId addGaits(ModelWriter& sink, const std::vector<SetupPart>& parts, c
     table.defaultStyle = kNonCombat;
     table.styleDefaults = {{kNonCombat, kReady}};
     table.cycles = {
-        {dat::motionKey(kNonCombat, kReady), played(sink.addAnimation(std::move(still)), kStandingRate, 0.0)},
-        {dat::motionKey(kNonCombat, kWalkForward), addGoing(sink, parts, roles, strides.walk, dust)},
-        {dat::motionKey(kNonCombat, kRunForward), addGoing(sink, parts, roles, strides.run, dust)}};
-    return sink.addMotionTable(std::move(table));
+        {dat::motionKey(kNonCombat, kReady),
+         played(writer.addAnimation(std::move(still)), kStandingRate, 0.0)},
+        {dat::motionKey(kNonCombat, kWalkForward), addGoing(writer, parts, roles, strides.walk, dust)},
+        {dat::motionKey(kNonCombat, kRunForward), addGoing(writer, parts, roles, strides.run, dust)}};
+    return writer.addMotionTable(std::move(table));
 }
 
 } // namespace limen::worlds

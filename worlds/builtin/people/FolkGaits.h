@@ -36,7 +36,7 @@ struct Strides {
 /// Adds a MotionTable and Animations for standing, walking and running; returns the table's id. Feet on the
 /// ground do not slide. `roles`: one for each part; a held object and the arm that holds it keep the pose of
 /// the Setup. `dust`: a ParticleEmitter to start at each footfall, or 0.
-[[nodiscard]] dat::RecordId addGaits(ModelWriter& sink, const std::vector<SetupPart>& parts,
+[[nodiscard]] dat::RecordId addGaits(ModelWriter& writer, const std::vector<SetupPart>& parts,
                                      const std::vector<Role>& roles, const Strides& strides,
                                      dat::RecordId dust = 0);
 

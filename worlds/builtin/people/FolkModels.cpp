@@ -112,12 +112,12 @@ struct Bends {
     double left = 0.2, right = 0.2;
 };
 
-std::vector<SetupPart> person(ModelWriter& sink, const Clothes& c, const Bends& bends) {
-    const dat::RecordId leg = sink.addMesh(legMesh(c), false);
-    return {{sink.addMesh(bodyMesh(c), false), {}},
-            {sink.addMesh(headMesh(c), false), {{0.0, 0.0, kNeck}, 0.0}},
-            {sink.addMesh(armMesh(c, bends.left), false), {{-0.265, 0.0, kShoulder - 0.05}, 0.0}},
-            {sink.addMesh(armMesh(c, bends.right), false), {{0.265, 0.0, kShoulder - 0.05}, 0.0}},
+std::vector<SetupPart> person(ModelWriter& writer, const Clothes& c, const Bends& bends) {
+    const dat::RecordId leg = writer.addMesh(legMesh(c), false);
+    return {{writer.addMesh(bodyMesh(c), false), {}},
+            {writer.addMesh(headMesh(c), false), {{0.0, 0.0, kNeck}, 0.0}},
+            {writer.addMesh(armMesh(c, bends.left), false), {{-0.265, 0.0, kShoulder - 0.05}, 0.0}},
+            {writer.addMesh(armMesh(c, bends.right), false), {{0.265, 0.0, kShoulder - 0.05}, 0.0}},
             {leg, {{-0.105, 0.0, kHip}, 0.0}},
             {leg, {{0.105, 0.0, kHip}, 0.0}}};
 }
@@ -175,59 +175,60 @@ FaceMesh cartMesh() {
 }
 
 /// The arm with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
-dat::RecordId addWatchman(ModelWriter& sink) {
+dat::RecordId addWatchman(ModelWriter& writer) {
     std::vector<SetupPart> parts =
-        person(sink, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
-    parts.push_back({sink.addMesh(lanternMesh(), false), {kLantern, 0.0}});
+        person(writer, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
+    parts.push_back({writer.addMesh(lanternMesh(), false), {kLantern, 0.0}});
     const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::Held,
                                   Role::LeftLeg, Role::RightLeg, Role::Held};
-    return sink.addSetup(parts, {}, addGaits(sink, parts, roles, longStrides()));
+    return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
 /// Both hands hold the cart.
-dat::RecordId addCarter(ModelWriter& sink) {
+dat::RecordId addCarter(ModelWriter& writer) {
     std::vector<SetupPart> parts =
-        person(sink, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});
-    const dat::RecordId wheel = sink.addMesh(wheelMesh(), false);
-    parts.push_back({sink.addMesh(cartMesh(), false), {{0.0, -2.1, 0.0}, 0.0}});
+        person(writer, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});
+    const dat::RecordId wheel = writer.addMesh(wheelMesh(), false);
+    parts.push_back({writer.addMesh(cartMesh(), false), {{0.0, -2.1, 0.0}, 0.0}});
     parts.push_back({wheel, {{-0.70, -2.1, kWheelRadius}, 0.0}});
     parts.push_back({wheel, {{0.70, -2.1, kWheelRadius}, 0.0}});
     const std::vector<Role> roles{Role::Body,     Role::Head, Role::Held,  Role::Held, Role::LeftLeg,
                                   Role::RightLeg, Role::Held, Role::Wheel, Role::Wheel};
-    return sink.addSetup(parts, {}, addGaits(sink, parts, roles, longStrides()));
+    return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
 } // namespace
 
-FolkModels addFolkModels(ModelWriter& sink, const Effects& effects) {
+FolkModels addFolkModels(ModelWriter& writer, const Effects& effects) {
     const std::vector<Role> bare{Role::Body,     Role::Head,    Role::LeftArm,
                                  Role::RightArm, Role::LeftLeg, Role::RightLeg};
     const std::vector<SetupPart> farmer =
-        person(sink, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
-    const dat::RecordId free = addGaits(sink, farmer, bare, longStrides(), effects.dust);
-    const dat::RecordId gowned = addGaits(sink, farmer, bare, shortStrides());
+        person(writer, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
+    const dat::RecordId free = addGaits(writer, farmer, bare, longStrides(), effects.dust);
+    const dat::RecordId gowned = addGaits(writer, farmer, bare, shortStrides());
     FolkModels m;
-    m.innkeeper = sink.addSetup(
-        person(sink, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}), {},
+    m.innkeeper = writer.addSetup(
+        person(writer, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}), {},
         gowned);
-    m.maid = sink.addSetup(
-        person(sink, {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
+    m.maid = writer.addSetup(
+        person(writer, {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
                {0.6, 0.6}),
         {}, gowned);
-    m.farmer = sink.addSetup(farmer, {}, free);
-    m.elder = sink.addSetup(
-        person(sink, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}), {},
+    m.farmer = writer.addSetup(farmer, {}, free);
+    m.elder = writer.addSetup(
+        person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}), {},
         gowned);
-    m.watchman = addWatchman(sink);
-    sink.setEffects(m.watchman, {.scriptTable = effects.watchmansScripts});
-    m.carter = addCarter(sink);
-    sink.setEffects(m.carter, {.script = effects.cartScript});
-    m.traveller = sink.addSetup(
-        person(sink, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}),
+    m.watchman = addWatchman(writer);
+    writer.setEffects(m.watchman, {.scriptTable = effects.watchmansScripts});
+    m.carter = addCarter(writer);
+    writer.setEffects(m.carter, {.script = effects.cartScript});
+    m.traveller = writer.addSetup(
+        person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true},
+               {0.25, 0.25}),
         {}, free);
     const dat::RecordId cloaked =
-        sink.addMesh(bodyMesh({.coat = Material::Rug, .legs = Material::BrownCloth}), false);
-    m.cloak = addCloak(sink, {m.farmer, m.traveller}, cloaked);
+        writer.addMesh(bodyMesh({.coat = Material::Rug, .legs = Material::BrownCloth}), false);
+    m.cloak = addCloak(writer, {m.farmer, m.traveller}, cloaked);
     return m;
 }
 

@@ -14,6 +14,6 @@ struct FolkModels {
     dat::RecordId cloak = 0;     ///< ClothingTable for farmer and traveller
 };
 inline constexpr Vec3 kLantern{0.31, 0.16, 0.86};
-[[nodiscard]] FolkModels addFolkModels(ModelWriter& sink, const Effects& effects);
+[[nodiscard]] FolkModels addFolkModels(ModelWriter& writer, const Effects& effects);
 
 } // namespace limen::worlds

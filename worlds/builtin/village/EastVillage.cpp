@@ -13,17 +13,17 @@ namespace limen::worlds {
 namespace {
 
 /// A torch on a wall: back to the north, its flame at (0, -0.32, 0.28).
-dat::RecordId addWallTorch(ModelWriter& sink) {
+dat::RecordId addWallTorch(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.box({-0.07, -0.02, -0.16}, {0.07, 0.02, 0.10}, Material::Iron);
     mesh.strut({0.0, -0.02, -0.06}, {0.0, -0.28, -0.06}, {1, 0, 0}, 0.03, 0.03, Material::Iron);
     mesh.strut({0.0, -0.20, -0.28}, {0.0, -0.32, 0.16}, {1, 0, 0}, 0.055, 0.055, Material::Bark);
     mesh.strut({0.0, -0.305, 0.10}, {0.0, -0.335, 0.22}, {1, 0, 0}, 0.10, 0.10, Material::Embers);
-    return sink.addSetup({{sink.addMesh(mesh), {}}}, {{{0.0, -0.40, 0.40}, 0xFFFF9C50, 0.7, 9.0}});
+    return writer.addSetup({{writer.addMesh(mesh), {}}}, {{{0.0, -0.40, 0.40}, 0xFFFF9C50, 0.7, 9.0}});
 }
 
-void standTorches(ModelWriter& sink, LandblockWriter& block, const VillageMap& map) {
-    const dat::RecordId torch = addWallTorch(sink);
+void standTorches(ModelWriter& writer, LandblockWriter& block, const VillageMap& map) {
+    const dat::RecordId torch = addWallTorch(writer);
     for (const Vec3& at : hallTorches()) {
         // Its back faces +x of the hall.
         block.addObject({torch, {place(map.hall, at), map.hall.turn - 90.0}});
@@ -80,17 +80,18 @@ void stand(LandblockWriter& block, dat::RecordId model, double x, double y, doub
     block.addObject({model, {{x, y, groundHeight(192.0 + x, 192.0 + y)}, turn}});
 }
 
-void addEastVillage(ModelWriter& sink, LandblockWriter& block, const VillageModels& models, VillageMap& map) {
+void addEastVillage(ModelWriter& writer, LandblockWriter& block, const VillageModels& models,
+                    VillageMap& map) {
     const double floor = siteLevel() + kFloorAboveGround;
     map.inn = {{110.5, 104.0, floor}, 0.0};
     map.hall = {{110.5 - hall::kMiddle, 83.125, floor}, -90.0};
-    map.innCells = block.add(linkedByPoints(planInn(sink, models.furniture)), map.inn);
-    map.hallCells = block.add(linkedByPoints(planMeetingHall(sink, models.furniture)), map.hall);
+    map.innCells = block.add(linkedByPoints(planInn(writer, models.furniture)), map.inn);
+    map.hallCells = block.add(linkedByPoints(planMeetingHall(writer, models.furniture)), map.hall);
     standProps(block, models);
-    standTorches(sink, block, map);
+    standTorches(writer, block, map);
     plant(block, models.plants);
-    map.doors = buildDoors(sink, map);
-    addFolk(sink, models.effects, map);
+    map.doors = buildDoors(writer, map);
+    addFolk(writer, models.effects, map);
 }
 
 } // namespace limen::worlds

@@ -21,6 +21,7 @@ void stand(LandblockWriter& block, dat::RecordId model, double x, double y, doub
 
 /// Adds the inn, the meeting hall, props around them, doors and people of the village. Fills the rest of the
 /// map. Requires: the map's cottages are placed.
-void addEastVillage(ModelWriter& sink, LandblockWriter& block, const VillageModels& models, VillageMap& map);
+void addEastVillage(ModelWriter& writer, LandblockWriter& block, const VillageModels& models,
+                    VillageMap& map);
 
 } // namespace limen::worlds

@@ -68,7 +68,7 @@ FaceMesh leafMesh(double width, double height) {
 
 class FillingList {
 public:
-    explicit FillingList(ModelWriter& sink) : sink_(sink) {}
+    explicit FillingList(ModelWriter& writer) : writer_(writer) {}
 
     void door(const DoorSpec& spec);
     /// Adds a pane for every window to the outside.
@@ -77,14 +77,14 @@ public:
 
 private:
     const dat::EnvCell& cellOf(dat::RecordId id) const {
-        const auto& cells = sink_.records().envCells;
+        const auto& cells = writer_.records().envCells;
         const auto found =
             std::find_if(cells.begin(), cells.end(), [id](const dat::EnvCell& c) { return c.id == id; });
         LIMEN_ASSERT(found != cells.end(), "no such cell");
         return *found;
     }
     const dat::CellStruct& shapeOf(const dat::EnvCell& cell) const {
-        const auto& list = sink_.records().environments;
+        const auto& list = writer_.records().environments;
         const auto found = std::find_if(list.begin(), list.end(),
                                         [&](const auto& e) { return (e.id & 0xFFFF) == cell.environment; });
         LIMEN_ASSERT(found != list.end(), "no such environment");
@@ -105,7 +105,7 @@ private:
         return {std::lround(width * 1000.0), std::lround(height * 1000.0)};
     }
 
-    ModelWriter& sink_;
+    ModelWriter& writer_;
     Json list_ = Json::array();
     std::map<Size, dat::RecordId> leaves_, panes_;
 };
@@ -160,7 +160,7 @@ std::size_t FillingList::findPortal(const DoorSpec& spec) const {
 dat::RecordId FillingList::leafModel(double width, double height) {
     dat::RecordId& id = leaves_[sizeOf(width, height)];
     if (id == 0)
-        id = sink_.addSetup({{sink_.addMesh(leafMesh(width, height)), {}}});
+        id = writer_.addSetup({{writer_.addMesh(leafMesh(width, height)), {}}});
     return id;
 }
 
@@ -172,7 +172,7 @@ dat::RecordId FillingList::paneModel(double width, double height) {
         pane.twoSided = true;
         FaceMesh mesh;
         mesh.add(std::move(pane));
-        id = sink_.addMesh(mesh, false);
+        id = writer_.addMesh(mesh, false);
     }
     return id;
 }
@@ -249,11 +249,11 @@ void FillingList::panes(const char* name, const Placement& building,
 
 } // namespace
 
-Json buildDoors(ModelWriter& sink, const VillageMap& map) {
+Json buildDoors(ModelWriter& writer, const VillageMap& map) {
     const auto home = [&](CottageCell c) { return map.cottageCells.at(static_cast<std::size_t>(c)); };
     const auto theirs = [&](NeighbourCell c) { return map.neighbourCells.at(static_cast<std::size_t>(c)); };
     const auto inn = [&](InnCell c) { return map.innCells.at(static_cast<std::size_t>(c)); };
-    FillingList list(sink);
+    FillingList list(writer);
     // The cottages' doors are open, so that one can see through the house.
     list.door(
         {.name = "cottage.front", .building = &map.cottage, .cell = home(CottageCell::Front), .open = 1.0});

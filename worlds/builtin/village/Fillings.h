@@ -7,6 +7,6 @@ namespace limen::worlds {
 
 /// Adds the models of leaves and panes. Returns the doors of `world.json`: named doors, then a pane for every
 /// window of the village's buildings. Requires: the map's buildings are placed.
-[[nodiscard]] nlohmann::ordered_json buildDoors(ModelWriter& sink, const VillageMap& map);
+[[nodiscard]] nlohmann::ordered_json buildDoors(ModelWriter& writer, const VillageMap& map);
 
 } // namespace limen::worlds

@@ -6,16 +6,16 @@ namespace limen::worlds {
 
 namespace {
 
-dat::RecordId addFence(ModelWriter& sink) {
+dat::RecordId addFence(ModelWriter& writer) {
     FaceMesh mesh;
     for (const double x : {0.0, 1.5})
         mesh.beam({x - 0.06, -0.06, -0.6}, {x + 0.06, 0.06, 1.05}, Material::OldPlanks);
     mesh.strut({0.0, 0.07, 0.42}, {3.0, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
     mesh.strut({0.0, 0.07, 0.86}, {3.0, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addWell(ModelWriter& sink) {
+dat::RecordId addWell(ModelWriter& writer) {
     constexpr int kSides = 10;
     constexpr double kOuter = 0.95;
     constexpr double kInner = 0.68;
@@ -58,12 +58,12 @@ dat::RecordId addWell(ModelWriter& sink) {
                      .cap = Material::WaterDark,
                      .wrapOnce = true});
     bucket.beam({-0.008, -0.008, 0.28}, {0.008, 0.008, 0.62}, Material::Linen);
-    return sink.addSetup({{sink.addMesh(ring), {}},
-                          {sink.addMesh(roof), {}},
-                          {sink.addMesh(bucket), {{0.15, 0.0, 0.93}, 0.0}}});
+    return writer.addSetup({{writer.addMesh(ring), {}},
+                            {writer.addMesh(roof), {}},
+                            {writer.addMesh(bucket), {{0.15, 0.0, 0.93}, 0.0}}});
 }
 
-dat::RecordId addWoodpile(ModelWriter& sink) {
+dat::RecordId addWoodpile(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.card(
         {Vec3(-1.1, -0.35, 0.0), Vec3(1.1, -0.35, 0.0), Vec3(1.1, -0.35, 1.05), Vec3(-1.1, -0.35, 1.05)},
@@ -81,26 +81,26 @@ dat::RecordId addWoodpile(ModelWriter& sink) {
         mesh.beam({x - 0.05, 0.26, -0.4}, {x + 0.05, 0.36, 1.3}, Material::Beam);
     }
     mesh.strut({0.0, -0.62, 1.22}, {0.0, 0.55, 1.42}, {1, 0, 0}, 2.7, 0.05, Material::OldPlanks);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addSignpost(ModelWriter& sink) {
+dat::RecordId addSignpost(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.07, -0.07, -0.6}, {0.07, 0.07, 2.4}, Material::Beam);
     mesh.beam({0.0, -0.10, 1.95}, {1.05, -0.06, 2.18}, Material::OldPlanks);
     mesh.beam({-0.95, -0.10, 1.62}, {0.10, -0.06, 1.85}, Material::OldPlanks);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addYardBench(ModelWriter& sink) {
+dat::RecordId addYardBench(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.85, -0.18, 0.40}, {0.85, 0.18, 0.46}, Material::OldPlanks);
     for (const double x : {-0.62, 0.62})
         mesh.box({x - 0.12, -0.15, -0.2}, {x + 0.12, 0.15, 0.40}, Material::StoneWall);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addTrough(ModelWriter& sink) {
+dat::RecordId addTrough(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.beam({-0.9, -0.32, -0.1}, {0.9, -0.24, 0.5}, Material::OldPlanks);
     mesh.beam({-0.9, 0.24, -0.1}, {0.9, 0.32, 0.5}, Material::OldPlanks);
@@ -108,10 +108,10 @@ dat::RecordId addTrough(ModelWriter& sink) {
     mesh.beam({0.82, -0.24, -0.1}, {0.9, 0.24, 0.5}, Material::OldPlanks);
     mesh.polygon({{-0.82, -0.24, 0.40}, {0.82, -0.24, 0.40}, {0.82, 0.24, 0.40}, {-0.82, 0.24, 0.40}},
                  Material::WaterDark);
-    return sink.addSingle(mesh);
+    return writer.addSingle(mesh);
 }
 
-dat::RecordId addLampPost(ModelWriter& sink) {
+dat::RecordId addLampPost(ModelWriter& writer) {
     FaceMesh post;
     post.beam({-0.06, -0.06, -0.6}, {0.06, 0.06, 2.5}, Material::Beam);
     post.beam({-0.04, -0.62, 2.36}, {0.04, 0.0, 2.44}, Material::Beam);
@@ -127,21 +127,21 @@ dat::RecordId addLampPost(ModelWriter& sink) {
     post.beam({-0.007, -0.567, 2.2}, {0.007, -0.553, 2.37}, Material::Iron);
     FaceMesh glass;
     glass.box({-0.075, -0.635, 1.88}, {0.075, -0.485, 2.11}, Material::LampGlass);
-    return sink.addSetup({{sink.addMesh(post), {}}, {sink.addMesh(glass, false), {}}},
-                         {{{0.0, -0.56, 1.7}, 0xFFFFC070, 0.6, 8.0}});
+    return writer.addSetup({{writer.addMesh(post), {}}, {writer.addMesh(glass, false), {}}},
+                           {{{0.0, -0.56, 1.7}, 0xFFFFC070, 0.6, 8.0}});
 }
 
 } // namespace
 
-OutdoorProps addOutdoorProps(ModelWriter& sink) {
+OutdoorProps addOutdoorProps(ModelWriter& writer) {
     OutdoorProps p;
-    p.fence = addFence(sink);
-    p.well = addWell(sink);
-    p.woodpile = addWoodpile(sink);
-    p.signpost = addSignpost(sink);
-    p.bench = addYardBench(sink);
-    p.trough = addTrough(sink);
-    p.lampPost = addLampPost(sink);
+    p.fence = addFence(writer);
+    p.well = addWell(writer);
+    p.woodpile = addWoodpile(writer);
+    p.signpost = addSignpost(writer);
+    p.bench = addYardBench(writer);
+    p.trough = addTrough(writer);
+    p.lampPost = addLampPost(writer);
     return p;
 }
 

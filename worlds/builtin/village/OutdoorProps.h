@@ -9,6 +9,6 @@ struct OutdoorProps {
     dat::RecordId fence = 0; ///< 3 m along x, from the origin
     dat::RecordId well = 0, woodpile = 0, signpost = 0, bench = 0, trough = 0, lampPost = 0;
 };
-[[nodiscard]] OutdoorProps addOutdoorProps(ModelWriter& sink);
+[[nodiscard]] OutdoorProps addOutdoorProps(ModelWriter& writer);
 
 } // namespace limen::worlds

@@ -52,19 +52,19 @@ void plantGardens(LandblockWriter& block, const Plants& plants) {
 
 } // namespace
 
-VillageMap addVillage(ModelWriter& sink, const Plants& plants) {
-    const Effects effects = addEffects(sink);
-    const Furniture furniture = addFurniture(sink);
-    sink.setEffects(furniture.candle, {.script = effects.candleScript});
-    const OutdoorProps props = addOutdoorProps(sink);
-    LandblockWriter block(sink, kVillage, kBuiltInCells);
+VillageMap addVillage(ModelWriter& writer, const Plants& plants) {
+    const Effects effects = addEffects(writer);
+    const Furniture furniture = addFurniture(writer);
+    writer.setEffects(furniture.candle, {.script = effects.candleScript});
+    const OutdoorProps props = addOutdoorProps(writer);
+    LandblockWriter block(writer, kVillage, kBuiltInCells);
     VillageMap map;
     map.furniture = furniture;
     const double floor = siteLevel() + kFloorAboveGround;
     map.cottage = {{84.0, 106.0, floor}, 0.0};
     map.neighbour = {{84.0, 86.0, floor}, 180.0};
-    map.cottageCells = block.add(linkedByPoints(planCottage(sink, furniture)), map.cottage);
-    map.neighbourCells = block.add(linkedByPoints(planNeighbour(sink, furniture)), map.neighbour);
+    map.cottageCells = block.add(linkedByPoints(planCottage(writer, furniture)), map.cottage);
+    map.neighbourCells = block.add(linkedByPoints(planNeighbour(writer, furniture)), map.neighbour);
     fenceRow(block, props.fence, 101.2, 67.5, 103.5, 82.4, 85.6);
     fenceRow(block, props.fence, 90.6, 67.5, 100.5, 82.4, 85.6);
     fenceRow(block, props.fence, 122.5, 72.0, 99.0, 0.0, 0.0);
@@ -84,7 +84,7 @@ VillageMap addVillage(ModelWriter& sink, const Plants& plants) {
     stand(block, props.bench, 81.2, 86.7, 180.0);
     stand(block, props.woodpile, 89.0, 82.0, 90.0);
     plantGardens(block, plants);
-    addEastVillage(sink, block, {furniture, props, plants, effects}, map);
+    addEastVillage(writer, block, {furniture, props, plants, effects}, map);
     block.finish();
     return map;
 }

@@ -7,6 +7,6 @@
 namespace limen::worlds {
 
 /// Adds the village block: both cottages and their yards, inn, hall and people. Returns the placements.
-[[nodiscard]] VillageMap addVillage(ModelWriter& sink, const Plants& plants);
+[[nodiscard]] VillageMap addVillage(ModelWriter& writer, const Plants& plants);
 
 } // namespace limen::worlds
