@@ -1,7 +1,7 @@
 #pragma once
 
-#include "worlds/generate/Random.h"
 #include "worlds/shapes/Carve.h"
+#include "worlds/shapes/Random.h"
 
 namespace limen::worlds {
 

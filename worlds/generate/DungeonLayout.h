@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/Vec.h"
-#include "worlds/generate/Random.h"
+#include "worlds/shapes/Random.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "worlds/generate/Random.h"
 #include "worlds/records/ModelWriter.h"
+#include "worlds/shapes/Random.h"
 
 namespace limen::worlds {
 

@@ -2,8 +2,8 @@
 
 #include "worlds/generate/House.h"
 #include "worlds/generate/Land.h"
-#include "worlds/generate/Random.h"
 #include "worlds/records/LandblockWriter.h"
+#include "worlds/shapes/Random.h"
 
 #include <limits>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "worlds/generate/Random.h"
 #include "worlds/shapes/Carve.h"
 #include "worlds/shapes/Panel.h"
+#include "worlds/shapes/Random.h"
 
 #include <cstdint>
 
