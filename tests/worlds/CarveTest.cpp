@@ -1,4 +1,4 @@
-#include "worlds/shapes/Carve.h"
+#include "worlds/records/Carve.h"
 #include "worlds/generate/ComplexOpenings.h"
 #include "worlds/records/ShapeLibrary.h"
 #include "worlds/records/SolidTree.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "worlds/shapes/Carve.h"
+#include "worlds/records/Carve.h"
 #include "worlds/shapes/Random.h"
 
 namespace limen::worlds {

@@ -2,9 +2,9 @@
 
 #include "core/Assert.h"
 #include "worlds/generate/DungeonDoors.h"
+#include "worlds/records/Carve.h"
 #include "worlds/records/Seams.h"
 #include "worlds/records/SolidTree.h"
-#include "worlds/shapes/Carve.h"
 #include "worlds/shapes/Panel.h"
 
 namespace limen::worlds {

@@ -1,7 +1,7 @@
 #include "worlds/generate/House.h"
 
 #include "core/Assert.h"
-#include "worlds/shapes/Carve.h"
+#include "worlds/records/Carve.h"
 #include "worlds/shapes/RoomPlan.h"
 
 namespace limen::worlds {

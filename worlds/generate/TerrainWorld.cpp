@@ -4,8 +4,8 @@
 #include "worlds/generate/Land.h"
 #include "worlds/generate/Sites.h"
 #include "worlds/generate/SmallPictures.h"
+#include "worlds/records/Carve.h"
 #include "worlds/records/LandblockWriter.h"
-#include "worlds/shapes/Carve.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "worlds/records/SolidTree.h"
-#include "worlds/shapes/Carve.h"
+#include "worlds/records/Carve.h"
 
 namespace limen::worlds {
 

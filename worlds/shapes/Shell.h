@@ -1,7 +1,7 @@
 #pragma once
 
+#include "worlds/records/Carve.h"
 #include "worlds/records/FaceMesh.h"
-#include "worlds/shapes/Carve.h"
 #include "worlds/shapes/Panel.h"
 
 namespace limen::worlds {

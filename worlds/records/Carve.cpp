@@ -1,4 +1,4 @@
-#include "worlds/shapes/Carve.h"
+#include "worlds/records/Carve.h"
 
 #include "geometry/ConvexPolygon.h"
 
