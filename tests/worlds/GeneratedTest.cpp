@@ -57,11 +57,11 @@ std::size_t cellsOf(const world::World& world) {
 void expectTreesHoldNothingFarOff(const world::World& world, std::uint32_t seed) {
     constexpr double kSlack = 0.02; // metres
     std::mt19937 random(seed);
-    std::uniform_real_distribution<> random(-30.0, 30.0);
+    std::uniform_real_distribution<> offset(-30.0, 30.0);
     for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s) {
         const Aabb& bounds = world.spaces[s].bounds;
         for (int i = 0; i < 200; ++i) {
-            const Vec3 at = bounds.centre() + Vec3(random(random), random(random), random(random));
+            const Vec3 at = bounds.centre() + Vec3(offset(random), offset(random), offset(random));
             const bool isNear = glm::all(glm::greaterThan(at, bounds.min - kSlack)) &&
                                 glm::all(glm::lessThan(at, bounds.max + kSlack));
             EXPECT_TRUE(isNear || !motion::cellContains(world, s, at)) << s;
