@@ -1,7 +1,7 @@
 #include "HallScene.h"
 
 #include "core/Assert.h"
-#include "worlds/generate/SolidCutter.h"
+#include "worlds/shapes/SolidCutter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-# What every target of ours shares: the language level, warnings as errors, sanitizers. Hung on
-# targets, never on directories, so that libraries from outside keep their own flags.
+# Settings of all our targets: language level, warnings as errors, sanitizers. They are attached to targets,
+# never to directories, so that external libraries keep their own flags.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -15,20 +15,20 @@ endif()
 add_library(limen_flags INTERFACE)
 target_compile_options(limen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
-# Products and sums keep their written rounding: results must not depend on whether a compiler fuses them.
+# No fused multiply-add: results must not depend on the compiler.
 target_compile_options(limen_flags INTERFACE -ffp-contract=off)
 if(LIMEN_SANITIZE)
     target_compile_options(limen_flags INTERFACE -fsanitize=${LIMEN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(limen_flags INTERFACE -fsanitize=${LIMEN_SANITIZE})
-    # GCC's manual: with sanitizers this one warns of what is not there (it does of std::regex).
+    # With sanitizers this warning has false positives (GCC manual), e.g. for std::regex.
     target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# limen_unite(target): compiles the sources of each folder a few at a time as one file, which takes less than half as long;
-# so names in their unnamed namespaces are unique within a folder. The presets `dev`, `clang`, `coverage` and `tidy` compile each by itself:
-# it is to include what it uses.
+# limen_unite(target): compiles several sources of a folder as one, in less than half the time. Therefore
+# names in unnamed namespaces must be unique within a folder. The presets `dev`, `clang`, `coverage` and
+# `tidy` compile each source alone, which checks that it includes all headers it uses.
 option(LIMEN_UNITE "Compile several sources as one" OFF)
-set(LIMEN_UNITED_SOURCES 8 CACHE STRING "How many at most")
+set(LIMEN_UNITED_SOURCES 8 CACHE STRING "Largest number of sources compiled as one")
 function(limen_unite target)
     if(NOT LIMEN_UNITE)
         return()
@@ -45,8 +45,8 @@ function(limen_unite target)
     endforeach()
 endfunction()
 
-# limen_room(name sources...): one library per folder of src, alias limen::name. The room's public
-# headers are included as "name/Header.h".
+# limen_room(name sources...): a library for a folder of src, with the alias limen::name. Its headers are
+# included as "name/Header.h".
 function(limen_room name)
     add_library(limen_${name} STATIC ${ARGN})
     add_library(limen::${name} ALIAS limen_${name})
@@ -55,16 +55,19 @@ function(limen_room name)
     limen_unite(limen_${name})
 endfunction()
 
-# limen_test(name [TOGETHER] [BUSY] [LONG] LABELS l... SOURCES s... LINK t...): one gtest program. Every suite in it becomes a CTest test, which its tests share
-# a process in: many ask for the same world, and making it takes longer than they do. TOGETHER: so do all suites. Programs without labels are built by the target
-# `unlabelled_tests`: all that sanitizers run. With them it is our code that is optimised and not the tests', which compiles in half the time, but for
-# tests that are BUSY themselves. What is LONG begins first.
+# limen_test(name [TOGETHER] [BUSY] [LONG] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is
+# a CTest test. The tests of a suite share a process, because many use the same world, which takes longer to
+# make than to test. TOGETHER: all suites share one process. LONG: starts first. The target `unlabelled_tests`
+# builds the programs without labels, which are those that run under sanitizers. In sanitizer builds test code
+# is not optimised, which halves its compile time. BUSY: it is, because the test itself computes much.
 add_custom_target(unlabelled_tests)
 function(limen_test name)
     cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG" "" "LABELS;SOURCES;LINK" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_link_libraries(${name} PRIVATE limen_flags ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+    # EXPECT_... and ASSERT_... are if-else statements; GCC warns where one is the only statement of an `if`.
+    target_compile_options(${name} PRIVATE -Wno-dangling-else)
     limen_unite(${name})
     if(NOT ARG_LABELS)
         add_dependencies(unlabelled_tests ${name})

@@ -1,5 +1,5 @@
-# cmake -D PROGRAM=... -D LABELS=... -D COST=... -D OUTPUT=... -P ListSuites.cmake: asks a gtest program for its suites and writes a CTest
-# file with a test for each.
+# cmake -D PROGRAM=... -D LABELS=... -D COST=... -D OUTPUT=... -P ListSuites.cmake: lists the suites of a
+# gtest program and writes a CTest file with a test for each.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "(^|\n)[^ \n]+\\." suites "${listed}")
 set(text "")

@@ -3,8 +3,8 @@
 #include "dat/File.h"
 #include "dat/Writer.h"
 
-// Any bytes as a dat file: opening, walking, looking up and reading may refuse, but agree with one another;
-// what can be read completely survives being written again.
+// Input: the bytes of a dat file. Opening, visiting, looking up and reading may fail, but must agree with
+// each other. A file that can be read completely is the same after it was written again.
 namespace {
 
 using namespace limen::dat;

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-// Writes the seeds of the fuzzers that need some: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records and
-// DIRECTORY/text, and DIRECTORY/kinds/NAME of the records of one kind each.
+// Writes corpora for the fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records,
+// DIRECTORY/text, and DIRECTORY/kinds/NAME for each kind of record.
 namespace {
 
 using namespace limen::dat;
@@ -21,7 +21,7 @@ bool save(const fs::path& path, const Bytes& bytes) {
     return static_cast<bool>(out);
 }
 
-/// Records of one type, each behind the byte that picks the type in RecordsFuzzer.
+/// Writes records of one type, each behind the byte that selects the type in RecordsFuzzer.
 template <class Record>
 bool saveRecords(const fs::path& directory, std::uint8_t pick) {
     bool good = true;
@@ -53,7 +53,7 @@ bool saveFiles(const fs::path& directory) {
 }
 
 bool saveTexts(const fs::path& directory) {
-    // The first byte picks what it is in TextFuzzer.
+    // The first byte selects the parser in TextFuzzer.
     const char* const texts[] = {
         R"(0{"places":{"a":{"eye":[1,2,3],"yaw":90,"pitch":-5,"cell":"0x00010100"}},"tour":[{"x":1,"y":2,"z":3}]})",
         R"(0{"doors":[{"name":"d","cell":"0x00010100","portal":0,"opaque":true,"open":0.5,"leaves":[{"model":"0x01000001","hinge":[1,2,3],"yaw":0,"swing":90}]}]})",

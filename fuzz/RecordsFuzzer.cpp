@@ -8,9 +8,9 @@
 #include <cstring>
 #include <optional>
 
-// Any bytes as a record: the first byte picks the type, the rest is the payload. What decodes must encode to
-// the same bytes and can be described.
-// LIMEN_FUZZ_RECORD: a name of RecordKind; all bytes are of that type then, whatever the first says.
+// Input: a byte that selects the type of record, then the payload. A payload that decodes must encode to the
+// same bytes, and it can be described. LIMEN_FUZZ_RECORD, a name of RecordKind: all bytes are a payload of
+// that type.
 namespace {
 
 using namespace limen::dat;
@@ -33,8 +33,8 @@ void check(ByteView payload) {
         FUZZ_CHECK(!describe(*record).empty());
 }
 
-/// The kind that the environment asks for; none: the first byte picks.
-std::optional<RecordKind> askedKind() {
+/// The kind given by the environment, if any.
+std::optional<RecordKind> kindFromEnvironment() {
     const char* name = std::getenv("LIMEN_FUZZ_RECORD");
     if (name == nullptr)
         return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<RecordKind> askedKind() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0)
         return 0;
-    static const std::optional<RecordKind> asked = askedKind();
+    static const std::optional<RecordKind> asked = kindFromEnvironment();
     const RecordKind kind = asked.value_or(static_cast<RecordKind>(data[0] % RecordTypes::kSize));
     visitKind(kind, [&]<class Record>(std::type_identity<Record>) {
         check<Record>({reinterpret_cast<const std::byte*>(data) + 1, size - 1});

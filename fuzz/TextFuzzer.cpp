@@ -4,8 +4,8 @@
 #include "play/WalkRecord.h"
 #include "world/Places.h"
 
-// Any text as what people may write by hand, or cut short: a world file, a recorded walk, a line of a views file. The first byte picks. What
-// is refused is refused with a reason.
+// Input: a byte that selects a parser (world file, recorded walk, line of a views file), then text. Every
+// refusal has a reason.
 namespace {
 
 using namespace limen;

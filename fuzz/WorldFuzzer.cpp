@@ -13,8 +13,8 @@
 
 #include <cstring>
 
-// A small world whose records were changed in some places, as a damaged or a stranger's file might be: it may be refused or reported, but
-// whatever loads is flooded, planned, traced and walked through without harm. The input is a list of changes.
+// Input: a list of changes to the records of a small world. Loading may refuse the world or report findings.
+// A world that loads is flooded, planned, traced and walked through; none of this may fail.
 namespace {
 
 using namespace limen;
@@ -24,7 +24,7 @@ struct Stored {
     dat::Bytes payload;
 };
 
-/// The hut's records, of the portal file and of the cell file.
+/// The hut's records in the portal file and in the cell file.
 struct Base {
     test::MovingHut hut;
     std::vector<Stored> portal, cell;
@@ -53,7 +53,7 @@ private:
     }
 };
 
-/// One change, as it lies in the input.
+/// One change, with the layout of the input.
 struct Change {
     std::uint8_t record = 0, how = 0;
     std::uint16_t where = 0;
@@ -61,7 +61,7 @@ struct Change {
 };
 constexpr std::size_t kChangeBytes = 5;
 
-/// Words that often break arithmetic: ends of ranges, and floats that are none, or without end.
+/// Words that often break arithmetic: ends of ranges, NaN and infinity.
 constexpr std::uint32_t kWords[] = {0,          1,          0x7F,       0xFF,       0xFFFF,     0x10000,
                                     0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7F800000, 0xFF800000, 0x7FC00000,
                                     0x7F7FFFFF, 0x00000001, 0x49742400, 0xC9742400};
@@ -102,7 +102,7 @@ dat::File fileOf(const std::vector<Stored>& records, const dat::FileTraits& trai
     return std::move(*file);
 }
 
-/// Looks around from an eye as a frame, a ray and a body would.
+/// Floods, plans, traces and locates from a viewpoint.
 void look(const world::World& world, const visibility::Graph& graph, frame::Planner& planner,
           const reference::Scene& scene, const world::DynamicState& dynamics, const Vec3& eye,
           world::SpaceIndex root) {
@@ -123,7 +123,7 @@ void look(const world::World& world, const visibility::Graph& graph, frame::Plan
     FUZZ_CHECK(root < world.spaces.size());
 }
 
-/// Walks about while all doors swing to and fro.
+/// Moves a body while all doors open and close.
 void walk(const dat::Archive& archive, const world::World& world, const Vec3& from) {
     auto solids = world::loadSolids(archive, world, world::blockAt(from), 1);
     if (!solids)

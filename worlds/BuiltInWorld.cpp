@@ -1,21 +1,21 @@
 #include "worlds/BuiltInWorld.h"
 
-#include "worlds/DungeonBlocks.h"
-#include "worlds/Materials.h"
-#include "worlds/RegionBuilder.h"
-#include "worlds/TerrainShape.h"
-#include "worlds/Village.h"
+#include "worlds/builtin/dungeon/DungeonBlocks.h"
+#include "worlds/builtin/land/RegionBuilder.h"
+#include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/builtin/village/Village.h"
+#include "worlds/records/Materials.h"
 
 namespace limen::worlds {
 
 WorldRecords buildBuiltInWorld(Pictures pictures) {
     WorldRecords records;
     addMaterials(records, pictures);
-    ModelSink sink(records);
-    const Plants plants = addPlants(sink);
-    addRegion(sink, plants);
-    const VillageMap map = addVillage(sink, plants);
-    const DungeonMap dungeons = addDungeonBlocks(sink, map.furniture, plants);
+    ModelWriter writer(records);
+    const Plants plants = addPlants(writer);
+    addRegion(writer, plants);
+    const VillageMap map = addVillage(writer, plants);
+    const DungeonMap dungeons = addDungeonBlocks(writer, map.furniture, plants);
     addLandBlocks(records, {kVillage, kTowerBlock, kCaveBlock});
     records.worldFile = buildWorldFile(map, dungeons);
     return records;

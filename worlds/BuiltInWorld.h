@@ -1,11 +1,12 @@
 #pragma once
 
-#include "worlds/Materials.h"
-#include "worlds/WorldRecords.h"
+#include "worlds/records/Materials.h"
+#include "worlds/records/WorldRecords.h"
 
 namespace limen::worlds {
 
-/// The built-in world as records. The same every time. Cost: a second or two, nearly all of it painting.
+/// The built-in world as records; every call gives the same ones. Cost: one to two seconds, nearly all of it
+/// painting.
 [[nodiscard]] WorldRecords buildBuiltInWorld(Pictures pictures = Pictures::Painted);
 
 } // namespace limen::worlds

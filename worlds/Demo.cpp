@@ -1,7 +1,7 @@
 #include "worlds/Demo.h"
 
 #include "worlds/BuiltInWorld.h"
-#include "worlds/WorldFiles.h"
+#include "worlds/records/WorldFiles.h"
 
 namespace limen::worlds {
 

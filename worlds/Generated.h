@@ -7,29 +7,29 @@
 
 namespace limen::worlds {
 
-/// What a generated world is made of.
 enum class GeneratedKind : std::uint8_t {
-    Dungeon, ///< rooms, corridors and shafts on a jittered lattice; no landscape
+    Dungeon, ///< rooms, corridors and shafts on a jittered lattice; no land
     Town,    ///< houses with doors, windows and cellars along streets, on land
     Complex, ///< a box cut into convex cells by tilted planes, with convex openings of every shape
-    Terrain, ///< cellars, tunnels, towers and yards: cells that the ground runs through
-    Map      ///< all 255 x 255 landblocks, towns here and there, dungeons of some hundred cells in the west
+    Terrain, ///< cellars, tunnels, towers and yards: cells that intersect the ground
+    Map      ///< all 255 x 255 landblocks: some towns, and dungeons of some hundred cells in the west
 };
 
-/// Which world to generate. The files depend on nothing else, byte for byte.
+/// The parameters of a generated world. Every byte of the files follows from them.
 struct GeneratedSpec {
     GeneratedKind kind = GeneratedKind::Dungeon;
-    /// Cells of a dungeon or map (to 1,000,000) or complex (to 5,000), houses of a town (to 2,000), sites of a
-    /// terrain (to 500). Of a map about as many.
+    /// The number of cells of a dungeon (at most 1,000,000) or complex (5,000), of houses of a town (2,000),
+    /// of sites of a terrain (500). For a map, about the number of cells (1,000,000).
     std::uint32_t size = 50;
     std::uint32_t seed = 1;
-    /// Share of the cells of dungeons, 0..0.05, that are corridors straight through other rooms: cells that overlap in space.
+    /// The share of a dungeon's cells, 0..0.05, that are corridors through other rooms. Such cells overlap in
+    /// space.
     double overlapShare = 0.02;
 };
 
 /// Writes a generated world to `directory` (made if missing): `client_portal.dat`, `client_cell_1.dat`,
-/// `world.json`. Errors: a size of 0 or beyond the kind's limit, a share out of range; the directory or a file cannot
-/// be written. Cost: about 10 s for 100,000 cells.
+/// `world.json`. Errors: the size is 0 or beyond the kind's limit; the share is out of range; the directory
+/// or a file cannot be written. Cost: about 10 s for 100,000 cells.
 [[nodiscard]] Result<void> writeGeneratedWorld(const GeneratedSpec& spec,
                                                const std::filesystem::path& directory);
 

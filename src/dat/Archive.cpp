@@ -38,7 +38,7 @@ Result<File> openAs(const std::filesystem::path& path, FileRole role) {
     return file;
 }
 
-/// Names of the years before the end of retail, where the files of today are missing.
+/// True if there are files with the names from before the end of retail, and not those of today.
 bool holdsOlderGame(const std::filesystem::path& directory) {
     std::error_code error;
     return !std::filesystem::exists(directory / kPortalName, error) &&
@@ -46,7 +46,7 @@ bool holdsOlderGame(const std::filesystem::path& directory) {
             std::filesystem::exists(directory / "cell.dat", error));
 }
 
-/// True if `file` has `id`; a damaged index counts as not having it.
+/// True if `file` has `id`. False if its index is damaged.
 bool has(const File& file, RecordId id) {
     const auto entry = file.find(id);
     return entry && *entry;

@@ -4,14 +4,14 @@
 
 namespace limen::dat {
 
-/// The files of one world: `client_portal.dat` and `client_cell_1.dat`, and when present `client_highres.dat`
-/// and `client_local_English.dat`. Safe to read from several threads.
+/// The files of one world: `client_portal.dat` and `client_cell_1.dat`; `client_highres.dat` and
+/// `client_local_English.dat` are optional. Safe to read from several threads.
 class Archive {
 public:
-    /// Errors: a directory that does not exist, a needed file that is missing, foreign or damaged, one that
-    /// has another role than its name says.
+    /// Errors: the directory does not exist; a required file is missing, of another format or damaged; a
+    /// file's role is not that of its name.
     [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
-    /// Of files that are open already. For tests and fuzzing.
+    /// An archive of open files. For tests and fuzzing.
     [[nodiscard]] static Archive of(File portal, File cell) {
         return Archive("memory", std::move(portal), std::move(cell));
     }
@@ -23,17 +23,15 @@ public:
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
     /// Decodes a record of the portal file (a RenderSurface also from highres) or of the cell file, by its
-    /// type. Errors: an id that is not one of this type, no such record, a damaged one; each names file and
-    /// id.
+    /// type. Errors, with file and id: the id is not of this type; the record does not exist or is damaged.
     template <class Record>
     [[nodiscard]] Result<Record> load(RecordId id) const;
-    /// True if the file that holds records of this type has `id`; false also where its index is damaged.
+    /// True if the file for records of this type has `id`. False if its index is damaged.
     template <class Record>
     [[nodiscard]] bool contains(RecordId id) const;
-    /// The image to show for a SurfaceTexture: the first of its list, largest first, that portal or highres
-    /// holds.
+    /// The largest existing image of a SurfaceTexture: the first of its list that portal or highres holds.
     [[nodiscard]] Result<RecordId> imageOf(const SurfaceTexture& texture) const;
-    /// File::letPagesGo of all of them.
+    /// File::letPagesGo of all files.
     void letPagesGo() const;
 
 private:

@@ -13,20 +13,20 @@
 #include <cstddef>
 #include <span>
 
-// Bytes to typed records and back. `decode` accepts what the format pages allow, checks every count against
-// the bytes that are left before it allocates, and requires that the record ends exactly where its bytes do.
-// For every byte string that decodes, encode(decode(bytes)) == bytes.
+// Bytes to typed records and back. `decode` accepts the formats of docs/formats, checks every count against
+// the remaining bytes before it allocates, and requires that the record ends at the end of its bytes. For
+// every byte string that decodes, encode(decode(bytes)) == bytes.
 namespace limen::dat {
 
 using Bytes = std::vector<std::byte>;
 using ByteView = std::span<const std::byte>;
 
-/// Decodes the payload of record `id`. Defined for all RecordTypes (RecordTypes.h). Errors name the id,
-/// the offset in the payload and what was expected there.
+/// Decodes the payload of record `id`. Defined for all RecordTypes (RecordTypes.h). Errors name the id, the
+/// offset in the payload and the expected value.
 template <class Record>
 [[nodiscard]] Result<Record> decode(RecordId id, ByteView payload);
 
-/// The payload of a record.
+/// The bytes of a record. Requires: flags and lists agree (README.md).
 template <class Record>
 [[nodiscard]] Bytes encode(const Record& record);
 

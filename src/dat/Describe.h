@@ -5,7 +5,7 @@
 #include <string>
 
 // Records as JSON for people: ids in hexadecimal, floats in their shortest form (NaN and infinity as
-// strings), short lists on one line. Pixels are left out; their number is told.
+// strings), short lists on one line. Pixels are replaced by their number.
 namespace limen::dat {
 
 [[nodiscard]] std::string describe(const GfxObj& record);
@@ -29,8 +29,8 @@ namespace limen::dat {
 [[nodiscard]] std::string describe(const LandBlockInfo& record);
 [[nodiscard]] std::string describe(const EnvCell& record);
 
-/// Decodes and describes a payload by what its id stands for in a file of that role. A kind that Limen does
-/// not decode is told by its size and first bytes. Errors: those of decode.
+/// Decodes and describes a payload as the kind of record that `id` is in a file of that role. For a kind that
+/// Limen does not decode, gives size and first bytes. Errors: those of decode.
 [[nodiscard]] Result<std::string> describe(FileRole role, RecordId id, ByteView payload);
 
 } // namespace limen::dat

@@ -27,7 +27,7 @@ struct File::Impl {
         return impl;
     }
 
-    /// The error, and that the file is shorter than it should be where that may be the cause.
+    /// The error. Adds that the file is too short if that may be the cause.
     [[nodiscard]] tl::unexpected<Error> explained(Error error) const {
         const std::size_t length = mapping.bytes().size();
         if (error.code == ErrorCode::Malformed && length < header.fileSize)

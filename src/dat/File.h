@@ -9,7 +9,7 @@
 
 namespace limen::dat {
 
-/// The header of a dat file (docs/formats/container.md#header), what a reader needs of it.
+/// The header of a dat file (formats/container.md §2), without fields that readers ignore.
 struct Header {
     std::uint32_t blockSize = 0, fileSize = 0, type = 0, subset = 0, root = 0;
     std::uint32_t engineVersion = 0, gameVersion = 0, minorVersion = 0;
@@ -24,17 +24,15 @@ struct Entry {
     std::int32_t iteration = 0;
 };
 
-/// A dat file opened for reading: memory-mapped, nothing is read before it is asked for. All const members
-/// may be called from several threads at once. Every rule of docs/formats/container.md#damage is checked where the
-/// bytes are met, so a damaged node or chain gives an Error when it is touched, never a crash, a loop or a
-/// large allocation.
+/// A memory-mapped dat file. Bytes are read on use. All const members may be called from several threads at
+/// once. Every rule of formats/container.md §9 is checked when the bytes are used: a damaged node or chain
+/// gives an Error, never a crash, an endless loop or a large allocation.
 class File {
 public:
-    /// Opens and checks the header and the root node. A pre-end-of-retail file (other magic, other header
-    /// layout) is recognised and refused as Unsupported, with a sentence that says so.
+    /// Opens the file and checks the header and the root node. Errors: Unsupported for a file from before the
+    /// end of retail (other magic, other header layout); the message says so.
     [[nodiscard]] static Result<File> open(const std::filesystem::path& path);
-    /// The same over bytes already in memory (copied); `name` stands for the path in messages. For tests and
-    /// fuzzing.
+    /// A file from a copy of bytes in memory; messages use `name` as its path. For tests and fuzzing.
     [[nodiscard]] static Result<File> fromBytes(ByteView bytes, std::string name);
 
     File(File&&) noexcept;
@@ -46,22 +44,23 @@ public:
     /// The role follows from header type and subset, not from the name.
     [[nodiscard]] FileRole role() const;
 
-    /// The entry of `id`, or no value if the file does not hold it. Cost: a walk down the tree; <= 1 µs when
-    /// warm.
+    /// The entry of `id`, or no value if the file does not have it. Cost: one descent of the tree, at most 1
+    /// µs when warm.
     [[nodiscard]] Result<std::optional<Entry>> find(RecordId id) const;
-    /// A record's payload: chain followed, decompressed. NotFound if absent. `scratch` holds the bytes when
-    /// the record spans blocks or is compressed; the view is into it or into the mapping and lives as long as
-    /// both.
+    /// A record's decompressed payload. `scratch` holds the bytes if the record spans blocks or is
+    /// compressed. The view is into `scratch` or into the mapping and is valid as long as both are. Errors:
+    /// NotFound if absent.
     [[nodiscard]] Result<ByteView> read(const Entry& entry, Bytes& scratch) const;
     [[nodiscard]] Result<ByteView> read(RecordId id, Bytes& scratch) const;
-    /// Calls `visit` for every entry in ascending order of id until it returns false. Checks the whole tree
-    /// as it goes; what does not stop reading (leaves at unequal depths) is added to `warnings` when given.
+    /// Calls `visit` for every entry in ascending order of id until it returns false. Checks all nodes that
+    /// it visits. Adds faults that do not prevent reading (leaves at unequal depths) to `warnings` if given.
     [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
                                        std::vector<std::string>* warnings = nullptr) const;
-    /// What was odd at opening but does not stop reading: a fileSize that differs from the real length.
+    /// Faults of the header that do not prevent reading: a fileSize that differs from the real length.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
-    /// What was read of it counts as memory of this process no longer, though it is as valid as before; reading it again costs a little.
-    /// For whoever has read much and now will not for a while. Safe while other threads read.
+    /// Releases the pages that were read, so that they do not count as memory of this process. Views stay
+    /// valid; the next read of a page costs a page fault. Call it after much was read. Safe while other
+    /// threads read.
     void letPagesGo() const;
 
 private:

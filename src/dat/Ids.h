@@ -5,14 +5,14 @@
 
 namespace limen::dat {
 
-/// A record's key in a dat's B-tree. The high byte (portal files) or the low word (cell files) tells the
-/// type: see docs/formats/ids.md.
+/// A record's key in a dat's B-tree. The high byte (portal files) or the low word (cell files) determines the
+/// type: see formats/ids.md.
 using RecordId = std::uint32_t;
 
 inline constexpr RecordId kIterationId = 0xFFFF0001u;
 inline constexpr RecordId kRegionId = 0x13000000u;
 
-/// Kinds of record that Limen decodes; `Other` is carried as bytes.
+/// Kinds of record that Limen decodes. `Other`: only its bytes are available.
 enum class RecordKind {
     GfxObj,
     Setup,
@@ -38,7 +38,7 @@ enum class RecordKind {
     Other
 };
 
-/// Which file an id is looked up in decides its meaning: a portal (or highres, local) file or a cell file.
+/// The meaning of an id depends on the file: a portal (or highres, local) file or a cell file.
 enum class FileRole { Portal, Cell, Highres, Local };
 
 [[nodiscard]] RecordKind kindOf(FileRole role, RecordId id);
@@ -50,7 +50,7 @@ enum class FileRole { Portal, Cell, Highres, Local };
 /// "0x%08X".
 [[nodiscard]] std::string idText(RecordId id);
 
-/// A landblock's place on the map, 0..254 each way: x grows to the east, y to the north.
+/// A landblock's position on the map, 0..254: x increases to the east, y to the north.
 struct BlockCoord {
     int x = 0;
     int y = 0;
@@ -73,7 +73,7 @@ struct BlockCoord {
 /// Low words of cell ids.
 inline constexpr std::uint16_t kFirstCell = 0x0100;
 inline constexpr std::uint16_t kLastCell = 0xFFFD;
-inline constexpr std::uint16_t kOutdoors = 0xFFFF; ///< in a portal's otherCellId: it leads outside
+inline constexpr std::uint16_t kOutdoors = 0xFFFF; ///< in a portal's otherCellId: the outside
 inline constexpr std::uint16_t kNoPortal = 0xFFFF; ///< in otherPortalId: one-way
 
 } // namespace limen::dat

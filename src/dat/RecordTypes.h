@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-// The record types as a list, so that what is done with each of them is written once.
+// The record types as a list, so that code for all of them is written once.
 namespace limen::dat {
 
 template <class... Records>

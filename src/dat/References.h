@@ -4,14 +4,14 @@
 
 #include <functional>
 
-// Which other records a record names (the format pages of each).
+// The references from records to other records (docs/formats).
 namespace limen::dat {
 
-/// A record of one of these kinds; `kinds` may repeat one. Ids that mean "none" are not told.
+/// A reference to a record of one of two kinds, which may be equal. Ids that mean "none" are not references.
 struct Reference {
     RecordId id = 0;
     std::array<RecordKind, 2> kinds{RecordKind::Other, RecordKind::Other};
-    const char* as = ""; ///< what for, e.g. "a part"
+    const char* as = ""; ///< its purpose, e.g. "a part"
 
     Reference(RecordId named, RecordKind kind, const char* what) : id(named), kinds{kind, kind}, as(what) {}
     Reference(RecordId named, RecordKind kind, RecordKind other, const char* what)
@@ -19,12 +19,12 @@ struct Reference {
 };
 using ReferenceVisitor = std::function<void(const Reference&)>;
 
-/// Tells the visitor every reference, in the order of the record. Of a SurfaceTexture's images one is enough: they are not told. Of
-/// sounds nothing is told.
+/// Visits every reference in the order of the record. Omits sounds, and the images of a SurfaceTexture,
+/// because one existing image is enough.
 template <class Record>
 void forEachReference(const Record& record, const ReferenceVisitor& visit);
 
-/// What is written twice: the visitor is handed a model, which is a GfxObj or a Setup.
+/// A reference to a model: a GfxObj or a Setup.
 [[nodiscard]] inline Reference modelReference(RecordId id, const char* as) {
     return {id, RecordKind::GfxObj, RecordKind::Setup, as};
 }

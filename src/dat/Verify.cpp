@@ -11,10 +11,10 @@
 namespace limen::dat {
 namespace {
 
-/// Which records there are.
+/// The ids of all records.
 class Index {
 public:
-    /// Adds a file's entries; they come in ascending order.
+    /// Adds a file's entries, in ascending order of id.
     std::vector<Entry> add(const File& file, VerifyReport& report) {
         std::vector<Entry> entries;
         const Result<void> walked = file.forEach(
@@ -58,7 +58,7 @@ public:
             entries_.push_back({file, index_.add(*file, report_)});
             total_ += entries_.back().second.size();
         }
-        // Shapes come before the cells that have them.
+        // Files with shapes come before files with cells.
         std::stable_sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
             return static_cast<int>(a.first->role()) < static_cast<int>(b.first->role());
         });
@@ -79,8 +79,8 @@ public:
     }
 
 private:
-    void fault(Fault::Kind kind, std::string what) { faultOf(entryId_, kind, std::move(what)); }
-    void faultOf(RecordId id, Fault::Kind kind, std::string what) {
+    void fault(FaultKind kind, std::string what) { faultOf(entryId_, kind, std::move(what)); }
+    void faultOf(RecordId id, FaultKind kind, std::string what) {
         ++report_.faultCounts[static_cast<std::size_t>(kind)];
         if (report_.faults.size() < options_.mostFaults)
             report_.faults.push_back({kind, file_->role(), id, std::move(what)});
@@ -91,7 +91,7 @@ private:
         const RecordKind kind = kindOf(file_->role(), entry.id);
         const Result<ByteView> payload = file_->read(entry, scratch_);
         if (!payload) {
-            fault(Fault::Kind::Unreadable, payload.error().what);
+            fault(FaultKind::Unreadable, payload.error().what);
             return;
         }
         VerifyReport::Sum& sum = report_.byKind[static_cast<std::size_t>(kind)];
@@ -106,12 +106,12 @@ private:
     void verifyRecord(ByteView payload) {
         const Result<Record> record = decode<Record>(entryId_, payload);
         if (!record) {
-            fault(Fault::Kind::Unreadable, fmt::format("{}: {}", record.error().where, record.error().what));
+            fault(FaultKind::Unreadable, fmt::format("{}: {}", record.error().where, record.error().what));
             return;
         }
         const Bytes again = encode(*record);
         if (!std::equal(again.begin(), again.end(), payload.begin(), payload.end()))
-            fault(Fault::Kind::Changed,
+            fault(FaultKind::Changed,
                   fmt::format("{} bytes would be written as {} others", payload.size(), again.size()));
         forEachReference(*record, [this](const Reference& reference) { resolve(reference); });
         look(*record);
@@ -121,11 +121,11 @@ private:
         const auto [one, other] = reference.kinds;
         if (!index_.knows(one) || index_.holds(one, reference.id) || index_.holds(other, reference.id))
             return;
-        fault(Fault::Kind::Unresolved, fmt::format("names {} 0x{:08X} as {}, and there is none", nameOf(one),
-                                                   reference.id, reference.as));
+        fault(FaultKind::Unresolved, fmt::format("names {} 0x{:08X} as {}, and there is none", nameOf(one),
+                                                 reference.id, reference.as));
     }
 
-    // What references alone do not tell.
+    // Checks beyond references.
     template <class Record>
     void look(const Record&) {}
 
@@ -134,7 +134,7 @@ private:
             return index_.holds(RecordKind::RenderSurface, id);
         });
         if (!any)
-            fault(Fault::Kind::Unresolved,
+            fault(FaultKind::Unresolved,
                   fmt::format("none of its {} images is there", texture.images.size()));
     }
 
@@ -146,10 +146,10 @@ private:
     void look(const EnvCell& cell) {
         cells_[static_cast<std::uint16_t>(cell.id)] = cell.portals;
         if (!index_.holds(RecordKind::Environment, 0x0D000000u | cell.environment))
-            return; // said, or not known
+            return; // reported already, or the file is not given
         const auto shape = shapes_.find(shapeKey(cell.environment, cell.cellStructure));
         if (shape == shapes_.end()) {
-            fault(Fault::Kind::Unresolved,
+            fault(FaultKind::Unresolved,
                   fmt::format("has shape {} of Environment 0x{:08X}, which has no such shape",
                               cell.cellStructure, 0x0D000000u | cell.environment));
             return;
@@ -157,7 +157,7 @@ private:
         for (const CellPortal& portal : cell.portals) {
             const std::vector<std::uint16_t>& polygons = shape->second;
             if (std::find(polygons.begin(), polygons.end(), portal.polygonId) == polygons.end())
-                fault(Fault::Kind::Unresolved,
+                fault(FaultKind::Unresolved,
                       fmt::format("has a portal on polygon {}, which is none of its shape's portals",
                                   portal.polygonId));
         }
@@ -165,20 +165,20 @@ private:
 
     void look(const LandBlockInfo& info) {
         if (info.numCells > kLastCell - kFirstCell + 1u)
-            fault(Fault::Kind::Unresolved,
+            fault(FaultKind::Unresolved,
                   fmt::format("{} cells are more than a landblock can have", info.numCells));
         for (const Building& building : info.buildings)
             for (const BuildingPortal& portal : building.portals)
                 lookBehind(info.id, portal.otherCellId, portal.otherPortalId, "a building's portal");
     }
 
-    /// A portal's other side, in a cell of this block.
+    /// Checks the portal behind a portal, in a cell of this block.
     void lookBehind(RecordId from, std::uint16_t cell, std::uint16_t portal, const char* what) {
         const auto found = cells_.find(cell);
         if (cell == kOutdoors || portal == kNoPortal || found == cells_.end())
-            return; // a cell that is not there has been told
+            return; // missing cells are reported already
         if (portal >= found->second.size())
-            faultOf(from, Fault::Kind::Unresolved,
+            faultOf(from, FaultKind::Unresolved,
                     fmt::format("{} leads to portal {} of cell 0x{:08X}, which has {}", what, portal,
                                 block_ | cell, found->second.size()));
     }
@@ -203,17 +203,17 @@ private:
     Index index_;
     std::vector<std::pair<const File*, std::vector<Entry>>> entries_;
     std::size_t total_ = 0;
-    const File* file_ = nullptr; ///< the one that is looked at
-    RecordId entryId_ = 0;       ///< the record
+    const File* file_ = nullptr; ///< current file
+    RecordId entryId_ = 0;       ///< current record
     Bytes scratch_;
     std::unordered_map<std::uint64_t, std::vector<std::uint16_t>> shapes_; ///< portal polygons, by shapeKey
     RecordId block_ = 0;
-    std::map<std::uint16_t, std::vector<CellPortal>> cells_; ///< of the block
+    std::map<std::uint16_t, std::vector<CellPortal>> cells_; ///< of the current block
 };
 
 } // namespace
 
-const char* nameOf(Fault::Kind kind) {
+const char* nameOf(FaultKind kind) {
     constexpr std::array<const char*, 3> kNames{"unreadable", "changed", "unresolved"};
     return kNames.at(static_cast<std::size_t>(kind));
 }

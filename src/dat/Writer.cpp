@@ -30,13 +30,13 @@ Bytes iterationRecord() {
     return out;
 }
 
-/// A file under construction: blocks are handed out one behind the other.
+/// A file under construction. Blocks are allocated in ascending order.
 class BlockSink {
 public:
     explicit BlockSink(std::uint32_t blockSize)
         : blockSize_(blockSize), capacity_(blockSize - 4), bytes_(firstUsableOffset(blockSize)) {}
 
-    /// Stores an object in consecutive blocks; yields the offset of the first.
+    /// Stores an object in consecutive blocks. Returns the offset of the first one.
     std::uint32_t store(ByteView object) {
         const std::size_t count = object.empty() ? 1 : (object.size() + capacity_ - 1) / capacity_;
         const std::size_t start = bytes_.size();
@@ -80,7 +80,7 @@ Bytes nodeBytes(const NodePlan& node, const std::vector<std::uint32_t>& offsets)
     return out;
 }
 
-/// Stores the tree over `entries`; yields the offset of its root.
+/// Stores the tree over `entries`. Returns the offset of its root.
 std::uint32_t storeTree(BlockSink& sink, const std::vector<Entry>& entries) {
     std::vector<std::uint32_t> offsets;
     for (const NodePlan& node : planTree(entries))

@@ -7,7 +7,7 @@
 
 namespace limen::dat {
 
-/// What a new file says of itself.
+/// The header fields of a new file.
 struct FileTraits {
     std::uint32_t blockSize = 1024;
     std::uint32_t type = 1; ///< 1 portal, 2 cell, 3 local
@@ -36,7 +36,7 @@ public:
 
     /// The whole file. The iteration record is added if it is missing.
     [[nodiscard]] Bytes build() const;
-    /// Writes the file beside its name and renames it into place, so that no half-written file is ever seen.
+    /// Writes the file to a second name and renames it, so that no reader sees a partial file.
     [[nodiscard]] Result<void> write(const std::filesystem::path& path) const;
 
 private:

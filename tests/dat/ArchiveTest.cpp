@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A directory of its own for each test, removed at its end.
+/// Gives each test a temporary directory.
 class ArchiveTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -127,7 +127,7 @@ TEST_F(ArchiveTest, refusesAMissingDirectoryAndMissingFiles) {
 }
 
 TEST_F(ArchiveTest, namesADirectoryOfOlderGameFilesForWhatItIs) {
-    std::ofstream(directory_ / "portal.dat") << "whatever it holds";
+    std::ofstream(directory_ / "portal.dat") << "any content";
     const Error error = openError();
     EXPECT_EQ(error.code, ErrorCode::Unsupported);
     EXPECT_THAT(error.what, HasSubstr("older than the end of retail"));

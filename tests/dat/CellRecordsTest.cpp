@@ -7,7 +7,7 @@
 namespace limen::dat {
 namespace {
 
-// The cell whose values the format page quotes.
+// The cell with the values of the format page.
 const std::string kQuotedCell = R"(
     02 01 02 00  01 00 00 00  02 01 02 00                        # id, seen outside, id again
     06 03 02 00                                                  # surfaces, portals, visible cells
@@ -64,7 +64,7 @@ TEST(EnvCellCodec, refusesASecondIdThatDiffers) {
     EXPECT_EQ(c.error().message(), "record 0x00020102, offset 0x8: the record's second id is 0x00020103");
 }
 
-// The landblock of which the format page quotes some entries; the others are zero here.
+// The landblock with some values of the format page; others are zero.
 TEST(LandBlockCodec, readsTerrainColumnsFromWestToEast) {
     Bytes bytes = hex("FF FF B1 9A  00 00 00 00");
     bytes.resize(252);
@@ -93,7 +93,7 @@ TEST(LandBlockCodec, readsTerrainColumnsFromWestToEast) {
     EXPECT_EQ(encode(*b), bytes);
 }
 
-// The building whose values the format page quotes; five stabs leave a gap of two bytes.
+// The building with the values of the format page; five stabs need two bytes of padding.
 const std::string kQuotedInfo = R"(
     FE FF 55 14  05 00 00 00
     00 00 00 00                                                  # no objects

@@ -15,7 +15,7 @@ Bytes patternOf(RecordId id, std::size_t size) {
     return out;
 }
 
-/// A record of a size that follows from its id: empty, one block, just over a block, several.
+/// The size of a record, by its id: empty, one block, one block and a byte, several blocks.
 std::size_t sizeOf(RecordId id, std::size_t capacity) {
     const std::size_t sizes[] = {
         0, 1, 12, capacity - 1, capacity, capacity + 1, 2 * capacity, 3 * capacity + 5};
@@ -54,7 +54,7 @@ TEST_P(ContainerRoundTrip, findsReadsAndWalksEveryRecord) {
     RecordId next = 0;
     std::vector<std::string> warnings;
     const auto walked = file->forEach(
-        [&, records = count](const Entry& entry) { // clang 14 captures no structured binding by itself
+        [&, records = count](const Entry& entry) { // clang 14 cannot capture a structured binding
             EXPECT_EQ(entry.id, next < records ? idOf(next) : kIterationId);
             ++next;
             return true;
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(BothBlockSizes, ContainerRoundTrip,
                                          Shape{256, 500}, Shape{256, 4000}, Shape{256, 20000}, Shape{64, 200},
                                          Shape{65536, 100}));
 
-/// Bytes of files that count as this process's memory.
+/// Bytes of mapped files in this process's memory.
 std::size_t mappedBytes() {
     std::ifstream status("/proc/self/status");
     std::string word;

@@ -7,8 +7,7 @@
 
 namespace limen::dat {
 
-/// Bytes from pairs of hexadecimal digits; spaces and line ends are skipped, so is everything from '#' to the
-/// line's end.
+/// Bytes from pairs of hexadecimal digits. Skips white space, and text from '#' to the end of the line.
 inline Bytes hex(std::string_view text) {
     Bytes out;
     int high = -1;
@@ -37,7 +36,7 @@ inline Bytes hex(std::string_view text) {
     return out;
 }
 
-/// The reverse, for messages of failed tests.
+/// Hexadecimal digits of bytes, for messages of failed tests.
 inline std::string toHex(ByteView bytes) {
     constexpr char kDigits[] = "0123456789ABCDEF";
     std::string out;

@@ -5,7 +5,7 @@
 namespace limen::dat {
 namespace {
 
-/// 256 heights: the i-th is 2 for every i, so that the table is easy to spot.
+/// 256 heights of 2, a table that is easy to recognise.
 std::string heights() {
     std::string out;
     for (int i = 0; i < 256; ++i)

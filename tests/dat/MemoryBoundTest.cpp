@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-// Counts what the program asks the heap for. Replacing operator new takes one pair of definitions a program,
-// hence a test program of its own.
+// Counts heap allocations. Replacing operator new needs one pair of definitions in a program, hence a
+// separate test program.
 namespace {
 std::atomic<std::size_t> liveBytes{0};
 std::atomic<std::size_t> peakBytes{0};
@@ -45,7 +45,7 @@ void operator delete(void* pointer, std::size_t) noexcept {
 namespace limen::dat {
 namespace {
 
-/// Heap bytes in use at the highest point of `work`, beyond what was in use before.
+/// The peak of heap bytes in use during `work`, minus those in use before.
 template <class Work>
 std::size_t peakOf(Work&& work) {
     const std::size_t before = liveBytes;
@@ -62,7 +62,7 @@ class MemoryBound : public testing::Test {};
 using AllRecords = RecordTypes::As<testing::Types>;
 TYPED_TEST_SUITE(MemoryBound, AllRecords);
 
-// Every word of a record in turn becomes a count that no file can keep, and one that it nearly can.
+// Replaces every word of a record by a count far above the bytes of the file, and by one slightly above them.
 TYPED_TEST(MemoryBound, malformedCountsNeverAllocateMuchMoreThanTheInput) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const auto record = RandomRecords(seed).make<TypeParam>();
@@ -83,7 +83,7 @@ TYPED_TEST(MemoryBound, malformedCountsNeverAllocateMuchMoreThanTheInput) {
 }
 
 TEST(MemoryBoundTree, theSmallestNodesCostTheMost) {
-    // A cell tree that is nothing but inner nodes with two leaves: 36 bytes for three nodes.
+    // A cell tree of inner nodes with two leaves each: 36 bytes for three nodes.
     std::string text =
         "01 00 00 0D  01 00 00 00  00 00 00 00  00 00 00 00 00 00 00 00 00 00 00 00  01 00 00 00 00 00 00 00";
     for (int i = 0; i < 400; ++i)

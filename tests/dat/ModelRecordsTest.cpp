@@ -253,7 +253,8 @@ TEST(EnvironmentCodec, readsACellShape) {
 }
 
 TEST(EnvironmentCodec, alignsFromTheStartOfTheRecordAndKeepsThePadding) {
-    // Two portals: their two bytes more must be made up for by two bytes of padding, whatever these hold.
+    // Two portals need no padding. Behind one portal, two bytes of padding with any content restore the
+    // alignment.
     const std::string twoPortals = R"(
         E6 02 00 0D  01 00 00 00  00 00 00 00  00 00 00 00  00 00 00 00  02 00 00 00
         01 00 00 00  00 00 00 00  01 00 02 00
@@ -280,7 +281,7 @@ TEST(EnvironmentCodec, refusesADrawingFlagThatIsNeitherZeroNorOne) {
 }
 
 TEST(PackedCount, oneTwoAndFourBytes) {
-    // A GfxObj's number of surfaces is such a count: 127, 128 and 16384 of them.
+    // A GfxObj's number of surfaces is a packed count: 127, 128 and 16384.
     for (const auto& [count, prefix] : {std::pair<std::size_t, const char*>{127, "7F"},
                                         {128, "80 80"},
                                         {0x3FFF, "BF FF"},

@@ -100,7 +100,7 @@ TEST(MotionTableCodec, readsCyclesModifiersAndLinks) {
     ASSERT_EQ(t->links.size(), 1u);
     EXPECT_EQ(t->links[0].second.at(0).first, 0x45000007u);
     EXPECT_EQ(t->links[0].second[0].second.bitfield, MotionData::kOnlyFromDefault);
-    EXPECT_EQ(encode(*t), bytes) << "with what the padding held";
+    EXPECT_EQ(encode(*t), bytes) << "with the bytes of the padding";
     const auto json = nlohmann::json::parse(describe(*t));
     EXPECT_EQ(json["cycles"][0]["animations"][0]["animation"], "0x03000005");
     EXPECT_EQ(json["links"][0]["to"][0]["key"], "0x45000007");

@@ -6,8 +6,8 @@
 
 namespace limen::dat {
 
-/// Records with random content of every shape that the format allows: NaNs, empty and long lists, repeated
-/// keys, filled padding. For round trips, seeds of the fuzzers and the benchmark. The same seed gives the
+/// Records with random content of every form that the format allows: NaNs, empty and long lists, repeated
+/// keys, nonzero padding. For round trips, corpora of the fuzzers, and the benchmark. The same seed gives the
 /// same records.
 class RandomRecords {
 public:

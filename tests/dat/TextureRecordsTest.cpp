@@ -92,7 +92,7 @@ TEST(RenderSurfaceCodec, refusesAbsurdSizesAndUnknownFormats) {
     EXPECT_EQ(unknown.error().code, ErrorCode::Unsupported);
 }
 
-// The two records whose values the format page quotes from the end-of-retail files.
+// The two records with values that the format page quotes from end-of-retail files.
 TEST(SurfaceCodec, readsTheQuotedImageSurface) {
     const Bytes bytes = hex("02 00 00 00  9A 1A 00 05  00 00 00 00  00 00 00 00  00 00 00 00  00 00 4D 3F");
     const auto s = decode<Surface>(0x08000DCB, bytes);

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr RecordId kBlock = 0x12340000;
 
-/// A portal and a cell file in memory, with one record of several kinds that fit together.
+/// A portal and a cell file in memory, with consistent records of several kinds.
 struct Files {
     Writer portal{FileTraits::portal()}, cell{FileTraits::cell()}, highres{FileTraits::highres()};
     bool withPortal = true, withHighres = false;
@@ -103,7 +103,7 @@ TEST(Verify, tellsWhichRecordNamesWhatIsNotThere) {
     files.portal.add(set);
     const VerifyReport report = files.verified();
     ASSERT_EQ(report.faults.size(), 1u);
-    EXPECT_EQ(report.faults[0].kind, Fault::Kind::Unresolved);
+    EXPECT_EQ(report.faults[0].kind, FaultKind::Unresolved);
     EXPECT_EQ(report.faults[0].id, 0x0F000001u);
     EXPECT_EQ(report.faults[0].role, FileRole::Portal);
     EXPECT_EQ(report.faults[0].what, "names Palette 0x04000002 as a palette, and there is none");
@@ -176,7 +176,7 @@ TEST(Verify, tellsUnreadableRecordsAndCountsWhatItDoesNotKeep) {
                             told = done;
                             ofAll = total;
                         }});
-    EXPECT_EQ(report.faultCounts[static_cast<std::size_t>(Fault::Kind::Unreadable)], 2u);
+    EXPECT_EQ(report.faultCounts[static_cast<std::size_t>(FaultKind::Unreadable)], 2u);
     ASSERT_EQ(report.faults.size(), 1u);
     EXPECT_THAT(report.faults[0].what, HasSubstr("offset 0x0"));
     EXPECT_EQ(report.byKind[static_cast<std::size_t>(RecordKind::Other)].records, 1u);
@@ -184,7 +184,7 @@ TEST(Verify, tellsUnreadableRecordsAndCountsWhatItDoesNotKeep) {
     EXPECT_EQ(ofAll, 14u) << "nine of the portal's, five of the cell's";
 }
 
-// Whatever a record names must be told: a random record in a file of its own resolves nothing but itself.
+// All references are reported: a random record alone in a file resolves only references to itself.
 template <class Record>
 class References : public testing::Test {};
 TYPED_TEST_SUITE(References, RecordTypes::As<testing::Types>);
@@ -210,8 +210,8 @@ TYPED_TEST(References, ofRandomRecordsAreJudgedWithoutHarm) {
         const File* const list[] = {&file};
         const VerifyReport report = verify(list);
         EXPECT_EQ(report.byKind[static_cast<std::size_t>(kind)].records, 1u);
-        EXPECT_EQ(report.faultCounts[static_cast<std::size_t>(Fault::Kind::Unreadable)], 0u);
-        EXPECT_EQ(report.faultCounts[static_cast<std::size_t>(Fault::Kind::Changed)], 0u);
+        EXPECT_EQ(report.faultCounts[static_cast<std::size_t>(FaultKind::Unreadable)], 0u);
+        EXPECT_EQ(report.faultCounts[static_cast<std::size_t>(FaultKind::Changed)], 0u);
     }
 }
 

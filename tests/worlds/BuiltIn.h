@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-// The built-in world's records, looked at by tests the way a reader of the files would.
+// Access to the built-in world's records, independent of the engine's readers.
 namespace limen::worlds::test {
 
 inline const WorldRecords& world() {
@@ -74,7 +74,7 @@ inline bool contains(const dat::EnvCell& cell, const Vec3& blockPoint) {
     return true;
 }
 
-/// The largest distance from a corner of one polygon to the nearest corner of the other, both ways.
+/// The largest distance from a corner of either polygon to the nearest corner of the other.
 inline double mismatch(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     const auto oneWay = [](const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
         double worst = 0.0;

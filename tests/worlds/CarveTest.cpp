@@ -1,8 +1,9 @@
-#include "worlds/generate/Carve.h"
+#include "worlds/records/Carve.h"
 #include "worlds/generate/ComplexOpenings.h"
-#include "worlds/generate/ShapeLibrary.h"
-#include "worlds/generate/Shell.h"
-#include "worlds/generate/SolidCutter.h"
+#include "worlds/records/ShapeLibrary.h"
+#include "worlds/records/SolidTree.h"
+#include "worlds/shapes/Shell.h"
+#include "worlds/shapes/SolidCutter.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -57,8 +58,8 @@ TEST(WithoutOpenings, leavesExactlyTheRest) {
     EXPECT_TRUE(withoutOpenings(kSquare, std::vector<Polygon>{kSquare}).empty());
 }
 
-/// A cut goes through a corner that is within `kOnCut` of it, so an edge of a piece may be that far from the
-/// opening's, all along, and no farther: 1.5e-5 m2 for the seeds 6271 and 7731.
+/// A cut goes through a corner within kOnCut of it, so the whole edge of a piece may be off the opening's
+/// edge by up to that distance: 1.5e-5 m2 for the seeds 6271 and 7731.
 RC_GTEST_PROP(WithoutOpenings, keepsTheAreaForRoundOpenings, (std::uint32_t seed)) {
     Random random(seed);
     const Polygon opening = roundOpening(kSquare, random);
@@ -114,7 +115,7 @@ RC_GTEST_PROP(SharedFaces, hangAllSolidsTogether, (std::uint32_t seed)) {
     RC_ASSERT(std::all_of(island.begin(), island.end(), [](std::uint32_t i) { return i == 0; }));
 }
 
-/// The general form: both children count, a missing one is outside.
+/// The general form of a tree: both children are searched; a missing one is outside.
 bool holds(const dat::BspTree& tree, std::int32_t node, const Vec3& p) {
     if (node < 0)
         return false;

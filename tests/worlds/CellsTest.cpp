@@ -1,8 +1,8 @@
-#include "worlds/Bsp.h"
-#include "worlds/Cottages.h"
-#include "worlds/Inn.h"
 #include "worlds/Shell.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/buildings/Cottages.h"
+#include "worlds/builtin/buildings/Inn.h"
+#include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/records/Bsp.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -10,7 +10,7 @@
 namespace limen::worlds::test {
 namespace {
 
-// Low words of the ids: houses are numbered in the order they are added.
+// Low words of ids. Houses are numbered in the order of addition.
 constexpr std::uint32_t kFirstOfInn = 0x109;
 
 std::uint32_t idOf(CottageCell cell) {
@@ -63,7 +63,7 @@ TEST(Cells, noFanTriangleOfASurfaceIsFlat) {
         const dat::CellStruct& shape = shapeOf(cell);
         for (const auto& [id, polygon] : shape.polygons) {
             if (polygon.posSurface < 0)
-                continue; // an opening is no fan: readers cut it up themselves
+                continue; // openings need no fan: readers triangulate them
             const std::vector<Vec3> p = pointsOf(shape.vertexArray, polygon, cell.position);
             for (std::size_t k = 1; k + 1 < p.size(); ++k) {
                 EXPECT_GT(glm::length(glm::cross(p[k] - p[0], p[k + 1] - p[0])), 1e-3)
@@ -121,7 +121,7 @@ TEST(Cells, interiorLiesOnTheSideThatTheFlagSays) {
     }
 }
 
-/// Points in and around a cell, none within a centimetre of a wall's plane.
+/// Calls `visit` for points in and around a cell, none within 1 cm of a wall's plane.
 template <class Visit>
 void forPointsAround(const dat::EnvCell& cell, const Aabb& box, Visit visit) {
     for (int k = 0; k < 343; ++k) {
@@ -187,7 +187,7 @@ TEST(Cells, cellTreeOfAConvexCellIsExactToAMillimetre) {
         for (int k = 0; k < points; ++k) {
             const Vec3 t{(k % 7) / 5.0 - 0.1, (k / 7 % 7) / 5.0 - 0.1, (k / 49) / 5.0 - 0.1};
             const Vec3 p = box.min + (box.max - box.min) * t;
-            double depth = 1e300; // below the nearest plane of the shell
+            double depth = 1e300; // distance to the nearest plane of the shell
             for (const Plane& plane : planes)
                 depth = std::min(depth, plane.signedDistance(p));
             if (std::abs(depth) > 0.001) {
@@ -198,7 +198,7 @@ TEST(Cells, cellTreeOfAConvexCellIsExactToAMillimetre) {
     }
 }
 
-/// True if all corners lie behind one of the planes.
+/// True if all corners are behind one of the planes.
 bool behindOne(const std::vector<Plane>& planes, const std::vector<Vec3>& corners) {
     return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
         return std::all_of(corners.begin(), corners.end(),
@@ -210,7 +210,7 @@ TEST(Cells, ofTheVillageArePartedByAWallOfOneOfThem) {
     const std::vector<dat::EnvCell> cells = villageCells();
     for (std::size_t a = 0; a < cells.size(); ++a) {
         for (std::size_t b = a + 1; b < cells.size(); ++b) {
-            // Convex and all but upright prisms: no wall needs to be looked for beyond their own.
+            // Convex and nearly upright prisms: one of their own planes separates them.
             EXPECT_TRUE(behindOne(planesOf(cells[a]), cornersOf(cells[b])) ||
                         behindOne(planesOf(cells[b]), cornersOf(cells[a])))
                 << std::hex << cells[a].id << " " << cells[b].id;
@@ -239,7 +239,7 @@ TEST(Cells, ofABlockAreDisjointButForThePlacesMeantToOverlap) {
                 overlapping.emplace_back(cells[a].id, cells[b].id);
         }
     }
-    // The crypt, and the corridor that goes round behind it: its third and fourth cells lie in the crypt.
+    // The crypt and the corridor behind it, whose third and fourth cells intersect the crypt.
     ASSERT_EQ(overlapping.size(), 2u);
     EXPECT_EQ(overlapping[0].first, overlapping[1].first);
     EXPECT_EQ(overlapping[0].second, overlapping[0].first + 3);
@@ -271,7 +271,7 @@ TEST(Cells, ofTheVillageOnlyCellarsCannotSeeOutside) {
     for (const dat::EnvCell& cell : villageCells())
         if ((cell.flags & dat::EnvCell::kSeenOutside) == 0)
             blind.insert(cell.id & 0xFFFF);
-    // The inn's basement sees a strip of sky up the stairs, through the store's window.
+    // A strip of sky is visible from the inn's basement, up the stairs and through the store's window.
     const std::set<std::uint32_t> blindCells{idOf(CottageCell::CellarDoorway), idOf(CottageCell::Cellar),
                                              idOf(InnCell::VaultArch), idOf(InnCell::Vault)};
     EXPECT_EQ(blind, blindCells);
@@ -297,7 +297,7 @@ TEST(Cells, listAllCellsOfTheirHouseAsVisible) {
 
 class Buildings : public ::testing::Test {
 protected:
-    /// Every building with its landblock's id.
+    /// All buildings with the ids of their landblocks.
     static std::vector<std::pair<std::uint32_t, dat::Building>> all() {
         std::vector<std::pair<std::uint32_t, dat::Building>> out;
         for (const dat::LandBlockInfo& info : world().landBlockInfos)
@@ -332,7 +332,7 @@ TEST_F(Buildings, everyPortalIsThePolygonOfTheCellsExit) {
                 exterior.polygons.at(polygonOfPortal.at(static_cast<std::uint16_t>(k))).second;
             const std::vector<Vec3> outer = pointsOf(exterior.vertexArray, polygon, building.frame);
             EXPECT_EQ(mismatch(outer, portalPoints(*cell, portal.otherPortalId)), 0.0);
-            // Flag: the outside lies on the positive side.
+            // Flag: the outside is on the positive side.
             EXPECT_TRUE((portal.flags & dat::CellPortal::kPortalSide) != 0);
             EXPECT_LT(planeOf(outer).signedDistance(boundsOf(*cell).centre()), 0.0);
             EXPECT_NE(std::find(portal.stabs.begin(), portal.stabs.end(), portal.otherCellId),

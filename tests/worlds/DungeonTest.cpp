@@ -1,7 +1,7 @@
-// Tower, cave and dungeons: what is built in on purpose, found again in the records.
+// The special cases in tower, cave and dungeons are in the records.
 #include "worlds/Shell.h"
-#include "worlds/Stream.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/land/Stream.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -16,7 +16,7 @@ const dat::EnvCell& cellOfPlace(const char* name) {
         static_cast<std::uint32_t>(std::stoul(place.at("cell").get<std::string>(), nullptr, 16)));
 }
 
-/// How many openings it takes to get from one cell to each that can be reached, not through `without`.
+/// The number of openings from one cell to each reachable cell, without passing `without`.
 std::map<std::uint32_t, int> stepsFrom(const dat::EnvCell& from, std::uint32_t without = 0) {
     std::map<std::uint32_t, int> steps{{from.id, 0}};
     std::vector<const dat::EnvCell*> order{&from};
@@ -101,7 +101,7 @@ TEST(Dungeon, everyTwoExitsOfTheHubAreJoinedByLoopsOfSeveralLengths) {
 }
 
 TEST(Dungeon, oneCorridorIsSeenDownItsTwelveCells) {
-    // Eastwards from the hub, at the height of the eye.
+    // East of the hub, at eye height.
     const dat::EnvCell& hub = cellOfPlace("dungeon.hub");
     const Vec3 start(boundsOf(hub).centre().x, boundsOf(hub).centre().y, boundsOf(hub).min.z + 1.7);
     std::set<std::uint32_t> seen;
@@ -231,7 +231,7 @@ TEST(Tower, floorsAreJoinedByLevelOpeningsAndTheLastLeadsOutside) {
 }
 
 TEST(Tower, stepsAreLowEnoughToClimb) {
-    // The stair's level faces, but for those of its rail; each is reached from the one below.
+    // The stair's level faces without those of its rail; each can be reached from the one below.
     const dat::EnvCell& room = *findCell(0xA9B50100u);
     std::vector<double> treads{boundsOf(room).min.z};
     for (const dat::Setup& setup : world().setups) {

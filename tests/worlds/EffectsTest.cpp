@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-// What the built-in world has of effects: that nothing of it is missing, and that all of it is played.
+// All effects of the built-in world load and are played.
 namespace limen::worlds::test {
 namespace {
 
@@ -59,7 +59,7 @@ TEST(Effects, areAllPlayed) {
     EXPECT_EQ(loaded().idleObjects.size(), 2u) << "the whirligig and the vane";
     motion::DynamicStateBuilder dynamicsBuilder(loaded());
     world::DynamicState dynamics;
-    std::set<std::uint64_t> objects; // that are seen at some moment
+    std::set<std::uint64_t> objects; // visible at any time
     for (double seconds = 10.0; seconds < 24.0; seconds += 0.21) {
         motion::DynamicStateInput input;
         input.seconds = seconds;

@@ -1,21 +1,21 @@
 #include "motion/PartPoses.h"
-#include "worlds/FolkGaits.h"
-#include "worlds/FolkModels.h"
 #include "worlds/Loaded.h"
+#include "worlds/builtin/people/FolkGaits.h"
+#include "worlds/builtin/people/FolkModels.h"
 
 #include <gtest/gtest.h>
 #include <optional>
 
-// How the villagers of the built-in world stand, walk and run: what a program plays of their records.
+// The villagers' motions (standing, walking, running) as the engine plays them.
 namespace limen::worlds::test {
 namespace {
 
 using world::Gait;
 
-/// Of every villager's Setup; others are what is held.
+/// Indices of parts in every villager's Setup; higher ones are held objects.
 enum : std::uint32_t { kBody, kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kHeld };
 
-/// A villager doing one thing; `metres` of going, or seconds of standing.
+/// A villager in one gait.
 struct Actor {
     const world::Villager& villager;
     Gait gait;
@@ -24,7 +24,7 @@ struct Actor {
     [[nodiscard]] const world::Cycle& cycle() const {
         return loaded().cycles.at(body().cycles[static_cast<std::size_t>(gait)]);
     }
-    /// Metres for one round of the cycle, or seconds.
+    /// Length of the cycle: metres of walking or running, seconds of standing.
     [[nodiscard]] double round() const {
         const world::Stretch& stretch = loaded().stretches.at(cycle().firstStretch);
         return stretch.frameCount / stretch.rate *
@@ -39,7 +39,7 @@ struct Actor {
         ADD_FAILURE() << villager.name << " has no part " << part;
         return {};
     }
-    /// A part's corners in the villager's own frame.
+    /// A part's corners in the villager's frame.
     [[nodiscard]] std::vector<Vec3> corners(std::uint32_t part, double at) const {
         const motion::PartPose posed = pose(part, at);
         std::vector<Vec3> out;
@@ -54,7 +54,7 @@ struct Actor {
         }
         return out;
     }
-    /// Of what hangs down: how far it is turned forward, radians.
+    /// The forward turn (radians) of a part that hangs down.
     [[nodiscard]] double swing(std::uint32_t part, double at) const {
         const Vec3 down = pose(part, at).linear * Vec3(0, 0, -1);
         return std::atan2(down.y, -down.z);
@@ -144,7 +144,7 @@ TEST(VillagersGaits, leaveTheGroundWhileRunning) {
     }
 }
 
-/// Each corner of a foot, as long as it is within 3 mm of the ground, is followed over the ground.
+/// Follows each corner of a foot over the ground while it is within 3 mm of the ground.
 TEST(VillagersGaits, keepFeetWhereTheyAreSetDown) {
     for (const Gait gait : {Gait::Walk, Gait::Run}) {
         for (const Actor& a : everyone(gait)) {
@@ -160,7 +160,7 @@ TEST(VillagersGaits, keepFeetWhereTheyAreSetDown) {
                         setDown[i].reset();
                         continue;
                     }
-                    const double ahead = foot[i].y + at; // over the ground
+                    const double ahead = foot[i].y + at; // position over the ground
                     setDown[i] = setDown[i].value_or(ahead);
                     worst = std::max(worst, std::abs(ahead - *setDown[i]));
                 }
@@ -200,7 +200,7 @@ TEST(VillagersGaits, leaveTheCartAloneButForItsWheels) {
                 EXPECT_LT(glm::length(then.linear[1] - first.linear[1]), 1e-9);
             }
             for (const std::uint32_t wheel : {kHeld + 1u, kHeld + 2u}) {
-                // It rolls: a spoke has turned by the way that was gone, the upper end forwards.
+                // A wheel rolls: the angle of a spoke matches the distance, with its upper end forwards.
                 const double angle = gait == Gait::Stand ? 0.0 : at / kWheelRadius;
                 const Vec3 spoke = carter->pose(wheel, at).linear * Vec3(0, 0, 1);
                 EXPECT_NEAR(spoke.y, std::sin(angle), 2e-3) << at;
@@ -220,7 +220,7 @@ TEST(VillagersGaits, leaveTheLanternWhereItsLightIs) {
     }
 }
 
-/// What shows of a leg below a gown's hem is a shoe, not a shin through the cloth.
+/// Below a gown's hem only shoes are visible, and no shin intersects the cloth.
 TEST(VillagersGaits, keepLegsInsideGowns) {
     for (const char* name : {"maid", "elder"}) {
         const std::optional<Actor> a = actor(name, Gait::Walk);

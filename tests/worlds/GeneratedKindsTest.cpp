@@ -1,4 +1,4 @@
-// What each kind of generated world is there for.
+// The special properties of each kind of generated world.
 #include "worlds/GeneratedWorlds.h"
 #include "worlds/generate/DungeonLayout.h"
 
@@ -76,7 +76,7 @@ TEST(GeneratedMap, isTheWholeMapWithTownsAndDungeons) {
         const world::World world = generated.load(coord, true, place->cell != 0 ? 0 : 1);
         EXPECT_TRUE(world.findings.empty()) << name;
         EXPECT_EQ(world.spaces.size() > 1, std::string_view(name) == "town" || place->cell != 0) << name;
-        if (place->cell == 0) { // head's height above the ground
+        if (place->cell == 0) { // eye height above the ground
             EXPECT_NEAR(place->eye.z - world::terrainHeight(world, place->eye.x, place->eye.y), 1.7, 0.01)
                 << name;
         }

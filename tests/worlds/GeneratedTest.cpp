@@ -1,4 +1,4 @@
-// What holds for generated worlds of every kind, size and seed.
+// Properties of generated worlds of every kind, size and seed.
 #include "motion/Locate.h"
 #include "worlds/GeneratedWorlds.h"
 
@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryGeneratedWorld, ::testing::ValuesIn(specs()
     return name;
 });
 
-/// Corners of a portal that bend its outline; others are there for its neighbours' sake.
+/// The number of corners at which a portal's outline bends; others only match vertices of neighbours.
 std::size_t bendsOf(std::span<const Vec3> corners) {
     std::size_t bends = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -39,7 +39,7 @@ std::size_t bendsOf(std::span<const Vec3> corners) {
     return bends;
 }
 
-/// Portal by portal: a way back, or a shut opening is wrong.
+/// Expects every portal to have a reciprocal.
 void expectPaired(const world::World& world) {
     for (const world::Portal& portal : world.portals) {
         ASSERT_NE(portal.destination, world::kNone);
@@ -53,15 +53,15 @@ std::size_t cellsOf(const world::World& world) {
     return world.spaces.size() - 1;
 }
 
-/// Points around a block's cells that a tree says its cell holds lie where the cell is.
+/// Points around a block's cells: those inside a cell's tree are in the cell's bounds.
 void expectTreesHoldNothingFarOff(const world::World& world, std::uint32_t seed) {
     constexpr double kSlack = 0.02; // metres
     std::mt19937 random(seed);
-    std::uniform_real_distribution<> random(-30.0, 30.0);
+    std::uniform_real_distribution<> offset(-30.0, 30.0);
     for (world::SpaceIndex s = 1; s < world.spaces.size(); ++s) {
         const Aabb& bounds = world.spaces[s].bounds;
         for (int i = 0; i < 200; ++i) {
-            const Vec3 at = bounds.centre() + Vec3(random(random), random(random), random(random));
+            const Vec3 at = bounds.centre() + Vec3(offset(random), offset(random), offset(random));
             const bool isNear = glm::all(glm::greaterThan(at, bounds.min - kSlack)) &&
                                 glm::all(glm::lessThan(at, bounds.max + kSlack));
             EXPECT_TRUE(isNear || !motion::cellContains(world, s, at)) << s;

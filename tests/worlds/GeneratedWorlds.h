@@ -18,9 +18,9 @@ public:
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
     [[nodiscard]] const dat::Archive& archive() const { return *archive_; }
     [[nodiscard]] const world::WorldFile& file() const { return file_; }
-    /// Every landblock that there is, in ascending order of id.
+    /// All existing landblocks, in ascending order of id.
     [[nodiscard]] const std::vector<dat::BlockCoord>& blocks() const { return blocks_; }
-    /// The block alone, or with all others in reach.
+    /// Loads the block and its neighbours up to `radius`.
     [[nodiscard]] world::World load(dat::BlockCoord block, bool mergeZones = true, int radius = 0) const;
 
 private:
@@ -34,7 +34,7 @@ private:
 /// "dungeon of 20, seed 3"
 [[nodiscard]] std::string nameOf(const GeneratedSpec& spec);
 
-/// How many cells an eye can walk to from the outside and from cell `from`.
+/// The number of cells that can be reached from the outside and from cell `from`.
 [[nodiscard]] std::size_t reachedFrom(const world::World& world, world::SpaceIndex from);
 
 } // namespace limen::worlds::test

@@ -1,6 +1,6 @@
-#include "worlds/Materials.h"
-#include "worlds/Painters.h"
-#include "worlds/PixelEncoder.h"
+#include "worlds/pictures/Painters.h"
+#include "worlds/records/Materials.h"
+#include "worlds/records/PixelEncoder.h"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST(PixelEncoder, dxt1PunchesThroughClearTexels) {
 }
 
 TEST(Painters, blendMapsShowTheOverlayWhereTheirCodeSays) {
-    // 0 shows the overlay. Codes: corner 8 north-west, side 9 west; north is the top row.
+    // Alpha 0 shows the upper layer. Codes: corner 8 is north-west, side 9 west; north is the top row.
     const auto alpha = [](BlendShape shape, int x, int y) { return paintBlend(shape, 1).at(x, y).w; };
     EXPECT_LT(alpha(BlendShape::Corner, 0, 0), 0.05f);
     for (const auto& [x, y] : {std::pair{255, 0}, std::pair{0, 255}, std::pair{255, 255}})

@@ -1,10 +1,11 @@
 #include "geometry/ConvexPolygon.h"
-#include "worlds/Bsp.h"
-#include "worlds/Building.h"
-#include "worlds/Noise.h"
-#include "worlds/Panel.h"
-#include "worlds/Shells.h"
-#include "worlds/Sight.h"
+#include "worlds/pictures/Noise.h"
+#include "worlds/records/Bsp.h"
+#include "worlds/records/Seams.h"
+#include "worlds/records/Sight.h"
+#include "worlds/shapes/CellComplex.h"
+#include "worlds/shapes/Panel.h"
+#include "worlds/shapes/RoomPlan.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -98,7 +99,7 @@ TEST(Seams, aVertexOnANeighboursEdgeIsGivenToIt) {
     ASSERT_EQ(faces.size(), 2u);
     EXPECT_EQ(faces[0].points.size(), 5u);
     EXPECT_EQ(faces[0].uvs.size(), 5u);
-    // The new vertex starts the fan: from any other corner on that edge a triangle would have no area.
+    // The new vertex is the first one. With another corner of that edge, a triangle would have no area.
     for (std::size_t k = 1; k + 1 < faces[0].points.size(); ++k) {
         EXPECT_GT(glm::length(glm::cross(faces[0].points[k] - faces[0].points[0],
                                          faces[0].points[k + 1] - faces[0].points[0])),
@@ -118,7 +119,7 @@ TEST(Seams, aPolygonWithTwoNewVerticesOnEverySideIsSplitAroundItsMiddle) {
     EXPECT_EQ(faces.size(), 12u + 8u);
 }
 
-/// Where a walk down the solid tree ends.
+/// True if the point's leaf of the solid tree is solid.
 bool solidAt(const dat::BspTree& tree, const Vec3& p) {
     std::size_t node = 0;
     while (tree.nodes.at(node).tag != dat::BspTag::Leaf) {
@@ -130,7 +131,7 @@ bool solidAt(const dat::BspTree& tree, const Vec3& p) {
 }
 
 TEST(Bsp, physicsTreeOfABoxIsSolidInside) {
-    MeshBuilder mesh;
+    FaceMesh mesh;
     mesh.box({-1, -2, 0}, {1, 2, 3}, Material::StoneWall);
     const std::vector<std::uint16_t> ids{0, 1, 2, 3, 4, 5};
     const dat::BspTree tree = buildPhysicsBsp(mesh.faces(), ids);
@@ -149,8 +150,8 @@ TEST(Bsp, physicsTreeOfARoomIsEmptyInside) {
     EXPECT_TRUE(solidAt(tree, {-0.1, 1, 1}));
 }
 
-/// A room with a door in its north wall, and a second room behind it that alone has a window: in its north wall, or in
-/// its south wall beside the first room, where no ray through the door can turn back to.
+/// A room with a door in its north wall, and a second room behind it. The only window is in the second room:
+/// in its north wall, or in its south wall beside the first room, where no ray through the door reaches it.
 SightMap twoRooms(Side windowSide, double windowFrom, double windowTo) {
     const auto cell = [](const CellPlan& plan, std::vector<std::size_t> leads) {
         SightMap::Cell out;
@@ -197,7 +198,7 @@ TEST(Noise, tiles) {
     }
 }
 
-// A bent face was cut by its own plane again and again.
+// A bent face was cut by its own plane at every level.
 TEST(Bsp, aBentFaceIsCutOnce) {
     std::vector<Face> faces;
     for (const double bend : {0.0, 0.02, 0.5}) {

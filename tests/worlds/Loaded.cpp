@@ -4,7 +4,7 @@
 #include "world/Loader.h"
 #include "world/Places.h"
 #include "worlds/Demo.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <filesystem>
 #include <unistd.h>

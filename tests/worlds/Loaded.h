@@ -4,7 +4,7 @@
 
 namespace limen::worlds::test {
 
-/// The built-in world as a program loads it, around the village, with all that moves; its files are gone afterwards.
+/// The loaded world around the village, with all moving objects. Its files are removed.
 [[nodiscard]] const world::World& loaded();
 
 } // namespace limen::worlds::test

@@ -4,12 +4,12 @@
 #include "world/Loader.h"
 #include "worlds/Demo.h"
 #include "worlds/Loaded.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <gtest/gtest.h>
 #include <set>
 
-// Doors, routes, villagers and emitters of world.json, held against the records and against the loaded world.
+// Doors, routes, villagers and emitters of world.json agree with the records and with the loaded world.
 namespace limen::worlds::test {
 namespace {
 
@@ -28,7 +28,7 @@ const Json& listOf(const char* name) {
     return world().worldFile.at(name);
 }
 
-/// The polygons of a GfxObj or of all parts of a Setup, in the model's own frame.
+/// The polygons of a GfxObj or of all parts of a Setup, in the model's frame.
 std::vector<std::vector<Vec3>> modelPolygons(std::uint32_t id) {
     std::vector<std::vector<Vec3>> out;
     const auto add = [&](std::uint32_t gfxObj, const dat::Frame& frame) {
@@ -44,7 +44,7 @@ std::vector<std::vector<Vec3>> modelPolygons(std::uint32_t id) {
     return out;
 }
 
-/// A leaf's points in the village block when it stands `open` of its way (docs/world-file.md).
+/// A leaf's points in the village block when it is open to the degree `open`, 0..1 (docs/world-file.md).
 std::vector<Vec3> leafPoints(const Json& leaf, double open) {
     const double yaw = leaf.at("yaw").get<double>() + open * leaf.at("swing").get<double>();
     const double a = -yaw * 3.14159265358979323846 / 180.0; // yaw turns clockwise
@@ -62,7 +62,7 @@ std::vector<Vec3> leafPoints(const Json& leaf, double open) {
 struct DoorOpening {
     const dat::EnvCell* cell = nullptr;
     std::vector<Vec3> polygon;
-    Plane plane; ///< the cell in front
+    Plane plane; ///< of the opening, the cell in front
 };
 DoorOpening openingOf(const Json& door) {
     DoorOpening out;
@@ -104,7 +104,7 @@ TEST(Doors, closedLeavesLieInTheirOpeningAndCoverIt) {
         const DoorOpening opening = openingOf(door);
         const Vec3 n = opening.plane.n;
         const Vec3 right = glm::cross(-n, Vec3(0, 0, 1));
-        std::vector<Aabb> leaves; // in (right, up)
+        std::vector<Aabb> leaves; // coordinates (right, up)
         for (const Json& leaf : door.at("leaves")) {
             Aabb box;
             for (const Vec3& p : leafPoints(leaf, 0.0)) {
@@ -125,7 +125,7 @@ TEST(Doors, closedLeavesLieInTheirOpeningAndCoverIt) {
                     << door.at("name");
             }
         }
-        // Leaves that lie inside the opening, beside each other, and have its area leave no gap.
+        // Leaves inside the opening that do not overlap and have its area leave no gap.
         EXPECT_NEAR(area, glm::length(newellNormal(opening.polygon)) * 0.5, 0.01) << door.at("name");
     }
 }
@@ -230,7 +230,7 @@ TEST(Routes, straightWaysLeadThroughOpeningsBothWays) {
             EXPECT_EQ(motion::sweep(loaded(), b.space, b.at, a.at), a.space)
                 << route.at("name") << " back to point " << i;
             crossings += a.space != b.space ? 1 : 0;
-            // In small steps, too: a short cut through a wall would end in no cell or another one.
+            // The same in small steps: a route through a wall would leave the cell.
             world::SpaceIndex space = a.space;
             for (int k = 0; k < 50; ++k) {
                 const Vec3 from = a.at + (b.at - a.at) * (k / 50.0);
@@ -249,7 +249,7 @@ TEST(Routes, feetAreNearTheGroundOutdoors) {
     for (const Json& route : listOf("routes")) {
         const std::vector<RoutePoint> points = pointsOf(route);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            // Steps and the balcony are built on the level site.
+            // Steps and balcony are on the level site.
             const bool onBoards = std::max(points[i].at.z, points[i + 1].at.z) > site + 0.1;
             for (int k = 0; k <= 10; ++k) {
                 const Vec3 p = points[i].at + (points[i + 1].at - points[i].at) * (k / 10.0);

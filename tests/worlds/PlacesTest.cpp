@@ -1,8 +1,8 @@
-#include "worlds/Cottages.h"
-#include "worlds/Inn.h"
 #include "worlds/Shell.h"
-#include "worlds/TerrainShape.h"
-#include "worlds/Tower.h"
+#include "worlds/builtin/buildings/Cottages.h"
+#include "worlds/builtin/buildings/Inn.h"
+#include "worlds/builtin/dungeon/Tower.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ Vec3 eyeOf(const nlohmann::ordered_json& json) {
     return {json.at("x").get<double>(), json.at("y").get<double>(), json.at("z").get<double>()};
 }
 
-/// The cell that holds a global point, or null.
+/// The cell at a global point, or null.
 const dat::EnvCell* cellAt(const Vec3& global) {
     for (const dat::EnvCell& cell : world().envCells)
         if (contains(cell, inBlock(blockOf(cell.id), global)))
@@ -63,8 +63,8 @@ TEST(Tour, samplesAreCloseAndInTime) {
     EXPECT_LT(last, 300.0);
 }
 
-/// The cells of the village that the tour enters, in order. Where it leaves a house it comes back into the cell it left
-/// or into the next house.
+/// The cells of the village that the tour enters, in order. After it leaves a house it enters the same cell
+/// again, or the next house.
 std::vector<std::uint32_t> expectedVillageVisits() {
     std::vector<std::uint32_t> out{0x100, 0x101, 0x102, 0x103, 0x104, 0x105,
                                    0x104, 0x103, 0x102, 0x101, 0x100};
@@ -104,7 +104,7 @@ TEST(Tour, goesThroughEveryPartOfTheHousesAndNeverThroughAWall) {
                 EXPECT_GT(p.z, ground(p) + 1.0) << "under the ground outside";
             if (cell == last)
                 continue;
-            // A change of space happens within reach of an opening between the two, well inside its border.
+            // The space changes near an opening between the two, well inside its border.
             const dat::EnvCell* from = last != nullptr ? last : cell;
             const dat::EnvCell* to = last != nullptr ? cell : nullptr;
             bool through = false;

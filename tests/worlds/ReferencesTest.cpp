@@ -2,7 +2,7 @@
 
 #include "dat/Archive.h"
 #include "worlds/Demo.h"
-#include "worlds/TerrainShape.h"
+#include "worlds/builtin/land/TerrainShape.h"
 
 #include <fstream>
 #include <gtest/gtest.h>
@@ -32,11 +32,11 @@ protected:
     std::set<std::uint32_t> surfaces, models;
 };
 
-// Two compilers made two worlds: of what was made in one call's arguments, either came first.
+// Two compilers made different worlds, because records were made in the arguments of one call.
 TEST_F(References, ofTheSnowyDayAreNumberedInOneOrder) {
     const dat::DayGroup& snowy = world().regions.front().sky.dayGroups.at(1);
     const dat::ParticleEmitter& flakes = world().particleEmitters.front();
-    EXPECT_LT(flakes.gfxObj, snowy.objects.at(1).object) << "what falls is made before the cloud";
+    EXPECT_LT(flakes.gfxObj, snowy.objects.at(1).object) << "the snow is made before the cloud";
 }
 
 TEST_F(References, ofTexturesResolve) {
@@ -89,7 +89,7 @@ TEST_F(References, ofMotionsResolve) {
     }
     for (const dat::MotionTable& table : world().motionTables) {
         EXPECT_EQ(dat::kindOf(dat::FileRole::Portal, table.id), dat::RecordKind::MotionTable);
-        EXPECT_EQ(used.count(table.id), 1u) << "what nobody does";
+        EXPECT_EQ(used.count(table.id), 1u) << "an unused motion table";
         for (const auto& [key, data] : table.cycles) {
             for (const dat::AnimationRange& range : data.animations) {
                 EXPECT_EQ(animations.count(range.animation), 1u);
@@ -175,7 +175,7 @@ std::string bytesOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A folder of its own, gone when the test is.
+/// A temporary folder.
 class Folder {
 public:
     Folder()

@@ -7,11 +7,11 @@ namespace {
 
 class Collector {
 public:
-    void mesh(Standing::Kind kind, const std::string& name, const dat::VertexArray& vertices,
+    void mesh(SurfaceKind kind, const std::string& name, const dat::VertexArray& vertices,
               const dat::PolygonList& polygons, const std::vector<dat::Frame>& frames) {
         for (const auto& [id, polygon] : polygons) {
             Standing s;
-            s.kind = (polygon.stippling & dat::kNoPositiveUv) != 0 ? Standing::Kind::Portal : kind;
+            s.kind = (polygon.stippling & dat::kNoPositiveUv) != 0 ? SurfaceKind::Portal : kind;
             s.name = fmt::format("{} polygon {}", name, id);
             s.points = pointsOf(vertices, polygon, {});
             for (const dat::Frame& frame : frames)
@@ -26,7 +26,7 @@ public:
             out.push_back(std::move(s));
         }
     }
-    void gfxObj(Standing::Kind kind, const std::string& where, dat::RecordId id,
+    void gfxObj(SurfaceKind kind, const std::string& where, dat::RecordId id,
                 const std::vector<dat::Frame>& frames) {
         for (const dat::GfxObj& g : world().gfxObjs)
             if (g.id == id)
@@ -34,16 +34,16 @@ public:
     }
     void object(const std::string& where, dat::RecordId id, const dat::Frame& at) {
         if (id >> 24 == 0x01)
-            gfxObj(Standing::Kind::Object, where, id, {at});
+            gfxObj(SurfaceKind::Object, where, id, {at});
         for (const dat::Setup& setup : world().setups) {
             for (std::size_t k = 0; setup.id == id && k < setup.parts.size(); ++k) {
-                gfxObj(Standing::Kind::Object, fmt::format("{} 0x{:08X}", where, id), setup.parts[k],
+                gfxObj(SurfaceKind::Object, fmt::format("{} 0x{:08X}", where, id), setup.parts[k],
                        {setup.placementFrames.front().second.parts.at(k), at});
             }
         }
     }
 
-    /// Frames are in this landblock.
+    /// Sets the landblock of frames.
     void enter(std::uint32_t id) { origin_ = Vec3((id >> 24) * 192.0, (id >> 16 & 0xFF) * 192.0, 0.0); }
 
     std::vector<Standing> out;
@@ -60,7 +60,7 @@ std::vector<Standing> standingPolygons() {
         const std::string where = fmt::format("cell 0x{:08X}", cell.id);
         const dat::CellStruct& shape = shapeOf(cell);
         collect.enter(cell.id);
-        collect.mesh(Standing::Kind::Shell, where, shape.vertexArray, shape.polygons, {cell.position});
+        collect.mesh(SurfaceKind::Shell, where, shape.vertexArray, shape.polygons, {cell.position});
         for (std::size_t k = 0; k < cell.statics.size(); ++k) {
             collect.object(fmt::format("{} static {}", where, k), cell.statics[k].model,
                            cell.statics[k].frame);
@@ -69,7 +69,7 @@ std::vector<Standing> standingPolygons() {
     for (const dat::LandBlockInfo& info : world().landBlockInfos) {
         collect.enter(info.id);
         for (std::size_t k = 0; k < info.buildings.size(); ++k) {
-            collect.gfxObj(Standing::Kind::Exterior, fmt::format("building {}", k), info.buildings[k].model,
+            collect.gfxObj(SurfaceKind::Exterior, fmt::format("building {}", k), info.buildings[k].model,
                            {info.buildings[k].frame});
         }
         for (std::size_t k = 0; k < info.objects.size(); ++k)

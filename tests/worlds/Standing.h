@@ -6,22 +6,23 @@
 
 namespace limen::worlds::test {
 
-/// A polygon where it stands on the map.
+enum class SurfaceKind { Shell, Exterior, Object, Portal };
+
+/// A polygon of a placed model or cell.
 struct Standing {
-    enum class Kind { Shell, Exterior, Object, Portal };
-    Kind kind = Kind::Object;
-    std::string name;         ///< who it belongs to, for messages
+    SurfaceKind kind = SurfaceKind::Object;
+    std::string name;         ///< its owner, for messages
     std::vector<Vec3> points; ///< global
     Plane plane;
     Aabb box;
     bool twoSided = false;
 };
 
-/// All polygons of buildings and cells, their furniture and what stands around them; no terrain, no scenery.
+/// All polygons of buildings, cells, furniture and outdoor props, without terrain and scenery.
 [[nodiscard]] std::vector<Standing> standingPolygons();
 
-/// What both polygons cover, seen along the first one's normal: area in m² (0 if none) and how far the second
-/// lies from the first's plane there, at most.
+/// The overlap of two polygons, seen along the first one's normal: its area in m² (0 if none), and the
+/// greatest distance (metres) of the second from the first one's plane there.
 struct Overlap {
     double area = 0.0, apart = 0.0;
 };

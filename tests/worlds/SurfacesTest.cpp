@@ -1,5 +1,5 @@
-#include "worlds/Materials.h"
 #include "worlds/Standing.h"
+#include "worlds/records/Materials.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,7 @@ constexpr double kSamePlane = 0.002;   ///< metres
 constexpr double kSmallArea = 0.0001;  ///< square metres
 constexpr double kParallel = 0.999995; ///< cosine; 0.18 degrees
 
-using Kind = Standing::Kind;
-
-/// All pairs whose boxes come within `kSamePlane`, by a sweep along x.
+/// Calls `visit` for all pairs whose boxes are nearer than kSamePlane, by a sweep along x.
 template <class Visit>
 void forNearPairs(const std::vector<Standing>& all, Visit visit) {
     std::vector<const Standing*> sorted;
@@ -35,7 +33,7 @@ void forNearPairs(const std::vector<Standing>& all, Visit visit) {
     }
 }
 
-/// True if both have more than a spot in one plane.
+/// True if their overlap in one plane is larger than kSmallArea.
 bool shareAPlane(const Standing& a, const Standing& b) {
     const Overlap overlap = overlapOf(a, b);
     return overlap.area > kSmallArea && overlap.apart <= kSamePlane;
@@ -66,7 +64,7 @@ TEST(Surfaces, noTwoFacesThatLookTheSameWayLieInOnePlane) {
     ASSERT_GT(all.size(), 5000u);
     std::size_t found = 0;
     forNearPairs(all, [&](const Standing& a, const Standing& b) {
-        const bool solid = a.kind != Kind::Portal && b.kind != Kind::Portal;
+        const bool solid = a.kind != SurfaceKind::Portal && b.kind != SurfaceKind::Portal;
         const double facing = glm::dot(a.plane.n, b.plane.n);
         const bool same = facing > kParallel || ((a.twoSided || b.twoSided) && facing < -kParallel);
         if (solid && same && shareAPlane(a, b)) {
@@ -81,15 +79,15 @@ TEST(Surfaces, nothingLiesInAnOpening) {
     std::size_t portals = 0;
     const std::vector<Standing> all = standingPolygons();
     forNearPairs(all, [&](const Standing& a, const Standing& b) {
-        portals += a.kind == Kind::Portal && b.kind == Kind::Portal ? 1 : 0;
-        const bool one = (a.kind == Kind::Portal) != (b.kind == Kind::Portal);
+        portals += a.kind == SurfaceKind::Portal && b.kind == SurfaceKind::Portal ? 1 : 0;
+        const bool one = (a.kind == SurfaceKind::Portal) != (b.kind == SurfaceKind::Portal);
         if (one && std::abs(glm::dot(a.plane.n, b.plane.n)) > kParallel)
             EXPECT_FALSE(shareAPlane(a, b)) << message(a, b);
     });
     EXPECT_GT(portals, 10u);
 }
 
-/// Foliage is lit as if light came through it: its normals do not follow its faces.
+/// Foliage has normals that do not follow its faces, as if light came through it.
 bool isFoliage(dat::RecordId surface) {
     const std::set<dat::RecordId> foliage{surfaceId(Material::Leaves), surfaceId(Material::BirchLeaves),
                                           surfaceId(Material::PineBranch), surfaceId(Material::GrassTuft),

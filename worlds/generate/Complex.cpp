@@ -1,13 +1,13 @@
-#include "worlds/RegionBuilder.h"
-#include "worlds/generate/BlockPlan.h"
+#include "worlds/builtin/land/RegionBuilder.h"
 #include "worlds/generate/ComplexOpenings.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/Land.h"
 #include "worlds/generate/Props.h"
-#include "worlds/generate/Shell.h"
 #include "worlds/generate/SmallPictures.h"
-#include "worlds/generate/SolidCutter.h"
 #include "worlds/generate/WorldNotes.h"
+#include "worlds/records/LandblockWriter.h"
+#include "worlds/shapes/Shell.h"
+#include "worlds/shapes/SolidCutter.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace limen::worlds {
 namespace {
 
 constexpr dat::BlockCoord kBlock{0x30, 0x40};
-constexpr double kVolume = 60.0; ///< cubic metres a cell, on average
+constexpr double kVolume = 60.0; ///< mean volume of a cell, cubic metres
 constexpr double kLeastRadius = 0.12;
 constexpr int kComplexGround = 40;
 constexpr std::size_t kMostComplexPlaces = 48;
@@ -32,11 +32,11 @@ OpeningMix mixOf(Random& random) {
     return mix;
 }
 
-/// Which cells hang together already.
+/// The cells that are connected so far (union-find).
 class Islands {
 public:
     explicit Islands(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    /// False if they hung together before.
+    /// False if they were connected before.
     bool join(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);
@@ -67,8 +67,8 @@ public:
     ComplexBuilder(const Props& props, const OpeningMix& mix, Random random)
         : props_(props), mix_(mix), random_(random) {}
 
-    /// The box stands on z = 0 around the origin of the plan.
-    CellsPlan build(std::uint32_t count) {
+    /// The box's floor is z = 0; the plan's origin is its middle.
+    BuildingPlan build(std::uint32_t count) {
         const double side = std::ceil(std::cbrt(kVolume * count));
         max_ = Vec3(side / 2, side / 2, side);
         min_ = Vec3(-side / 2, -side / 2, 0.0);
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// Faces in random order: those that join islands first of all, some of the others too.
+    /// Opens shared faces in random order: all that connect islands, and some others.
     void openFaces() {
         std::vector<SharedFace> faces = sharedFaces(solids_, kLeastRadius);
         for (std::size_t i = faces.size(); i > 1; --i)
@@ -105,20 +105,20 @@ private:
         const std::array<Polygon, 2> walls{solids_[face.first].sides[face.firstSide].points,
                                            solids_[face.second].sides[face.secondSide].points};
         for (const OpeningPair& pair : makeOpenings(face.points, walls, mix_, random_)) {
-            const auto a = static_cast<std::uint16_t>(plan_.cells[face.first].portals.size());
-            const auto b = static_cast<std::uint16_t>(plan_.cells[face.second].portals.size());
+            const auto a = static_cast<std::uint16_t>(plan_.cells[face.first].links.size());
+            const auto b = static_cast<std::uint16_t>(plan_.cells[face.second].links.size());
             add(face.first, pair.first, {face.second, b, pair.exact});
             add(face.second, pair.second, {face.first, a, pair.exact});
         }
     }
 
-    void add(std::uint32_t cell, const Polygon& polygon, PlannedPortal portal) {
+    void add(std::uint32_t cell, const Polygon& polygon, CellLink portal) {
         portal.insidePositive = !random_.chance(mix_.reversed);
-        plan_.cells[cell].portals.push_back(portal);
+        plan_.cells[cell].links.push_back(portal);
         shells_[cell].openings.push_back(polygon);
     }
 
-    /// Ways out through the upright sides of the box, at least one.
+    /// Opens at least one exit through the upright sides of the box.
     void openOutside() {
         exterior_ = boxShell(min_, max_, Material::StoneWall);
         struct Spot {
@@ -136,23 +136,23 @@ private:
             if (i > 0 && !random_.chance(0.35))
                 continue;
             const Polygon& side = solids_[spots[i].cell].sides[spots[i].side].points;
-            const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].portals.size());
+            const auto index = static_cast<std::uint16_t>(plan_.cells[spots[i].cell].links.size());
             const Polygon opening = roundOpening(side, random_);
-            add(spots[i].cell, opening, {PlannedPortal::kOutside, dat::kNoPortal});
+            add(spots[i].cell, opening, {CellLink::kOutside, dat::kNoPortal});
             plan_.exits.push_back({spots[i].cell, index});
             exterior_.openings.push_back(opening);
         }
     }
 
     void shell(std::uint32_t c) {
-        PlannedCell& cell = plan_.cells[c];
+        CellPlan& cell = plan_.cells[c];
         cell.eye = middleOf(solids_[c]);
         cell.faces = facesOf(shells_[c]);
         furnish(cell);
     }
 
-    /// Things that hang in the middle of the cell, some in its openings.
-    void furnish(PlannedCell& cell) {
+    /// Puts props into the middle of the cell and into some of its openings.
+    void furnish(CellPlan& cell) {
         if (random_.chance(0.4)) {
             const std::array<dat::RecordId, 6> things{props_.crate,  props_.rod,  props_.pole,
                                                       props_.screen, props_.pane, props_.lamp};
@@ -161,7 +161,7 @@ private:
         }
         for (const Face& face : cell.faces) {
             const Vec3 n = planeOf(face.points).n;
-            // From one side only: two in the same place could not be told apart.
+            // Only one of the two cells adds one: two props at one place would fight for depth.
             const bool isOurs = n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
             if (face.portal && isOurs && random_.chance(0.16)) {
                 const bool upright = std::abs(n.z) > 0.7;
@@ -179,7 +179,7 @@ private:
     std::vector<Solid> solids_;
     std::vector<Shell> shells_; ///< by cell
     Shell exterior_;
-    CellsPlan plan_;
+    BuildingPlan plan_;
 };
 
 } // namespace
@@ -187,22 +187,21 @@ private:
 WorldRecords buildComplex(const GeneratedSpec& spec) {
     WorldRecords records;
     addSmallMaterials(records);
-    ModelSink sink(records);
-    ShapeLibrary shapes(records);
-    const Props props = addProps(sink);
+    ModelWriter writer(records);
+    const Props props = addProps(writer);
     Random random(seedOf(spec));
     const OpeningMix mix = mixOf(random);
     const Land land(kBlock, 1, 1, mix.toGround ? kComplexGround : 0);
     // Without land the block is a dungeon.
     const Placement at{{96.0, 96.0, heightOfIndex(kComplexGround) + 0.125},
                        mix.toGround ? random.between(0.0, 360.0) : 0.0};
-    CellsPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
+    BuildingPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
     WorldNotes notes;
-    const std::vector<PlannedCell> cells = plan.cells;
-    PlanWriter block(sink, shapes, kBlock);
-    const dat::RecordId first = block.add(std::move(plan), at);
+    const std::vector<CellPlan> cells = plan.cells;
+    LandblockWriter block(writer, kBlock, kGeneratedCells);
+    const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
     if (mix.toGround) {
-        addRegion(sink, addPlants(sink));
+        addRegion(writer, addPlants(writer));
         const double away = 12.0 + std::cbrt(kVolume * spec.size);
         notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
                        blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);
@@ -210,7 +209,7 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostComplexPlaces);
     for (std::size_t c = 0; c < cells.size(); c += step) {
         const Vec3 target =
-            cells[c].portals.empty()
+            cells[c].links.empty()
                 ? cells[c].eye + Vec3(1.0, 0.0, 0.0)
                 : centroidOf(std::find_if(cells[c].faces.begin(), cells[c].faces.end(), [](const Face& f) {
                                  return f.portal;

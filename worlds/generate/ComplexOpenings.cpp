@@ -10,7 +10,7 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kSliver = 0.01;    ///< metres
-constexpr double kLeastArea = 0.02; ///< square metres, of a part that a line leaves
+constexpr double kLeastArea = 0.02; ///< square metres of each part that a line cuts
 
 struct Axes {
     Vec3 u, v, n;
@@ -24,7 +24,7 @@ Axes axesOf(const Polygon& face) {
     return axes;
 }
 
-/// A line through a point of the face's plane, as the plane that stands on it.
+/// A random line through a point of the face's plane, as a plane perpendicular to the face.
 Plane randomLine(const Polygon& face, const Vec3& through, Random& random) {
     const Axes axes = axesOf(face);
     const double a = kTurn * random.unit();
@@ -38,7 +38,7 @@ bool staysClear(const Polygon& polygon, const Plane& plane) {
                        [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) > kClearOfOpening; });
 }
 
-/// Both parts of a polygon along a line that keeps away from its corners, or nothing.
+/// Both parts of a polygon cut by a line that keeps clear of its corners, or nothing.
 Halves halvesOf(const Polygon& polygon, Random& random) {
     for (int attempt = 0; attempt < 20; ++attempt) {
         const Plane line = randomLine(polygon, centroidOf(polygon), random);
@@ -71,7 +71,7 @@ Polygon shifted(Polygon polygon, const Polygon& face, Random& random) {
     return polygon;
 }
 
-/// On it, or well away.
+/// True if the distance is zero up to rounding, or large.
 bool isClear(double distance) {
     constexpr double kOn = 1e-6, kAway = 0.01;
     return distance < kOn || distance > kAway;
@@ -89,7 +89,7 @@ bool clearOf(const Polygon& a, const Polygon& b) {
     });
 }
 
-/// Fit to share edges with the walls around it.
+/// True if its corners are on the edges of the walls or clear of them.
 bool clean(const Polygon& polygon, std::span<const Polygon> walls) {
     constexpr std::size_t kMostCorners = 12;
     return !polygon.empty() && polygon.size() <= kMostCorners && clearOf(polygon, polygon) &&
@@ -112,7 +112,7 @@ Polygon roundOpening(const Polygon& face, Random& random) {
     const double begin = kTurn * random.unit();
     Polygon out;
     for (std::uint32_t k = 0; k < corners; ++k) {
-        // Corners stay within a third of their share of the circle: none comes near the next.
+        // Each corner keeps to the middle third of its share of the circle, so no two are near each other.
         const double a = begin + kTurn * (k + random.between(-0.17, 0.17)) / corners;
         out.push_back(middle + axes.u * (radius * std::cos(a)) + axes.v * (radius * std::sin(a)));
     }

@@ -1,7 +1,7 @@
 #include "worlds/generate/DungeonBlock.h"
 
-#include "worlds/generate/BlockPlan.h"
 #include "worlds/generate/DungeonDoors.h"
+#include "worlds/records/LandblockWriter.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kDungeonListSteps = 2;
 constexpr std::size_t kMostDungeonPlaces = 64, kMostDoors = 400;
 
-/// Surfaces in place of those the shapes are stored with: floor, walls, ceiling.
+/// Replacements for the surfaces of stored shapes: floor, walls, ceiling. The first row is the stored one.
 constexpr std::array<std::array<Material, 3>, 5> kThemes{
     {{Material::Flagstones, Material::StoneWall, Material::Brick},
      {Material::Planks, Material::InnerPlaster, Material::Beam},
@@ -32,7 +32,7 @@ std::vector<std::uint16_t> dressed(const std::vector<std::uint16_t>& surfaces, s
     return out;
 }
 
-/// The index of the first opening of a way in a room's list.
+/// The index in a room's list of the first opening of a way.
 std::uint16_t firstOpening(const LatticeRoom& room, std::size_t way) {
     std::uint16_t index = 0;
     for (std::size_t w = 0; w < way; ++w) {
@@ -49,13 +49,12 @@ std::uint16_t openingCount(const LatticeRoom& room, std::size_t way) {
 class BlockOfRooms {
 public:
     BlockOfRooms(const DungeonTools& tools, dat::BlockCoord coord, Random random)
-        : records_(tools.sink.records()), shapes_(tools.shapes), props_(tools.props), leaves_(tools.leaves),
+        : writer_(tools.writer), shapes_(tools.shapes), props_(tools.props), leaves_(tools.leaves),
           coord_(coord), random_(random) {}
 
     void write(const DungeonLayout& layout, WorldNotes& notes) {
         layout_ = &layout;
         cells_.resize(layout.cells);
-        neighbours_.resize(layout.cells);
         for (const LatticeRoom& room : layout.rooms)
             writeRoom(room);
         for (const Passage& passage : layout.passages)
@@ -68,38 +67,22 @@ public:
     }
 
 private:
-    [[nodiscard]] static std::uint16_t wordOf(std::uint32_t cell) {
-        return static_cast<std::uint16_t>(dat::kFirstCell + cell);
-    }
     [[nodiscard]] dat::RecordId idOf(std::uint32_t cell) const {
-        return dat::blockWord(coord_) | wordOf(cell);
+        return dat::blockWord(coord_) | (dat::kFirstCell + cell);
     }
 
-    dat::EnvCell& begin(std::uint32_t cell, const StoredShape& shape, const Placement& at) {
-        dat::EnvCell& record = cells_[cell];
-        record.id = idOf(cell);
-        record.environment = shape.environment;
-        record.cellStructure = shape.structure;
-        record.surfaces = dressed(shape.surfaces, random_.below(kThemes.size()));
-        record.position = toFrame(at);
-        return record;
+    void begin(std::uint32_t cell, const StoredShape& shape, const Placement& at) {
+        cells_[cell].shape = shape;
+        cells_[cell].shape.surfaces = dressed(shape.surfaces, random_.below(kThemes.size()));
+        cells_[cell].at = at;
     }
 
-    void addPortal(std::uint32_t cell, const StoredShape& shape, std::uint32_t other,
-                   std::uint16_t otherPortal) {
-        dat::EnvCell& record = cells_[cell];
-        dat::CellPortal portal;
-        portal.flags = dat::CellPortal::kExactMatch | dat::CellPortal::kPortalSide;
-        portal.polygonId = shape.portalPolygons.at(record.portals.size());
-        portal.otherCellId = wordOf(other);
-        portal.otherPortalId = otherPortal;
-        record.portals.push_back(portal);
-        neighbours_[cell].push_back(other);
+    void addPortal(std::uint32_t cell, std::uint32_t other, std::uint16_t otherPortal) {
+        cells_[cell].links.push_back({other, otherPortal});
     }
 
     void writeRoom(const LatticeRoom& room) {
-        const StoredShape& shape = shapes_.of(room);
-        begin(room.cell, shape, {room.floor, 0.0});
+        begin(room.cell, shapes_.of(room), {room.floor, 0.0});
         for (std::size_t way = 0; way < kWays; ++way) {
             const std::uint16_t count = openingCount(room, way);
             for (std::uint16_t k = 0; k < count; ++k) {
@@ -107,11 +90,10 @@ private:
                 const bool outOf = way % 2 == 1;
                 if (passage.cell == kNothing) {
                     const LatticeRoom& next = layout_->rooms[outOf ? passage.to : passage.from];
-                    addPortal(room.cell, shape, next.cell,
+                    addPortal(room.cell, next.cell,
                               static_cast<std::uint16_t>(firstOpening(next, opposite(way)) + k));
                 } else {
-                    addPortal(room.cell, shape, passage.cell,
-                              static_cast<std::uint16_t>(outOf ? k : count + k));
+                    addPortal(room.cell, passage.cell, static_cast<std::uint16_t>(outOf ? k : count + k));
                 }
             }
         }
@@ -121,31 +103,27 @@ private:
         const LatticeRoom& from = layout_->rooms[passage.from];
         const auto way = static_cast<std::size_t>(passage.way);
         const double rise = passage.to == kNothing ? 0.0 : layout_->rooms[passage.to].floor.z - from.floor.z;
-        const StoredShape& shape = shapes_.of(passage, passage.way == Way::Up ? 0.0 : rise);
-        begin(passage.cell, shape, passagePlacement(passage, from));
+        begin(passage.cell, shapes_.of(passage, passage.way == Way::Up ? 0.0 : rise),
+              passagePlacement(passage, from));
         const std::uint16_t count = openingCount(from, way);
-        for (std::uint16_t k = 0; k < count; ++k) {
-            addPortal(passage.cell, shape, from.cell,
-                      static_cast<std::uint16_t>(firstOpening(from, way) + k));
-        }
+        for (std::uint16_t k = 0; k < count; ++k)
+            addPortal(passage.cell, from.cell, static_cast<std::uint16_t>(firstOpening(from, way) + k));
         if (passage.to == kNothing)
             return;
         const LatticeRoom& to = layout_->rooms[passage.to];
-        for (std::uint16_t k = 0; k < count; ++k) {
-            addPortal(passage.cell, shape, to.cell,
-                      static_cast<std::uint16_t>(firstOpening(to, opposite(way)) + k));
-        }
+        for (std::uint16_t k = 0; k < count; ++k)
+            addPortal(passage.cell, to.cell, static_cast<std::uint16_t>(firstOpening(to, opposite(way)) + k));
     }
 
     void addStatic(std::uint32_t cell, dat::RecordId model, const Placement& at) {
-        cells_[cell].statics.push_back({model, toFrame(at)});
+        cells_[cell].statics.push_back({model, at});
     }
 
     void furnish(const LatticeRoom& room, WorldNotes& notes) {
         if (room.form == Form::Box && random_.chance(0.5))
             addStatic(room.cell, props_.lamp, {room.floor + Vec3(-2.0, 2.0, 0.0), 0.0});
         if (random_.chance(0.3)) {
-            // Clear of the hatch in the middle; may touch a wall of a small room, and reach through it.
+            // Clear of the hatch in the middle; in a small room a prop may intersect a wall.
             const double x = random_.between(1.6, 2.6) * (random_.chance(0.5) ? 1.0 : -1.0);
             const double y = random_.between(1.6, 2.6) * (random_.chance(0.5) ? 1.0 : -1.0);
             if (room.form == Form::Box) {
@@ -158,7 +136,7 @@ private:
                 furnishOpening(room, way, k, notes);
     }
 
-    /// Sometimes a rod through it, a pane a little before it, or a door in it.
+    /// At random: a rod through the opening, a pane in front of it, or a door in it.
     void furnishOpening(const LatticeRoom& room, std::size_t way, std::uint16_t k, WorldNotes& notes) {
         const Door door = room.doors[way];
         const DoorExtent extent = extentOf(door, k);
@@ -179,7 +157,7 @@ private:
 
     void addDoor(WorldNotes::Door door, Door kind, const DoorExtent& extent, const Placement& wall,
                  WorldNotes& notes) {
-        // A leaf along -y of the wall's frame (+x of the leaf) faces the way the passage leads.
+        // The leaf's +x is -y of the wall's frame: the leaf faces along the passage.
         const double yaw = 90.0 - wall.turn;
         const auto hinge = [&](double across) {
             return blockToGlobal(coord_, place(wall, {0.0, across, 0.0}));
@@ -217,37 +195,38 @@ private:
     }
 
     void finish() {
-        for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-            for (const std::uint32_t other : cellsWithin(neighbours_, c, kDungeonListSteps))
-                cells_[c].visibleCells.push_back(wordOf(other));
-            cells_[c].flags = cells_[c].statics.empty() ? 0u : dat::EnvCell::kHasStatics;
-            records_.envCells.push_back(std::move(cells_[c]));
+        Neighbours neighbours;
+        for (const PlacedCell& cell : cells_) {
+            std::vector<std::uint32_t>& next = neighbours.emplace_back();
+            for (const CellLink& link : cell.links)
+                next.push_back(link.cell);
         }
+        for (std::uint32_t c = 0; c < cells_.size(); ++c)
+            cells_[c].visible = cellsWithin(neighbours, c, kDungeonListSteps);
+        LandblockWriter block(writer_, coord_, kGeneratedCells);
+        block.addCells(cells_);
+        block.finish();
         dat::LandBlock land;
         land.id = dat::landBlockId(coord_);
         land.hasObjects = 1;
-        records_.landBlocks.push_back(land);
-        dat::LandBlockInfo info;
-        info.id = dat::landBlockInfoId(coord_);
-        info.numCells = layout_->cells;
-        records_.landBlockInfos.push_back(std::move(info));
+        writer_.records().landBlocks.push_back(land);
     }
 
-    WorldRecords& records_;
+    ModelWriter& writer_;
     DungeonShapes& shapes_;
     const Props& props_;
     const DungeonLeaves& leaves_;
     dat::BlockCoord coord_;
     Random random_;
     const DungeonLayout* layout_ = nullptr;
-    std::vector<dat::EnvCell> cells_;
-    std::vector<std::vector<std::uint32_t>> neighbours_;
+    std::vector<PlacedCell> cells_; ///< by index of the layout
 };
 
 } // namespace
 
-DungeonLeaves addDungeonLeaves(ModelSink& sink) {
-    return {addLeaf(sink, 1.25, 2.25, true), addLeaf(sink, 1.0, 2.5, true), addLeaf(sink, 2.0, 2.5, false)};
+DungeonLeaves addDungeonLeaves(ModelWriter& writer) {
+    return {addLeaf(writer, 1.25, 2.25, true), addLeaf(writer, 1.0, 2.5, true),
+            addLeaf(writer, 2.0, 2.5, false)};
 }
 
 void writeDungeonBlock(const DungeonTools& tools, dat::BlockCoord coord, const DungeonLayout& layout,

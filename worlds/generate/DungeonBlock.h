@@ -6,21 +6,21 @@
 
 namespace limen::worlds {
 
-/// Leaves for the doors of dungeons, by the openings they fit.
+/// Models of door leaves, by the opening that they fit.
 struct DungeonLeaves {
     dat::RecordId narrow = 0, half = 0, glass = 0;
 };
-[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelSink& sink);
+[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelWriter& writer);
 
-/// What landblocks of dungeons are made of, and written into.
+/// The models and shapes of dungeons, and the writer of models.
 struct DungeonTools {
-    ModelSink& sink;
+    ModelWriter& writer;
     DungeonShapes& shapes;
     const Props& props;
     const DungeonLeaves& leaves;
 };
 
-/// Adds a landblock that is all dungeon: its cells, its LandBlock, whose heights are all 0, and its LandBlockInfo.
+/// Adds a landblock without land: cells, a LandBlock whose heights are all 0, and a LandBlockInfo.
 void writeDungeonBlock(const DungeonTools& tools, dat::BlockCoord coord, const DungeonLayout& layout,
                        Random random, WorldNotes& notes);
 

@@ -7,14 +7,14 @@ namespace limen::worlds {
 
 namespace {
 
-Outline rectangle(double from, double to, double top) {
+FlatOutline rectangle(double from, double to, double top) {
     return {{from, 0.0}, {to, 0.0}, {to, top}, {from, top}};
 }
 
-Outline arch() {
-    // A half circle of eight chords over upright sides: eleven edges.
+FlatOutline arch() {
+    // A half circle of eight chords on upright sides: eleven edges.
     constexpr double kMiddle = 1.25, kRadius = 1.0, kSpring = 1.5;
-    Outline out{{kMiddle - kRadius, 0.0}, {kMiddle + kRadius, 0.0}};
+    FlatOutline out{{kMiddle - kRadius, 0.0}, {kMiddle + kRadius, 0.0}};
     constexpr int kChords = 8;
     for (int k = 0; k <= kChords; ++k) {
         const double a = 3.14159265358979323846 * k / kChords;
@@ -26,7 +26,7 @@ Outline arch() {
 
 } // namespace
 
-std::vector<Outline> openingOutlines(Door door) {
+std::vector<FlatOutline> openingOutlines(Door door) {
     switch (door) {
     case Door::Narrow:
         return {rectangle(-1.875, -0.625, 2.25)};
@@ -42,7 +42,7 @@ std::vector<Outline> openingOutlines(Door door) {
     return {};
 }
 
-Outline passageOutline(Door door) {
+FlatOutline passageOutline(Door door) {
     switch (door) {
     case Door::Wide:
         return rectangle(-1.5, 1.5, 2.75);
@@ -53,7 +53,7 @@ Outline passageOutline(Door door) {
     }
 }
 
-Outline hatchOutline(Door door) {
+FlatOutline hatchOutline(Door door) {
     constexpr double kHalf = 1.0, kBevel = 0.5;
     if (door == Door::Narrow)
         return {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
@@ -66,7 +66,7 @@ std::uint16_t openingsOf(Door door) {
 }
 
 DoorExtent extentOf(Door door, std::uint16_t opening) {
-    const Outline outline = openingOutlines(door).at(opening);
+    const FlatOutline outline = openingOutlines(door).at(opening);
     DoorExtent out{1e9, -1e9, 0.0, door != Door::Arch};
     for (const Vec2& p : outline) {
         out.from = std::min(out.from, p.x);

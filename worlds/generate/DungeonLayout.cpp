@@ -1,6 +1,6 @@
 #include "worlds/generate/DungeonLayout.h"
 
-#include "worlds/Noise.h"
+#include "worlds/pictures/Noise.h"
 
 #include <algorithm>
 #include <map>
@@ -36,7 +36,7 @@ private:
         room.node = node;
         room.size = size;
         room.cell = out_.cells++;
-        // Rows along x lie level, so that one can look far; rows beside each other do not.
+        // Rows along x are level, which gives long sight lines; neighbouring rows differ in height.
         const std::uint32_t row = rowHash(node);
         room.floor = {kMargin + kPitch * node[0], kMargin + kPitch * node[1],
                       kStorey * (node[2] + 1) + kStep * (row % 3)};
@@ -63,7 +63,7 @@ private:
         return node;
     }
 
-    /// One attempt to add to the dungeon: a dead end, a passage through a room, a loop, or a room.
+    /// Tries once to add a dead end, a passage through a room, a loop, or a room.
     void grow() {
         const auto count = static_cast<std::uint32_t>(out_.rooms.size());
         const bool onwards = random_.chance(0.6);
@@ -73,7 +73,7 @@ private:
             way = lastWay_;
         const std::uint32_t left = wanted_ - out_.cells;
         if (out_.crossings < overlapShare_ * out_.cells) {
-            constexpr int kTries = 24; // three rooms in a row with free sides are not everywhere
+            constexpr int kTries = 24; // few rows have three rooms with free sides
             for (int k = 0; k < kTries; ++k)
                 if (addCrossing(random_.below(count)))
                     return;
@@ -88,7 +88,7 @@ private:
         std::uint32_t other = roomAt(node);
         if (other != kNothing &&
             (out_.rooms[other].doors[opposite(way)] != Door::None || !random_.chance(0.35)))
-            return; // a passage through here may have taken the other side
+            return; // a passage through this room may use the other side
         if (other == kNothing) {
             if (left < 2)
                 return;
@@ -121,8 +121,8 @@ private:
         }
     }
 
-    /// `way` leads from `from` east, north or up. Rooms that touch are joined only if they lie level; a room just
-    /// made always is, by trying it smaller.
+    /// `way` is east, north or up. Rooms that touch are joined only if they are level. A new room is always
+    /// joined: it is tried in smaller sizes.
     void join(std::uint32_t from, std::uint32_t to, std::size_t way, Door door) {
         LatticeRoom& a = out_.rooms[from];
         LatticeRoom& b = out_.rooms[to];
@@ -172,7 +172,7 @@ private:
             addPassage(room, kNothing, way, static_cast<Door>(random_.below(4)), kDeadEnd);
     }
 
-    /// From a room straight through its neighbour's space to the one behind.
+    /// Adds a passage from a room straight through its neighbour's space to the room behind.
     bool addCrossing(std::uint32_t room) {
         const std::size_t way = random_.chance(0.5) ? 1 : 3;
         const std::uint32_t middle = roomAt(step(out_.rooms[room].node, way, 1));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/Vec.h"
-#include "worlds/generate/Random.h"
+#include "worlds/shapes/Random.h"
 
 #include <array>
 #include <cstdint>
@@ -10,17 +10,18 @@
 
 namespace limen::worlds {
 
-/// The six ways out of a room, in the order of its openings. A way and its opposite differ in bit 0.
+/// The six directions out of a room, in the order of its openings. A direction and its opposite differ in bit
+/// 0.
 enum class Way : std::uint8_t { West, East, South, North, Down, Up };
 inline constexpr std::size_t kWays = 6;
 [[nodiscard]] constexpr std::size_t opposite(std::size_t way) {
     return way ^ 1u;
 }
 
-/// How a way is opened. Down and up know the first two, a square and an octagon.
+/// The openings in a direction. Down and up use the first two: a square and an octagon.
 enum class Door : std::uint8_t { Narrow, Wide, Twin, Arch, None };
 
-/// Box-shaped, or without one corner, or without the middle of one side.
+/// A box, a box without one corner, or a box without the middle of one side.
 enum class Form : std::uint8_t {
     Box,
     NoSouthWest,
@@ -53,12 +54,12 @@ struct LatticeRoom {
     std::uint32_t cell = 0;
 };
 
-/// What joins a room's east, north or upper side to another room.
+/// The connection of a room's east, north or upper side to another room.
 struct Passage {
-    std::uint32_t from = 0, to = kNothing; ///< rooms; a dead end leads to none
+    std::uint32_t from = 0, to = kNothing; ///< rooms; kNothing for a dead end
     Way way = Way::East;                   ///< out of `from`
     Door door = Door::Narrow;
-    std::uint32_t cell = kNothing; ///< none: the rooms share a wall
+    std::uint32_t cell = kNothing; ///< kNothing if the rooms share a wall
     double length = 0.0;
 };
 
@@ -69,7 +70,8 @@ struct DungeonLayout {
     std::uint32_t crossings = 0; ///< passages that run through another room
 };
 
-/// Grows exactly `cells` >= 1 cells, all joined; `overlapShare` of them run through rooms.
+/// Lays out exactly `cells` >= 1 connected cells; the share `overlapShare` of them are passages through
+/// rooms.
 [[nodiscard]] DungeonLayout layOutDungeon(std::uint32_t cells, double overlapShare, Random random);
 
 } // namespace limen::worlds

@@ -1,15 +1,17 @@
 #include "worlds/generate/DungeonShapes.h"
 
 #include "core/Assert.h"
-#include "worlds/Panel.h"
-#include "worlds/generate/Carve.h"
 #include "worlds/generate/DungeonDoors.h"
+#include "worlds/records/Carve.h"
+#include "worlds/records/Seams.h"
+#include "worlds/records/SolidTree.h"
+#include "worlds/shapes/Panel.h"
 
 namespace limen::worlds {
 
 namespace {
 
-Polygon onWall(const Outline& outline, Way way, const RoomSize& size) {
+Polygon onWall(const FlatOutline& outline, Way way, const RoomSize& size) {
     Polygon out;
     for (const Vec2& p : outline) {
         switch (way) {
@@ -36,7 +38,7 @@ Polygon onWall(const Outline& outline, Way way, const RoomSize& size) {
     return out;
 }
 
-/// What a room lacks of its box, seen from above; nothing for a box.
+/// The part of its box that a room lacks, seen from above; empty for a box.
 std::vector<Rect> notchOf(Form form, const RoomSize& s) {
     constexpr double kCorner = 1.0, kSlot = 1.0;
     switch (form) {
@@ -62,7 +64,7 @@ std::vector<Rect> notchOf(Form form, const RoomSize& s) {
     return {};
 }
 
-/// The walls that a notch puts into the room.
+/// Adds the walls around a notch.
 void addNotchWalls(std::vector<Face>& faces, const Rect& n, const RoomSize& s) {
     const auto add = [&](Side side, double at, double from, double to) {
         faces.push_back(planarFace(rectOnSide(side, at, {from, 0.0, to, s.height}), Material::StoneWall));
@@ -97,7 +99,7 @@ std::array<RoomSide, 6> sidesOf(const RoomSize& s) {
              {Side::Ceiling, Way::Up, s.height, level, Material::Brick}}};
 }
 
-/// The part of a notch that lies in a side.
+/// The parts of notches in a side.
 std::vector<Rect> holesIn(const RoomSide& side, const std::vector<Rect>& notches, const RoomSize& s) {
     std::vector<Rect> out;
     for (const Rect& n : notches) {
@@ -115,7 +117,7 @@ std::vector<Rect> holesIn(const RoomSide& side, const std::vector<Rect>& notches
     return out;
 }
 
-std::vector<Outline> outlinesOf(const LatticeRoom& room, Way way) {
+std::vector<FlatOutline> outlinesOf(const LatticeRoom& room, Way way) {
     const Door door = room.doors[static_cast<std::size_t>(way)];
     if (door == Door::None || way < Way::Down)
         return openingOutlines(door);
@@ -136,7 +138,7 @@ std::vector<Face> roomShell(const LatticeRoom& room) {
     std::vector<Face> faces, portals;
     for (const RoomSide& side : sidesOf(size)) {
         std::vector<Polygon> holes;
-        for (const Outline& outline : outlinesOf(room, side.way)) {
+        for (const FlatOutline& outline : outlinesOf(room, side.way)) {
             holes.push_back(facing(onWall(outline, side.way, size), {0.0, 0.0, size.height / 2}));
             portals.push_back(portalFace(holes.back()));
         }
@@ -165,7 +167,7 @@ Vec3 eyePoint(Form form) {
 }
 
 std::vector<Face> passageShell(Door door, double length, double rise, bool deadEnd) {
-    const Outline section = passageOutline(door);
+    const FlatOutline section = passageOutline(door);
     const auto at = [&](const Vec2& p, bool end) {
         return Vec3(end ? length : 0.0, p.x, p.y + (end ? rise : 0.0));
     };
@@ -183,14 +185,15 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
             planarFace(facing({at(p, false), at(q, false), at(q, true), at(p, true)}, inside), material));
     }
     for (const bool end : {false, true}) {
-        const auto polygon = [&](const Outline& outline) {
+        const auto polygon = [&](const FlatOutline& outline) {
             Polygon out;
             for (const Vec2& p : outline)
                 out.push_back(at(p, end));
             return facing(std::move(out), inside);
         };
         std::vector<Polygon> holes;
-        for (const Outline& outline : end&& deadEnd ? std::vector<Outline>{} : openingOutlines(door)) {
+        for (const FlatOutline& outline :
+             end&& deadEnd ? std::vector<FlatOutline>{} : openingOutlines(door)) {
             holes.push_back(polygon(outline));
             portals.push_back(portalFace(holes.back()));
         }
@@ -201,7 +204,7 @@ std::vector<Face> passageShell(Door door, double length, double rise, bool deadE
 }
 
 std::vector<Face> shaftShell(Door door, double length) {
-    const Outline section = hatchOutline(door);
+    const FlatOutline section = hatchOutline(door);
     const Vec3 inside(0.0, 0.0, length / 2);
     std::vector<Face> faces;
     Polygon below, above;
@@ -237,8 +240,7 @@ const StoredShape& DungeonShapes::of(const LatticeRoom& room) {
     for (std::size_t way = 0; way < kWays; ++way)
         key[3 + way] = static_cast<long long>(room.doors[way]);
     const auto found = shapes_.find(key);
-    return found != shapes_.end() ? found->second
-                                  : shapes_[key] = library_.add(roomShell(room), eyePoint(room.form));
+    return found != shapes_.end() ? found->second : store(key, roomShell(room), eyePoint(room.form));
 }
 
 const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
@@ -254,10 +256,18 @@ const StoredShape& DungeonShapes::of(const Passage& passage, double rise) {
         return found->second;
     const Vec3 middle = passage.way == Way::Up ? Vec3(0.0, 0.0, passage.length / 2)
                                                : Vec3(passage.length / 2, 0.0, rise / 2 + 1.0);
-    return shapes_[key] = library_.add(passage.way == Way::Up ? shaftShell(passage.door, passage.length)
-                                                              : passageShell(passage.door, passage.length,
-                                                                             rise, passage.to == kNothing),
-                                       middle);
+    return store(key,
+                 passage.way == Way::Up
+                     ? shaftShell(passage.door, passage.length)
+                     : passageShell(passage.door, passage.length, rise, passage.to == kNothing),
+                 middle);
+}
+
+const StoredShape& DungeonShapes::store(const std::array<long long, 10>& key, std::vector<Face> faces,
+                                        const Vec3& middle) {
+    closeSeams(faces, finestGrid(faces));
+    dat::BspTree tree = buildSolidCellBsp(faces, middle);
+    return shapes_[key] = library_.add(std::move(faces), std::move(tree));
 }
 
 } // namespace limen::worlds

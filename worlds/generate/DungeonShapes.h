@@ -1,29 +1,30 @@
 #pragma once
 
 #include "worlds/generate/DungeonLayout.h"
-#include "worlds/generate/ShapeLibrary.h"
+#include "worlds/records/ShapeLibrary.h"
 
 #include <map>
 
 namespace limen::worlds {
 
-/// A room's shell around the middle of its floor; portals in the order of Way. The surfaces are Flagstones (floor),
-/// StoneWall (walls), Brick (ceiling).
+/// A room's shell around the middle of its floor; portals in the order of Way. The surfaces are Flagstones
+/// (floor), StoneWall (walls), Brick (ceiling).
 [[nodiscard]] std::vector<Face> roomShell(const LatticeRoom& room);
 
-/// A point at eye's height that sees every corner of the room, from the middle of its floor; clear of hatches' edges.
+/// A point at eye height, relative to the middle of the floor, from which every corner of the room is
+/// visible. It is not above the edge of a hatch.
 [[nodiscard]] Vec3 eyePoint(Form form);
 
-/// A passage's shell: along +x from the origin, `rise` higher at its end, openings at x = 0 first; a dead end has
-/// no others.
+/// A passage's shell: along +x from the origin, `rise` metres higher at its end. The openings at x = 0 come
+/// first; a dead end has no others.
 [[nodiscard]] std::vector<Face> passageShell(Door door, double length, double rise, bool deadEnd);
-/// The same upwards, between horizontal openings: below first.
+/// A shaft from z = 0 up to `length`, with horizontal openings: the lower one first.
 [[nodiscard]] std::vector<Face> shaftShell(Door door, double length);
 
-/// The frame of a passage: from the side of the room it starts at.
+/// The frame of a passage: its origin is at the side of the room where it starts.
 [[nodiscard]] Placement passagePlacement(const Passage& passage, const LatticeRoom& from);
 
-/// Shapes of rooms and passages, each stored once.
+/// Stores the shapes of rooms and passages, equal ones once.
 class DungeonShapes {
 public:
     explicit DungeonShapes(ShapeLibrary& library) : library_(library) {}
@@ -31,6 +32,9 @@ public:
     const StoredShape& of(const Passage& passage, double rise);
 
 private:
+    const StoredShape& store(const std::array<long long, 10>& key, std::vector<Face> faces,
+                             const Vec3& middle);
+
     ShapeLibrary& library_;
     std::map<std::array<long long, 10>, StoredShape> shapes_;
 };

@@ -1,7 +1,8 @@
 #include "worlds/generate/House.h"
 
 #include "core/Assert.h"
-#include "worlds/generate/Carve.h"
+#include "worlds/records/Carve.h"
+#include "worlds/shapes/RoomPlan.h"
 
 namespace limen::worlds {
 
@@ -9,10 +10,10 @@ namespace {
 
 constexpr double kWall = 0.25, kAtticHeight = 2.25, kCellarDepth = 2.25, kHatch = 1.25; ///< metres
 
-/// An opening of a room being planned, and where it leads.
+/// An opening of a planned room, and the room behind it.
 struct Way {
     Opening opening;
-    std::uint32_t to = PlannedPortal::kOutside;
+    std::uint32_t to = CellLink::kOutside;
     bool door = false;
 };
 
@@ -65,7 +66,7 @@ private:
             s_.divided ? std::floor((0.4 + 0.2 * random_.unit()) * s_.depth * 8.0) / 8.0 : inner_.v1;
         rooms_.push_back(
             room({inner_.u0, inner_.v0, inner_.u1, middle}, 0.0, s_.height, Material::InnerPlaster));
-        rooms_[0].ways.push_back({{Side::South, door}, PlannedPortal::kOutside, true});
+        rooms_[0].ways.push_back({{Side::South, door}, CellLink::kOutside, true});
         if (random_.chance(0.7))
             window(rooms_[0], Side::South, -2.2 * doorX, 0.875);
         if (s_.divided) {
@@ -81,7 +82,7 @@ private:
                 window(back, side, 0.5 * (back.spec.min.y + back.spec.max.y), 0.875);
     }
 
-    /// The hatch of the rearmost room, in a corner.
+    /// The hatch in a corner of the rearmost room.
     [[nodiscard]] Rect hatchOf(const Room& room, bool east) const {
         const double u = east ? room.spec.max.x - 0.25 - kHatch : room.spec.min.x + 0.25;
         const double v = room.spec.max.y - 0.5 - kHatch;
@@ -114,24 +115,24 @@ private:
     void addCell(std::uint32_t index) {
         const Room& room = rooms_[index];
         std::vector<Opening> openings;
-        PlannedCell cell;
+        CellPlan cell;
         for (const Way& way : room.ways) {
             const auto portal = static_cast<std::uint16_t>(openings.size());
             openings.push_back(way.opening);
-            cell.portals.push_back({way.to, dat::kNoPortal});
+            cell.links.push_back({way.to, dat::kNoPortal});
             const Side side = way.opening.side;
             const bool alongY = side == Side::West || side == Side::East;
             const Rect& r = way.opening.rect;
             if (side != Side::Floor && side != Side::Ceiling) {
                 const double at = planeOfSide(room, side);
-                // A door between rooms is hung once.
-                if (way.to == PlannedPortal::kOutside || way.to > index) {
+                // A door between rooms is listed once.
+                if (way.to == CellLink::kOutside || way.to > index) {
                     out_.openings.push_back({index, portal,
                                              alongY ? Vec3(at, r.u0, r.v0) : Vec3(r.u0, at, r.v0), alongY,
                                              way.door});
                 }
             }
-            if (way.to == PlannedPortal::kOutside) {
+            if (way.to == CellLink::kOutside) {
                 out_.plan.exits.push_back({index, portal});
                 holes_.push_back(way.opening);
             }
@@ -156,14 +157,14 @@ private:
         }
     }
 
-    void furnish(PlannedCell& cell, const Room& room) {
+    void furnish(CellPlan& cell, const Room& room) {
         const Vec3 corner(room.spec.min.x + 0.6, room.spec.min.y + 0.6, room.spec.min.z);
         if (random_.chance(0.7))
             cell.statics.push_back({pickProp(props_, random_), {corner, random_.between(0.0, 90.0)}});
         if (random_.chance(0.3)) {
             // On the sill, half in and half out.
             const auto way = std::find_if(room.ways.begin(), room.ways.end(), [](const Way& w) {
-                return w.opening.side == Side::North && w.to == PlannedPortal::kOutside;
+                return w.opening.side == Side::North && w.to == CellLink::kOutside;
             });
             if (way != room.ways.end()) {
                 const Rect& r = way->opening.rect;
@@ -173,27 +174,27 @@ private:
         }
     }
 
-    /// Each opening's way back is the one of its destination that leads here.
+    /// Links each opening to the opening of the other room that leads back.
     void link() {
         for (std::uint32_t c = 0; c < rooms_.size(); ++c) {
             for (std::size_t k = 0; k < rooms_[c].ways.size(); ++k) {
                 const std::uint32_t to = rooms_[c].ways[k].to;
-                if (to == PlannedPortal::kOutside)
+                if (to == CellLink::kOutside)
                     continue;
                 const std::vector<Way>& theirs = rooms_[to].ways;
                 const auto back =
                     std::find_if(theirs.begin(), theirs.end(), [&](const Way& w) { return w.to == c; });
                 LIMEN_ASSERT(back != theirs.end(), "rooms are joined both ways");
-                out_.plan.cells[c].portals[k].portal = static_cast<std::uint16_t>(back - theirs.begin());
+                out_.plan.cells[c].links[k].portal = static_cast<std::uint16_t>(back - theirs.begin());
             }
         }
     }
 
     [[nodiscard]] double top() const { return s_.height + (s_.attic ? kAtticHeight : 0.0) + kWall; }
 
-    /// Outer walls, seen from outside, with reveals that lead to the openings in the walls' inner faces.
+    /// Adds outer walls, seen from outside, with reveals to the openings in the walls' inner faces.
     void addWalls() {
-        MeshBuilder& mesh = out_.plan.exterior;
+        FaceMesh& mesh = out_.plan.exterior;
         std::vector<Face> portals;
         for (const Side side : {Side::West, Side::East, Side::South, Side::North}) {
             const bool alongY = side == Side::West || side == Side::East;
@@ -245,7 +246,7 @@ private:
         const double ridge = top() + rise * s_.depth / 2;
         const double eaves = top() - rise * kOverhang;
         const double w = s_.halfWidth + kOverhang;
-        MeshBuilder& mesh = out_.plan.exterior;
+        FaceMesh& mesh = out_.plan.exterior;
         Face south = planarFace({{-w, -kOverhang, eaves},
                                  {w, -kOverhang, eaves},
                                  {w, s_.depth / 2, ridge},

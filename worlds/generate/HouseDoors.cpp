@@ -2,8 +2,9 @@
 
 namespace limen::worlds {
 
-HouseLeaves addHouseLeaves(ModelSink& sink) {
-    return {addLeaf(sink, kDoorWidth, kDoorHeight, true), addLeaf(sink, kWindowWidth, kWindowHeight, false)};
+HouseLeaves addHouseLeaves(ModelWriter& writer) {
+    return {addLeaf(writer, kDoorWidth, kDoorHeight, true),
+            addLeaf(writer, kWindowWidth, kWindowHeight, false)};
 }
 
 void noteDoors(const std::vector<HouseOpening>& openings, const HouseLeaves& leaves, dat::BlockCoord block,

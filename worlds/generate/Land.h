@@ -1,34 +1,35 @@
 #pragma once
 
 #include "dat/Ids.h"
-#include "worlds/TerrainShape.h"
-#include "worlds/WorldRecords.h"
+#include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/records/WorldRecords.h"
 
 #include <functional>
 
 namespace limen::worlds {
 
-/// The ground of generated worlds: some landblocks, heights by index of the Region's table.
+/// The ground of a generated world: a rectangle of landblocks. Heights are indices of the Region's table.
 class Land {
 public:
     Land(dat::BlockCoord southWest, int blocksX, int blocksY, int heightIndex);
 
-    /// Vertices are counted from the south-west corner, 24 m apart.
+    /// Vertices count from the south-west corner; they are 24 m apart.
     [[nodiscard]] int verticesX() const { return verticesX_; }
     [[nodiscard]] int verticesY() const { return verticesY_; }
     void setHeight(int vx, int vy, int heightIndex);
     [[nodiscard]] int heightIndexAt(int vx, int vy) const;
     void setCover(int vx, int vy, TerrainKind kind, bool road);
 
-    /// Metres above the zero level at metres from the south-west corner, by the triangle there.
+    /// The height (metres) of the ground's triangle at a point in metres from the south-west corner.
     [[nodiscard]] double heightAt(double x, double y) const;
 
     [[nodiscard]] dat::BlockCoord blockAt(int bx, int by) const {
         return {southWest_.x + bx, southWest_.y + by};
     }
-    /// Adds the LandBlocks; each has a LandBlockInfo.
+    /// Adds all LandBlocks, marked as having a LandBlockInfo.
     void addTo(WorldRecords& records) const;
-    /// Those that lie where `isLand` says, counted from the south-west; a LandBlockInfo those that the records have one of.
+    /// Adds the LandBlocks for which `isLand(column, row)` holds, counted from the south-west. Those are
+    /// marked as having a LandBlockInfo for which the records hold one.
     void addTo(WorldRecords& records, const std::function<bool(int, int)>& isLand) const;
 
 private:

@@ -1,9 +1,9 @@
-#include "worlds/Noise.h"
-#include "worlds/RegionBuilder.h"
+#include "worlds/builtin/land/RegionBuilder.h"
 #include "worlds/generate/DungeonBlock.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/SmallPictures.h"
 #include "worlds/generate/TownBlocks.h"
+#include "worlds/pictures/Noise.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,20 +13,22 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr int kAcross = 255; ///< landblocks of the map, each way
+constexpr int kAcross = 255; ///< landblocks of the map in each direction
 constexpr int kVertices = kAcross * kCellsPerBlock;
-/// Dungeons lie in the west, under the sea, as many columns of landblocks as they need.
+/// Dungeons occupy the westernmost columns of landblocks, under the sea.
 constexpr int kMostDungeonColumns = 64;
-constexpr std::uint32_t kDungeonCells = 200; ///< of each, unless there are more than find room
-constexpr double kHouseShare = 0.05;         ///< of the cells
+/// Cells of each dungeon; more if kMostDungeonColumns would not suffice.
+constexpr std::uint32_t kDungeonCells = 200;
+constexpr double kHouseShare = 0.05; ///< of the cells
 constexpr std::size_t kMostMapDoors = 400;
 constexpr std::size_t kDungeonsWithPlaces = 2;
 
-/// Ground: mountains some kilometres apart, hills between them.
+/// Cells of noise across the map: mountains are some kilometres apart, with hills between them.
 constexpr int kMountains = 12, kHills = 96;
-constexpr double kSeaLevel = 30.0, kMountainRise = 70.0, kHillRise = 12.0; ///< indices of the Region's table
+constexpr double kSeaLevel = 30.0, kMountainRise = 70.0,
+                 kHillRise = 12.0; ///< in indices of the Region's table
 constexpr int kSandBelow = 34, kRockAbove = 90;
-constexpr int kRoadEvery = 16; ///< landblocks from road to road
+constexpr int kRoadEvery = 16; ///< landblocks from one road to the next
 
 class MapBuilder {
 public:
@@ -41,10 +43,10 @@ public:
 
     WorldRecords build() {
         addSmallMaterials(records_);
-        props_ = addProps(sink_);
-        houseLeaves_ = addHouseLeaves(sink_);
-        dungeonLeaves_ = addDungeonLeaves(sink_);
-        addRegion(sink_, addPlants(sink_));
+        props_ = addProps(writer_);
+        houseLeaves_ = addHouseLeaves(writer_);
+        dungeonLeaves_ = addDungeonLeaves(writer_);
+        addRegion(writer_, addPlants(writer_));
         raise();
         addTowns();
         land_.addTo(records_, [&](int bx, int by) { return !isDungeon(bx, by); });
@@ -89,9 +91,9 @@ private:
         return vx % kRoadSteps == kRoadSteps / 2 || vy % kRoadSteps == kRoadSteps / 2;
     }
 
-    // Where roads cross, and beside them, until there are cells enough; the other landblocks hold nothing.
+    // Towns are at crossings and beside roads until there are enough cells. Other landblocks are empty.
     void addTowns() {
-        TownBlocks towns({sink_, shapes_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
+        TownBlocks towns({writer_, props_, houseLeaves_, notes_, kMostMapDoors}, land_, random_);
         const auto wanted = static_cast<std::uint32_t>(spec_.size * kHouseShare);
         std::set<std::pair<int, int>> built;
         while (towns.cells() < wanted && built.size() < kMostTownBlocks) {
@@ -106,7 +108,7 @@ private:
             }
         }
     }
-    /// Houses stand on ground that is nearly flat.
+    /// Makes the ground of a landblock nearly flat, for houses.
     void level(int bx, int by) {
         const int vx = bx * kCellsPerBlock, vy = by * kCellsPerBlock;
         const int middle = land_.heightIndexAt(vx + kCellsPerBlock / 2, vy + kCellsPerBlock / 2);
@@ -116,7 +118,7 @@ private:
     }
 
     void addDungeons() {
-        const DungeonTools tools{sink_, dungeonShapes_, props_, dungeonLeaves_};
+        const DungeonTools tools{writer_, dungeonShapes_, props_, dungeonLeaves_};
         for (std::uint32_t d = 0; d < dungeons_; ++d) {
             const dat::BlockCoord coord{static_cast<int>(d) / kAcross, static_cast<int>(d) % kAcross};
             const std::uint64_t seed = seedOf(spec_) ^ static_cast<std::uint64_t>(d + 1) << 40;
@@ -149,7 +151,7 @@ private:
     std::uint32_t dungeonCells_ = 0, dungeons_ = 0;
     int firstColumn_ = 0; ///< of land
     WorldRecords records_;
-    ModelSink sink_{records_};
+    ModelWriter writer_{records_};
     ShapeLibrary shapes_{records_};
     DungeonShapes dungeonShapes_{shapes_};
     Props props_;

@@ -4,22 +4,22 @@ namespace limen::worlds {
 
 namespace {
 
-dat::RecordId boxModel(ModelSink& sink, const Vec3& min, const Vec3& max, Material material) {
-    MeshBuilder mesh;
+dat::RecordId boxModel(ModelWriter& writer, const Vec3& min, const Vec3& max, Material material) {
+    FaceMesh mesh;
     mesh.beam(min, max, material);
-    return sink.addMesh(mesh);
+    return writer.addMesh(mesh);
 }
 
-dat::RecordId cardModel(ModelSink& sink, double from, double to, double bottom, double top,
+dat::RecordId cardModel(ModelWriter& writer, double from, double to, double bottom, double top,
                         Material material) {
-    MeshBuilder mesh;
+    FaceMesh mesh;
     mesh.card({{{from, 0, bottom}, {to, 0, bottom}, {to, 0, top}, {from, 0, top}}}, material, true);
-    return sink.addMesh(mesh);
+    return writer.addMesh(mesh);
 }
 
-dat::RecordId pillarModel(ModelSink& sink) {
-    MeshBuilder mesh;
-    MeshBuilder::Round round;
+dat::RecordId pillarModel(ModelWriter& writer) {
+    FaceMesh mesh;
+    FaceMesh::Round round;
     round.lower = 0.3;
     round.upper = 0.25;
     round.height = 2.2;
@@ -28,29 +28,29 @@ dat::RecordId pillarModel(ModelSink& sink) {
     round.cap = Material::StoneWall;
     mesh.cylinder(round);
     mesh.box({-0.4, -0.4, 2.2}, {0.4, 0.4, 2.4}, Material::StoneWall);
-    return sink.addMesh(mesh);
+    return writer.addMesh(mesh);
 }
 
-dat::RecordId lampModel(ModelSink& sink) {
-    MeshBuilder mesh;
+dat::RecordId lampModel(ModelWriter& writer) {
+    FaceMesh mesh;
     mesh.box({-0.08, -0.08, 0.0}, {0.08, 0.08, 0.9}, Material::Wax);
     mesh.card({{{-0.15, 0, 0.9}, {0.15, 0, 0.9}, {0.15, 0, 1.25}, {-0.15, 0, 1.25}}}, Material::Flame, true);
-    const dat::RecordId candle = sink.addMesh(mesh);
-    return sink.addSetup({{candle, {}}}, {{{0.0, 0.0, 1.3}, 0xFFFFD9A0u, 1.0, 7.0}});
+    const dat::RecordId candle = writer.addMesh(mesh);
+    return writer.addSetup({{candle, {}}}, {{{0.0, 0.0, 1.3}, 0xFFFFD9A0u, 1.0, 7.0}});
 }
 
 } // namespace
 
-Props addProps(ModelSink& sink) {
+Props addProps(ModelWriter& writer) {
     Props props;
-    props.crate = boxModel(sink, {-0.35, -0.35, 0.0}, {0.35, 0.35, 0.7}, Material::OldPlanks);
-    props.pillar = pillarModel(sink);
-    props.screen = cardModel(sink, -0.6, 0.6, 0.0, 1.2, Material::Leaves);
-    props.pane = cardModel(sink, -0.5, 0.5, -0.5, 0.5, Material::LampGlass);
-    props.rod = boxModel(sink, {-0.8, -0.07, -0.07}, {0.8, 0.07, 0.07}, Material::Beam);
-    props.pole = boxModel(sink, {-0.07, -0.07, -0.8}, {0.07, 0.07, 0.8}, Material::Beam);
-    props.fence = boxModel(sink, {0.0, -0.05, -0.5}, {3.0, 0.05, 1.2}, Material::OldPlanks);
-    props.lamp = lampModel(sink);
+    props.crate = boxModel(writer, {-0.35, -0.35, 0.0}, {0.35, 0.35, 0.7}, Material::OldPlanks);
+    props.pillar = pillarModel(writer);
+    props.screen = cardModel(writer, -0.6, 0.6, 0.0, 1.2, Material::Leaves);
+    props.pane = cardModel(writer, -0.5, 0.5, -0.5, 0.5, Material::LampGlass);
+    props.rod = boxModel(writer, {-0.8, -0.07, -0.07}, {0.8, 0.07, 0.07}, Material::Beam);
+    props.pole = boxModel(writer, {-0.07, -0.07, -0.8}, {0.07, 0.07, 0.8}, Material::Beam);
+    props.fence = boxModel(writer, {0.0, -0.05, -0.5}, {3.0, 0.05, 1.2}, Material::OldPlanks);
+    props.lamp = lampModel(writer);
     return props;
 }
 
@@ -67,10 +67,10 @@ dat::RecordId pickProp(const Props& props, Random& random) {
     }
 }
 
-dat::RecordId addLeaf(ModelSink& sink, double width, double height, bool opaque) {
+dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque) {
     if (!opaque)
-        return cardModel(sink, 0.0, width, 0.0, height, Material::LampGlass);
-    return boxModel(sink, {0.0, -0.03, 0.0}, {width, 0.03, height}, Material::Planks);
+        return cardModel(writer, 0.0, width, 0.0, height, Material::LampGlass);
+    return boxModel(writer, {0.0, -0.03, 0.0}, {width, 0.03, height}, Material::Planks);
 }
 
 } // namespace limen::worlds

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "worlds/Models.h"
-#include "worlds/generate/Random.h"
+#include "worlds/records/ModelWriter.h"
+#include "worlds/shapes/Random.h"
 
 namespace limen::worlds {
 
-/// Things that stand in generated worlds; on z = 0 around their origin unless said otherwise.
+/// Models of props. They stand on z = 0 around their origin unless the comment says otherwise.
 struct Props {
     dat::RecordId crate = 0, pillar = 0;
     dat::RecordId screen = 0; ///< a cut-out lattice, 1.2 m along x
@@ -15,12 +15,12 @@ struct Props {
     dat::RecordId fence = 0;  ///< 3 m along x, from the origin
     dat::RecordId lamp = 0;   ///< a candle on the floor that lights its room
 };
-[[nodiscard]] Props addProps(ModelSink& sink);
+[[nodiscard]] Props addProps(ModelWriter& writer);
 
-/// What stands on a floor: one of crate, pillar, screen, lamp.
+/// A random crate, pillar, screen or lamp: props that stand on a floor.
 [[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
 
 /// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.
-[[nodiscard]] dat::RecordId addLeaf(ModelSink& sink, double width, double height, bool opaque);
+[[nodiscard]] dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque);
 
 } // namespace limen::worlds

@@ -1,38 +1,38 @@
 #include "worlds/generate/Sites.h"
 
 #include "worlds/generate/ComplexOpenings.h"
-#include "worlds/generate/Shell.h"
+#include "worlds/shapes/Shell.h"
 
 namespace limen::worlds {
 
 namespace {
 
-/// Cells with their shells, joined by openings that are cut into both.
+/// Plans cells as shells that are joined by openings.
 class SitePlanner {
 public:
     std::uint32_t addCell(Shell shell, const Vec3& eye) {
         shells_.push_back(std::move(shell));
-        PlannedCell cell;
+        CellPlan cell;
         cell.eye = eye;
         plan_.cells.push_back(std::move(cell));
         return static_cast<std::uint32_t>(shells_.size() - 1);
     }
 
     void join(std::uint32_t a, std::uint32_t b, const Polygon& opening) {
-        const auto portalA = static_cast<std::uint16_t>(plan_.cells[a].portals.size());
-        const auto portalB = static_cast<std::uint16_t>(plan_.cells[b].portals.size());
+        const auto portalA = static_cast<std::uint16_t>(plan_.cells[a].links.size());
+        const auto portalB = static_cast<std::uint16_t>(plan_.cells[b].links.size());
         cut(a, opening, {b, portalB});
         cut(b, opening, {a, portalA});
     }
 
-    /// Opens a cell to the outside, through the exterior shell that has a wall there.
+    /// Opens a cell to the outside, through the exterior shell with a wall at that place.
     void openOutside(std::uint32_t cell, const Polygon& opening, Shell& exterior) {
-        plan_.exits.push_back({cell, static_cast<std::uint16_t>(plan_.cells[cell].portals.size())});
+        plan_.exits.push_back({cell, static_cast<std::uint16_t>(plan_.cells[cell].links.size())});
         cut(cell, opening, {});
         exterior.openings.push_back(opening);
     }
 
-    /// Exteriors in the order in which their cells were opened.
+    /// Requires: exteriors are added in the order in which their cells were opened.
     void addExterior(const Shell& shell) {
         for (Face& face : facesOf(shell, true))
             (face.portal ? exits_ : walls_).push_back(std::move(face));
@@ -43,7 +43,7 @@ public:
         plan_.cells[cell].statics.push_back({model, at});
     }
 
-    CellsPlan finish() {
+    BuildingPlan finish() {
         for (std::size_t c = 0; c < shells_.size(); ++c)
             plan_.cells[c].faces = facesOf(shells_[c]);
         for (std::vector<Face>* faces : {&walls_, &exits_})
@@ -53,17 +53,17 @@ public:
     }
 
 private:
-    void cut(std::uint32_t cell, const Polygon& opening, PlannedPortal portal) {
+    void cut(std::uint32_t cell, const Polygon& opening, CellLink portal) {
         shells_[cell].openings.push_back(opening);
-        plan_.cells[cell].portals.push_back(portal);
+        plan_.cells[cell].links.push_back(portal);
     }
 
-    CellsPlan plan_;
+    BuildingPlan plan_;
     std::vector<Shell> shells_;
     std::vector<Face> walls_, exits_;
 };
 
-/// Walls of a building: what of a shell is seen from outside, down to the ground and below.
+/// The parts of a shell that are visible from outside.
 Shell withoutFloor(Shell shell) {
     std::erase_if(shell.walls, [](const Shell::Wall& wall) { return wall.material == Material::Flagstones; });
     return shell;
@@ -77,7 +77,7 @@ constexpr double kFoot = -1.5; ///< lower end of walls, below the ground
 
 } // namespace
 
-CellsPlan planVault(const Props& props, Random& random) {
+BuildingPlan planVault(const Props& props, Random& random) {
     SitePlanner site;
     constexpr double kHallTop = -2.5, kHallFloor = -5.5;
     const std::uint32_t hall = site.addCell(
@@ -102,12 +102,12 @@ CellsPlan planVault(const Props& props, Random& random) {
     }
     site.addStatic(hall, props.lamp, {{4.0, 2.0, kHallFloor}, 0.0});
     site.addStatic(hall, props.pillar, {{-6.0, 1.0, kHallFloor}, 0.0});
-    // Higher than the hall: its upper end reaches into the hut through the shaft's foot.
+    // The pole is higher than the hall: its upper end is in the shaft to the hut.
     site.addStatic(hall, props.pole, {{-19.0, 0.25, kHallTop}, 0.0});
     return site.finish();
 }
 
-CellsPlan planTunnel(const Props& props, Random& random) {
+BuildingPlan planTunnel(const Props& props, Random& random) {
     SitePlanner site;
     constexpr double kMouth = 27.0, kRoom = 9.0, kHalf = 1.5, kTop = 3.0;
     const std::uint32_t room =
@@ -132,7 +132,7 @@ CellsPlan planTunnel(const Props& props, Random& random) {
     return site.finish();
 }
 
-CellsPlan planTower(const Props& props, Random& random) {
+BuildingPlan planTower(const Props& props, Random& random) {
     SitePlanner site;
     constexpr int kSides = 8, kStoreys = 5, kBelow = 2;
     constexpr double kRadius = 3.5, kStorey = 3.0;
@@ -185,7 +185,7 @@ CellsPlan planTower(const Props& props, Random& random) {
     return site.finish();
 }
 
-CellsPlan planCourt(const Props& props, Random& random) {
+BuildingPlan planCourt(const Props& props, Random& random) {
     SitePlanner site;
     const Vec3 low(-8, -6, 0), high(8, 6, 3);
     const Rect court{-3, -1, 3, 6};

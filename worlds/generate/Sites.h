@@ -1,19 +1,19 @@
 #pragma once
 
-#include "worlds/generate/BlockPlan.h"
 #include "worlds/generate/Props.h"
+#include "worlds/records/CellPlan.h"
 
 namespace limen::worlds {
 
-/// Buildings that the ground runs through, around the origin; z = 0 is just above the ground beside them.
+// Buildings that intersect the ground, around the origin. z = 0 is just above the ground beside them.
 
-/// Two huts over the ends of a hall below ground; shafts lead down.
-[[nodiscard]] CellsPlan planVault(const Props& props, Random& random);
-/// A passage along x with a room half way, 54 m from mouth to mouth.
-[[nodiscard]] CellsPlan planTunnel(const Props& props, Random& random);
+/// An underground hall with a shaft up to a hut at each end.
+[[nodiscard]] BuildingPlan planVault(const Props& props, Random& random);
+/// A tunnel of 54 m along x with a room half way.
+[[nodiscard]] BuildingPlan planTunnel(const Props& props, Random& random);
 /// Five storeys, two of them below ground, joined by openings in their floors; some have an open top.
-[[nodiscard]] CellsPlan planTower(const Props& props, Random& random);
-/// One room in the shape of a U, windows facing each other over its yard.
-[[nodiscard]] CellsPlan planCourt(const Props& props, Random& random);
+[[nodiscard]] BuildingPlan planTower(const Props& props, Random& random);
+/// A U-shaped room with windows that face each other across its yard.
+[[nodiscard]] BuildingPlan planCourt(const Props& props, Random& random);
 
 } // namespace limen::worlds

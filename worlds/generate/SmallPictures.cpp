@@ -1,8 +1,8 @@
 #include "worlds/generate/SmallPictures.h"
 
-#include "worlds/Materials.h"
-#include "worlds/Noise.h"
-#include "worlds/PixelEncoder.h"
+#include "worlds/pictures/Noise.h"
+#include "worlds/records/Materials.h"
+#include "worlds/records/PixelEncoder.h"
 
 #include <array>
 
@@ -91,7 +91,7 @@ Look lookOf(Ground ground) {
     }
 }
 
-/// How light a texel is, 0..1, and its alpha.
+/// Brightness 0..1 and alpha of a texel.
 struct Texel {
     double light = 1.0, alpha = 1.0;
 };
@@ -139,7 +139,7 @@ Canvas paintSmall(const Look& look, std::uint32_t seed) {
     });
 }
 
-/// The overlay shows where alpha is 0; north is up.
+/// The upper layer shows where alpha is 0; north is up.
 Canvas paintSmallBlend(std::uint32_t index) {
     return Canvas::paint(kSmallPicture, kSmallPicture, [=](double u, double v) {
         const bool road = index >= 6;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "worlds/WorldRecords.h"
+#include "worlds/records/WorldRecords.h"
 
 namespace limen::worlds {
 
-/// Adds the records of addMaterials, with pictures that are quick to paint: all of kSmallPicture² texels.
+/// Adds the records of addMaterials with pictures of kSmallPicture² texels, which are quick to paint.
 void addSmallMaterials(WorldRecords& records);
 inline constexpr int kSmallPicture = 32;
 

@@ -1,10 +1,11 @@
-#include "worlds/RegionBuilder.h"
-#include "worlds/generate/Carve.h"
+#include "worlds/builtin/land/RegionBuilder.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/House.h"
-#include "worlds/generate/Kinds.h"
 #include "worlds/generate/Land.h"
 #include "worlds/generate/Sites.h"
 #include "worlds/generate/SmallPictures.h"
+#include "worlds/records/Carve.h"
+#include "worlds/records/LandblockWriter.h"
 
 #include <fmt/format.h>
 
@@ -30,16 +31,16 @@ public:
 
     WorldRecords build() {
         addSmallMaterials(records_);
-        props_ = addProps(sink_);
-        leaves_ = addHouseLeaves(sink_);
-        addRegion(sink_, addPlants(sink_));
+        props_ = addProps(writer_);
+        leaves_ = addHouseLeaves(writer_);
+        addRegion(writer_, addPlants(writer_));
         const std::uint32_t first = random_.below(static_cast<std::uint32_t>(Site::Count));
         std::uint32_t site = 0;
         for (int by = 0; by < rowsOf(blocks_, across_); ++by) {
             for (int bx = 0; bx < across_; ++bx) {
-                PlanWriter block(sink_, shapes_, land_.blockAt(bx, by));
+                LandblockWriter block(writer_, land_.blockAt(bx, by), kGeneratedCells);
                 for (std::uint32_t k = 0; k < kSitesPerBlock && site < spec_.size; ++k, ++site) {
-                    // Kinds take turns, so that a small world has as many of them as it can.
+                    // Kinds alternate, so that even a small world has most of them.
                     const auto kind =
                         static_cast<Site>((first + site) % static_cast<std::uint32_t>(Site::Count));
                     addSite(block, kind, site, bx, by, static_cast<int>(k));
@@ -63,7 +64,7 @@ private:
         return (static_cast<int>(blocks) + across - 1) / across;
     }
 
-    void addSite(PlanWriter& block, Site kind, std::uint32_t number, int bx, int by, int quarter) {
+    void addSite(LandblockWriter& block, Site kind, std::uint32_t number, int bx, int by, int quarter) {
         const int vx = bx * kCellsPerBlock + 2 + 4 * (quarter % 2);
         const int vy = by * kCellsPerBlock + 2 + 4 * (quarter / 2);
         const bool alongY = random_.chance(0.5);
@@ -72,12 +73,12 @@ private:
                      alongY ? 90.0 : 0.0};
         std::vector<HouseOpening> openings;
         shapeGround(kind, vx, vy, alongY);
-        CellsPlan plan = planOf(kind, at, openings);
+        BuildingPlan plan = planOf(kind, at, openings);
         if (random_.chance(0.5))
             at.turn += random_.between(-6.0, 6.0);
         const dat::BlockCoord coord = land_.blockAt(bx, by);
-        const std::vector<PlannedCell> cells = plan.cells;
-        const dat::RecordId first = block.add(std::move(plan), at);
+        const std::vector<CellPlan> cells = plan.cells;
+        const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
         noteDoors(openings, leaves_, coord, at, first, random_, notes_);
         notePlaces(kind, number, coord, at, cells, first);
     }
@@ -100,7 +101,7 @@ private:
         }
     }
 
-    CellsPlan planOf(Site kind, Placement& at, std::vector<HouseOpening>& openings) {
+    BuildingPlan planOf(Site kind, Placement& at, std::vector<HouseOpening>& openings) {
         switch (kind) {
         case Site::Tunnel:
             return planTunnel(props_, random_);
@@ -123,7 +124,7 @@ private:
     }
 
     void notePlaces(Site kind, std::uint32_t number, dat::BlockCoord coord, const Placement& at,
-                    const std::vector<PlannedCell>& cells, dat::RecordId first) {
+                    const std::vector<CellPlan>& cells, dat::RecordId first) {
         const std::string name = fmt::format("{}.{}", kSiteNames[static_cast<std::size_t>(kind)], number);
         const auto global = [&](const Vec3& p) { return blockToGlobal(coord, place(at, p)); };
         for (std::size_t c = 0; c < cells.size() && notes_.placeCount() < kMostTerrainPlaces; ++c) {
@@ -141,8 +142,7 @@ private:
     int across_;
     Land land_;
     WorldRecords records_;
-    ModelSink sink_{records_};
-    ShapeLibrary shapes_{records_};
+    ModelWriter writer_{records_};
     Props props_;
     HouseLeaves leaves_;
     WorldNotes notes_;

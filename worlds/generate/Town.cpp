@@ -1,5 +1,5 @@
-#include "worlds/RegionBuilder.h"
-#include "worlds/generate/Kinds.h"
+#include "worlds/builtin/land/RegionBuilder.h"
+#include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/SmallPictures.h"
 #include "worlds/generate/TownBlocks.h"
 
@@ -10,7 +10,7 @@ namespace limen::worlds {
 namespace {
 
 constexpr dat::BlockCoord kSouthWestOfTown{0x50, 0x60};
-constexpr int kTownGround = 40; ///< index of the level that the town lies about
+constexpr int kTownGround = 40; ///< index of the mean height of the town
 
 class TownBuilder {
 public:
@@ -24,11 +24,11 @@ public:
 
     WorldRecords build() {
         addSmallMaterials(records_);
-        props_ = addProps(sink_);
-        leaves_ = addHouseLeaves(sink_);
-        addRegion(sink_, addPlants(sink_));
+        props_ = addProps(writer_);
+        leaves_ = addHouseLeaves(writer_);
+        addRegion(writer_, addPlants(writer_));
         roll();
-        TownBlocks town({sink_, shapes_, props_, leaves_, notes_}, land_, random_);
+        TownBlocks town({writer_, props_, leaves_, notes_}, land_, random_);
         for (std::uint32_t b = 0; b < blocks_; ++b) {
             const std::uint32_t houses = spec_.size / blocks_ + (b < spec_.size % blocks_ ? 1u : 0u);
             const Placement district =
@@ -37,8 +37,9 @@ public:
                 notePlaces(land_.blockAt(0, 0), Vec3(0.0), district);
         }
         for (std::uint32_t b = blocks_; b < static_cast<std::uint32_t>(across_ * landBlocksY()); ++b) {
-            PlanWriter(sink_, shapes_,
-                       land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_))
+            LandblockWriter(writer_,
+                            land_.blockAt(static_cast<int>(b) % across_, static_cast<int>(b) / across_),
+                            kGeneratedCells)
                 .finish();
         }
         land_.addTo(records_);
@@ -55,7 +56,7 @@ private:
     }
     [[nodiscard]] int landBlocksY() const { return (land_.verticesY() - 1) / kCellsPerBlock; }
 
-    /// Gentle ground: a step of the table here and there.
+    /// Makes gentle ground: heights differ by a few steps of the table.
     void roll() {
         for (int vx = 0; vx < land_.verticesX(); ++vx) {
             for (int vy = 0; vy < land_.verticesY(); ++vy) {
@@ -83,8 +84,7 @@ private:
     int across_;
     Land land_;
     WorldRecords records_;
-    ModelSink sink_{records_};
-    ShapeLibrary shapes_{records_};
+    ModelWriter writer_{records_};
     Props props_;
     HouseLeaves leaves_;
     WorldNotes notes_;

@@ -1,7 +1,5 @@
 #include "worlds/generate/TownBlocks.h"
 
-#include "worlds/generate/BlockPlan.h"
-
 #include <fmt/format.h>
 
 namespace limen::worlds {
@@ -12,14 +10,14 @@ constexpr std::uint32_t kColumns = kMostHouses / 4, kRows = 4;
 constexpr double kLot = 22.0;
 constexpr std::size_t kMostTownPlaces = 48;
 
-/// A row of houses along a street; metres from the middle of its landblock, before the district is turned.
+/// A row of houses along a street, in metres from the middle of the landblock, before the district is turned.
 struct Row {
     double y = 0.0;
     double turn = 0.0; ///< degrees; 0: the fronts look south
 };
-/// Two rows face each other across the street, two stand with their backs to those.
+/// Two rows face each other across the street; behind each is a row back to back with it.
 constexpr std::array<Row, kRows> kTownRows{{{5.0, 0.0}, {-5.0, 180.0}, {28.0, 180.0}, {-28.0, 0.0}}};
-/// Where fences run between back gardens.
+/// y of the fences between back gardens.
 constexpr std::array<double, 2> kFences{16.5, -16.5};
 
 } // namespace
@@ -27,7 +25,7 @@ constexpr std::array<double, 2> kFences{16.5, -16.5};
 Placement TownBlocks::build(int bx, int by, std::uint32_t houses) {
     const dat::BlockCoord coord = land_.blockAt(bx, by);
     const Vec3 corner(192.0 * bx, 192.0 * by, 0.0);
-    PlanWriter block(tools_.sink, tools_.shapes, coord);
+    LandblockWriter block(tools_.writer, coord, kGeneratedCells);
     constexpr std::array<double, 6> kAngles{0.0, 90.0, 17.0, 45.0, 128.5, 0.0};
     const Placement district{{96.0, 96.0, 0.0}, kAngles[random_.below(kAngles.size())]};
     for (std::uint32_t h = 0; h < houses; ++h) {
@@ -46,11 +44,11 @@ Placement TownBlocks::build(int bx, int by, std::uint32_t houses) {
     return district;
 }
 
-void TownBlocks::addHouse(PlanWriter& block, dat::BlockCoord coord, const Vec3& corner, Placement at) {
+void TownBlocks::addHouse(LandblockWriter& block, dat::BlockCoord coord, const Vec3& corner, Placement at) {
     const HouseSpec house = groundHouse(corner, at);
     House planned = planHouse(house, tools_.props, random_);
-    const std::vector<PlannedCell> cells = planned.plan.cells;
-    const dat::RecordId first = block.add(std::move(planned.plan), at);
+    const std::vector<CellPlan> cells = planned.plan.cells;
+    const dat::RecordId first = block.add(withClosedSeams(std::move(planned.plan)), at).front();
     if (tools_.notes.doorCount() < tools_.mostDoors)
         noteDoors(planned.openings, tools_.leaves, coord, at, first, random_, tools_.notes);
     for (std::size_t c = 0; c < cells.size() && tools_.notes.placeCount() < kMostTownPlaces; ++c) {
@@ -79,7 +77,7 @@ HouseSpec TownBlocks::groundHouse(const Vec3& corner, Placement& at) {
     return house;
 }
 
-void TownBlocks::addFences(PlanWriter& block, const Vec3& corner, const Placement& district) {
+void TownBlocks::addFences(LandblockWriter& block, const Vec3& corner, const Placement& district) {
     for (const double y : kFences) {
         for (double x = -54.0; x < 54.0; x += 3.0) {
             Vec3 p = place(district, {x, y, 0.0});

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegrees = 57.295779513082323;
 
-/// Six decimals: exact enough, and the same text from every compiler.
+/// Rounds to six decimals: precise enough, and the same text from every compiler.
 double rounded(double v) {
     return std::round(v * 1e6) / 1e6;
 }

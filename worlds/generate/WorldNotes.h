@@ -9,12 +9,17 @@
 
 namespace limen::worlds {
 
-/// Collects what `world.json` says (docs/world-file.md).
+/// Converts a landblock's metres to global metres.
+[[nodiscard]] inline Vec3 blockToGlobal(dat::BlockCoord coord, const Vec3& local) {
+    return local + Vec3(coord.x * 192.0, coord.y * 192.0, 0.0);
+}
+
+/// Collects the places and doors of `world.json` (docs/world-file.md).
 class WorldNotes {
 public:
     WorldNotes();
 
-    /// An eye at a global position that looks at another; `cell` 0 is outside.
+    /// Adds a viewpoint that looks at `target`; both in global metres. `cell` 0 is outside.
     void addPlace(const std::string& name, const Vec3& eye, const Vec3& target, dat::RecordId cell);
 
     struct Leaf {

@@ -45,7 +45,7 @@ Children childrenOf(BspTag tag) {
     return {};
 }
 
-/// What a leaf stores behind its tag.
+/// The fields of a leaf behind its tag.
 template <class IO, class Node>
 void leafBody(IO& io, Node& node, BspKind kind) {
     io.value(node.leafIndex);
@@ -78,7 +78,7 @@ void portalLists(ByteWriter& io, const BspNode& node) {
         portalRef(io, ref);
 }
 
-/// What an inner node stores behind its children.
+/// The fields of an inner node behind its children.
 template <class IO, class Node>
 void innerTail(IO& io, Node& node, BspKind kind) {
     const bool isPortal = node.tag == BspTag::Port;
@@ -93,8 +93,8 @@ void innerTail(IO& io, Node& node, BspKind kind) {
     }
 }
 
-/// Reads the node at the reader and its subtree; yields its index. The tree grows while it is read, so nodes
-/// are addressed by index throughout.
+/// Reads a node and its subtree. Returns its index. Nodes are addressed by index, because the array grows
+/// while it is read.
 std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
     const std::size_t start = io.offset();
     const auto tag = io.get<BspTag>();

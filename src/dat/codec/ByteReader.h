@@ -12,9 +12,9 @@ namespace limen::dat {
 static_assert(std::endian::native == std::endian::little,
               "dat files are little-endian and are copied as they are");
 
-/// Reads a record's payload from front to back. The first failure is kept with its offset; from then on
-/// everything reads as zero and nothing is left, so callers need not test after every field. Its sibling
-/// ByteWriter has the same members, so that one description of a record's layout serves both ways.
+/// Reads a record's payload from front to back. It keeps the first failure and its offset. After a failure
+/// all values read as zero and no bytes remain, so callers need not test after every field. ByteWriter has
+/// the same members, so one description of a record's layout serves reading and writing.
 class ByteReader {
 public:
     static constexpr bool kReading = true;
@@ -29,13 +29,13 @@ public:
     [[nodiscard]] std::size_t failureOffset() const { return failureOffset_; }
     [[nodiscard]] const std::string& failureReason() const { return reason_; }
 
-    /// Notes the first failure, at `offset`; later ones are consequences and are dropped.
+    /// Stores the first failure, at `offset`. Later failures are consequences and are ignored.
     void failAt(std::size_t offset, std::string reason, ErrorCode code = ErrorCode::Malformed);
     void fail(std::string reason, ErrorCode code = ErrorCode::Malformed) {
         failAt(offset(), std::move(reason), code);
     }
 
-    /// An integer, float or enumeration as the file stores it.
+    /// Reads an integer, float or enumeration as stored.
     template <class T>
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void value(T& out) { take(&out, sizeof(T)); }
     void value(Vec2f& out) { take(&out, sizeof out); }
@@ -52,7 +52,7 @@ public:
         return out;
     }
 
-    /// `count` items without a count in front, copied in one piece.
+    /// Reads `count` items, without a stored count, in one copy.
     template <class List>
     void array(List& out, std::size_t count) {
         using T = typename List::value_type;
@@ -66,7 +66,7 @@ public:
             take(out.data(), count * sizeof(T));
     }
 
-    /// A list of `count` items, each at least `minItemBytes` long; `item` reads one. Nothing is allocated for
+    /// Reads a list of `count` items of at least `minItemBytes` each; `item` reads one. Allocates nothing for
     /// a count that the remaining bytes cannot hold.
     template <class List, class Item>
     void items(List& out, std::size_t count, std::size_t minItemBytes, const char* what, Item&& item) {
@@ -79,13 +79,13 @@ public:
                 return;
         }
     }
-    /// The same with the count in front, stored as a `Count`.
+    /// Reads a list behind its count, stored as a `Count`.
     template <class Count, class List, class Item>
     void list(List& out, std::size_t minItemBytes, const char* what, Item&& item) {
         items(out, count<Count>(what), minItemBytes, what, std::forward<Item>(item));
     }
 
-    /// A count: not negative.
+    /// Reads a count, which must not be negative.
     template <class Count>
     [[nodiscard]] std::size_t count(const char* what) {
         const std::size_t start = offset();
@@ -98,25 +98,24 @@ public:
         }
         return static_cast<std::size_t>(n);
     }
-    /// A count in 1, 2 or 4 bytes (docs/formats/primitives.md#packed-counts); one in more bytes than it needs is refused,
-    /// since it would not be written back the same.
+    /// Reads a count in 1, 2 or 4 bytes (formats/primitives.md, "cui"). Refuses one in more bytes than it
+    /// needs, because encode would write fewer.
     [[nodiscard]] std::uint32_t packedCount();
 
-    /// A "legacy string": length, bytes, zeros up to a multiple of 4.
+    /// Reads a "legacy string": length, bytes, zeros up to a multiple of 4.
     void text(std::string& out);
-    /// Skips to the next multiple of 4 over zeros; anything else there is refused.
+    /// Skips zeros to the next multiple of 4. Refuses other bytes.
     void alignZero();
-    /// The same, but keeps the bytes.
+    /// Reads the bytes up to the next multiple of 4.
     template <std::size_t N>
     void align(std::array<std::uint8_t, N>& out) {
         const std::size_t gap = (0 - offset()) & 3;
         static_assert(N <= 3);
         take(out.data(), std::min(gap, N));
     }
-    /// Raw bytes.
     [[nodiscard]] ByteView bytes(std::size_t count);
 
-    /// True if `count` items of at least `minItemBytes` can follow; else a failure.
+    /// True if `count` items of at least `minItemBytes` can follow; otherwise fails.
     [[nodiscard]] bool fits(std::size_t count, std::size_t minItemBytes, const char* what);
 
 private:

@@ -10,8 +10,8 @@
 
 namespace limen::dat {
 
-/// Writes a record's payload: ByteReader's sibling, member for member. A record that the format cannot hold
-/// (a list longer than its count can say) is a mistake of the caller's and asserted.
+/// Writes a record's payload, with the members of ByteReader. Requires (asserted): the format can hold the
+/// record; a list fits its count, say.
 class ByteWriter {
 public:
     static constexpr bool kReading = false;

@@ -24,7 +24,7 @@ EnvCellCounts cellCounts(ByteWriter& io, const EnvCell& cell) {
     return {cell.surfaces.size(), cell.portals.size(), cell.visibleCells.size()};
 }
 
-/// An EnvCell says its id twice.
+/// The second copy of an EnvCell's id.
 void idAgain(ByteReader& io, const EnvCell& cell) {
     const auto again = io.get<std::uint32_t>();
     if (again != cell.id && !io.failed())
@@ -82,7 +82,7 @@ void building(IO& io, B& one) {
                                     [&](auto& portal) { buildingPortal(io, portal); });
 }
 
-/// The number of buildings stands before hasRestrictions, the buildings behind it.
+/// The number of buildings is before hasRestrictions, the buildings are behind it.
 void buildings(ByteReader& io, LandBlockInfo& info) {
     const auto count = io.count<std::uint16_t>("buildings");
     io.value(info.hasRestrictions);

@@ -5,7 +5,7 @@
 namespace limen::dat {
 namespace {
 
-/// Bytes by type; -1 where the payload tells its own length.
+/// Payload bytes by type; -1 where the length depends on the payload.
 constexpr int kPayloadBytes[] = {
     0,          // 0 NoOp
     4,          // 1 Sound
@@ -77,7 +77,7 @@ void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle) {
 }
 
 bool mayHaveBlockingParticle(ByteView payload) {
-    // Any word of that value anywhere.
+    // Searches for the value at every offset.
     for (std::size_t i = 0; i + 4 <= payload.size(); ++i)
         if (payload[i] == std::byte{kCreateBlockingParticleHook} && payload[i + 1] == std::byte{0} &&
             payload[i + 2] == std::byte{0} && payload[i + 3] == std::byte{0})

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-// Animation hooks (docs/formats/effects_anim.md#hooks): kept as bytes, whose number follows from the type.
+// Animation hooks (formats/effects_anim.md) are kept as bytes; their number depends on the type.
 namespace limen::dat {
 
 inline constexpr std::uint32_t kReplaceObjectHook = 0x05;
@@ -12,17 +12,17 @@ inline constexpr std::uint32_t kCreateParticleHook = 0x0D;
 inline constexpr std::uint32_t kCreateBlockingParticleHook = 0x1A;
 inline constexpr std::size_t kMinHookBytes = 8;
 
-/// How the one hook whose payload is not settled is read: without a payload, or with CreateParticle's.
+/// The payload of CreateBlockingParticle, which is not certain: none, or that of CreateParticle.
 enum class BlockingParticle { Bare, LikeCreateParticle };
 
-/// Payload bytes of a hook type; no value for an unknown type and for ReplaceObject, whose payload tells its
-/// own length.
+/// Payload bytes of a hook type. No value for an unknown type, and for ReplaceObject, whose length depends on
+/// the payload.
 [[nodiscard]] std::optional<std::size_t> hookPayloadSize(std::uint32_t type, BlockingParticle blocking);
 
 void hook(ByteReader& io, AnimationHook& out, BlockingParticle blocking);
 void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle blocking);
 
-/// The least that a frame of so many parts can take.
+/// The least size in bytes of a frame of `parts` parts.
 [[nodiscard]] constexpr std::size_t minAnimationFrameBytes(std::size_t parts) {
     return parts * kFrameBytes + 4;
 }
@@ -33,11 +33,11 @@ void animationFrame(IO& io, F& f, std::size_t parts, BlockingParticle blocking) 
                                     [&](auto& one) { hook(io, one, blocking); });
 }
 
-/// Whether a second try, with CreateParticle's payload, is worth making. Cheap and generous.
+/// False if the payload has no CreateBlockingParticle. May be true without one. Cheap.
 [[nodiscard]] bool mayHaveBlockingParticle(ByteView payload);
 
-/// decodeWith for records with hooks; `read(reader, record, blocking)`. A record that does not read with a bare
-/// CreateBlockingParticle is tried again with a payload.
+/// decodeWith for records with hooks; `read(reader, record, blocking)`. If reading fails with a bare
+/// CreateBlockingParticle, reads again with a payload.
 template <class Record, class Read>
 [[nodiscard]] Result<Record> decodeWithHooks(RecordId id, ByteView payload, Read&& read) {
     const auto attempt = [&](BlockingParticle blocking) {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-// The frame of every codec: one function `layout(io, record)` a record, called with a ByteReader and a
-// Record& or with a ByteWriter and a const Record&, so that reading and writing cannot drift apart.
+// The base of every codec: one function `layout(io, record)` for each record type. It is called with a
+// ByteReader and a Record&, or with a ByteWriter and a const Record&, so reading and writing always agree.
 namespace limen::dat {
 
-/// Reads or writes a record's own id, which must be its key.
+/// Reads or writes a record's stored id, which must be its key.
 inline void ownId(ByteReader& io, RecordId key, RecordId& id) {
     io.value(id);
     if (id != key && !io.failed())
@@ -19,7 +19,7 @@ inline void ownId(ByteWriter& io, RecordId, const RecordId& id) {
     io.value(id);
 }
 
-/// Decodes a whole payload with `read(reader, record)`; it must end where the bytes end.
+/// Decodes a whole payload with `read(reader, record)`, which must consume all bytes.
 template <class Record, class Read>
 [[nodiscard]] Result<Record> decodeWith(RecordId id, ByteView payload, Read&& read) {
     ByteReader io(payload);
@@ -58,14 +58,14 @@ void stab(IO& io, S& s) {
     io.value(s.model);
     frame(io, s.frame);
 }
-/// A u32 count and as many plain values.
+/// A count and its plain values.
 template <class Count, class IO, class List>
 void values(IO& io, List& list, const char* what) {
     io.template list<Count>(list, sizeof(typename std::remove_const_t<List>::value_type), what,
                             [&](auto& one) { io.value(one); });
 }
 
-/// A "PackableHashTable" of items that are at least `minValueBytes` long, keys apart (docs/formats/primitives.md#hash-tables).
+/// A "PackableHashTable" of items of at least `minValueBytes` without their keys (formats/primitives.md).
 template <class Value, class Item>
 void hashTable(ByteReader& io, PackedHashTable<Value>& table, std::size_t minValueBytes, const char* what,
                Item&& item) {

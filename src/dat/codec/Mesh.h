@@ -8,7 +8,7 @@ namespace limen::dat {
 void vertexArray(ByteReader& io, VertexArray& out);
 void vertexArray(ByteWriter& io, const VertexArray& in);
 
-/// `count` polygons, each behind its id.
+/// Reads `count` polygons, each behind its id.
 void polygons(ByteReader& io, PolygonList& out, std::size_t count);
 void polygons(ByteWriter& io, const PolygonList& in, std::size_t count);
 

@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kMinCellStructBytes = 12 + 8 + 8 + 32 + 4; // counts, vertices, two leaves, drawing flag
 
-/// A packed count and the polygons.
+/// Polygons behind a packed count.
 void packedPolygons(ByteReader& io, PolygonList& out) {
     polygons(io, out, io.packedCount());
 }

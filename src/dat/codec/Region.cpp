@@ -12,7 +12,7 @@ constexpr std::size_t kSoundBytes = 20;
 constexpr std::size_t kTerrainTextureBytes = 44;
 constexpr std::size_t kMinTextBytes = 4;
 
-/// Reads or writes several values of one type in a row.
+/// Reads or writes consecutive values.
 template <class IO, class... T>
 void row(IO& io, T&... fields) {
     (io.value(fields), ...);

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int32_t kMaxDimension = 4096;
 
-/// Bytes of an image, no value for a format that Limen does not know. Raw JPEGs have no size of their own: 0.
+/// Bytes of an image; no value for an unknown format; 0 for raw JPEG, whose size varies.
 std::optional<std::size_t> pixelBytes(PixelFormat format, std::size_t width, std::size_t height) {
     const std::size_t texels = width * height;
     const std::size_t blocks = ((width + 3) / 4) * ((height + 3) / 4);
@@ -40,7 +40,7 @@ std::optional<std::size_t> pixelBytes(PixelFormat format, std::size_t width, std
     return std::nullopt;
 }
 
-/// Refuses sizes that are absurd or do not match the number of bytes. A raw JPEG knows its own size.
+/// Refuses sizes that are absurd or do not match the number of bytes. A raw JPEG contains its size.
 void checkImage(ByteReader& io, const RenderSurface& s, std::size_t formatOffset, std::size_t byteCount) {
     if (io.failed())
         return;

@@ -27,7 +27,8 @@ std::string inWords(const ChainStatus& status) {
 Blocks::Blocks(ByteView file, std::uint32_t blockSize)
     : file_(file), blockSize_(blockSize), capacity_(blockSize - 4),
       firstUsable_(static_cast<std::uint32_t>(firstUsableOffset(blockSize))) {
-    // Offsets with the top bit mark free blocks; none is followed, so what lies beyond 2 GiB is out of reach.
+    // Offsets with the top bit mark free blocks and are never followed, so blocks beyond 2 GiB are
+    // unreachable.
     const std::uint64_t reach = std::min<std::uint64_t>(file.size(), std::uint64_t{1} << 31);
     const std::uint64_t whole = reach / blockSize * blockSize;
     lastBlock_ = whole >= blockSize ? static_cast<std::uint32_t>(whole - blockSize) : 0;
@@ -72,7 +73,7 @@ ChainStatus Blocks::copy(std::uint32_t first, std::size_t size, Bytes& out) cons
         ascending = ascending && next > at;
         at = next;
     }
-    // A chain that only goes forwards cannot repeat; the rare other one is looked at again.
+    // An ascending chain cannot repeat a block. Others, which are rare, are checked.
     return ascending ? ChainStatus{} : checkNoRepeat(first, count);
 }
 

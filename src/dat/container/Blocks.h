@@ -6,17 +6,15 @@
 
 namespace limen::dat {
 
-/// What can be wrong with a chain of blocks.
 enum class ChainFault { None, BadOffset, EndsEarly, Repeats, TooLarge };
 
-/// A fault and the offset at which it was met.
+/// A fault of a chain of blocks, and its offset.
 struct ChainStatus {
     ChainFault fault = ChainFault::None;
     std::uint32_t offset = 0;
     [[nodiscard]] bool ok() const { return fault == ChainFault::None; }
 };
 
-/// The fault in words.
 [[nodiscard]] std::string inWords(const ChainStatus& status);
 
 /// The blocks of a file and the chains that they form (docs/formats/container.md#blocks). Every offset is checked
@@ -30,13 +28,13 @@ public:
     [[nodiscard]] std::size_t blockCount() const { return file_.size() / blockSize_; }
     [[nodiscard]] std::uint32_t firstUsable() const { return firstUsable_; }
 
-    /// True if a block may start here: behind the header, aligned, inside the file, top bit clear.
+    /// True for the offset of a block: behind the header, aligned, inside the file, top bit clear.
     [[nodiscard]] bool isBlock(std::uint32_t offset) const {
         return offset >= firstUsable_ && offset <= lastBlock_ && (offset & (blockSize_ - 1)) == 0;
     }
     [[nodiscard]] std::uint32_t link(std::uint32_t block) const { return word(block); }
     [[nodiscard]] const std::byte* payload(std::uint32_t block) const { return file_.data() + block + 4; }
-    /// Asks for the cache line at an offset that lies inside the file.
+    /// Prefetches the cache line at an offset. Requires: it is inside the file.
     void prefetch(std::size_t offset) const { __builtin_prefetch(file_.data() + offset); }
     [[nodiscard]] std::uint32_t word(std::size_t offset) const {
         std::uint32_t out = 0;
@@ -44,13 +42,13 @@ public:
         return out;
     }
 
-    /// Blocks that an object of `size` bytes takes.
+    /// The number of blocks of an object of `size` bytes.
     [[nodiscard]] std::size_t blocksFor(std::size_t size) const {
         return size == 0 ? 1 : (size + capacity_ - 1) / capacity_;
     }
-    /// The offsets of a chain's first `count` blocks into `out`. Repetitions are not looked for.
+    /// Writes the offsets of a chain's first `count` blocks to `out`. Does not check for repetitions.
     [[nodiscard]] ChainStatus offsets(std::uint32_t first, std::size_t count, std::uint32_t* out) const;
-    /// Copies `size` bytes of a chain. Refuses, before it allocates, what is larger than the file, and chains
+    /// Copies `size` bytes of a chain. Before it allocates, refuses sizes larger than the file, and chains
     /// that visit a block twice.
     [[nodiscard]] ChainStatus copy(std::uint32_t first, std::size_t size, Bytes& out) const;
 
@@ -61,7 +59,7 @@ private:
     std::uint32_t blockSize_ = 0;
     std::size_t capacity_ = 0;
     std::uint32_t firstUsable_ = 0;
-    std::uint32_t lastBlock_ = 0; ///< the last offset at which a whole block fits; 0 if none does
+    std::uint32_t lastBlock_ = 0; ///< the last offset of a whole block; 0 if there is none
 };
 
 } // namespace limen::dat

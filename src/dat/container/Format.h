@@ -16,7 +16,7 @@ namespace header {
 inline constexpr std::size_t kTransaction = 0x100, kMagicAt = 0x140, kBlockSize = 0x144, kFileSize = 0x148,
                              kType = 0x14C, kSubset = 0x150, kRoot = 0x160, kEngineVersion = 0x174,
                              kGameVersion = 0x178, kMinorVersion = 0x18C;
-/// Where files from before the end of retail keep the same magic.
+/// The offset of the same magic in files from before the end of retail.
 inline constexpr std::size_t kOldMagicAt = 0x12C;
 } // namespace header
 
@@ -31,7 +31,8 @@ inline constexpr std::size_t kBranchesAt = 0, kCountAt = 4 * kMaxBranches, kEntr
                              kEntryBytes = 24;
 inline constexpr std::size_t kNodeBytes = kEntriesAt + kMaxEntries * kEntryBytes;
 static_assert(kNodeBytes == 1716);
-inline constexpr std::uint32_t kNoBranchFill = 0xCDCDCDCD; ///< what one writer leaves in unused branches
+/// The content of unused branches in files of one writer.
+inline constexpr std::uint32_t kNoBranchFill = 0xCDCDCDCD;
 inline constexpr int kMaxDepth = 16;
 
 inline constexpr std::uint16_t kCompressedFlag = 1;

@@ -21,7 +21,7 @@ bool isZeros(ByteView bytes) {
     return std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
 }
 
-/// No control characters but tab, line feed, form feed and carriage return.
+/// True if there are no control characters except tab, line feed, form feed and carriage return.
 bool isText(ByteView bytes) {
     return std::all_of(bytes.begin(), bytes.end(), [](std::byte b) {
         const auto c = std::to_integer<unsigned>(b);
@@ -29,8 +29,8 @@ bool isText(ByteView bytes) {
     });
 }
 
-/// The magic at another aligned place of the header: the same family of files, laid out otherwise. Clients
-/// from before the end of retail keep it at 0x12C.
+/// True if the magic is at another aligned offset: a file of the same family with another layout. Files from
+/// before the end of retail have it at 0x12C.
 bool isOlderDat(ByteView start) {
     if (wordAt(start, header::kOldMagicAt) == kMagic)
         return true;
@@ -65,7 +65,7 @@ tl::unexpected<Error> notADat(ByteView file, const std::string& name) {
                             header::kMagicAt, wordAt(file, header::kMagicAt), kMagic));
 }
 
-/// A reason against the header, empty if there is none.
+/// The reason why the header is invalid, or an empty string.
 std::string fault(const Header& h, std::size_t length) {
     if (!std::has_single_bit(h.blockSize) || h.blockSize < kMinBlockSize || h.blockSize > kMaxBlockSize)
         return fmt::format("the block size is {}; a power of two from {} to {} was expected", h.blockSize,

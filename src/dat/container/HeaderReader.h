@@ -4,13 +4,13 @@
 
 namespace limen::dat {
 
-/// Reads and checks the header of a file; says of a foreign file what it is, where that can be told: empty,
-/// zeros, text, a dat of the years before the end of retail. `name` stands in messages. Warnings go to
+/// Reads and checks the header of a file. Errors for other files name their content where it is recognised:
+/// empty, zeros, text, a dat from before the end of retail. Messages contain `name`. Adds warnings to
 /// `warnings`.
 [[nodiscard]] Result<Header> readHeader(ByteView file, const std::string& name,
                                         std::vector<std::string>& warnings);
 
-/// The role that type and subset stand for; readHeader lets no others pass.
+/// The role for type and subset. Requires: a header from readHeader.
 [[nodiscard]] FileRole roleOf(const Header& header);
 
 } // namespace limen::dat

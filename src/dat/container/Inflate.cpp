@@ -11,7 +11,7 @@
 namespace limen::dat {
 namespace {
 
-/// No deflate stream unpacks to more than this many times its length (zlib's technical notes give 1032:1).
+/// The largest possible ratio of unpacked to packed length. ref: zlib's technical notes, 1032:1.
 constexpr std::size_t kMaxRatio = 1032;
 
 } // namespace
@@ -24,7 +24,7 @@ std::string inflateRecord(ByteView stored, Bytes& out) {
     const ByteView stream = stored.subspan(sizeof size);
     if (size > kMaxInflatedBytes || size > stream.size() * kMaxRatio)
         return fmt::format("it claims to unpack from {} to {} bytes", stream.size(), size);
-    out.resize(std::size_t{size} + 1); // one more, so that a longer stream shows
+    out.resize(std::size_t{size} + 1); // one more, to detect a longer stream
     z_stream z{};
     if (inflateInit(&z) != Z_OK)
         return "zlib could not be started";

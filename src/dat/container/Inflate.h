@@ -4,11 +4,11 @@
 
 namespace limen::dat {
 
-/// Unpacks a compressed record (u32 size, zlib stream) into `out`; yields the reason if it cannot, else an
-/// empty string. A size that the stream cannot possibly unpack to is refused before anything is allocated.
+/// Unpacks a compressed record (u32 size, zlib stream) into `out`. Returns the reason of a failure, or an
+/// empty string. A size that the stream cannot unpack to is refused before anything is allocated.
 [[nodiscard]] std::string inflateRecord(ByteView stored, Bytes& out);
 
-/// The reverse: u32 size, zlib stream.
+/// Packs a payload: u32 size, zlib stream.
 [[nodiscard]] Bytes deflateRecord(ByteView payload);
 
 } // namespace limen::dat

@@ -12,7 +12,7 @@
 namespace limen::dat {
 namespace {
 
-/// Closes a descriptor on the way out.
+/// Closes a descriptor on destruction.
 struct Descriptor {
     int fd = -1;
     ~Descriptor() {
@@ -77,7 +77,7 @@ Mapping::~Mapping() {
 void Mapping::letPagesGo() const {
     if (data_ != nullptr && owned_.empty() && size_ != 0)
         ::madvise(const_cast<std::byte*>(data_), size_,
-                  MADV_DONTNEED); // a hint: that it fails changes nothing
+                  MADV_DONTNEED); // a hint: failure is harmless
 }
 
 void Mapping::release() {

@@ -6,10 +6,10 @@
 
 namespace limen::dat {
 
-/// The bytes of a file: mapped read-only, or a copy kept in memory. Empty when moved from.
+/// The bytes of a file, mapped read-only, or a copy in memory. Empty when moved from.
 class Mapping {
 public:
-    /// Errors: the file is missing, is a directory, or cannot be opened or mapped. An empty file maps to no
+    /// Errors: the file is missing, is a directory, or cannot be opened or mapped. An empty file gives no
     /// bytes.
     [[nodiscard]] static Result<Mapping> open(const std::filesystem::path& path);
     [[nodiscard]] static Mapping copyOf(ByteView bytes);
@@ -20,8 +20,8 @@ public:
 
     [[nodiscard]] ByteView bytes() const { return {data_, size_}; }
 
-    /// Has no page of the file count as this process's memory until it is read again; the system keeps them as long as it has room. Others
-    /// may read meanwhile.
+    /// Releases the pages of the file from this process's memory until they are read again. The system may
+    /// keep them in its cache. Safe while other threads read.
     void letPagesGo() const;
 
 private:

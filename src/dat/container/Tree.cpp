@@ -9,8 +9,8 @@ constexpr std::size_t kStatesPerWord = 32;
 
 } // namespace
 
-/// The state of a walk over the whole tree.
-struct Tree::Walk {
+/// The state of forEach.
+struct Tree::Traversal {
     const std::function<bool(const Entry&)>& visit;
     std::vector<bool> seen; ///< by block number
     int leafDepth = -1;
@@ -70,7 +70,7 @@ void Tree::remember(std::uint32_t offset, State state) const {
 
 void Tree::prefetch(std::uint32_t offset) const {
     constexpr std::size_t kStep =
-        kWords / 9; // first branch, count, and what a search of 61 ids looks at first
+        kWords / 9; // first branch, count, and the first ids that a search of 61 compares
     for (std::size_t i = 0; i < kWords; i += kStep)
         blocks_.prefetch(offset + wordBlock_[i] * blocks_.blockSize() + wordOffset_[i]);
 }
@@ -160,30 +160,31 @@ Result<void> Tree::checkRoot() const {
     return {};
 }
 
-Result<void> Tree::walkNode(std::uint32_t offset, const Range& range, int depth, Walk& walk) const {
+Result<void> Tree::traverse(std::uint32_t offset, const Range& range, int depth, Traversal& traversal) const {
     if (depth >= kMaxDepth)
         return damaged(offset, fmt::format("the index is deeper than {} nodes", kMaxDepth));
     Node node;
     if (std::string reason = load(offset, range, node); !reason.empty())
         return damaged(offset, std::move(reason));
     const std::size_t block = offset / blocks_.blockSize();
-    if (walk.seen[block])
+    if (traversal.seen[block])
         return damaged(offset, "two branches lead to it");
-    walk.seen[block] = true;
+    traversal.seen[block] = true;
     if (node.isLeaf) {
-        walk.unevenLeaves = walk.unevenLeaves || (walk.leafDepth >= 0 && walk.leafDepth != depth);
-        walk.leafDepth = depth;
+        traversal.unevenLeaves =
+            traversal.unevenLeaves || (traversal.leafDepth >= 0 && traversal.leafDepth != depth);
+        traversal.leafDepth = depth;
     }
     Range below{range.low, range.high};
-    for (std::size_t i = 0; i <= node.count && !walk.stopped; ++i) {
+    for (std::size_t i = 0; i <= node.count && !traversal.stopped; ++i) {
         below.high = i < node.count ? std::int64_t{idAt(node, i)} : range.high;
         if (!node.isLeaf) {
-            if (auto done = walkNode(branch(node, i), below, depth + 1, walk); !done)
+            if (auto done = traverse(branch(node, i), below, depth + 1, traversal); !done)
                 return done;
         }
-        if (i == node.count || walk.stopped)
+        if (i == node.count || traversal.stopped)
             break;
-        walk.stopped = !walk.visit(entryAt(node, i));
+        traversal.stopped = !traversal.visit(entryAt(node, i));
         below.low = idAt(node, i);
     }
     return {};
@@ -193,10 +194,10 @@ Result<void> Tree::forEach(const std::function<bool(const Entry&)>& visit,
                            std::vector<std::string>* warnings) const {
     if (root_ == 0)
         return {};
-    Walk walk{visit, std::vector<bool>(blocks_.blockCount()), -1, false, false};
-    auto done = walkNode(root_, {}, 0, walk);
-    if (done && walk.unevenLeaves && warnings != nullptr)
-        warnings->push_back(fmt::format("{}: the leaves of the index lie at unequal depths", name_));
+    Traversal traversal{visit, std::vector<bool>(blocks_.blockCount()), -1, false, false};
+    auto done = traverse(root_, {}, 0, traversal);
+    if (done && traversal.unevenLeaves && warnings != nullptr)
+        warnings->push_back(fmt::format("{}: the leaves of the index are at unequal depths", name_));
     return done;
 }
 

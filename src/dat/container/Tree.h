@@ -9,25 +9,24 @@
 
 namespace limen::dat {
 
-/// The B-tree of a file, read where it lies (docs/formats/container.md#b-tree). A node's count and range are checked at every
-/// visit; its chain, the order of its keys and its branches once, after which two bits say what was found. They are all
-/// that a look-up ever writes, so any number of threads may look up at once.
+/// The B-tree of a file, read in place (formats/container.md §5). A node's count and range are checked at
+/// every visit; its chain, the order of its keys and its branches are checked once, and two bits store the
+/// result. Look-ups write nothing else, so any number of threads may look up at once.
 class Tree {
 public:
-    /// `root` 0 is a tree without entries. `name` stands in messages.
+    /// `root` 0 is a tree without entries. Messages contain `name`.
     Tree(const Blocks& blocks, std::uint32_t root, std::string name);
 
     [[nodiscard]] Result<std::optional<Entry>> find(RecordId id) const;
     [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
                                        std::vector<std::string>* warnings) const;
-    /// Checks the root node.
     [[nodiscard]] Result<void> checkRoot() const;
 
 private:
     static constexpr std::size_t kWords = kNodeBytes / 4;
     static constexpr std::size_t kMaxNodeBlocks = (kNodeBytes + kMinBlockSize - 5) / (kMinBlockSize - 4);
 
-    /// Ids that a subtree may hold, both ends excluded.
+    /// The open interval of ids of a subtree.
     struct Range {
         std::int64_t low = -1;
         std::int64_t high = std::int64_t{1} << 32;
@@ -39,7 +38,7 @@ private:
         bool isLeaf = true;
         std::array<std::uint32_t, kMaxNodeBlocks> blocks;
     };
-    struct Walk;
+    struct Traversal;
 
     [[nodiscard]] std::uint32_t word(const Node& node, std::size_t index) const {
         return blocks_.word(node.blocks[wordBlock_[index]] + wordOffset_[index]);
@@ -52,28 +51,29 @@ private:
     /// Index of the first entry whose id is not less than `id`.
     [[nodiscard]] std::size_t lowerBound(const Node& node, RecordId id) const;
 
-    /// Opens the node at `offset` whose ids must lie in `range`; the reason if it is damaged.
+    /// Opens the node at `offset`, whose ids must be in `range`. Returns the reason if it is damaged.
     [[nodiscard]] std::string load(std::uint32_t offset, const Range& range, Node& node) const;
-    /// The checks that depend on the node's bytes alone.
+    /// Makes the checks that depend on the node's bytes alone.
     [[nodiscard]] std::string inspect(const Node& node) const;
     [[nodiscard]] bool isInOnePiece(const Node& node) const;
     [[nodiscard]] tl::unexpected<Error> damaged(std::uint32_t offset, std::string reason) const;
-    [[nodiscard]] Result<void> walkNode(std::uint32_t offset, const Range& range, int depth,
-                                        Walk& walk) const;
+    [[nodiscard]] Result<void> traverse(std::uint32_t offset, const Range& range, int depth,
+                                        Traversal& traversal) const;
 
-    /// What earlier visits found out about the node at a block. Its bits only ever rise.
+    /// The result of earlier checks of the node at a block. Bits are only ever set.
     enum class State : std::uint64_t { Unknown = 0, Sound = 1, SoundInOnePiece = 3 };
     [[nodiscard]] State stateOf(std::uint32_t offset) const;
     void remember(std::uint32_t offset, State state) const;
-    /// Asks for the cache lines that a search is going to touch, all at once instead of one after the other.
+    /// Prefetches all cache lines that a search will read.
     void prefetch(std::uint32_t offset) const;
 
     Blocks blocks_;
     std::uint32_t root_ = 0;
     std::string name_;
     std::size_t blocksPerNode_ = 0;
-    std::array<std::uint8_t, kWords> wordBlock_{};   ///< which block of the chain holds a word of the node
-    std::array<std::uint16_t, kWords> wordOffset_{}; ///< and where in it, the link included
+    std::array<std::uint8_t, kWords>
+        wordBlock_{}; ///< index in the chain of the block that holds a word of the node
+    std::array<std::uint16_t, kWords> wordOffset_{};       ///< its offset in the block, link included
     std::unique_ptr<std::atomic<std::uint64_t>[]> states_; ///< two bits a block
 };
 

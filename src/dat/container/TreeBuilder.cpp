@@ -5,13 +5,13 @@
 namespace limen::dat {
 namespace {
 
-/// One level of the tree: entries, and the nodes below that lie between them (none for leaves).
+/// One level of the tree: entries, and the nodes below between them (none for leaves).
 struct Level {
     std::vector<Entry> entries;
     std::vector<std::size_t> children;
 };
 
-/// Spreads a level over nodes as evenly as it goes; the entries between neighbours move up a level.
+/// Spreads a level evenly over nodes. The entries between neighbouring nodes form the next level.
 Level buildLevel(const Level& level, std::vector<NodePlan>& nodes) {
     const std::size_t n = level.entries.size();
     const std::size_t nodeCount = (n + kMaxBranches) / kMaxBranches; // ceil((n + 1) / 62)

@@ -16,7 +16,7 @@ Json building(const Building& b) {
              })}};
 }
 
-/// The 9x9 values of a landblock as rows from north to south, so that the text looks like the map.
+/// The 9x9 values of a landblock as rows from north to south, arranged like a map.
 template <class Values, class Make>
 Json mapRows(const Values& values, Make&& make) {
     Json rows = Json::array();

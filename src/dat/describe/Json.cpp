@@ -29,7 +29,7 @@ void appendUtf8(std::string& out, std::uint32_t c) {
     }
 }
 
-/// A value's text, and whether it is one line.
+/// A value's text; `oneLine` is false if it has several lines.
 struct Rendered {
     std::string text;
     bool oneLine = true;
@@ -37,7 +37,7 @@ struct Rendered {
 
 Rendered render(const Json& value, std::size_t indent);
 
-/// The rendered parts of an object or array; keys included.
+/// The rendered members of an object or array, with keys.
 std::vector<Rendered> renderParts(const Json& value, std::size_t indent) {
     std::vector<Rendered> parts;
     for (auto it = value.begin(); it != value.end(); ++it) {
@@ -84,7 +84,7 @@ Json hexHalf(std::uint16_t id) {
 }
 
 Json number(float value) {
-    // Through the shortest decimal, so that 0.1f shows as 0.1 and not as its double.
+    // The shortest decimal of the float: 0.1f is shown as 0.1, not as its double.
     if (std::isfinite(value))
         return std::strtod(fmt::format("{}", value).c_str(), nullptr);
     return fmt::format("{}", value);

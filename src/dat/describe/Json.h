@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json(const AnimationHook& h);
 [[nodiscard]] Json json(const AnimationFrame& f);
 
-/// An array of what `make` gives for each item.
+/// An array of `make(item)` for each item.
 template <class List, class Make>
 [[nodiscard]] Json listOf(const List& list, Make&& make) {
     Json out = Json::array();
@@ -44,7 +44,7 @@ template <class List>
     });
 }
 
-/// Lines of readable length: what fits stands on one line.
+/// JSON with lines of readable length: values that fit are on one line.
 [[nodiscard]] std::string pretty(const Json& value);
 
 } // namespace limen::dat

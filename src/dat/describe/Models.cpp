@@ -39,7 +39,7 @@ std::string tagName(BspTag tag) {
     return out;
 }
 
-/// The nodes in file order; children are told by their index, so that no depth of tree makes deep JSON.
+/// The nodes in file order. Children are given by index, so that deep trees do not make deep JSON.
 Json bsp(const BspTree& tree, BspKind kind) {
     Json out = Json::array();
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

@@ -11,19 +11,19 @@ struct PaletteSet {
     std::vector<std::uint32_t> palettes; ///< Palette (0x04) ids
 };
 
-/// Within a part of a model: a SurfaceTexture (0x05) in another's place.
+/// Replaces a SurfaceTexture (0x05) of a part of a model.
 struct TextureChange {
     std::uint32_t from = 0, to = 0;
 };
 
-/// Another mesh for a part of a model, and other textures on it.
+/// Replaces the mesh of a part of a model, and textures on it.
 struct PartChange {
     std::uint32_t part = 0;
     std::uint32_t gfxObj = 0;
     std::vector<TextureChange> textures;
 };
 
-/// Colours of a palette that are replaced, at the places where they are.
+/// Replaces ranges of colours of a palette.
 struct PaletteRange {
     std::uint32_t offset = 0, count = 0;
 };
@@ -38,7 +38,7 @@ struct PaletteTemplate {
     std::vector<PaletteChange> changes;
 };
 
-/// How a piece of clothing changes what wears it.
+/// The changes that a piece of clothing makes to a model.
 struct ClothingTable {
     std::uint32_t id = 0;
     PackedHashTable<std::vector<PartChange>> parts; ///< by Setup (0x02) id

@@ -42,7 +42,7 @@ struct BuildingPortal {
     std::uint16_t otherCellId = 0;
     std::uint16_t otherPortalId = 0;
     std::vector<std::uint16_t> stabs;
-    std::array<std::uint8_t, 2> padding{}; ///< up to a multiple of four; zero in files of ours
+    std::array<std::uint8_t, 2> padding{}; ///< up to a multiple of four; the writer stores zeros
 };
 
 struct Building {

@@ -96,7 +96,7 @@ struct TerrainType {
     std::vector<std::uint32_t> sceneTypes; ///< indices into Region::sceneTypes
 };
 
-/// A blend map: `code` is the tcode (corner 8, side 9) or rcode (road) that it is drawn for.
+/// A blend map; `code` is its tcode (corner 8, side 9) or rcode (road).
 struct AlphaMap {
     std::uint32_t code = 0;
     std::uint32_t texture = 0; ///< SurfaceTexture id
@@ -137,7 +137,7 @@ struct Region {
     RegionMisc misc; ///< partsMask & kMisc
 };
 
-/// One kind of object that a Scene scatters.
+/// A model that a Scene scatters, and its parameters.
 struct SceneObject {
     std::uint32_t object = 0;
     Frame baseLoc;

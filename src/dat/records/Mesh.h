@@ -5,8 +5,8 @@
 
 #include <optional>
 
-// Vertices, polygons and BSP trees (docs/formats/geometry.md). Their short lists are SmallVecs: most stay inside
-// the element, so that a mesh decodes with a handful of allocations.
+// Vertices, polygons and BSP trees (formats/geometry.md). Short lists are SmallVecs, most of which need no
+// allocation, so a mesh decodes with a few allocations.
 namespace limen::dat {
 
 /// One vertex; `uvs` are indexed by the polygons that use it.
@@ -32,7 +32,7 @@ inline constexpr std::uint8_t kNoNegativeUv = 8;
 /// A convex polygon, counter-clockwise seen from its positive side.
 struct Polygon {
     std::uint8_t stippling = 0;
-    std::int32_t sides = 0;       ///< a Sides value; kept raw, since files may hold others
+    std::int32_t sides = 0;       ///< a Sides value; kept as stored, because files may hold others
     std::int16_t posSurface = -1; ///< index into the owner's surface list, -1 none
     std::int16_t negSurface = -1;
     SmallVec<std::uint16_t, 8> vertexKeys; ///< 3..255
@@ -56,7 +56,7 @@ enum class BspTag : std::uint32_t {
     BPFL = 0x4250464C
 };
 
-/// Which bodies a tree's nodes have.
+/// The kind of a tree, which determines the fields of its nodes.
 enum class BspKind { Cell, Physics, Drawing };
 
 /// A PORT node's reference to a portal of the building.
@@ -65,7 +65,7 @@ struct PortalRef {
     std::uint16_t portalIndex = 0;
 };
 
-/// A node; which members are stored depends on tag and kind (docs/formats/geometry.md#bsp-trees).
+/// A node. Tag and kind determine the stored members (formats/geometry.md, "BSP trees").
 struct BspNode {
     BspTag tag = BspTag::Leaf;
     std::int32_t leafIndex = 0;

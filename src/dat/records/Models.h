@@ -21,8 +21,8 @@ struct GfxObj {
     std::uint32_t degradeId = 0; ///< flags & kHasDegrade
 };
 
-/// An animation hook; the payload is kept as bytes, its length follows from the type
-/// (docs/formats/effects_anim.md#hooks).
+/// An animation hook. The payload is kept as bytes; its length depends on the type
+/// (formats/effects_anim.md).
 struct AnimationHook {
     std::uint32_t type = 0;
     std::int32_t direction = 0;
@@ -67,7 +67,7 @@ struct Setup {
     std::uint32_t animation = 0, script = 0, motionTable = 0, soundTable = 0, scriptTable = 0;
 };
 
-/// The shape of a cell, shared by every EnvCell that names it.
+/// The shape of a cell, shared by all EnvCells that refer to it.
 struct CellStruct {
     VertexArray vertexArray;
     PolygonList polygons;                      ///< drawing polygons, portal polygons included
@@ -76,7 +76,7 @@ struct CellStruct {
     PolygonList physicsPolygons;
     BspTree physicsBsp;
     std::optional<BspTree> drawingBsp;
-    /// Bytes up to a multiple of four behind portalPolygons and at the end; zero in files of ours.
+    /// Bytes up to a multiple of four behind portalPolygons and at the end; the writer stores zeros.
     std::array<std::uint8_t, 3> portalPadding{};
     std::array<std::uint8_t, 3> padding{};
 };
@@ -97,8 +97,7 @@ struct DegradeLevel {
 /// GfxObjDegradeInfo (0x11).
 struct DegradeInfo {
     std::uint32_t id = 0;
-    std::vector<DegradeLevel>
-        levels; ///< the first whose maxDistance is not less than the distance counts; else nothing
+    std::vector<DegradeLevel> levels; ///< the first with maxDistance >= distance is drawn; else nothing
 };
 
 } // namespace limen::dat

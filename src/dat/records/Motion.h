@@ -9,8 +9,9 @@ struct Animation {
     static constexpr std::uint32_t kPositionFrames = 1;
     std::uint32_t id = 0;
     std::uint32_t flags = 0;
-    std::uint32_t partCount = 0;       ///< of every frame; a Setup may have another number: the lesser counts
-    std::vector<Frame> positionFrames; ///< flags & kPositionFrames: the object's own motion, one a frame
+    std::uint32_t partCount = 0; ///< of every frame; if a Setup has another number, the lesser is used
+    std::vector<Frame>
+        positionFrames; ///< flags & kPositionFrames: the object's own motion, one for each frame
     std::vector<AnimationFrame> frames;
 };
 
@@ -26,13 +27,13 @@ struct MotionData {
     static constexpr std::uint8_t kVelocity = 1, kOmega = 2;
     std::uint8_t bitfield = 0;
     std::uint8_t flags = 0;
-    std::array<std::uint8_t, 1> padding{};  ///< zero in files of ours
+    std::array<std::uint8_t, 1> padding{};  ///< the writer stores zeros
     std::vector<AnimationRange> animations; ///< played in order; 255 at most
     Vec3f velocity{0.0f};                   ///< flags & kVelocity; metres a second, of the object
     Vec3f omega{0.0f};                      ///< flags & kOmega; radians a second, of the object
 };
 
-/// What an object does in each of its styles and substates. Repeated keys are kept, and so is the order.
+/// The motions of an object in each style and substate. Repeated keys and their order are kept.
 struct MotionTable {
     template <class Value>
     using Keyed = std::vector<std::pair<std::uint32_t, Value>>;
@@ -40,8 +41,8 @@ struct MotionTable {
     std::uint32_t defaultStyle = 0;
     Keyed<std::uint32_t> styleDefaults; ///< style, substate
     Keyed<MotionData> cycles;           ///< by motionKey
-    Keyed<MotionData> modifiers;        ///< likewise
-    Keyed<Keyed<MotionData>> links; ///< by motionKey of the substate that is left; by the one that is entered
+    Keyed<MotionData> modifiers;        ///< by motionKey
+    Keyed<Keyed<MotionData>> links;     ///< by motionKey of the old substate, then by the new substate
 };
 
 /// The key of a substate of a style.

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-// Values shared by several records, as the file stores them (docs/formats/primitives.md). Floats stay floats so
-// that a record encodes back to the same bytes, NaNs and odd values included.
+// Values shared by several records, as stored (formats/primitives.md). Floats keep their bits, NaNs included,
+// so that a record encodes to the same bytes.
 namespace limen::dat {
 
 /// Position and orientation: p_parent = origin + rotate(orientation, p).
@@ -46,7 +46,7 @@ struct Stab {
     Frame frame;
 };
 
-/// A "PackableHashTable": pairs in the order of the file, which is that of key modulo buckets, and repeated keys as they are.
+/// A "PackableHashTable": pairs in the order of the file (by key modulo buckets), with repeated keys.
 template <class Value>
 struct PackedHashTable {
     std::uint16_t buckets = 32;

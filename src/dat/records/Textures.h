@@ -54,7 +54,7 @@ struct Surface {
                                    kStippled = 0x40000000, kPerspective = 0x80000000;
     std::uint32_t type = 0;
     std::uint32_t texture = 0; ///< SurfaceTexture id; stored iff type & (kBase1Image | kBase1ClipMap)
-    std::uint32_t palette = 0; ///< likewise
+    std::uint32_t palette = 0; ///< stored iff type & (kBase1Image | kBase1ClipMap)
     Colour colour;             ///< stored otherwise
     float translucency = 0.0f; ///< 0 opaque .. 1 invisible
     float luminosity = 0.0f;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+
+// Ids of styles and motions in motion tables. ref: MotionCommand in the record schema of Chorizite's
+// DatReaderWriter (dats.xml).
+namespace limen::worlds {
+
+inline constexpr std::uint32_t kNonCombat = 0x8000003D; ///< a style
+inline constexpr std::uint32_t kReady = 0x41000003, kWalkForward = 0x45000005, kRunForward = 0x44000007;
+
+} // namespace limen::worlds

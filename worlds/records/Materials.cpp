@@ -1,0 +1,386 @@
+#include "worlds/records/Materials.h"
+
+#include "core/Assert.h"
+#include "worlds/pictures/Painters.h"
+#include "worlds/records/PixelEncoder.h"
+
+#include <array>
+
+namespace limen::worlds {
+
+namespace {
+
+using dat::PixelFormat;
+using S = dat::Surface;
+
+// Texture ids in one range, in this order: pictures of materials, of the ground, blend maps.
+constexpr std::uint32_t kFirstRecord = 0x100;
+constexpr auto kMaterialCount = static_cast<std::uint32_t>(Material::Count);
+constexpr auto kGroundCount = static_cast<std::uint32_t>(Ground::Count);
+
+struct Recipe {
+    double metres = 2.0;
+    PixelFormat format = PixelFormat::Dxt1;
+    std::uint32_t type = S::kBase1Image;
+    float luminosity = 0.0f, diffuse = 1.0f, translucency = 0.0f;
+    std::uint32_t colour = 0; ///< of a solid surface
+};
+
+Recipe solid(std::uint32_t argb, float luminosity = 0.0f) {
+    return {1.0,
+            PixelFormat::A8R8G8B8,
+            luminosity > 0.0f ? S::kBase1Solid | S::kLuminous : S::kBase1Solid,
+            luminosity,
+            1.0f,
+            0.0f,
+            argb};
+}
+Recipe image(double metres, PixelFormat format) {
+    return {metres, format, S::kBase1Image, 0.0f, 1.0f, 0.0f, 0};
+}
+Recipe cutOut(PixelFormat format) {
+    return {1.0, format, S::kBase1ClipMap, 0.0f, 1.0f, 0.0f, 0};
+}
+Recipe glow(PixelFormat format, std::uint32_t type) {
+    return {1.0, format, S::kBase1Image | S::kLuminous | type, 1.0f, 0.0f, 0.0f, 0};
+}
+
+Recipe folkRecipe(Material material) {
+    switch (material) {
+    case Material::Glass:
+        return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
+    case Material::Snowflake: // bright from all sides
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 0.8f, 0.0f, 0};
+    case Material::Smoke:
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
+    case Material::Fire:
+    case Material::Firefly:
+    case Material::Swirl:
+        return glow(PixelFormat::A8R8G8B8, S::kAdditive);
+    case Material::Skin:
+        return solid(0xFFC99A78);
+    case Material::Hair:
+        return solid(0xFF3E2B1E);
+    case Material::BlueCloth:
+        return solid(0xFF3D4F73);
+    case Material::GreenCloth:
+        return solid(0xFF4F5F36);
+    case Material::BrownCloth:
+        return solid(0xFF6B4E35);
+    case Material::RedCloth:
+        return solid(0xFF8A3B30);
+    default:
+        return {};
+    }
+}
+
+Recipe natureRecipe(Material material) {
+    switch (material) {
+    case Material::Bark:
+        return image(1.4, PixelFormat::Dxt1);
+    case Material::Rock:
+        return image(2.5, PixelFormat::Dxt1);
+    case Material::Leaves:
+        return cutOut(PixelFormat::P8);
+    case Material::BirchLeaves:
+        return cutOut(PixelFormat::Dxt1);
+    case Material::PineBranch:
+        return cutOut(PixelFormat::Index16);
+    case Material::GrassTuft:
+        return cutOut(PixelFormat::P8);
+    case Material::Flowers:
+        return cutOut(PixelFormat::A8R8G8B8);
+    case Material::WaterDark:
+        return image(1.0, PixelFormat::R5G6B5);
+    case Material::SkyNight:
+        return glow(PixelFormat::R8G8B8, 0);
+    case Material::SkyDay:
+    case Material::SkySnow:
+        return glow(PixelFormat::R8G8B8, S::kTranslucent);
+    case Material::SkyDusk:
+        return glow(PixelFormat::A8R8G8B8, S::kAlpha);
+    case Material::Sun:
+        return glow(PixelFormat::A8, S::kAdditive);
+    case Material::Moon:
+        return glow(PixelFormat::A8R8G8B8, S::kAlpha);
+    case Material::Clouds:
+        return glow(PixelFormat::A8R8G8B8, S::kAlpha);
+    default:
+        return folkRecipe(material);
+    }
+}
+
+Recipe recipe(Material material) {
+    switch (material) {
+    case Material::Planks:
+        return image(2.0, PixelFormat::R8G8B8);
+    case Material::OldPlanks:
+        return image(1.6, PixelFormat::Dxt1);
+    case Material::Beam:
+        return image(1.5, PixelFormat::Dxt1);
+    case Material::Oak:
+        return image(1.5, PixelFormat::R5G6B5);
+    case Material::Plaster:
+        return image(3.0, PixelFormat::R8G8B8);
+    case Material::InnerPlaster:
+        return image(3.0, PixelFormat::R8G8B8);
+    case Material::StoneWall:
+        return image(1.9, PixelFormat::A8R8G8B8);
+    case Material::Flagstones:
+        return image(2.2, PixelFormat::Index16);
+    case Material::Brick:
+        return image(1.0, PixelFormat::P8);
+    case Material::Thatch:
+        return image(2.5, PixelFormat::R8G8B8);
+    case Material::Rug:
+        return image(1.0, PixelFormat::P8);
+    case Material::Blanket:
+        return image(1.0, PixelFormat::R5G6B5);
+    case Material::Linen:
+        return image(1.0, PixelFormat::Dxt1);
+    case Material::Books:
+        return image(1.0, PixelFormat::Dxt1);
+    case Material::BarrelStaves:
+        return image(1.0, PixelFormat::Dxt1);
+    case Material::LogEnds:
+        return image(1.0, PixelFormat::Dxt1);
+    case Material::Iron:
+        return solid(0xFF37363A);
+    case Material::Wax:
+        return solid(0xFFE6DCC0, 0.25f);
+    case Material::Embers:
+        return {0.6, PixelFormat::R8G8B8, S::kBase1Image | S::kLuminous, 1.0f, 0.0f, 0.0f, 0};
+    case Material::Flame:
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kLuminous | S::kAlpha, 1.0f, 0.0f, 0.0f, 0};
+    case Material::LampGlass:
+        return {1.0,
+                PixelFormat::A8R8G8B8,
+                S::kBase1Solid | S::kLuminous | S::kTranslucent,
+                1.0f,
+                0.0f,
+                0.45f,
+                0xFFFFD98A};
+    default:
+        return natureRecipe(material);
+    }
+}
+
+Canvas paintSprite(Material material) {
+    switch (material) {
+    case Material::Glass:
+        return paintGlass();
+    case Material::Smoke:
+        return paintSmoke();
+    case Material::Fire:
+        return paintFire();
+    case Material::Firefly:
+        return paintFirefly();
+    case Material::Snowflake:
+        return paintSnowflake();
+    case Material::Swirl:
+        return paintSwirl();
+    default:
+        return Canvas(0, 0);
+    }
+}
+
+Canvas paintNature(Material material) {
+    switch (material) {
+    case Material::Bark:
+        return paintBark();
+    case Material::Rock:
+        return paintRock(256);
+    case Material::Leaves:
+        return paintLeaves({0.42f, 0.52f, 0.17f}, {0.10f, 0.18f, 0.055f}, 900, 2101);
+    case Material::BirchLeaves:
+        return paintLeaves({0.62f, 0.62f, 0.20f}, {0.22f, 0.30f, 0.09f}, 640, 2103);
+    case Material::PineBranch:
+        return paintPineBranch();
+    case Material::GrassTuft:
+        return paintGrassTuft();
+    case Material::Flowers:
+        return paintFlowers();
+    case Material::WaterDark:
+        return paintWater();
+    case Material::SkyNight:
+        return paintNightSky();
+    case Material::SkyDay:
+        return paintDaySky();
+    case Material::SkyDusk:
+        return paintDuskSky();
+    case Material::SkySnow:
+        return paintSnowSky();
+    case Material::Sun:
+        return paintSun();
+    case Material::Moon:
+        return paintMoon();
+    case Material::Clouds:
+        return paintClouds();
+    default:
+        return paintSprite(material);
+    }
+}
+
+Canvas blank() {
+    return Canvas(4, 4, Vec4f(0.5f, 0.5f, 0.5f, 1.0f));
+}
+
+Canvas paintGround(Ground ground) {
+    switch (ground) {
+    case Ground::Grassland:
+        return paintGrass({.seed = 2201});
+    case Ground::LushGrass:
+        return paintGrass({.light = {0.37f, 0.44f, 0.18f}, .dark = {0.16f, 0.22f, 0.08f}, .seed = 2203});
+    case Ground::PatchyGrass:
+        return paintGrass(
+            {.light = {0.52f, 0.54f, 0.25f}, .dark = {0.25f, 0.29f, 0.11f}, .bare = 0.32, .seed = 2205});
+    case Ground::PackedDirt:
+        return paintDirt();
+    case Ground::ForestFloor:
+        return paintForestFloor();
+    case Ground::Rock:
+        return paintRock(512);
+    case Ground::Moss:
+        return paintGrass({.light = {0.34f, 0.42f, 0.12f},
+                           .dark = {0.12f, 0.19f, 0.05f},
+                           .earth = {0.20f, 0.15f, 0.09f},
+                           .bare = 0.2,
+                           .seed = 2207});
+    case Ground::Road:
+        return paintRoad();
+    case Ground::Stream:
+        return paintStream();
+    case Ground::Count:
+        break;
+    }
+    return Canvas(0, 0);
+}
+
+dat::RecordId textureId(std::uint32_t index) {
+    return 0x05000000u + kFirstRecord + index;
+}
+
+void addTexture(WorldRecords& records, std::uint32_t index, const Canvas& canvas, PixelFormat format) {
+    EncodedImage encoded = encodeImage(canvas, format);
+    encoded.image.id = 0x06000000u + kFirstRecord + index;
+    if (!encoded.palette.colours.empty()) {
+        encoded.palette.id = 0x04000000u + kFirstRecord + index;
+        encoded.image.defaultPalette = encoded.palette.id;
+        records.palettes.push_back(std::move(encoded.palette));
+    }
+    dat::SurfaceTexture texture;
+    texture.id = textureId(index);
+    texture.images.push_back(encoded.image.id);
+    records.surfaceTextures.push_back(std::move(texture));
+    records.renderSurfaces.push_back(std::move(encoded.image));
+}
+
+void addMaterial(WorldRecords& records, Material material, Pictures pictures) {
+    const Recipe r = recipe(material);
+    dat::Surface surface;
+    surface.type = r.type;
+    surface.translucency = r.translucency;
+    surface.luminosity = r.luminosity;
+    surface.diffuse = r.diffuse;
+    if (surface.hasImage()) {
+        const auto index = static_cast<std::uint32_t>(material);
+        surface.texture = textureId(index);
+        addTexture(records, index, pictures == Pictures::Painted ? paintMaterial(material) : blank(),
+                   r.format);
+    } else {
+        surface.colour.argb = r.colour;
+    }
+    records.surfaces.emplace_back(surfaceId(material), surface);
+}
+
+} // namespace
+
+double metresPerTile(Material material) {
+    return recipe(material).metres;
+}
+
+dat::RecordId surfaceId(Material material) {
+    return 0x08000000u + kFirstRecord + static_cast<std::uint32_t>(material);
+}
+dat::RecordId groundTextureId(Ground ground) {
+    return textureId(kMaterialCount + static_cast<std::uint32_t>(ground));
+}
+dat::RecordId blendTextureId(std::uint32_t index) {
+    return textureId(kMaterialCount + kGroundCount + index);
+}
+
+Canvas paintMaterial(Material material) {
+    switch (material) {
+    case Material::Planks:
+        return paintBoards({.boards = 9, .seed = 2301});
+    case Material::OldPlanks:
+        return paintBoards({.boards = 8,
+                            .light = {0.50f, 0.42f, 0.31f},
+                            .dark = {0.25f, 0.20f, 0.145f},
+                            .weathering = 0.7,
+                            .seed = 2303});
+    case Material::Beam:
+        return paintBeam();
+    case Material::Oak:
+        return paintBoards({.boards = 3,
+                            .light = {0.55f, 0.38f, 0.21f},
+                            .dark = {0.31f, 0.19f, 0.10f},
+                            .weathering = 0.05,
+                            .endJoints = false,
+                            .seed = 2305});
+    case Material::Plaster:
+        return paintPlaster({0.86f, 0.82f, 0.72f}, 0.55, 2307);
+    case Material::InnerPlaster:
+        return paintPlaster({0.84f, 0.79f, 0.69f}, 0.25, 2309);
+    case Material::StoneWall:
+        return paintStoneWall();
+    case Material::Flagstones:
+        return paintFlagstones();
+    case Material::Brick:
+        return paintBricks();
+    case Material::Thatch:
+        return paintThatch();
+    case Material::Rug:
+        return paintRug();
+    case Material::Blanket:
+        return paintBlanket();
+    case Material::Linen:
+        return paintLinen();
+    case Material::Books:
+        return paintBooks();
+    case Material::BarrelStaves:
+        return paintBarrelStaves();
+    case Material::LogEnds:
+        return paintLogEnds();
+    case Material::Embers:
+        return paintEmbers();
+    case Material::Flame:
+        return paintFlame();
+    default:
+        return paintNature(material);
+    }
+}
+
+void addMaterials(WorldRecords& records, Pictures pictures) {
+    const bool painted = pictures == Pictures::Painted;
+    for (std::uint32_t m = 0; m < kMaterialCount; ++m)
+        addMaterial(records, static_cast<Material>(m), pictures);
+    for (std::uint32_t g = 0; g < kGroundCount; ++g) {
+        // One picture in the landscape's own format, the others in the common ones.
+        const PixelFormat format = g == 0       ? PixelFormat::LandscapeR8G8B8
+                                   : g % 2 == 0 ? PixelFormat::Dxt1
+                                                : PixelFormat::R8G8B8;
+        addTexture(records, kMaterialCount + g, painted ? paintGround(static_cast<Ground>(g)) : blank(),
+                   format);
+    }
+    constexpr std::array kBlends{BlendShape::Corner,      BlendShape::Corner,   BlendShape::Corner,
+                                 BlendShape::Side,        BlendShape::Side,     BlendShape::Side,
+                                 BlendShape::RoadCorner,  BlendShape::RoadSide, BlendShape::RoadSide,
+                                 BlendShape::RoadDiagonal};
+    for (std::uint32_t b = 0; b < kBlends.size(); ++b) {
+        addTexture(records, kMaterialCount + kGroundCount + b,
+                   painted ? paintBlend(kBlends[b], 2401 + b) : blank(), PixelFormat::LandscapeAlpha);
+    }
+}
+
+} // namespace limen::worlds
