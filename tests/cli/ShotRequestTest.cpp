@@ -18,10 +18,11 @@ ViewArguments at(const std::string& eye) {
 
 TEST(CheckView, fillsInTheDefaults) {
     const engine::ViewRequest view = checkView(at("-1,2,3")).value();
-    EXPECT_EQ(view.eye.value(), Vec3(-1, 2, 3));
+    EXPECT_EQ(view.eye, Vec3(-1, 2, 3));
+    EXPECT_TRUE(view.place.empty());
     EXPECT_EQ(view.fov, 60.0);
     EXPECT_FALSE(view.root || view.yaw || view.pitch || view.player);
-    EXPECT_EQ(view.weather, engine::Weather::Clear);
+    EXPECT_EQ(view.scene.weather, engine::Weather::Clear);
 }
 
 TEST(CheckView, refusesEachArgumentThatMakesNoSense) {
@@ -58,15 +59,15 @@ TEST(CheckView, takesABodyAndDoors) {
     arguments.bodyOpacity = "0.5";
     arguments.eachDoor = {"inn.front=0.25", "a=b=1"};
     const engine::ViewRequest view = checkView(arguments).value();
-    ASSERT_TRUE(view.body);
-    EXPECT_EQ(view.body->feet, Vec3(4, 5, 6));
-    EXPECT_EQ(view.body->yaw, 90.0);
-    EXPECT_EQ(view.body->root.cell, 0xA9B40105u);
-    EXPECT_EQ(view.body->opacity, 0.5);
-    ASSERT_EQ(view.eachDoor.size(), 2u);
-    EXPECT_EQ(view.eachDoor[0].name, "inn.front");
-    EXPECT_EQ(view.eachDoor[0].open, 0.25);
-    EXPECT_EQ(view.eachDoor[1].name, "a=b");
+    ASSERT_TRUE(view.scene.body);
+    EXPECT_EQ(view.scene.body->feet, Vec3(4, 5, 6));
+    EXPECT_EQ(view.scene.body->yaw, 90.0);
+    EXPECT_EQ(view.scene.body->root.cell, 0xA9B40105u);
+    EXPECT_EQ(view.scene.body->opacity, 0.5);
+    ASSERT_EQ(view.scene.eachDoor.size(), 2u);
+    EXPECT_EQ(view.scene.eachDoor[0].name, "inn.front");
+    EXPECT_EQ(view.scene.eachDoor[0].open, 0.25);
+    EXPECT_EQ(view.scene.eachDoor[1].name, "a=b");
 }
 
 TEST(CheckView, refusesDoorsThatMakeNoSense) {
@@ -97,9 +98,9 @@ TEST(ReadViews, takesWhatALineDoesNotSayFromTheCommandLine) {
     ASSERT_EQ(views->size(), 3u);
     EXPECT_EQ((*views)[0].view.fov, 75.0);
     EXPECT_EQ((*views)[0].view.size.width, 10u);
-    EXPECT_EQ((*views)[1].view.eye.value(), Vec3(-4, 5, 6));
+    EXPECT_EQ((*views)[1].view.eye, Vec3(-4, 5, 6));
     EXPECT_EQ((*views)[1].view.size.width, 1280u);
-    EXPECT_TRUE((*views)[2].view.at);
+    EXPECT_FALSE((*views)[2].view.place.empty());
     EXPECT_EQ((*views)[0].outputs.frame, "out/0000.png");
     EXPECT_EQ((*views)[0].outputs.json, "out/0000.frame.json");
     EXPECT_EQ((*views)[1].outputs.ids, "out/my.npy");

@@ -9,54 +9,53 @@ namespace {
 constexpr dat::BlockCoord kHome{100, 100};
 const world::LoadOptions kLoad{.radius = 4, .farRadius = 12};
 
-/// Does what it is told when the test says so, and keeps count: what is read is shown, dropped, or failed, once.
-class FakeTasks final : public StreamTasks {
+/// Carries commands out at the pace that the test sets, and counts: a part that was read is shown, dropped, or failed, once.
+class FakeWork {
 public:
-    void beginToRead(const PartTarget& target) override {
-        EXPECT_FALSE(isReading || isRead || isUploading) << "one thing at a time";
-        isReading = true;
-        framesToRead = std::max(framesToRead, eachRead);
-        read.push_back(target);
-    }
-    std::optional<Result<void>> pollRead() override {
-        EXPECT_TRUE(isReading);
-        if (framesToRead > 0) {
-            --framesToRead;
-            return std::nullopt;
-        }
-        isReading = false;
-        if (fails)
-            return Result<void>(fail(ErrorCode::NotFound, "dat", "nothing there"));
-        isRead = true;
-        return Result<void>{};
-    }
-    Result<void> beginToUpload() override {
-        EXPECT_TRUE(isRead);
-        isRead = false;
-        isUploading = true;
-        return {};
-    }
-    Result<bool> advance() override {
+    StreamProgress progress() {
+        StreamProgress progress;
         ++slices;
-        if (!isUploading)
-            return true;
-        if (framesToUpload > 0) {
-            --framesToUpload;
-            return false;
+        if (isUploading) {
+            progress.isUploaded = framesToUpload == 0 && !uploadFails;
+            if (framesToUpload == 0 && uploadFails)
+                progress.error = Error{ErrorCode::Driver, "", "out of memory"};
+            framesToUpload = std::max(framesToUpload - 1, 0);
+        } else if (isReading) {
+            progress.isRead = framesToRead == 0;
+            framesToRead = std::max(framesToRead - 1, 0);
+            if (progress.isRead && fails)
+                progress.error = Error{ErrorCode::NotFound, "dat", "nothing there"};
+            isReading = !progress.isRead;
+            isRead = progress.isRead && !fails;
         }
-        if (uploadFails) {
-            isUploading = false;
-            return fail(ErrorCode::Driver, "", "out of memory");
+        return progress;
+    }
+    void carryOut(StreamCommand command, const Streamer& streamer) {
+        switch (command) {
+        case StreamCommand::None:
+            return;
+        case StreamCommand::Read:
+            EXPECT_FALSE(isReading || isRead || isUploading) << "one thing at a time";
+            isReading = true;
+            framesToRead = std::max(framesToRead, eachRead);
+            read.push_back(streamer.coming());
+            return;
+        case StreamCommand::Upload:
+            EXPECT_TRUE(isRead);
+            isRead = false;
+            isUploading = true;
+            return;
+        case StreamCommand::Drop:
+            EXPECT_TRUE(isRead || isUploading);
+            isRead = isUploading = false;
+            ++dropped;
+            return;
+        case StreamCommand::Offer:
+            EXPECT_TRUE(isUploading);
+            return;
         }
-        return true;
     }
-    void drop() override {
-        EXPECT_TRUE(isRead || isUploading);
-        isRead = isUploading = false;
-        ++dropped;
-    }
-    void show() override {
-        EXPECT_TRUE(isUploading);
+    void show() {
         isUploading = false;
         shown.push_back(read.back());
     }
@@ -78,16 +77,21 @@ StreamEye eyeFromHome(double x, double y) {
     return eyeAt(kHome.x * world::kBlockSize + x, kHome.y * world::kBlockSize + y);
 }
 
-/// A streamer with what it has shown.
+/// A streamer, the work that it commands, and the part that is shown.
 struct Streamed {
-    FakeTasks tasks;
-    Streamer streamer{tasks};
+    FakeWork tasks;
+    Streamer streamer;
     PartTarget shown{kHome, kLoad};
+    bool userIsReady = true; ///< an offered part is shown at once
     bool step(const StreamEye& eye, const world::LoadOptions& wanted = kLoad) {
-        const bool isNew = streamer.step(shown, eye, wanted);
-        if (isNew)
-            shown = tasks.shown.back();
-        return isNew;
+        const StreamCommand command = streamer.step(shown, eye, wanted, tasks.progress());
+        tasks.carryOut(command, streamer);
+        if (command != StreamCommand::Offer || !userIsReady)
+            return false;
+        tasks.show();
+        shown = streamer.coming();
+        streamer.shown();
+        return true;
     }
     /// Frames until something is shown, at most `most`.
     int framesUntilShown(const StreamEye& eye, int most = 100) {
@@ -214,6 +218,7 @@ TEST(Streamer, anUploadThatFailsIsToldAndLeavesWhatIsShown) {
     EXPECT_EQ(s.framesUntilShown(eyeFromHome(220, 96), 20), 0);
     EXPECT_NE(s.streamer.takeFault().find("out of memory"), std::string::npos);
     EXPECT_EQ(s.tasks.read.size(), 1u);
+    EXPECT_EQ(s.tasks.dropped, 1u) << "nothing of it stays";
 }
 
 TEST(Streamer, otherOptionsAreReadWhereTheEyeIs) {
@@ -258,6 +263,28 @@ TEST(Streamer, inADungeonThePositionSaysNothing) {
     eye.block = {7, 9};
     EXPECT_GT(s.framesUntilShown(eye), 0);
     EXPECT_EQ(s.shown.centre, (dat::BlockCoord{7, 9}));
+}
+
+TEST(Streamer, offersAPartUntilItsUserIsReady) {
+    Streamed s;
+    s.userIsReady = false;
+    const StreamEye eye = eyeFromHome(220, 96);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_FALSE(s.step(eye));
+    EXPECT_EQ(s.streamer.phase(), Streamer::Phase::Uploading);
+    EXPECT_EQ(s.tasks.dropped, 0u);
+    s.userIsReady = true;
+    EXPECT_EQ(s.framesUntilShown(eye), 1);
+}
+
+TEST(Streamer, dropsAnOfferedPartThatIsNotWantedAnyMore) {
+    Streamed s;
+    s.userIsReady = false;
+    for (int i = 0; i < 10; ++i)
+        s.step(eyeFromHome(220, 96));
+    s.step(eyeFromHome(10, 96));
+    EXPECT_EQ(s.tasks.dropped, 1u);
+    EXPECT_EQ(s.streamer.phase(), Streamer::Phase::Idle);
 }
 
 // Whatever an eye does, what was read is shown or dropped once; and when it stands still, what is around it is shown in the end.

@@ -37,34 +37,34 @@ void expectSame(const FrameRequest& a, const FrameRequest& b) {
     EXPECT_EQ(a.camera.fovDegrees, b.camera.fovDegrees);
     EXPECT_EQ(a.size, b.size);
     EXPECT_EQ(a.root, b.root);
-    EXPECT_EQ(a.body, b.body);
-    EXPECT_EQ(a.time, b.time);
-    EXPECT_EQ(a.seconds, b.seconds);
-    EXPECT_EQ(a.dayGroup, b.dayGroup);
-    EXPECT_EQ(a.weather, b.weather);
-    EXPECT_EQ(a.doors, b.doors);
+    EXPECT_EQ(a.scene.body, b.scene.body);
+    EXPECT_EQ(a.scene.time, b.scene.time);
+    EXPECT_EQ(a.scene.seconds, b.scene.seconds);
+    EXPECT_EQ(a.scene.dayGroup, b.scene.dayGroup);
+    EXPECT_EQ(a.scene.weather, b.scene.weather);
+    EXPECT_EQ(a.scene.doors, b.scene.doors);
 }
 
-TEST(ViewOfEye, thereAndBackIsTheSame) {
+TEST(CheckView, thereAndBackIsTheSame) {
     const world::World world = worldWithDoors();
     FrameRequest eye = someEye();
-    expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
-    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).player, eye.scene.player);
-    EXPECT_EQ(eyeOf(viewOf(eye, world), world, eye.root).eachDoor, eye.scene.eachDoor);
+    expectSame(requestOf(viewOf(eye, world), world, eye.root), eye);
+    EXPECT_EQ(requestOf(viewOf(eye, world), world, eye.root).scene.player, eye.scene.player);
+    EXPECT_EQ(requestOf(viewOf(eye, world), world, eye.root).scene.eachDoor, eye.scene.eachDoor);
     eye.scene.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5};
-    expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
+    expectSame(requestOf(viewOf(eye, world), world, eye.root), eye);
     eye.scene.doors = 0.25;
-    expectSame(eyeOf(viewOf(eye, world), world, eye.root), eye);
+    expectSame(requestOf(viewOf(eye, world), world, eye.root), eye);
 }
 
-TEST(ViewOfEye, namesOnlyDoorsThatDoNotRest) {
+TEST(CheckView, namesOnlyDoorsThatDoNotRest) {
     const check::View view = viewOf(someEye(), worldWithDoors());
     ASSERT_EQ(view.eachDoor.size(), 1u);
     EXPECT_EQ(view.eachDoor[0].name, "c");
     EXPECT_EQ(view.eachDoor[0].open, 0.75);
 }
 
-TEST(ViewOfEye, shotOptionsSayAllOfIt) {
+TEST(CheckView, shotOptionsSayAllOfIt) {
     FrameRequest eye = someEye();
     eye.scene.body = motion::PlayerBody{{7, 8, 9}, 180.0, 1, 0.5, 2.2, 17.5};
     EXPECT_EQ(
