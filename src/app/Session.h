@@ -14,7 +14,7 @@
 #include "gpu/Renderer.h"
 #include "motion/DynamicStateBuilder.h"
 #include "visibility/Flood.h"
-#include "world/LoadCache.h"
+#include "world/load/LoadCache.h"
 #include "world/Loader.h"
 
 #include <memory>

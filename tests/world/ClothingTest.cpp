@@ -1,4 +1,4 @@
-#include "world/Clothing.h"
+#include "world/records/Clothing.h"
 
 #include "support/MovingHut.h"
 

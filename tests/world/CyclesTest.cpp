@@ -1,4 +1,4 @@
-#include "world/Cycles.h"
+#include "world/assemble/Cycles.h"
 
 #include "support/Puppet.h"
 

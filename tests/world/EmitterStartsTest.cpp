@@ -1,4 +1,4 @@
-#include "world/EmitterStarts.h"
+#include "world/records/EmitterStarts.h"
 
 #include "support/Effects.h"
 

@@ -1,5 +1,5 @@
 #include "support/LoadTestWorld.h"
-#include "world/Models.h"
+#include "world/mesh/Models.h"
 
 // Where corners lie once they are stored: cells of a zone reach into each other by what that costs.
 namespace limen::world {

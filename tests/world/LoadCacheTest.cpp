@@ -1,4 +1,4 @@
-#include "world/LoadCache.h"
+#include "world/load/LoadCache.h"
 
 #include "support/LoadTestWorld.h"
 #include "support/SameWorld.h"
@@ -119,7 +119,8 @@ TEST(LoadCache, keepsNoMoreThanItMay) {
     LoadCache cache(std::size_t{1} << 20);
     for (int x = -3; x <= 3; ++x)
         (void)patchwork().load({kHome.x + x, kHome.y}, {.radius = 2}, {&cache});
-    EXPECT_LE(cache.blocks.bytes() + cache.models.bytes() + cache.parts.bytes() + cache.pictures.bytes(),
+    EXPECT_LE(cache.blocks.bytes() + cache.models.models.bytes() + cache.models.parts.bytes() +
+                  cache.pictures.bytes(),
               std::size_t{1} << 20);
     EXPECT_EQ(cache.blocks.find({kHome.x - 3, kHome.y}), nullptr) << "needed longest ago";
     EXPECT_NE(cache.blocks.find({kHome.x + 3, kHome.y}), nullptr);

@@ -1,4 +1,4 @@
-#include "world/Models.h"
+#include "world/mesh/Models.h"
 
 #include "support/LoadTestWorld.h"
 

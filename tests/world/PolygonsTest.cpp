@@ -1,5 +1,5 @@
 #include "support/LoadTestWorld.h"
-#include "world/PolygonSource.h"
+#include "world/records/PolygonSource.h"
 
 namespace limen::world {
 namespace {

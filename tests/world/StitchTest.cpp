@@ -1,4 +1,4 @@
-#include "world/Stitch.h"
+#include "world/mesh/Stitch.h"
 
 #include "geometry/Segment.h"
 

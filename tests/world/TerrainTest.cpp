@@ -1,8 +1,8 @@
-#include "world/Terrain.h"
+#include "world/terrain/Terrain.h"
 
 #include "support/LoadTestWorld.h"
 #include "world/LandRandom.h"
-#include "world/Scenery.h"
+#include "world/terrain/Scenery.h"
 
 #include <gmock/gmock.h>
 

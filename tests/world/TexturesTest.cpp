@@ -1,6 +1,6 @@
-#include "world/Textures.h"
+#include "world/texture/Textures.h"
 
-#include "world/Records.h"
+#include "world/records/Records.h"
 
 #include "support/LoadTestWorld.h"
 

@@ -1,4 +1,4 @@
-#include "world/Triangulate.h"
+#include "world/mesh/Triangulate.h"
 
 #include "geometry/ConvexPolygon.h"
 

@@ -1,4 +1,4 @@
-#include "world/Weld.h"
+#include "world/mesh/Weld.h"
 
 #include "geometry/TwoFloats.h"
 
