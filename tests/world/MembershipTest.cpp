@@ -68,7 +68,7 @@ TEST(Membership, outdoorObjectsReachIn) {
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), Kind::Static), ElementsAre(0u, 1u));
 }
 
-TEST(Membership, partsOfOneObjectShareTheWholesReach) {
+TEST(Membership, partsOfOneObjectShareItsMembers) {
     Row row;
     dat::Setup setup;
     setup.parts = {row.sphere, row.sphere};
@@ -120,7 +120,7 @@ std::uint32_t addLamp(TestWorld& source, std::uint32_t model, float range, std::
     light.colour.argb = argb;
     light.intensity = 2.0f;
     light.falloff = range;
-    light.coneAngle = -431602080.0f; // 0xCDCDCDCD, as files have it
+    light.coneAngle = -431602080.0f; // 0xCDCDCDCD, a value that occurs in files
     setup.lights = {{0, light}};
     return source.addSetup(setup);
 }

@@ -37,7 +37,7 @@ TEST(Welder, givesNearPositionsTheFirstOnesBits) {
 }
 
 TEST(Welder, weldsAcrossTheBordersOfItsGrid) {
-    // Pairs around every kind of grid line: multiples of 0.004 and the axes themselves.
+    // Pairs across every kind of grid line: multiples of 0.004 m and the axes.
     for (const double at : {0.0, 0.004, -0.004, 12.0, -96.0, 0.00001}) {
         Welder welder;
         const auto a = welder.add({at - 0.00009, at - 0.00005, at}),
