@@ -45,10 +45,10 @@ Ids idsOf(const std::vector<ModelPart>& parts) {
 }
 
 std::vector<LevelRange> levelRangesOf(const std::vector<ModelPart>& parts) {
-    std::vector<LevelRange> reaches;
+    std::vector<LevelRange> ranges;
     for (const ModelPart& part : parts)
-        reaches.push_back(part.reach);
-    return reaches;
+        ranges.push_back(part.levelRange);
+    return ranges;
 }
 
 TEST(Models, takeEachLevelOfDetailUpToItsGreatestDistance) {

@@ -92,7 +92,7 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
         // Skip levels that turn to the eye, and extend the range of the mesh level before them.
         const bool turns = level.mode != dat::DegradeLevel::kMesh && !levels.empty();
         if (turns)
-            levels.back().reach.upTo = upTo;
+            levels.back().levelRange.upTo = upTo;
         else if (upTo > beyond || levels.empty())
             levels.push_back({level.gfxObj, {beyond, upTo}});
         beyond = upTo;
@@ -104,16 +104,17 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
 
 void Models::addPart(Model& model, const ModelPart& posed) {
     const std::vector<Level> levels = levelsOf(posed.gfxObj);
-    LIMEN_ASSERT(!levels.empty() && levels.front().reach.beyond == 0, "the nearest level starts at the eye");
+    LIMEN_ASSERT(!levels.empty() && levels.front().levelRange.beyond == 0,
+                 "the nearest level starts at the eye");
     if (levels.front().gfxObj == 0)
         return;
     for (const Level& level : levels) {
         if (level.gfxObj == 0)
             continue;
-        auto& list = level.reach.beyond == 0 ? model.parts : model.farther;
+        auto& list = level.levelRange.beyond == 0 ? model.parts : model.farther;
         list.push_back(posed);
         list.back().gfxObj = level.gfxObj;
-        list.back().reach = level.reach;
+        list.back().levelRange = level.levelRange;
     }
 }
 

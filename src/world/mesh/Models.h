@@ -21,7 +21,7 @@ struct ModelPart {
     dat::RecordId gfxObj = 0;
     Mat3 linear{1.0}; ///< object space from part space: rotation and scale
     Vec3 origin{0.0}; ///< object space, metres
-    LevelRange reach;
+    LevelRange levelRange;
     std::uint32_t part = 0; ///< index in the Setup; levels of detail of one part share it
     Vec3 scale{1.0};        ///< the scale in `linear`
 };
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] Model read(dat::RecordId id, const Dress* dress);
     struct Level {
         dat::RecordId gfxObj = 0;
-        LevelRange reach;
+        LevelRange levelRange;
     };
     /// The levels of detail of a GfxObj, the nearest first. GfxObj 0 is an empty level; markers for editors
     /// have only that.
