@@ -5,7 +5,7 @@
 #include "core/Assert.h"
 #include "frame/WorldGraph.h"
 #include "visibility/Flood.h"
-#include "world/assemble/MeshArena.h"
+#include "world/mesh/MeshArena.h"
 #include "world/terrain/Terrain.h"
 
 #include <cmath>

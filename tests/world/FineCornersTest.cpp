@@ -1,5 +1,6 @@
 #include "support/LoadTestWorld.h"
 #include "world/mesh/Models.h"
+#include "world/records/Pose.h"
 
 // The accuracy of stored corners. Touching cells of a zone overlap by their error.
 namespace limen::world {

@@ -166,7 +166,7 @@ TEST(FarTier, hasTheGroundAlone) {
     std::size_t grounds = 0;
     for (const Instance& instance : world.instances) {
         if (world.blocks[instance.block].isFar) {
-            EXPECT_EQ(instance.kind, Kind::Terrain);
+            EXPECT_EQ(instance.kind, InstanceKind::Terrain);
             ++grounds;
         }
     }

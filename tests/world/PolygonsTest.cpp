@@ -137,7 +137,7 @@ TEST(Meshes, areSharedByContentAndPlacedBySetups) {
     const World world = test::loadTestWorld(source);
     std::vector<const Instance*> parts;
     for (const Instance& instance : world.instances)
-        if (instance.kind == Kind::Static)
+        if (instance.kind == InstanceKind::Static)
             parts.push_back(&instance);
     ASSERT_EQ(parts.size(), 3u);
     EXPECT_EQ(parts[0]->mesh, parts[1]->mesh);
@@ -159,7 +159,7 @@ TEST(Meshes, shellsKnowTheWallBeyondEachEdge) {
     const World world = test::loadTestWorld(source);
     const Space& space = world.spaces[findCell(world, source.id(room))];
     const Instance& shell = world.instances[world.spaceInstances[space.firstInstance]];
-    ASSERT_EQ(shell.kind, Kind::Shell);
+    ASSERT_EQ(shell.kind, InstanceKind::Shell);
     const Mesh& mesh = world.meshes[shell.mesh];
     std::size_t corners = 0, none = 0;
     for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v) {

@@ -241,7 +241,7 @@ struct Grove {
     static std::vector<const Instance*> trees(const World& world) {
         std::vector<const Instance*> out;
         for (const Instance& instance : world.instances)
-            if (instance.kind == Kind::Scenery)
+            if (instance.kind == InstanceKind::Scenery)
                 out.push_back(&instance);
         return out;
     }

@@ -55,7 +55,6 @@ std::size_t texelBytes(PixelFormat format) {
 }
 
 Texel fromPalette(const dat::Palette& palette, std::size_t index, const DecodeRules& rules) {
-    LIMEN_ASSERT(!palette.colours.empty(), "check() refuses an empty palette");
     if (rules.clipMap && index < 8)
         return {0, 0, 0, 0};
     const std::uint32_t argb = palette.colours[std::min(index, palette.colours.size() - 1)].argb;
@@ -129,6 +128,7 @@ Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette*
         return decodeJpeg(picture.pixels, kLargestSide);
     if (Result<void> fine = check(picture, palette); !fine)
         return tl::unexpected(fine.error());
+    LIMEN_ASSERT(!isIndexed(picture.format) || !palette->colours.empty(), "check() refuses an empty palette");
     Image image;
     image.width = static_cast<std::uint32_t>(picture.width);
     image.height = static_cast<std::uint32_t>(picture.height);
