@@ -1,7 +1,7 @@
 #pragma once
 
 #include "world/Image.h"
-#include "world/MeshBuilder.h"
+#include "world/mesh/MeshData.h"
 
 #include <cstdint>
 #include <vector>

@@ -5,8 +5,8 @@
 #include "core/Assert.h"
 #include "frame/WorldGraph.h"
 #include "visibility/Flood.h"
-#include "world/MeshArena.h"
-#include "world/Terrain.h"
+#include "world/mesh/MeshArena.h"
+#include "world/terrain/Terrain.h"
 
 #include <cmath>
 #include <numbers>

@@ -6,51 +6,54 @@
 #include <array>
 #include <cstdint>
 
-// What bodies of several parts do over and over, as a World holds it: read from Animation (0x03) and MotionTable (0x09) records
-// by world/Cycles.h, played by motion/PartPoses.h. After docs/formats/effects_anim.md#playback.
+// The repeated animations of bodies, as a World stores them: read from Animation (0x03) and MotionTable
+// (0x09) records by world/assemble/Cycles.h, played by motion/PartPoses.h. docs/formats/effects_anim.md,
+// "Playback".
 namespace limen::world {
 
-/// What a body is at, as far as it has a cycle for it.
+/// The motions that a body may have a cycle for.
 enum class Gait : std::uint8_t { Stand, Walk, Run };
 inline constexpr std::size_t kGaits = 3;
 
-/// Where one part of a body is in one frame: object space from part space, but for the part's own scale.
+/// The pose of one part of a body in one frame: object space from part space, without the part's own scale.
 struct PartFrame {
     Quat orientation{1.0, 0.0, 0.0, 0.0};
     Vec3 origin{0.0};
     friend bool operator==(const PartFrame&, const PartFrame&) = default;
 };
 
-/// Frames played at one rate: `frameCount` times `partCount` of World::partFrames, in the order of their record.
+/// Frames played at one rate: `frameCount` times `partCount` of World::partFrames, in the order of their
+/// record.
 struct Stretch {
-    std::uint32_t firstPartFrame = 0; ///< the first part's, in the first frame
-    std::uint32_t partCount = 0;      ///< of each frame; of a body with more the others stay as they rest
+    std::uint32_t firstPartFrame = 0; ///< index of the first part in the first frame
+    std::uint32_t partCount = 0;      ///< of each frame; further parts of a body keep their resting poses
     std::uint32_t frameCount = 0;     ///< at least one
     double rate = 0.0;                ///< frames a second; negative: backwards; 0: stays at its first frame
     friend bool operator==(const Stretch&, const Stretch&) = default;
 };
 
-/// Stretches played one after another, of which the last goes on for ever.
+/// Stretches played one after another. The last one repeats without end.
 struct Cycle {
     std::uint32_t firstStretch = 0, stretchCount = 0; ///< run of World::stretches; at least one
-    /// Metres a second, in the body's own frame: how it goes forward while this is played at its own rate. Zero: not said.
+    /// The body's velocity while the cycle plays at its own rate, metres a second in the body's frame. Zero:
+    /// unknown.
     Vec3 velocity{0.0};
     friend bool operator==(const Cycle&, const Cycle&) = default;
 };
 
-/// Of a moving part: which part of its Setup it shows, perhaps one level of detail of several, and at which size.
+/// The Setup's part that a moving part shows (several levels of detail may show the same one), and its scale.
 struct PosedPart {
     std::uint32_t part = 0; ///< index in the Setup, and so in each frame
     Vec3 scale{1.0};
     friend bool operator==(const PosedPart&, const PosedPart&) = default;
 };
 
-/// The position in the record of the frame that is played as the `step`-th of a stretch, 0..frameCount-1.
+/// The index, within its stretch, of the frame that is played at `step`; both 0..frameCount-1.
 [[nodiscard]] constexpr std::uint32_t frameAt(const Stretch& stretch, std::uint32_t step) {
     return stretch.rate < 0.0 ? stretch.frameCount - 1 - step : step;
 }
 
-/// The frame that is played after the `step`-th of a cycle's `stretch`-th stretch.
+/// The frame that is played after step `step` of a cycle's stretch number `stretch`.
 struct NextFrame {
     std::uint32_t stretch = 0, step = 0;
 };

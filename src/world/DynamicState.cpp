@@ -1,16 +1,18 @@
 #include "world/DynamicState.h"
 
+#include "core/Assert.h"
+
 namespace limen::world {
 
 void ListedInstances::resize(std::size_t count, const Vec3& around) {
-    origin = glm::floor(around); // so that what is subtracted from it loses little
+    origin = glm::floor(around); // whole metres: subtracting them rounds little
     areFar = false;
     instance.resize(count);
     isListedAgain.resize(count);
     mesh.resize(count);
     anyListedAgain = false;
     for (std::vector<float>* const values : {&x, &y, &z, &radius}) {
-        values->resize(count); // what is left over from more is not a moment's
+        values->resize(count); // drops old entries, so that the spare ones are zero
         values->resize(count + kSpare);
     }
 }
@@ -19,12 +21,15 @@ void listBySpace(std::size_t spaceCount, DynamicState& dynamics) {
     std::vector<std::uint32_t>& ends = dynamics.firstInSpace;
     ends.assign(dynamics.instances.empty() ? 0 : spaceCount + 1, 0);
     const auto membersOf = [&](const Instance& instance) {
+        LIMEN_ASSERT(instance.firstMember + instance.memberCount <= dynamics.members.size(),
+                     "a run of members");
         return std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
     };
     for (const Instance& instance : dynamics.instances)
         for (const SpaceIndex space : membersOf(instance))
             ++ends[space + 1];
-    // From here on behind each space its run's end so far, which is the next one's begin when all are listed.
+    // From here on, ends[space + 1] is the end of the space's run so far. When all instances are listed, it
+    // is the first of the next space's run.
     std::uint32_t total = 0;
     for (std::size_t space = 1; space < ends.size(); ++space) {
         const std::uint32_t count = ends[space];

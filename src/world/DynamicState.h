@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Assert.h"
 #include "world/World.h"
 
 #include <cmath>
@@ -9,23 +10,23 @@
 
 namespace limen::world {
 
-/// Moving instances as their spaces list them, an array for each thing that is asked of all of them in every frame: what is asked of
-/// many is asked of several at once.
+/// Dynamic instances in the order in which their spaces list them, one array for each property that every
+/// frame reads of all. So frustum culling tests several spheres at once.
 struct ListedInstances {
-    /// More balls than are listed, so that a block of so many can be read from any of them on.
+    /// Spare spheres at the end of the arrays, so that a batch of this size can be read from any position on.
     static constexpr std::size_t kSpare = 16;
-    /// Metres, along each axis, that balls may lie from `origin`.
+    /// Greatest distance of spheres from `origin` along each axis, metres.
     static constexpr double kMostOffset = 4096.0;
-    std::vector<InstanceIndex> instance;     ///< of Moment::instances (not numbered on)
+    std::vector<InstanceIndex> instance;     ///< index into DynamicState::instances
     std::vector<std::uint8_t> isListedAgain; ///< 1 if it is a member of other spaces, too
-    std::vector<std::uint32_t> mesh;         ///< its own
+    std::vector<std::uint32_t> mesh;         ///< index into World::meshes
     bool anyListedAgain = false;
-    Vec3 origin{0.0};                   ///< global, near them
-    std::vector<float> x, y, z, radius; ///< its bounds, from there; and kSpare more
+    Vec3 origin{0.0};                   ///< global, near the spheres
+    std::vector<float> x, y, z, radius; ///< bounds relative to `origin`; with kSpare more entries
     bool areFar =
-        false; ///< some lie farther than kMostOffset: what these say of where balls are is of no use
+        false; ///< some sphere exceeds kMostOffset or is not finite: x, y, z and radius must not be used
 
-    /// `around`: where most are, global.
+    /// `around`: a global position near most instances.
     void resize(std::size_t count, const Vec3& around);
     void set(std::size_t position, const Instance& in, InstanceIndex number) {
         instance[position] = number;
@@ -37,7 +38,7 @@ struct ListedInstances {
         y[position] = static_cast<float>(offset.y);
         z[position] = static_cast<float>(offset.z);
         radius[position] = static_cast<float>(in.bounds.radius);
-        // Neither is true of what is not a number.
+        // All of these comparisons are false for NaN.
         const bool isNear = std::abs(offset.x) <= kMostOffset && std::abs(offset.y) <= kMostOffset &&
                             std::abs(offset.z) <= kMostOffset && in.bounds.radius <= kMostOffset;
         areFar |= !isNear;
@@ -45,31 +46,35 @@ struct ListedInstances {
     friend bool operator==(const ListedInstances&, const ListedInstances&) = default;
 };
 
-/// What of a world changes from moment to moment: where moving things stand, to which spaces they belong, which
-/// openings are shut. Plain data laid over a World, made by motion/DynamicStateBuilder.h; visibility, frame and reference read
-/// the two side by side. A moment of a world in which nothing moves is empty.
+/// The dynamic state of a world at one time: poses of dynamic instances, their spaces, and the shut openings.
+/// Plain data beside a World, made by motion/DynamicStateBuilder.h; visibility, frame and reference read
+/// both. Empty for a world without dynamic objects.
 ///
-/// Its instances are complete: a villager's parts, door leaves, the surfaces that fill shut openings, sprites, and
-/// those statics whose membership depends on a door (World::looseInstances; they are in no space's static list).
-/// They are numbered on from World::instances.size(). Reuse it: steady frames allocate nothing.
+/// Its instances are complete: parts of villagers, door leaves, fillings of shut openings, sprites, and the
+/// static objects whose membership depends on a door (World::looseObjects; no space's static list has them).
+/// Their numbers continue those of World::instances. Reuse the object: then steady frames do not allocate.
 struct DynamicState {
-    std::vector<Instance> instances; ///< firstMember: into `members` below; idBase as in the world: stable
-    std::vector<SpaceIndex> members; ///< by instance a run, placedIn first
-    std::vector<std::uint32_t> firstInSpace; ///< by space, and one more: runs of `listed`; empty: none
-    ListedInstances listed;                  ///< by space; made by listBySpace
-    /// By portal, both of a pair alike; empty: all open. Shut portals let neither rays nor membership through.
+    std::vector<Instance>
+        instances; ///< firstMember is an index into `members` below; idBase is as in the world
+    std::vector<SpaceIndex> members; ///< a run for each instance, placedIn first
+    std::vector<std::uint32_t>
+        firstInSpace;       ///< by space, plus one entry: runs of `listed`; empty: no instances
+    ListedInstances listed; ///< by space; made by listBySpace
+    /// By portal, equal for both portals of a pair; empty: all are open. Shut portals stop rays and
+    /// membership.
     std::vector<std::uint8_t> closed;
-    /// By portal: index into `instances` of the surface that fills the shut opening, kNone where it is open.
+    /// By portal: index into `instances` of the filling of a shut opening; kNone if it is open.
     std::vector<InstanceIndex> fillings;
 
-    /// The run of `listed` that a space has.
+    /// A run of `listed`.
     struct Run {
         std::uint32_t first = 0, end = 0;
     };
     [[nodiscard]] Run listedIn(SpaceIndex space) const {
+        LIMEN_ASSERT(firstInSpace.empty() || space + 1 < firstInSpace.size(), "the space has a run");
         return firstInSpace.empty() ? Run() : Run{firstInSpace[space], firstInSpace[space + 1]};
     }
-    /// The moving instances that are members of a space.
+    /// The dynamic instances that are members of a space.
     [[nodiscard]] std::span<const InstanceIndex> instancesIn(SpaceIndex space) const {
         const Run run = listedIn(space);
         return std::span(listed.instance).subspan(run.first, run.end - run.first);
@@ -77,7 +82,7 @@ struct DynamicState {
     [[nodiscard]] bool isClosed(PortalIndex portal) const { return !closed.empty() && closed[portal] != 0; }
 };
 
-/// Lists a moment's instances, as they are now, in the spaces that they are members of, in order. `spaceCount`: of the world.
+/// Fills `listed` and `firstInSpace` from the instances and their members. `spaceCount`: that of the world.
 void listBySpace(std::size_t spaceCount, DynamicState& dynamics);
 
 } // namespace limen::world

@@ -10,7 +10,7 @@ struct Image {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
     bool hasAlpha = false; ///< some texel has alpha < 255
-    /// What it was made from, in one archive: 0 if that is not told.
+    /// Identifies its source within one archive; 0: unknown.
     std::uint64_t contentKey = 0;
     friend bool operator==(const Image&, const Image&) = default;
 };

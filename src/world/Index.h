@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-// Numbers by which the arrays of a World refer to each other.
+// Indices between the arrays of a World.
 namespace limen::world {
 
 using SpaceIndex = std::uint32_t;
@@ -13,6 +13,6 @@ using InstanceIndex = std::uint32_t;
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 inline constexpr SpaceIndex kOutside = 0;    ///< spaces[0] is always the outside
-inline constexpr ZoneIndex kOutsideZone = 0; ///< zones[0] holds the outside alone
+inline constexpr ZoneIndex kOutsideZone = 0; ///< zones[0] has the outside as its only space
 
 } // namespace limen::world

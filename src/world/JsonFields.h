@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-// Reading one field of a JSON object. Each yields false if the field is there and not of its shape; an absent one is fine and
-// leaves `out` alone.
+// Functions that read one field of a JSON object. False: the field has another type or value than described.
+// An absent field leaves `out` unchanged, and the result is true.
 namespace limen::world {
 
 /// A finite number.
@@ -20,7 +20,7 @@ namespace limen::world {
 [[nodiscard]] bool readField(const nlohmann::json& object, const char* key, Vec3& out);
 /// [a, b], finite.
 [[nodiscard]] bool readField(const nlohmann::json& object, const char* key, std::array<double, 2>& out);
-/// A record's id: a number, or text such as "0x20300100"; "" and "outside" are 0.
+/// A record id: a number, or text such as "0x20300100"; "" and "outside" are 0.
 [[nodiscard]] bool readId(const nlohmann::json& object, const char* key, dat::RecordId& out);
 
 } // namespace limen::world

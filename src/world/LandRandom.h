@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-// The one hash behind all randomness of the landscape (docs/formats/landscape.md#random-numbers).
+// The hash that all random choices of the landscape use. docs/formats/landscape.md, "Random numbers".
 namespace limen::world {
 
 namespace seed {

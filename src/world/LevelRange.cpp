@@ -1,5 +1,6 @@
 #include "world/LevelRange.h"
 
+#include "core/Assert.h"
 #include "world/World.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ std::uint32_t squareOf(std::int64_t steps) {
 
 std::uint16_t levelRangeLimit(double metres) {
     const double steps = std::round(metres * kRangeSteps);
-    if (!(steps <= kMostRangeSteps)) // NaN, too
+    if (!(steps <= kMostRangeSteps)) // also true for NaN
         return LevelRange::kEndless;
     return static_cast<std::uint16_t>(std::max(steps, 0.0));
 }
@@ -39,6 +40,7 @@ RangeSteps rangeStepsOf(const Vec3& global) {
 bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye) {
     if (instance.reach.isEndless())
         return true;
+    LIMEN_ASSERT(instance.block < world.blocks.size(), "the origin is local to a block");
     const Vec3 block = world.blocks[instance.block].origin(); // whole metres
     const std::uint32_t away = squareOf(stepsOf(block.x) + localSteps(instance.origin.x) - eye.x) +
                                squareOf(stepsOf(block.y) + localSteps(instance.origin.y) - eye.y) +

@@ -1,5 +1,6 @@
 #include "world/Membership.h"
 
+#include "core/Assert.h"
 #include "world/PolygonDistance.h"
 
 #include <algorithm>
@@ -23,12 +24,14 @@ bool Membership::reaches(PortalIndex portal, const Sphere& sphere) const {
 
 void Membership::reach(SpaceIndex start, const Sphere& sphere, std::span<const std::uint8_t> closed,
                        std::vector<SpaceIndex>& out) const {
+    LIMEN_ASSERT(start < world_.spaces.size(), "the sphere is in a space");
     out.assign(1, start);
     extend(sphere, closed, out);
 }
 
 void Membership::extend(const Sphere& sphere, std::span<const std::uint8_t> closed,
                         std::vector<SpaceIndex>& out) const {
+    LIMEN_ASSERT(closed.empty() || closed.size() == bounds_.size(), "a state for each portal");
     if (sphere.radius < 0.0)
         return;
     for (std::size_t i = 0; i < out.size(); ++i) {

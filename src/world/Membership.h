@@ -4,17 +4,17 @@
 
 namespace limen::world {
 
-/// Finds the spaces that a ball reaches through open portals (docs/ray-rule.md). Remembers the
-/// portals' bounds, so the world's spaces and portals must not change while it lives.
+/// Finds the spaces that a sphere reaches through open portals (docs/ray-rule.md). It stores the portals'
+/// bounds, so the world's spaces and portals must not change during its life.
 class Membership {
 public:
     explicit Membership(const World& world);
 
-    /// The spaces reached from `start`, which comes first, in the order they are reached. `out` is
-    /// overwritten. `closed`: by portal, nonzero stops the ball; empty: all are open.
+    /// The spaces reached from `start`, which comes first, in the order of the search. `out` is overwritten.
+    /// `closed`: by portal, nonzero for a shut one; empty: all are open.
     void reach(SpaceIndex start, const Sphere& sphere, std::span<const std::uint8_t> closed,
                std::vector<SpaceIndex>& out) const;
-    /// Goes on from all that `out` holds.
+    /// Continues the search from all spaces in `out` and appends those it reaches.
     void extend(const Sphere& sphere, std::span<const std::uint8_t> closed,
                 std::vector<SpaceIndex>& out) const;
 

@@ -8,42 +8,45 @@
 #include <cstdint>
 #include <string>
 
-// What can move, as a World describes it (docs/world-file.md); where it is at a moment is in world/DynamicState.h.
-// Lengths in metres, angles in degrees, compass directions (0 north, 90 east).
+// The dynamic objects of a World (docs/world-file.md). Their positions at one time are in
+// world/DynamicState.h. Lengths in metres, angles in degrees, compass directions (0 north, 90 east).
 namespace limen::world {
 
-/// The parts of one moving thing: a run of World::movingParts, posed in the thing's own frame as they rest.
+/// The parts of one dynamic object: a run of World::movingParts in their resting poses, in the object's own
+/// frame.
 struct MovingBody {
     std::uint32_t firstPart = 0, partCount = 0;
-    Sphere bounds; ///< of all parts, in the thing's own frame, as they rest and at every moment of its cycles
-    /// By Gait: index into World::cycles. kNone: it has none.
+    Sphere
+        bounds; ///< in the object's own frame; of all parts in the resting pose and in every pose of its cycles
+    /// By Gait: index into World::cycles; kNone: no cycle.
     std::array<std::uint32_t, kGaits> cycles{kNone, kNone, kNone};
     std::uint32_t firstPosed = kNone; ///< run of World::posedParts, one a part; kNone: it has no cycles
     friend bool operator==(const MovingBody&, const MovingBody&) = default;
 };
 
-/// One leaf of a door, or a pane: it turns about the vertical through its hinge.
+/// One leaf of a door, or a pane. It rotates about the vertical axis through its hinge.
 struct Leaf {
     dat::RecordId model = 0; ///< a GfxObj or Setup
     MovingBody body;
     Vec3 hinge{0.0};    ///< global
     double yaw = 0.0;   ///< when closed
-    double swing = 0.0; ///< added when open
-    /// Its parts where they stand while it is shut, block-local, edge to edge with the walls; none for leaves of opaque doors,
-    /// which a filling stands beside.
+    double swing = 0.0; ///< added to `yaw` when fully open
+    /// Its parts in the shut position, block-local, with the corners of the walls around. None for leaves of
+    /// opaque doors, whose openings have a filling.
     MovingBody shut;
     friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
-/// The filling of one opening. An opaque one shuts it while all its leaves are exactly closed.
+/// A door or pane in one opening. An opaque one shuts the opening while all its leaves are exactly closed.
 struct Door {
     std::string name;
     PortalIndex portal = kNone;     ///< from the cell that world.json names
     PortalIndex reciprocal = kNone; ///< kNone: one-way
     bool opaque = true;
-    double open = 0.0;                          ///< at rest: 0 closed .. 1 open
+    double open = 0.0;                          ///< initially: 0 closed .. 1 open
     std::uint32_t firstLeaf = 0, leafCount = 0; ///< run of World::leaves
-    /// World::movingParts: the portal's polygon, facing both ways; shown while shut. kNone for glass.
+    /// World::movingParts: the portal's polygon, facing both ways, drawn while the door is shut. kNone for
+    /// glass.
     std::uint32_t filling = kNone;
     friend bool operator==(const Door&, const Door&) = default;
 };
@@ -54,11 +57,11 @@ struct RoutePoint {
     friend bool operator==(const RoutePoint&, const RoutePoint&) = default;
 };
 
-/// A way walked in straight lines.
+/// A path of straight lines.
 struct Route {
     std::uint32_t firstPoint = 0, pointCount = 0; ///< run of World::routePoints; at least two
-    bool loop = false;                            ///< goes on from the last to the first; else it leads back
-    double length = 0.0;                          ///< once around, or there and back
+    bool loop = false;   ///< true: the last point joins the first; false: there and back
+    double length = 0.0; ///< of one round, or of the way there and back
     friend bool operator==(const Route&, const Route&) = default;
 };
 
@@ -71,14 +74,14 @@ struct Villager {
     friend bool operator==(const Villager&, const Villager&) = default;
 };
 
-/// The body of whoever walks through the world. Its parts are there twice: as they are, and as glass, to fade when the eye comes
-/// near. None: no parts.
+/// The player's body: once as it is, and once with blended surfaces, to fade it when the eye comes near. No
+/// parts: the player is not drawn.
 struct Player {
     MovingBody solid, ghost;
     friend bool operator==(const Player&, const Player&) = default;
 };
 
-/// What sends out sprites that face the eye.
+/// A source of sprites that face the eye.
 struct Emitter {
     std::string name;
     Vec3 position{0.0}; ///< global, or in the frame of the villager it is attached to
@@ -88,26 +91,28 @@ struct Emitter {
     double rate = 1.0;            ///< sprites a second
     double life = 1.0;            ///< seconds
     Vec3 velocity{0.0}, acceleration{0.0};
-    double spread = 0.0, radius = 0.0;
-    double size[2] = {0.1, 0.1};  ///< side length at birth and death
-    double alpha[2] = {1.0, 1.0}; ///< opacity, likewise
+    double spread = 0.0;          ///< greatest random addition to each component of `velocity`
+    double radius = 0.0;          ///< of the sphere in which sprites are born
+    double size[2] = {0.1, 0.1};  ///< side length at birth and at death
+    double alpha[2] = {1.0, 1.0}; ///< opacity at birth and at death
     std::uint32_t seed = 0;
-    double reach = 0.0; ///< no sprite comes further from the position than this
+    double reach = 0.0; ///< greatest distance of a sprite's points from the position
     friend bool operator==(const Emitter&, const Emitter&) = default;
 };
 
-/// A static object that moves where it stands: its parts by the cycle of standing still, or all of it by turning.
+/// An object of the records that moves in place: its parts by a standing cycle, or the whole object by
+/// rotating.
 struct IdleObject {
-    MovingBody body;  ///< the bounds hold all turns, too
+    MovingBody body;  ///< its bounds contain every rotation, too
     Vec3 origin{0.0}; ///< global
     Quat orientation{1.0, 0.0, 0.0, 0.0};
     double scale = 1.0;
     Vec3 spin{0.0}; ///< radians a second, about an axis in its own frame
     SpaceIndex space = kOutside;
-    bool isAlone = false; ///< it reaches no other space, whichever doors are open
+    bool isAlone = false; ///< it reaches no other space, even with all doors open
 };
 
-/// A static object whose membership depends on which doors are shut.
+/// A static object whose membership depends on the state of doors.
 struct LooseObject {
     InstanceIndex firstInstance = 0, instanceCount = 0;
     Sphere bounds; ///< global, of all its instances

@@ -17,7 +17,7 @@ bool read(const Json& object, RouteEntry::Point& out) {
     return readField(object, "position", out.position) && readId(object, "cell", out.cell);
 }
 
-/// A list of entries; absent is fine.
+/// Reads a list of entries; true if it is absent.
 template <class Entry>
 bool readList(const Json& object, const char* key, std::vector<Entry>& out);
 
@@ -38,7 +38,7 @@ bool read(const Json& object, PlayEntry& out) {
            readField(object, "intensity", out.intensity);
 }
 
-/// An object within another; absent is fine.
+/// Reads an object within another; true if it is absent.
 template <class Entry>
 bool readWithin(const Json& object, const char* key, Entry& out) {
     const auto found = object.find(key);
@@ -91,7 +91,7 @@ Result<MovingEntries> readMovingEntries(const Json& world, const std::string& fi
     const auto broken = [&](const char* list, std::size_t index) {
         return fail(ErrorCode::Malformed, file,
                     "entry " + std::to_string(index) + " of \"" + list +
-                        "\" is not as docs/world-file.md says");
+                        "\" does not have the form that docs/world-file.md describes");
     };
     if (!readList(world, "doors", entries.doors))
         return broken("doors", entries.doors.size());
@@ -109,7 +109,7 @@ Result<MovingEntries> readMovingEntries(const Json& world, const std::string& fi
     }
     std::string weather = "clear";
     if (!readField(world, "weather", weather) || (weather != "clear" && weather != "rain"))
-        return fail(ErrorCode::Malformed, file, "\"weather\" is \"clear\" or \"rain\"");
+        return fail(ErrorCode::Malformed, file, "\"weather\" must be \"clear\" or \"rain\"");
     entries.rain = weather == "rain";
     return entries;
 }

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-// What world.json says of moving things, word for word (docs/world-file.md): ids and names, nothing looked up yet.
+// The entries of world.json for dynamic objects (docs/world-file.md), with ids and names that are not
+// resolved yet. Lengths in metres, times in seconds, angles in degrees.
 namespace limen::world {
 
 struct LeafEntry {
@@ -37,17 +38,17 @@ struct RouteEntry {
     std::vector<Point> points;
 };
 
-/// A script of one's PhysicsScriptTable that is played from the beginning on.
+/// A script of the Setup's PhysicsScriptTable that plays from the start of the world.
 struct PlayEntry {
     std::uint32_t kind = 0; ///< 0: none
     double intensity = 0.0;
 };
 
-/// A ClothingTable that one wears.
+/// One garment: a ClothingTable and its colours.
 struct ClothingEntry {
     dat::RecordId table = 0;
-    std::uint32_t palette = 0; ///< one of its palette templates; 0: colours as they are
-    double shade = 0.5;        ///< of the palettes in a set: 0 the first .. 1 the last
+    std::uint32_t palette = 0; ///< one of its palette templates; 0: colours unchanged
+    double shade = 0.5;        ///< picks a palette of a set: 0 the first .. 1 the last
 };
 
 struct VillagerEntry {
@@ -55,7 +56,7 @@ struct VillagerEntry {
     dat::RecordId model = 0;
     double speed = 1.0, start = 0.0;
     PlayEntry play;
-    std::vector<ClothingEntry> clothing; ///< the later over the earlier
+    std::vector<ClothingEntry> clothing; ///< later entries cover earlier ones
 };
 
 struct EmitterEntry {
@@ -72,12 +73,13 @@ struct MovingEntries {
     std::vector<RouteEntry> routes;
     std::vector<VillagerEntry> villagers;
     std::vector<EmitterEntry> emitters;
-    dat::RecordId player = 0; ///< model of the body that walks through the world; 0: it is not seen
+    dat::RecordId player = 0; ///< model of the player's body; 0: it is not drawn
     std::vector<ClothingEntry> playerClothing;
-    bool rain = false; ///< at the start
+    bool rain = false; ///< whether it rains at the start
 };
 
-/// Reads the moving things of a world file. `file` is for messages. Errors: an entry that is not of its shape.
+/// Reads the dynamic objects of a world file. `file`: its name, for error messages. Errors: a malformed
+/// entry.
 [[nodiscard]] Result<MovingEntries> readMovingEntries(const nlohmann::json& world, const std::string& file);
 
 } // namespace limen::world

@@ -8,67 +8,68 @@
 #include <cstdint>
 #include <limits>
 
-// Particle emitters of the records, as a World holds them: read from ParticleEmitter (0x32), PhysicsScript (0x33) and
-// PhysicsScriptTable (0x34) records by world/EmitterStarts.h, evaluated by motion/Particles.h. After docs/formats/effects_anim.md.
-// Lengths in metres, times in seconds.
+// Particle emitters of the records, as a World stores them: read from ParticleEmitter (0x32), PhysicsScript
+// (0x33) and PhysicsScriptTable (0x34) records by world/records/EmitterStarts.h, evaluated by
+// motion/Particles.h. docs/formats/effects_anim.md, "ParticleEmitter". Lengths in metres, times in seconds.
 namespace limen::world {
 
 inline constexpr double kNeverEnds = std::numeric_limits<double>::infinity();
 
-/// A vector, and between what it is multiplied with for each particle.
+/// A vector and the limits of the random factor that each particle multiplies it by.
 struct VectorRange {
     Vec3 vector{0.0};
     double least = 0.0, most = 0.0;
 };
 
-/// How the particles of one ParticleEmitter record look, come and go.
+/// The appearance, births and motion of the particles of one ParticleEmitter record.
 struct ParticleStyle {
     dat::RecordId record = 0;
     dat::ParticleType type = dat::ParticleType::Still;
-    std::uint32_t part = kNone;       ///< World::movingParts: what is drawn for each; kNone: nothing
-    bool facesEye = false;            ///< its part's x, y and z are the eye's right, forward and up
-    bool isParentLocal = false;       ///< particles keep their places relative to what carries the emitter
-    bool isPerMetre = false;          ///< births follow the metres that the carrier goes, else the seconds
+    std::uint32_t part = kNone;       ///< World::movingParts: the part drawn for each particle; kNone: none
+    bool facesEye = false;            ///< the part's x, y and z axes are the eye's right, forward and up
+    bool isParentLocal = false;       ///< particles move with the carrier of the emitter
+    bool isPerMetre = false;          ///< true: births by the carrier's distance; false: by time
     double interval = kNeverEnds;     ///< seconds or metres from birth to birth
-    std::uint32_t most = 0;           ///< that live at once
-    std::uint32_t initial = 0;        ///< born as it starts; at most `most`
-    std::uint32_t total = 0;          ///< born altogether; 0: no end
+    std::uint32_t most = 0;           ///< particles alive at the same time
+    std::uint32_t initial = 0;        ///< particles born at the start; at most `most`
+    std::uint32_t total = 0;          ///< particles born in all; 0: no limit
     double birthSeconds = kNeverEnds; ///< from its start until births end
     double lifespan = 0.0, lifeSpread = 0.0; ///< a life lasts lifespan ± lifeSpread
-    VectorRange offset;                      ///< across which direction births lie aside, and how far
-    VectorRange a, b, c;                     ///< by type
+    VectorRange offset;                      ///< births are displaced across its direction, by its factor
+    VectorRange a, b, c;                     ///< parameters of the motion; their meaning depends on `type`
     dat::Fade scale, translucency;
-    double size = 0.0; ///< farthest corner of what is drawn from its origin, at scale 1
+    double size = 0.0; ///< distance of the part's farthest corner from its origin, at scale 1
 
     [[nodiscard]] double longestLife() const { return lifespan + lifeSpread; }
-    /// Whether it goes on for ever.
+    /// True if births never end.
     [[nodiscard]] bool isEndless() const { return total == 0 && birthSeconds == kNeverEnds; }
 };
 
-/// An emitter that a script starts on something that stands or walks in the world: once, or again and again.
+/// An emitter that a script starts on an object or villager, once or repeatedly. Its carrier is a villager,
+/// an idle object, or none (a static object).
 struct ParticleSource {
     std::uint32_t style = kNone;    ///< index into World::particleStyles
-    std::uint32_t villager = kNone; ///< carried by one of World::villagers,
-    std::uint32_t idle = kNone;     ///< or of World::idleObjects, or by neither:
-    PartFrame at; ///< then its frame, global; else that of its part as it rests, in the carrier's own frame
-    SpaceIndex space = kOutside;  ///< that `at` is in, if nothing carries it
-    std::uint32_t part = kNone;   ///< of a carrier: of its Setup; kNone: the carrier itself
-    Vec3 offset{0.0};             ///< births', in its frame
+    std::uint32_t villager = kNone; ///< carrier: index into World::villagers
+    std::uint32_t idle = kNone;     ///< carrier: index into World::idleObjects
+    PartFrame at; ///< of a carrier: the resting pose of its part, in the carrier's own frame; else global
+    SpaceIndex space = kOutside;  ///< without a carrier: the space of `at`
+    std::uint32_t part = kNone;   ///< of a carrier: index of the part in its Setup; kNone: the whole carrier
+    Vec3 offset{0.0};             ///< of births, in the frame of `at` or of the part
     double interval = kNeverEnds; ///< seconds from birth to birth
-    /// World::cycles: a cycle that its carrier plays, whose frame starts it; then `start` and `period` are in that cycle's own
-    /// seconds. kNone: they are of the world.
+    /// World::cycles: the carrier's cycle whose frame starts the source; `start` and `period` are seconds of
+    /// that cycle. kNone: they are seconds of the world.
     std::uint32_t cycle = kNone;
-    bool replacesItself = false; ///< each start of it puts an end to the one before
-    double start = 0.0;          ///< seconds since the world, or the cycle, began
-    double period = 0.0;         ///< from each start to the next, before the first as well; 0: it starts once
+    bool replacesItself = false; ///< each start ends the one before
+    double start = 0.0;          ///< seconds since the start of the world or of the cycle
+    double period = 0.0;         ///< seconds from start to start, also before the first one; 0: one start
     double stop = kNeverEnds;    ///< seconds from each start until births end
-    double gone = kNeverEnds;    ///< seconds from each start until all that is left vanishes
-    /// It is endless, and has always been sending out particles, whatever `start` says.
+    double gone = kNeverEnds;    ///< seconds from each start until its remaining particles are removed
+    /// It is endless and has particles at every time, regardless of `start`.
     bool isEverBurning = false;
-    bool isAlone =
-        false; ///< no particle reaches another space than `space`, whichever doors are open; only if not carried
-    std::uint64_t seed = 0; ///< tells it from all others
-    double reach = 0.0;     ///< no particle of it comes farther from where it was born than this
+    /// No particle reaches a space other than `space`, even with all doors open. False with a carrier.
+    bool isAlone = false;
+    std::uint64_t seed = 0; ///< unique
+    double reach = 0.0;     ///< greatest distance of a particle's points from the frame it is born in
 };
 
 } // namespace limen::world

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Larger files are something else.
+/// A larger file is not a world file.
 constexpr std::uintmax_t kMostBytes = 16u << 20;
 
 Result<std::string> readText(const std::filesystem::path& path) {

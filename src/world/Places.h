@@ -11,29 +11,29 @@
 
 namespace limen::world {
 
-/// A named standing eye.
+/// A named viewpoint.
 struct Place {
     std::string name;
     Vec3 eye{0.0};          ///< global
     double yaw = 0.0;       ///< degrees, 0 north, 90 east
     double pitch = 0.0;     ///< degrees, positive up
-    dat::RecordId cell = 0; ///< 0: outside
+    dat::RecordId cell = 0; ///< the cell that contains the eye; 0: outside
 };
 
 inline constexpr const char* kWorldFileName = "world.json";
 
-/// What `world.json` beside the dats says; everything is optional.
+/// The content of `world.json`, which is in the directory of the .dat files. All of it is optional.
 struct WorldFile {
     std::vector<Place> places;
-    std::string start;       ///< the one of `places` to begin at; empty: none is named
-    std::vector<Place> tour; ///< way points, walked in straight lines
+    std::string start;       ///< name of the initial place; empty: none
+    std::vector<Place> tour; ///< way points, joined by straight lines
     MovingEntries moving;
 };
 
-/// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: unreadable or not of this
-/// shape.
+/// Reads `directory/world.json`; an absent file gives an empty WorldFile. Errors: the file cannot be read, or
+/// an entry is malformed (docs/world-file.md).
 [[nodiscard]] Result<WorldFile> loadWorldFile(const std::filesystem::path& directory);
-/// Its text; `file` begins messages.
+/// Reads the text of such a file. `file`: its name, for error messages.
 [[nodiscard]] Result<WorldFile> parseWorldFile(const std::string& text, const std::string& file);
 
 } // namespace limen::world

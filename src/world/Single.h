@@ -4,15 +4,16 @@
 #include "world/Image.h"
 #include "world/World.h"
 
-// Single records of a portal file, as they would look in a world.
+// Single records of a portal file, for export and preview.
 namespace limen::world {
 
-/// A world that holds nothing but a GfxObj or a Setup, in its resting pose, at the corner of block (0, 0) and upright; outdoors. Errors:
-/// no such model; one that has nothing to show.
+/// A world with one GfxObj or Setup in its resting pose, upright, outdoors, at the south-west corner of block
+/// (0, 0). Errors: there is no such model, or it has no polygon to draw.
 [[nodiscard]] Result<World> loadModel(const dat::Archive& archive, dat::RecordId model);
 
-/// The picture of a RenderSurface; of a SurfaceTexture, the largest that is there; of a Surface, read as the surface says. Errors: no such
-/// record; a Surface of one colour; a picture that is missing or cannot be decoded.
+/// The picture of a RenderSurface, the largest existing one of a SurfaceTexture, or that of a Surface by its
+/// decode rules. Errors: no such record, a Surface of one colour, a picture that is missing or cannot be
+/// decoded.
 [[nodiscard]] Result<Image> loadPicture(const dat::Archive& archive, dat::RecordId id);
 
 } // namespace limen::world

@@ -1,5 +1,6 @@
 #include "world/Sky.h"
 
+#include "core/Assert.h"
 #include "geometry/Angles.h"
 
 #include <algorithm>
@@ -17,17 +18,18 @@ const dat::DayGroup* groupOf(const Sky& sky, std::uint32_t& dayGroup) {
     if (sky.desc.dayGroups.empty())
         return nullptr;
     dayGroup = std::min(dayGroup, static_cast<std::uint32_t>(sky.desc.dayGroups.size() - 1));
+    LIMEN_ASSERT(dayGroup < sky.desc.dayGroups.size(), "the number is clamped");
     return &sky.desc.dayGroups[dayGroup];
 }
 
-/// The two keyframes around a time, and how far it is between them.
+/// The two keyframes around a time, and the fraction of the time between them, 0..1.
 struct Between {
     const dat::SkyTimeOfDay* from = nullptr;
     const dat::SkyTimeOfDay* to = nullptr;
     double f = 0.0;
 };
 
-/// Keyframes need not be stored in order; those that begin together count in the order they are stored.
+/// Keyframes may be stored in any order. Those with the same begin count in the order of storage.
 Between keyframesAt(const dat::DayGroup& group, double t) {
     if (group.times.empty())
         return {};
@@ -43,7 +45,8 @@ Between keyframesAt(const dat::DayGroup& group, double t) {
         if (static_cast<double>(frame.begin) <= t && (from == nullptr || before(*from, frame)))
             from = &frame;
     }
-    from = from == nullptr ? last : from; // before the first of the day the last of yesterday rules
+    from = from == nullptr ? last
+                           : from; // before the first keyframe of the day, the last of the day before counts
     const dat::SkyTimeOfDay* to = nullptr;
     for (const dat::SkyTimeOfDay& frame : group.times)
         if (before(*from, frame) && (to == nullptr || before(frame, *to)))
@@ -59,7 +62,7 @@ double mixed(float a, float b, double f) {
     return static_cast<double>(a) + (static_cast<double>(b) - static_cast<double>(a)) * f;
 }
 
-/// Degrees, the short way round.
+/// Interpolates angles in degrees along the shorter arc.
 double mixedAngle(float a, float b, double f) {
     const double turn = std::remainder(static_cast<double>(b) - static_cast<double>(a), 360.0);
     return static_cast<double>(a) + turn * f;
@@ -92,7 +95,9 @@ const dat::SkyObjectReplace* replaceOf(const dat::SkyTimeOfDay* frame, std::uint
     return found == frame->replaces.end() ? nullptr : &*found;
 }
 
+/// `axis`: 1 for y, 2 for z.
 glm::mat3 rotationAbout(int axis, double radians) {
+    LIMEN_ASSERT(axis == 1 || axis == 2, "sky objects rotate about y and z");
     const auto c = static_cast<float>(std::cos(radians)), s = static_cast<float>(std::sin(radians));
     if (axis == 2)
         return {Vec3f(c, s, 0.0f), Vec3f(-s, c, 0.0f), Vec3f(0.0f, 0.0f, 1.0f)};

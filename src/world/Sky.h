@@ -2,6 +2,7 @@
 
 #include "dat/records/Landscape.h"
 #include "geometry/Vec.h"
+#include "world/Index.h"
 #include "world/Particles.h"
 
 #include <cstdint>
@@ -11,25 +12,26 @@
 
 namespace limen::world {
 
-/// One object of the sky dome: a mesh around the eye, shown between two times of day.
+/// One mesh of a sky object. It is drawn around the eye, between two times of day.
 struct SkyPart {
     std::uint32_t dayGroup = 0, objectIndex = 0;
-    std::uint32_t mesh = 0xFFFFFFFFu; ///< index into World::meshes
-    std::uint32_t firstMaterial = 0;  ///< run of World::materialRefs
+    std::uint32_t mesh = kNone;      ///< index into World::meshes
+    std::uint32_t firstMaterial = 0; ///< run of World::materialRefs
     dat::SkyObject object;
-    /// What keyframes put in the object's place while they rule, if this shows that; 0: the object's own model.
+    /// The model of some keyframes that replaces the object's own, if this mesh belongs to it; 0: the own
+    /// model.
     std::uint32_t replacement = 0;
 };
 
-/// Particles that an object of the sky lets fall around the eye while it is shown (SkyObject::script).
+/// Particles that fall around the eye while a sky object is shown (SkyObject::script).
 struct SkyWeather {
     std::uint32_t dayGroup = 0;
     dat::SkyObject object;
-    /// Carried by nothing, and alone outside. Its style has no `offset`: births are spread by `spread` instead.
+    /// Without a carrier, outdoors, alone. Its style has no `offset`: `spread` displaces births instead.
     ParticleSource source;
-    Vec3 spread{0.0}; ///< how far births lie from the eye along each axis at most, metres
+    Vec3 spread{0.0}; ///< greatest distance of births from the eye along each axis, metres
     double drift =
-        0.0; ///< how far particles then go on the level at most, metres, with all that is drawn of them
+        0.0; ///< greatest horizontal distance of a particle's points from its place of birth, metres
 };
 
 /// A time of day in one of the Region's day groups.
@@ -38,7 +40,7 @@ struct SkyHour {
     double time = 0.5; ///< fraction of the day
 };
 
-/// The sky as the Region describes it; no day groups when it has none.
+/// The sky of the Region; no day groups without one.
 struct Sky {
     dat::SkyDesc desc;
     dat::GameTime time;
@@ -46,7 +48,8 @@ struct Sky {
     std::vector<SkyWeather> weather;
 };
 
-/// Light and fog at one time of day, interpolated between keyframes (docs/formats/sky_weather.md#keyframes).
+/// Light and fog at one time of day, interpolated between keyframes (docs/formats/sky_weather.md,
+/// "Keyframes").
 struct SkyState {
     Vec3f sunDirection{0.0f, 0.0f, 1.0f}; ///< towards the light
     Vec3f sunColour{0.0f};                ///< times brightness
@@ -55,7 +58,7 @@ struct SkyState {
     float fogNear = 1e9f, fogFar = 2e9f; ///< metres; no fog by default
 };
 
-/// One sky object as it stands at a time of day.
+/// The state of one sky part at a time of day.
 struct SkyPlacement {
     std::uint32_t part = 0;   ///< index into Sky::parts
     glm::mat3 rotation{1.0f}; ///< world from model, about the eye
@@ -67,14 +70,15 @@ struct SkyPlacement {
 /// The light at `time` (fraction of the day, 0..1) in day group `dayGroup` (clamped). Defaults without a sky.
 [[nodiscard]] SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time);
 
-/// Whether an object shows at a time of day, fraction.
+/// `time`: fraction of the day.
 [[nodiscard]] bool isShown(const dat::SkyObject& object, double time);
 
-/// The day group that a text names: its number, from 0, or its name, whatever the case of its letters. Without day groups 0 names what
-/// is there. Nothing: it names none.
+/// The day group that a text names: by number, from 0, or by name, ignoring case. Without day groups, number
+/// 0 is valid. No value: there is no such group.
 [[nodiscard]] std::optional<std::uint32_t> dayGroupNamed(const dat::SkyDesc& sky, std::string_view text);
 
-/// The sky objects visible then, in drawing order. `out` is overwritten and keeps its capacity.
+/// The sky parts that are shown at a time, in drawing order. `time`: fraction of the day; `seconds`: age of
+/// the world, which moves textures. `out` is overwritten and keeps its capacity.
 void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds,
                    std::vector<SkyPlacement>& out);
 

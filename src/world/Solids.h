@@ -1,35 +1,36 @@
 #pragma once
 
-#include "world/World.h"
-
 #include "dat/Archive.h"
+#include "world/World.h"
 
 namespace limen::world {
 
-/// One thing that bodies bump into: a cell's walls, a block's ground, a building's exterior, an object, what shuts a door, or a leaf.
+/// One obstacle of bodies: the walls of a cell, the ground of a block, the exterior of a building, an object,
+/// the filling of a shut door, or a door leaf.
 struct Solid {
     InstanceKind kind = InstanceKind::Static;
-    std::uint32_t firstTriangle = 0, triangleCount = 0; ///< Solids::corners, three each
-    std::uint32_t firstMember = 0, memberCount = 0;     ///< Solids::members: the spaces it is met in
-    std::uint32_t door = kNone; ///< World::doors, of a filling: it is there while this is shut
+    std::uint32_t firstTriangle = 0, triangleCount = 0; ///< of Solids::corners, three corners each
+    std::uint32_t firstMember = 0, memberCount = 0; ///< run of Solids::members: the spaces in which it blocks
+    std::uint32_t door = kNone; ///< World::doors: of a filling, which blocks while the door is shut
     std::uint32_t leaf =
-        kNone; ///< World::leaves: corners are in the leaf's own frame, and it is there always
+        kNone; ///< World::leaves: of a leaf, which always blocks; its corners are in the leaf's frame
 };
 
-/// What stands around a place for bodies, by the records' physics shapes (docs/formats/geometry.md#setup): polygons of cells and models,
-/// cylinders and spheres of setups as prisms and polyhedra around them. Either side is met. Plain data beside a World.
+/// The obstacles around a place, from the records' physics shapes (docs/formats/geometry.md, "Setup"):
+/// polygons of cells and models; cylinders and spheres of Setups as prisms and polyhedra. Triangles block
+/// from both sides. Plain data beside a World.
 struct Solids {
-    Vec3 origin{0.0};          ///< global; corners are relative to it, metres
-    std::vector<Vec3> corners; ///< those of leaves apart
+    Vec3 origin{0.0};          ///< global, metres
+    std::vector<Vec3> corners; ///< relative to `origin`, except those of leaves
     std::vector<SpaceIndex> members;
     std::vector<Solid> solids;
-    int radius = 0; ///< blocks each way around `centre` that it holds
+    int radius = 0; ///< blocks each way around `centre`
     dat::BlockCoord centre;
 };
 
-/// Reads the solids of the blocks around `centre`, as far as `world` holds them; spaces and portals are the world's. The ground is cut
-/// into squares of 3 m, so that no triangle reaches far. Records that cannot be read are left out: the loader has said so. Errors: the
-/// Region cannot be read.
+/// Reads the solids of those blocks around `centre` that `world` contains. The ground is cut into squares of
+/// 3 m, which keeps triangles small. Records that cannot be read are left out; the loader has reported them.
+/// Errors: the Region cannot be read.
 [[nodiscard]] Result<Solids> loadSolids(const dat::Archive& archive, const World& world,
                                         dat::BlockCoord centre, int radius);
 

@@ -1,6 +1,6 @@
 #include "motion/Particles.h"
 
-#include "world/ParticleStyles.h"
+#include "world/records/ParticleStyles.h"
 
 #include <gtest/gtest.h>
 #include <numbers>

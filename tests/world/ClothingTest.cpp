@@ -1,4 +1,4 @@
-#include "world/Clothing.h"
+#include "world/records/Clothing.h"
 
 #include "support/MovingHut.h"
 
@@ -13,7 +13,7 @@ constexpr std::uint32_t kTable = 0x10000001, kSet = 0x0F000001, kBase = 0x040000
                         kBlue = 0x04000003;
 constexpr std::uint32_t kCoat = 0x05000100, kShirt = 0x05000101; ///< the first pictures of a TestWorld
 
-/// Eight colours of one kind: the number in red, the kind in green.
+/// Eight colours: the index in red, `kind` in green.
 dat::Palette paletteOf(std::uint32_t id, std::uint32_t kind) {
     dat::Palette palette;
     palette.id = id;
@@ -58,7 +58,7 @@ struct Wardrobe {
     }
 };
 
-/// The texels of what one part of the villager is painted with: red and green of each.
+/// Red and green of the texels on one part of the villager.
 std::vector<std::pair<int, int>> texelsOf(const World& world, std::uint32_t part) {
     const Instance& in = world.movingParts[world.villagers.at(0).body.firstPart + part];
     const Material& material = world.materials[world.materialRefs[in.firstMaterial]];
@@ -75,7 +75,8 @@ TEST(Clothing, laysColoursOverAPaletteAtTheirPlaces) {
     wardrobe.table.palettes.entries = {{5, {0, {{{{1, 1}, {6, 2}}, kSet}}}}};
     wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, 1.0}};
     const World world = wardrobe.load();
-    EXPECT_EQ(texelsOf(world, 0), (Texels{{0, 1}, {1, 3}, {4, 1}, {7, 3}})) << "1, 6 and 7 of the set's last";
+    EXPECT_EQ(texelsOf(world, 0), (Texels{{0, 1}, {1, 3}, {4, 1}, {7, 3}}))
+        << "1, 6 and 7 are from the last palette of the set";
     EXPECT_EQ(texelsOf(world, 1), texelsOf(world, 0));
 }
 
@@ -109,10 +110,10 @@ TEST(Clothing, changesMeshesOfParts) {
     ASSERT_EQ(body.partCount, 2u);
     EXPECT_EQ(world.movingParts[body.firstPart].record, wardrobe.plainCube);
     EXPECT_NE(world.movingParts[body.firstPart + 1].record, wardrobe.plainCube);
-    EXPECT_GE(body.bounds.radius, 1.7) << "the ball is around what is worn";
+    EXPECT_GE(body.bounds.radius, 1.7) << "the sphere contains the clothes";
 }
 
-TEST(Clothing, isSharedByThoseWhoLookAlikeAndLeavesOthersAlone) {
+TEST(Clothing, isSharedByEqualVillagersAndDoesNotAffectOthers) {
     Wardrobe wardrobe;
     wardrobe.table.palettes.entries = {{5, {0, {{{{0, 8}}, kRed}}}}};
     auto& villagers = wardrobe.hut.moving.villagers;
@@ -143,7 +144,7 @@ TEST(Clothing, isWornByThePlayerSolidAndFaded) {
     }
 }
 
-TEST(Clothing, thatIsNotThereIsSaid) {
+TEST(Clothing, thatDoesNotExistIsReported) {
     Wardrobe wardrobe;
     wardrobe.hut.source.portalFile().add(wardrobe.table);
     wardrobe.hut.moving.villagers[0].clothing = {{kTable, 6, 0.0}, {0x10000099, 0, 0.0}};

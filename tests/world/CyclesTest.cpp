@@ -1,4 +1,4 @@
-#include "world/Cycles.h"
+#include "world/assemble/Cycles.h"
 
 #include "support/Puppet.h"
 
@@ -19,19 +19,19 @@ using testing::HasSubstr;
 const Cycle& cycleOf(const World& world, Gait gait) {
     return world.cycles.at(world.villagers.at(0).body.cycles[static_cast<std::size_t>(gait)]);
 }
-/// How far ahead the leg is in a frame, in tenths of a metre: Puppet::sliding numbers its frames so.
+/// The number of a frame of Puppet::sliding: the distance of its leg from the origin, in tenths of a metre.
 long numberOf(const World& world, const Stretch& stretch, std::uint32_t frame) {
     return std::lround(world.partFrames.at(stretch.firstPartFrame + frame * stretch.partCount + 1).origin.y *
                        10.0);
 }
 
-TEST(Cycles, passTheirHooksWhenTheNextFrameIsThere) {
+TEST(Cycles, passTheirHooksWhenTheNextFrameBegins) {
     Puppet puppet;
     dat::Animation steps;
     steps.id = 0x03000070;
     steps.partCount = 2;
     steps.frames.resize(4, {{test::frameAt({0, 0, 0}), test::frameAt({0, 0, 0.9})}, {}});
-    // Of either way, forward, back, of either way.
+    // Directions: both, forward, backward, both.
     const std::vector<std::uint8_t> word(4, 0);
     steps.frames[0].hooks = {{0x0E, 0, word}};
     steps.frames[1].hooks = {{0x0F, 1, word}};
@@ -58,7 +58,7 @@ TEST(Cycles, passTheirHooksWhenTheNextFrameIsThere) {
             out.emplace_back(hook.hook->type, hook.seconds, hook.period);
         return out;
     };
-    // Frames 0 and 1 once, at 2 a second; then 1, 2, 3 for ever, at 4.
+    // Frames 0 and 1 once, at 2 a second; then 1, 2 and 3 repeatedly, at 4 a second.
     EXPECT_EQ(passed(Gait::Stand),
               (Passed{{0x0E, 0.5, 0.0}, {0x0F, 1.0, 0.0}, {0x0F, 1.25, 0.75}, {0x11, 1.75, 0.75}}));
     EXPECT_EQ(passed(Gait::Walk), (Passed{{0x11, 0.5, 2.0}, {0x10, 1.0, 2.0}, {0x0E, 2.0, 2.0}}));
@@ -97,7 +97,8 @@ TEST(Cycles, takeTheStretchOfAnAnimationThatTheRangeMeans) {
         std::uint32_t count;
         long first;
     };
-    // Of five frames: -1 is the last; both are held within them; what ends before it begins is one frame.
+    // Of five frames: -1 is the last, both ends are clamped, and a range that ends before it begins has one
+    // frame.
     for (const Case& c :
          {Case{0, -1, 5, 0}, Case{2, 9, 3, 2}, Case{9, 9, 1, 4}, Case{3, 1, 1, 3}, Case{-4, 2, 3, 0},
           Case{7, -1, 1, 4}, Case{2, -7, 1, 2}, Case{1, 3, 3, 1}, Case{-2147483647 - 1, 2147483647, 5, 0}}) {
@@ -125,7 +126,7 @@ TEST(Cycles, keepTheOrderOfASequenceAndTheSignOfItsRates) {
     EXPECT_EQ(numberOf(world, b, frameAt(b, 2)), 0);
 }
 
-TEST(Cycles, standAsTheSetupsOwnAnimationWhereNoTableTells) {
+TEST(Cycles, standByTheSetupsOwnAnimationWithoutAMotionTable) {
     for (const bool withTable : {false, true}) {
         Puppet puppet;
         const std::uint32_t animation = puppet.sliding(3);
@@ -142,7 +143,7 @@ TEST(Cycles, standAsTheSetupsOwnAnimationWhereNoTableTells) {
     }
 }
 
-TEST(Cycles, ofATableThatIsMissingAreNoneAndItIsSaid) {
+TEST(Cycles, ofAMissingTableAreNoneWithAFinding) {
     Puppet puppet;
     puppet.setup.motionTable = 0x09000077;
     const World world = puppet.load();
@@ -181,7 +182,7 @@ TEST(Cycles, areReadDespiteNumbersThatAreNone) {
     EXPECT_EQ(world.stretches[cycle.firstStretch].rate, 0.0);
     EXPECT_EQ(world.partFrames.at(1).origin, Vec3(0.0));
     EXPECT_EQ(world.partFrames.at(1).orientation, Quat(1.0, 0.0, 0.0, 0.0));
-    EXPECT_EQ(world.partFrames.at(3).orientation, Quat(0.0, 0.0, 0.0, 1.0)) << "made a unit";
+    EXPECT_EQ(world.partFrames.at(3).orientation, Quat(0.0, 0.0, 0.0, 1.0)) << "normalised";
     EXPECT_TRUE(std::isfinite(world.villagers[0].body.bounds.radius));
 }
 
@@ -232,7 +233,7 @@ TEST(PosedParts, nameTheSetupsPartForEveryLevelOfDetailAndItsSize) {
     const auto posed = std::span(world.posedParts).subspan(body.firstPosed, body.partCount);
     EXPECT_EQ(posed[0].part, 1u);
     EXPECT_EQ(posed[1].part, 2u);
-    EXPECT_EQ(posed[2].part, 2u) << "the coarse level";
+    EXPECT_EQ(posed[2].part, 2u) << "the farther level of detail";
     EXPECT_EQ(world.movingParts[body.firstPart + 2].record, coarse);
     EXPECT_EQ(posed[0].scale, Vec3(1.0));
     EXPECT_EQ(posed[2].scale, Vec3(1, 2, 3));
@@ -246,9 +247,9 @@ TEST(BoundsInMotion, areThoseOfTheRestingBodyWithoutCycles) {
     EXPECT_NEAR(bounds.radius, std::sqrt(0.875 * 0.875 + 0.25 * 0.25 + 0.2 * 0.2), 1e-6);
 }
 
-TEST(BoundsInMotion, holdWhatSwingsBetweenTwoFrames) {
-    // From hanging down to standing up on its joint in one step: half-way the leg points straight ahead, 0.9 m, farther than in
-    // either frame.
+TEST(BoundsInMotion, containAPartThatSwingsBetweenTwoFrames) {
+    // In one step the leg turns about its joint from straight down to straight up. Half-way it points ahead
+    // by 0.9 m, farther than in either frame.
     Puppet puppet;
     puppet.setParts({puppet.leg});
     const std::uint32_t animation =
@@ -257,7 +258,7 @@ TEST(BoundsInMotion, holdWhatSwingsBetweenTwoFrames) {
     const World world = puppet.load();
     const Sphere& bounds = world.villagers.at(0).body.bounds;
     EXPECT_GE(bounds.radius, glm::length(Vec3(0, 0.9, 0.9) - bounds.centre));
-    EXPECT_LT(bounds.radius, 3.0) << "no larger than it need be";
+    EXPECT_LT(bounds.radius, 3.0) << "not much larger than necessary";
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "world/EmitterStarts.h"
+#include "world/records/EmitterStarts.h"
 
 #include "support/Effects.h"
 
@@ -54,11 +54,11 @@ TEST(EmitterStarts, followCalledScripts) {
     EXPECT_EQ(starts[0].period, 0.0);
 }
 
-TEST(EmitterStarts, waitOutTheWholePauseOfACall) {
+TEST(EmitterStarts, waitForTheWholePauseOfACall) {
     EffectsHut effects;
     const std::uint32_t inner = effects.addScript({{0.5, EffectsHut::create(0x32000001)}});
     const std::uint32_t outer = effects.addScript({{1.0, EffectsHut::call(inner, 4.0f)}});
-    EXPECT_EQ(run(effects, outer).at(0).at, 5.5) << "docs/uncertain.md";
+    EXPECT_EQ(run(effects, outer).at(0).at, 5.5) << "an open question: docs/uncertain.md";
 }
 
 TEST(EmitterStarts, goRoundWithAScriptThatCallsItself) {
@@ -75,7 +75,7 @@ TEST(EmitterStarts, goRoundWithAScriptThatCallsItself) {
     EXPECT_EQ(starts[1].at, 2.5);
 }
 
-TEST(EmitterStarts, onlyWhatIsWithinTheRoundGoesRound) {
+TEST(EmitterStarts, repeatOnlyTheStartsWithinTheLoop) {
     EffectsHut effects;
     const std::uint32_t self = effects.nextScript();
     const std::uint32_t loop =
@@ -110,7 +110,7 @@ TEST(EmitterStarts, endByTheirNames) {
     EXPECT_EQ(starts[0].stop, 2.0);
     EXPECT_EQ(starts[0].gone, kNeverEnds);
     EXPECT_EQ(starts[1].gone, 3.0);
-    EXPECT_EQ(starts[2].gone, kNeverEnds) << "nobody can speak of what has no name";
+    EXPECT_EQ(starts[2].gone, kNeverEnds) << "no hook can refer to an emitter without a name";
 }
 
 TEST(EmitterStarts, oneTakesThePlaceOfAnotherOfItsName) {
@@ -126,13 +126,13 @@ TEST(EmitterStarts, oneTakesThePlaceOfAnotherOfItsName) {
     EffectsHut more;
     const std::uint32_t blocked =
         more.addScript({{0.0, EffectsHut::create(0x32000001, 0, {}, 7)}, {2.0, blocking}});
-    ASSERT_EQ(run(more, blocked).size(), 1u) << "blocked by what is there";
+    ASSERT_EQ(run(more, blocked).size(), 1u) << "blocked by the emitter of that name";
     EXPECT_EQ(run(more, blocked)[0].gone, kNeverEnds);
 }
 
-TEST(EmitterStarts, scriptsThatCallWithoutEndAreSaidAndCut) {
+TEST(EmitterStarts, endlessCallsOfScriptsAreReportedAndCutOff) {
     EffectsHut effects;
-    // Each calls the next four times over: a million calls, were they followed.
+    // Each script calls the next one four times: a million calls without a limit.
     const std::uint32_t first = effects.nextScript();
     for (std::uint32_t i = 0; i < 10; ++i) {
         std::vector<dat::ScriptedHook> hooks(4, {1.0, EffectsHut::call(first + i + 1, 0.0f)});
@@ -145,7 +145,7 @@ TEST(EmitterStarts, scriptsThatCallWithoutEndAreSaidAndCut) {
     EXPECT_EQ(findings, "scripts call each other too often: it is not run\n");
 }
 
-TEST(EmitterStarts, aMissingScriptIsSaid) {
+TEST(EmitterStarts, aMissingScriptIsReported) {
     EffectsHut effects;
     std::string findings;
     EXPECT_TRUE(run(effects, 0x33000123, &findings).empty());

@@ -1,7 +1,8 @@
 #include "support/LoadTestWorld.h"
-#include "world/Models.h"
+#include "world/mesh/Models.h"
+#include "world/records/Pose.h"
 
-// Where corners lie once they are stored: cells of a zone reach into each other by what that costs.
+// The accuracy of stored corners. Touching cells of a zone overlap by their error.
 namespace limen::world {
 namespace {
 
@@ -19,7 +20,7 @@ const Mesh& shellOf(const World& world, const TestWorld& source, TestWorld::Cell
     return world.meshes[world.instances[world.spaces[findCell(world, source.id(cell))].shell].mesh];
 }
 
-/// Where a cell's record puts a corner: it holds floats relative to the cell's frame.
+/// The position of a corner by the cell's record, which stores floats relative to the cell's frame.
 Vec3 asRecorded(const dat::Frame& frame, const Vec3& corner) {
     const Pose pose = poseOf(frame);
     const Vec3f local(glm::conjugate(pose.orientation) * (corner - pose.origin));

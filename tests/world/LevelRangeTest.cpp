@@ -7,7 +7,7 @@
 namespace limen::world {
 namespace {
 
-/// An instance in the middle of a block far out on the map.
+/// An instance in the middle of a block far from the map's origin.
 struct LevelRangeTest : ::testing::Test {
     World world;
     Instance instance;

@@ -1,4 +1,4 @@
-#include "world/LoadCache.h"
+#include "world/load/LoadCache.h"
 
 #include "support/LoadTestWorld.h"
 #include "support/SameWorld.h"
@@ -13,7 +13,8 @@ using test::TestWorld;
 
 constexpr dat::BlockCoord kHome{0x20, 0x30};
 
-/// 7 x 7 blocks of hills with houses, things and a lamp; some records are missing or damaged, and some blocks are not there.
+/// 7 x 7 blocks of hills with houses, objects and lamps. Some records are missing or damaged, and one block
+/// does not exist.
 class Patchwork {
 public:
     Patchwork() {
@@ -31,7 +32,7 @@ public:
             for (int y = -3; y <= 3; ++y) {
                 const dat::BlockCoord block{kHome.x + x, kHome.y + y};
                 if (x == 2 && y == 1)
-                    continue; // not there
+                    continue; // this block does not exist
                 source_.setFlatTerrain(block, static_cast<std::uint8_t>(3 + (x + 3) % 2), 1);
                 source_.terrain(block).heights[static_cast<std::size_t>(40 + x + y)] = 9;
                 if ((x + y) % 2 == 0)
@@ -84,7 +85,7 @@ std::string difference(const World& a, const World& b) {
     return names.empty() ? names : names + "\n" + test::findingsOf(a) + "---\n" + test::findingsOf(b);
 }
 
-TEST(LoadCache, whatIsMissingIsFoundAgainInEveryLoad) {
+TEST(LoadCache, everyLoadReportsMissingRecords) {
     LoadCache cache;
     const World first = patchwork().load(kHome, {.radius = 1}, {&cache});
     const World again = patchwork().load(kHome, {.radius = 1}, {&cache});
@@ -100,7 +101,7 @@ TEST(LoadCache, buildsABlockOnce) {
     const auto kept = cache.blocks.find({kHome.x, kHome.y});
     ASSERT_NE(kept, nullptr);
     (void)patchwork().load({kHome.x + 1, kHome.y}, {.radius = 1}, {&cache});
-    EXPECT_EQ(cache.blocks.size(), 11u) << "two more: the third is not there";
+    EXPECT_EQ(cache.blocks.size(), 11u) << "two more: the third does not exist";
     EXPECT_EQ(cache.blocks.find({kHome.x, kHome.y}), kept);
 }
 
@@ -119,9 +120,10 @@ TEST(LoadCache, keepsNoMoreThanItMay) {
     LoadCache cache(std::size_t{1} << 20);
     for (int x = -3; x <= 3; ++x)
         (void)patchwork().load({kHome.x + x, kHome.y}, {.radius = 2}, {&cache});
-    EXPECT_LE(cache.blocks.bytes() + cache.models.bytes() + cache.parts.bytes() + cache.pictures.bytes(),
+    EXPECT_LE(cache.blocks.bytes() + cache.models.models.bytes() + cache.models.parts.bytes() +
+                  cache.pictures.bytes(),
               std::size_t{1} << 20);
-    EXPECT_EQ(cache.blocks.find({kHome.x - 3, kHome.y}), nullptr) << "needed longest ago";
+    EXPECT_EQ(cache.blocks.find({kHome.x - 3, kHome.y}), nullptr) << "the least recently used block";
     EXPECT_NE(cache.blocks.find({kHome.x + 3, kHome.y}), nullptr);
 }
 
@@ -139,7 +141,7 @@ RC_GTEST_PROP(LoadCache, aWalkOverBlocksIsTheSameWithAndWithoutIt, ()) {
         options.detail = *rc::gen::element(1.0, 0.5);
         const unsigned threads = *rc::gen::inRange(1u, 4u);
         if (at == dat::BlockCoord{kHome.x + 2, kHome.y + 1} && options.radius == 0 && options.farRadius == 0)
-            continue; // nothing is there
+            continue; // this block does not exist
         const World kept = patchwork().load(at, options, {&cache, threads});
         const World fresh = patchwork().load(at, options, {});
         RC_ASSERT(difference(kept, fresh) == "");
@@ -164,7 +166,7 @@ TEST(FarTier, hasTheGroundAlone) {
     std::size_t grounds = 0;
     for (const Instance& instance : world.instances) {
         if (world.blocks[instance.block].isFar) {
-            EXPECT_EQ(instance.kind, Kind::Terrain);
+            EXPECT_EQ(instance.kind, InstanceKind::Terrain);
             ++grounds;
         }
     }
@@ -195,7 +197,7 @@ TEST(FarTier, leavesOutDungeons) {
     TestWorld::CellOptions elsewhere;
     elsewhere.block = dat::BlockCoord{kHome.x + 2, kHome.y};
     source.addBox({0, 0, 0}, {4, 4, 3}, "grey", elsewhere);
-    (void)source.terrain(*elsewhere.block); // all heights 0: a dungeon, no sea
+    (void)source.terrain(*elsewhere.block); // all heights 0, with cells: a dungeon
     (void)source.terrain({kHome.x + 2, kHome.y + 1});
     const World world = test::loadTestWorld(source, {.radius = 0, .farRadius = 3});
     ASSERT_EQ(world.blocks.size(), 2u);

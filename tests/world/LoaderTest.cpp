@@ -8,7 +8,7 @@ namespace {
 using test::rectangle;
 using test::TestWorld;
 
-/// Two rooms in line, a door between them, a house around them with a front door and a rear window.
+/// Two rooms in a row with a door between them, in a house with a front door and a rear window.
 struct House {
     TestWorld source;
     TestWorld::Cell front = 0, rear = 0;
@@ -203,8 +203,8 @@ TEST(LoadWorld, reportsADamagedCellAndLoadsTheRest) {
     EXPECT_EQ(world->findings[0].record, source.id(lost));
 }
 
-// A box around nothing has no end: its corners are no places to look for neighbours at.
-TEST(LoadWorld, leavesOutACellNoneOfWhosePolygonsCanBeUsed) {
+// The bounds of a cell without polygons are infinite. The search for neighbours must not use their corners.
+TEST(LoadWorld, leavesOutACellWithoutAUsablePolygon) {
     House house;
     const test::TempDir directory;
     ASSERT_TRUE(house.source.write(directory.path()));

@@ -1,4 +1,4 @@
-#include "world/Models.h"
+#include "world/mesh/Models.h"
 
 #include "support/LoadTestWorld.h"
 
@@ -45,23 +45,24 @@ Ids idsOf(const std::vector<ModelPart>& parts) {
 }
 
 std::vector<LevelRange> levelRangesOf(const std::vector<ModelPart>& parts) {
-    std::vector<LevelRange> reaches;
+    std::vector<LevelRange> ranges;
     for (const ModelPart& part : parts)
-        reaches.push_back(part.reach);
-    return reaches;
+        ranges.push_back(part.levelRange);
+    return ranges;
 }
 
 TEST(Models, takeEachLevelOfDetailUpToItsGreatestDistance) {
     Levels levels({{kSecond, kMesh, 0, 10, 20}, {kThird, kMesh, 20, 30, 40.03f}, {0, kMesh, 40, 50, 60}});
     const Model model = levels.model(levels.setup);
-    EXPECT_EQ(idsOf(model.parts), (Ids{kSecond, kSecond})) << "the first part from nearby, and the second";
+    EXPECT_EQ(idsOf(model.parts), (Ids{kSecond, kSecond}))
+        << "the nearest level of the first part, and the second part";
     EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 20 * 16}, {}}));
     EXPECT_EQ(idsOf(model.farther), Ids{kThird});
     EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{20 * 16, 40 * 16}}))
         << "to the nearest sixteenth";
 }
 
-TEST(Models, boundWhatIsSeenFromFarAwayToo) {
+TEST(Models, boundsContainFartherLevelsOfDetail) {
     Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kMesh, 0, 0, 9}});
     EXPECT_NEAR(levels.model(levels.first).bounds.radius, 3 * std::sqrt(3.0) / 2, 0.1);
 }

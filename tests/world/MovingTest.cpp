@@ -98,7 +98,7 @@ TEST(Moving, doorsFindTheirOpeningsAndTheirFillingsFaceBothWays) {
     EXPECT_EQ(mesh.ranges[0].indexCount, 12u) << "two triangles, both sides";
     for (std::uint32_t i = 0; i < mesh.vertexCount; ++i)
         EXPECT_EQ(world.vertices[mesh.firstVertex + i].position.x, 10.0f);
-    EXPECT_EQ(world.doors[2].filling, kNone) << "glass shuts nothing";
+    EXPECT_EQ(world.doors[2].filling, kNone) << "a pane has no filling";
 }
 
 TEST(Moving, idsOfMovingPartsCollideWithNoneOfTheStaticOnes) {
@@ -127,7 +127,7 @@ TEST(Moving, staticsThatADoorCutsOffAreLooseAndInNoStaticList) {
     EXPECT_TRUE(hut.load().looseObjects.empty());
 }
 
-TEST(Moving, whatRefersToNothingIsSaidOrLeftOut) {
+TEST(Moving, entriesThatReferToNothingAreReportedOrLeftOut) {
     test::MovingHut hut;
     hut.moving.doors[0].portal = 77;
     hut.moving.doors[1].cell = 0x01020100; // not loaded: left out
@@ -135,7 +135,7 @@ TEST(Moving, whatRefersToNothingIsSaidOrLeftOut) {
     const World world = hut.load();
     EXPECT_EQ(world.doors.size(), 1u);
     EXPECT_TRUE(world.villagers.empty());
-    EXPECT_EQ(world.emitters.size(), 1u) << "the villager's lantern goes with him";
+    EXPECT_EQ(world.emitters.size(), 1u) << "the villager's lantern is left out with him";
     EXPECT_THAT(test::findingsOf(world), HasSubstr("door \"front\" names a portal"));
     EXPECT_THAT(test::findingsOf(world), HasSubstr("villager \"anna\" walks a route"));
 }

@@ -1,5 +1,5 @@
 #include "support/LoadTestWorld.h"
-#include "world/PolygonSource.h"
+#include "world/records/PolygonSource.h"
 
 namespace limen::world {
 namespace {
@@ -52,7 +52,7 @@ TEST(ReadPolygons, followsTheSidesRule) {
     EXPECT_TRUE(findings.empty());
 }
 
-TEST(ReadPolygons, leavesOutWhatIsNotDrawn) {
+TEST(ReadPolygons, leavesOutPolygonsThatAreNotDrawn) {
     std::vector<Finding> findings;
     dat::Polygon helper = quad();
     helper.stippling = dat::kNoPositiveUv;
@@ -137,7 +137,7 @@ TEST(Meshes, areSharedByContentAndPlacedBySetups) {
     const World world = test::loadTestWorld(source);
     std::vector<const Instance*> parts;
     for (const Instance& instance : world.instances)
-        if (instance.kind == Kind::Static)
+        if (instance.kind == InstanceKind::Static)
             parts.push_back(&instance);
     ASSERT_EQ(parts.size(), 3u);
     EXPECT_EQ(parts[0]->mesh, parts[1]->mesh);
@@ -145,8 +145,8 @@ TEST(Meshes, areSharedByContentAndPlacedBySetups) {
     EXPECT_EQ(parts[0]->object, parts[1]->object);
     EXPECT_NE(parts[0]->object, parts[2]->object);
     EXPECT_EQ(parts[0]->firstMaterial, parts[2]->firstMaterial);
-    EXPECT_NEAR(glm::length(parts[1]->origin - Vec3f(47, 60, 3)), 0.0f, 1e-4f) << "turned with the object";
-    // The part's x is scaled by 2, turned by 90 with itself and by 90 with the object.
+    EXPECT_NEAR(glm::length(parts[1]->origin - Vec3f(47, 60, 3)), 0.0f, 1e-4f) << "rotated with the object";
+    // The part's x axis is scaled by 2 and rotated by 90 degrees twice: with the part and with the object.
     EXPECT_NEAR(glm::length(parts[1]->linear[0] - Vec3f(-2, 0, 0)), 0.0f, 1e-4f);
     EXPECT_NEAR(glm::length(parts[1]->linear[2] - Vec3f(0, 0, 0.5f)), 0.0f, 1e-4f);
 }
@@ -159,12 +159,12 @@ TEST(Meshes, shellsKnowTheWallBeyondEachEdge) {
     const World world = test::loadTestWorld(source);
     const Space& space = world.spaces[findCell(world, source.id(room))];
     const Instance& shell = world.instances[world.spaceInstances[space.firstInstance]];
-    ASSERT_EQ(shell.kind, Kind::Shell);
+    ASSERT_EQ(shell.kind, InstanceKind::Shell);
     const Mesh& mesh = world.meshes[shell.mesh];
     std::size_t corners = 0, none = 0;
     for (std::uint32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertexCount; ++v) {
         if (world.vertices[v].facet.x < 0.5f)
-            continue; // the opening divides the others
+            continue; // the opening divides the other walls
         const float length = glm::length(world.vertices[v].neighbour);
         const float cosine = glm::dot(world.vertices[v].neighbour, world.vertices[v].facet);
         corners += std::abs(cosine) < 1e-6f * length && std::abs(length - 1e5f) < 1.0f ? 1 : 0;
@@ -180,10 +180,11 @@ TEST(Meshes, aShellThatIsAZoneOfItsOwnNeedsNoNeighbours) {
     const World world = test::loadTestWorld(source);
     ASSERT_FALSE(world.vertices.empty());
     for (const MeshVertex& v : world.vertices)
-        ASSERT_EQ(v.neighbour, Vec3f(0.0f)) << "nothing of the zone lies behind its walls";
+        ASSERT_EQ(v.neighbour, Vec3f(0.0f)) << "no other cell of the zone is behind its walls";
 }
 
-/// Metres from walls within which another cell's surfaces may lie, of a room with a corner moved upwards.
+/// The distance from walls, in metres, within which surfaces of another cell may be, for a room with a corner
+/// moved upwards.
 double reachOfWalls(double uneven) {
     test::TestWorld source;
     test::Walls walls = test::boxWalls({0, 0, 0}, {4, 3, 2});
@@ -211,7 +212,7 @@ TEST(Meshes, shellsKnowHowFarTheirWallsAreFromFlat) {
     const double some = reachOfWalls(0.00003);
     EXPECT_GT(some, 4e-5);
     EXPECT_LT(some, 8e-5);
-    EXPECT_NEAR(reachOfWalls(0.01), 1e-4, 1e-9) << "no more than that";
+    EXPECT_NEAR(reachOfWalls(0.01), 1e-4, 1e-9) << "the upper bound";
 }
 
 } // namespace

@@ -30,7 +30,7 @@ TEST_F(Single, aModelIsAWorldOfItsOwn) {
     EXPECT_FALSE(loadModel(archive, 0x08000001)) << "no model";
 }
 
-TEST_F(Single, picturesAreFoundFromWhateverNamesThem) {
+TEST_F(Single, picturesAreFoundBySurfaceTextureAndPicture) {
     const auto surface = source.picture("red", test::solidImage(4, 2, 0xFFFF0000), dat::Surface::kBase1Image);
     const auto plain = source.solid("plain", 0xFF00FF00, 0, 0.0f);
     const dat::Archive archive = open();

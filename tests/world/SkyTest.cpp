@@ -36,7 +36,7 @@ TEST(SkyAt, interpolatesBetweenKeyframesInTheirOrder) {
     EXPECT_FLOAT_EQ(skyAt(sky, 0, 0.5).sunColour.y, 0.0f);
 }
 
-TEST(SkyAt, goesRoundMidnight) {
+TEST(SkyAt, interpolatesAcrossMidnight) {
     const Sky sky = twoKeys();
     EXPECT_NEAR(skyAt(sky, 0, 0.0).sunColour.x, 2.0f, 1e-6f);
     EXPECT_NEAR(skyAt(sky, 0, 0.1).sunColour.x, 3.0f - 2.0f * 0.35f / 0.5f, 1e-5f);
@@ -72,7 +72,7 @@ TEST(SkyPlacements, showObjectsInTheirHoursAndMoveThemAlongTheirArc) {
     skyPlacements(sky, 0, 0.5, 3.0, out);
     ASSERT_EQ(out.size(), 1u);
     const Vec3f up = out[0].rotation * Vec3f(1, 0, 0);
-    EXPECT_NEAR(up.z, 1.0f, 1e-5f) << "rises in the east (+x), stands overhead half way";
+    EXPECT_NEAR(up.z, 1.0f, 1e-5f) << "rises in the east (+x) and is overhead half-way";
     EXPECT_NEAR(out[0].uvOffset.x, 0.5f, 1e-5f);
     skyPlacements(sky, 0, 0.25, 0.0, out);
     EXPECT_NEAR((out[0].rotation * Vec3f(1, 0, 0)).x, 1.0f, 1e-5f);
@@ -111,12 +111,12 @@ TEST(SkyPlacements, fadeBetweenReplaces) {
     EXPECT_NEAR((out[0].rotation * Vec3f(0, 1, 0)).y, 1.0f, 1e-5f) << "half way from 350 to 10 degrees";
 }
 
-TEST(SkyPlacements, showWhatKeyframesPutInTheObjectsPlaceWhileTheyRule) {
+TEST(SkyPlacements, showTheModelsThatKeyframesReplaceAnObjectWith) {
     Sky sky = twoKeys();
     dat::SkyObjectReplace other, own;
     other.gfxObj = 0x01000007;
-    sky.desc.dayGroups[0].times[0].replaces = {other}; // from three quarters on
-    sky.desc.dayGroups[0].times[1].replaces = {own};   // from a quarter on
+    sky.desc.dayGroups[0].times[0].replaces = {other}; // starts at 0.75
+    sky.desc.dayGroups[0].times[1].replaces = {own};   // starts at 0.25
     SkyPart itself, inPlace, never;
     inPlace.replacement = 0x01000007;
     never.replacement = 0x01000008;
@@ -130,7 +130,7 @@ TEST(SkyPlacements, showWhatKeyframesPutInTheObjectsPlaceWhileTheyRule) {
     sky.desc.dayGroups[0].times[0].replaces.clear();
     skyPlacements(sky, 0, 0.9, 0.0, out);
     ASSERT_EQ(out.size(), 1u);
-    EXPECT_EQ(out[0].part, 0u) << "one that keyframes do not mention is as it is";
+    EXPECT_EQ(out[0].part, 0u) << "an object that no keyframe mentions is unchanged";
 }
 
 TEST(SkyPlacements, takeLuminosityFromReplacesAsShareOrPercentage) {
@@ -138,8 +138,8 @@ TEST(SkyPlacements, takeLuminosityFromReplacesAsShareOrPercentage) {
     dat::SkyObjectReplace from, to;
     from.luminosity = 20.0f; // percent
     to.luminosity = 60.0f;
-    sky.desc.dayGroups[0].times[1].replaces = {from}; // begins at 0.25
-    sky.desc.dayGroups[0].times[0].replaces = {to};   // at 0.75
+    sky.desc.dayGroups[0].times[1].replaces = {from}; // starts at 0.25
+    sky.desc.dayGroups[0].times[0].replaces = {to};   // starts at 0.75
     sky.parts = {SkyPart{}};
     std::vector<SkyPlacement> out;
     skyPlacements(sky, 0, 0.5, 0.0, out);

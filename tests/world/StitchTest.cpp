@@ -1,4 +1,4 @@
-#include "world/Stitch.h"
+#include "world/mesh/Stitch.h"
 
 #include "geometry/Segment.h"
 
@@ -35,7 +35,7 @@ TEST(Stitcher, insertsVerticesInTheOrderOfTheEdgeEitherWay) {
     EXPECT_EQ(verticesOf(down[0]), (Vertices{3, 2, 1, 4, 5, 0}));
 }
 
-TEST(Stitcher, interpolatesWhatCornersCarry) {
+TEST(Stitcher, interpolatesTheAttributesOfCorners) {
     const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 0, 0}};
     Stitcher stitcher(vertices);
     const auto loops = stitcher.stitch(loopOf({0, 1, 2}));
@@ -45,7 +45,7 @@ TEST(Stitcher, interpolatesWhatCornersCarry) {
 }
 
 TEST(Stitcher, dissolvesASliverSoThatItsNeighboursMeet) {
-    // The triangle 0 1 2 is thinner than the tolerance: what is on its long side gets its third corner
+    // The triangle 0 1 2 is thinner than the tolerance. Polygons on its long side get its third corner
     // instead.
     const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {2, 0.0001, 0}, {0, 4, 0}, {0, -4, 0}};
     Stitcher stitcher(vertices);
@@ -66,7 +66,7 @@ TEST(Stitcher, dropsRepeatedCornersAndPolygonsWithoutThreeCorners) {
     EXPECT_TRUE(stitcher.stitch({}).empty());
 }
 
-TEST(PointTree, findsWhatABruteForceSearchFinds) {
+TEST(PointTree, agreesWithABruteForceSearch) {
     std::vector<Vec3> points;
     for (int i = 0; i < 500; ++i)
         points.emplace_back(std::fmod(0.731 * i, 10.0), std::fmod(1.27 * i, 10.0),

@@ -1,8 +1,8 @@
-#include "world/Terrain.h"
+#include "world/terrain/Terrain.h"
 
 #include "support/LoadTestWorld.h"
 #include "world/LandRandom.h"
-#include "world/Scenery.h"
+#include "world/terrain/Scenery.h"
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@ using test::TestWorld;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The vectors are those of docs/formats/landscape.md#random-numbers.
+// The vectors are from docs/formats/landscape.md, "Random numbers".
 TEST(LandHash, agreesWithTheTestVectors) {
     struct Vector {
         std::uint32_t x, y, split, scene, frequency, displace, quadrant;
@@ -124,7 +124,8 @@ TEST(BlendRecipe, laysTypesOverTheCommonestEarlyOne) {
     EXPECT_THAT(overlaysOf({1, 1, 2, 2}), ElementsAre(P{2, 12})) << "a side";
     EXPECT_THAT(overlaysOf({2, 1, 1, 2}), ElementsAre(P{1, 6})) << "the first pair is SW and NW";
     EXPECT_THAT(overlaysOf({2, 1, 1, 3}), ElementsAre(P{2, 1}, P{3, 8}));
-    EXPECT_THAT(overlaysOf({1, 2, 1, 2}), ElementsAre(P{2, 2}, P{2, 8})) << "opposite corners stay two";
+    EXPECT_THAT(overlaysOf({1, 2, 1, 2}), ElementsAre(P{2, 2}, P{2, 8}))
+        << "opposite corners stay two overlays";
     EXPECT_THAT(overlaysOf({2, 1, 1, 1}), ElementsAre(P{2, 1}));
     EXPECT_EQ(blendRecipe(cornersOf({2, 1, 1, 3})).base, 1u);
     EXPECT_EQ(blendRecipe(cornersOf({1, 2, 3, 4})).base, 1u);
@@ -133,7 +134,8 @@ TEST(BlendRecipe, laysTypesOverTheCommonestEarlyOne) {
 TEST(BlendRecipe, wrapsNoSideFromNorthWestToSouthWest) {
     using P = std::pair<std::uint32_t, std::uint32_t>;
     EXPECT_THAT(overlaysOf({4, 7, 7, 4}), ElementsAre(P{7, 6}));
-    // Base is the pair 7,7 in SE and NE only if SW and NW differ from each other; equal ones are the base themselves.
+    // Base is the pair 7,7 in SE and NE only if SW and NW differ from each other; equal ones are the base
+    // themselves.
     EXPECT_EQ(blendRecipe(cornersOf({4, 7, 7, 4})).base, 4u);
 }
 
@@ -165,10 +167,11 @@ TEST(AlphaMaps, areTurnedIntoPlace) {
     EXPECT_EQ(chooseTerrainMap(corner, 4, 0)->rotation, 3u);
     EXPECT_EQ(chooseTerrainMap(side, 3, 0)->rotation, 1u);
     EXPECT_EQ(chooseTerrainMap(side, 12, 0)->rotation, 3u);
-    EXPECT_FALSE(chooseTerrainMap(side, 8, 0)) << "no turn makes a side a corner: the overlay is dropped";
+    EXPECT_FALSE(chooseTerrainMap(side, 8, 0))
+        << "no rotation turns a side into a corner: the overlay is dropped";
     EXPECT_FALSE(chooseTerrainMap({}, 8, 0));
     for (std::uint32_t palette = 0; palette < 50; ++palette) {
-        ASSERT_TRUE(chooseRoadMap(roads, 5, palette)) << "roads look on until one fits";
+        ASSERT_TRUE(chooseRoadMap(roads, 5, palette)) << "for roads, the search continues until a map fits";
         EXPECT_EQ(chooseRoadMap(roads, 5, palette)->map, 2u);
     }
     EXPECT_EQ(chooseRoadMap(roads, 5, 0)->rotation, 1u);
@@ -238,7 +241,7 @@ struct Grove {
     static std::vector<const Instance*> trees(const World& world) {
         std::vector<const Instance*> out;
         for (const Instance& instance : world.instances)
-            if (instance.kind == Kind::Scenery)
+            if (instance.kind == InstanceKind::Scenery)
                 out.push_back(&instance);
         return out;
     }

@@ -1,6 +1,6 @@
-#include "world/Textures.h"
+#include "world/texture/Textures.h"
 
-#include "world/Records.h"
+#include "world/records/Records.h"
 
 #include "support/LoadTestWorld.h"
 
@@ -144,7 +144,7 @@ TEST(DecodeImage, cutsOutBlackOfDxtClipMapsAndHandlesOddSizes) {
     EXPECT_EQ(image->rgba, Bytes(24, 0));
 }
 
-TEST(DecodeImage, refusesWhatDoesNotFit) {
+TEST(DecodeImage, refusesSizesThatDoNotFit) {
     const auto errorOf = [](const dat::RenderSurface& surface) {
         const Result<Image> image = decodeImage(surface, nullptr, {});
         return image ? ErrorCode::NotFound : image.error().code;
@@ -201,9 +201,11 @@ TEST(Materials, followTheSurfacesBits) {
     EXPECT_EQ(shell.ranges[1].indexCount, 6u);
     EXPECT_EQ(shell.ranges[2].indexCount, 18u);
     EXPECT_EQ(shell.splitIndexCount, 6u);
-    EXPECT_EQ(shell.ranges[2].firstIndex, shell.ranges[1].firstIndex + 6) << "they follow the cut-outs";
+    EXPECT_EQ(shell.ranges[2].firstIndex, shell.ranges[1].firstIndex + 6)
+        << "split triangles follow the cut-outs";
     const MeshVertex& first = world.vertices[shell.firstVertex + world.indices[shell.ranges[2].firstIndex]];
-    EXPECT_EQ(first.surface, 3u) << "and come first of the blended, though not in the record";
+    EXPECT_EQ(first.surface, 3u)
+        << "split triangles come first among the blended ones, although not in the record";
 }
 
 TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {
@@ -219,7 +221,7 @@ TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {
         EXPECT_FALSE(isSplit(surface));
     }
     surface.type = S::kBase1Image;
-    EXPECT_FALSE(isSplit(surface)) << "opaque, whatever its picture's alpha";
+    EXPECT_FALSE(isSplit(surface)) << "opaque at every alpha of its picture";
     surface.type = S::kBase1Solid | S::kAlpha;
     EXPECT_FALSE(isSplit(surface)) << "no picture";
 }
@@ -227,7 +229,7 @@ TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {
 TEST(Materials, fallBackToGreyAndSaySo) {
     test::TestWorld source;
     dat::RenderSurface jpeg = test::solidImage(4, 4, 0);
-    jpeg.format = PixelFormat::RawJpeg; // its bytes are none
+    jpeg.format = PixelFormat::RawJpeg; // its bytes are not a JPEG file
     const auto surface = source.picture("jpeg", jpeg, dat::Surface::kBase1Image);
     source.addBox({0, 0, 0}, {4, 4, 3}, "jpeg");
     const World world = test::loadTestWorld(source);

@@ -1,4 +1,4 @@
-#include "world/Triangulate.h"
+#include "world/mesh/Triangulate.h"
 
 #include "geometry/ConvexPolygon.h"
 
@@ -14,7 +14,8 @@ double areaOf(const std::vector<Vec3>& polygon, const TriangleCorners& t) {
     return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-/// Checks area, degeneracy and that the polygon's edges are what remains of the triangles' edges.
+/// Checks the area, that no triangle is degenerate, and that the triangles' outer edges are the polygon's
+/// edges.
 void expectCovers(const std::vector<Vec3>& polygon) {
     std::vector<TriangleCorners> triangles;
     triangulate(polygon, triangles);

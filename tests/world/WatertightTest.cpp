@@ -2,7 +2,7 @@
 
 #include <random>
 
-// What makes pictures watertight: shells and portals of a block meet in the very same bits.
+// Watertightness: shells and portals of a block share corners bit for bit.
 namespace limen::world {
 namespace {
 
@@ -14,7 +14,7 @@ Bits bitsOf(const Vec3f& p, const Vec3f& rest) {
     return {p.x, p.y, p.z, rest.x, rest.y, rest.z};
 }
 
-/// How many more times each edge runs one way than the other, bit for bit.
+/// For each edge, compared bit for bit: the number of times it runs one way minus the other way.
 using Balance = std::map<std::pair<Bits, Bits>, int>;
 
 void addEdge(Balance& balance, const Bits& a, const Bits& b) {
@@ -42,7 +42,7 @@ int unbalanced(const Balance& balance) {
         std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// Counts edges of a cell's triangles and portals that do not run as often one way as the other.
+/// The number of edges of a cell's triangles and portals that do not run as often one way as the other.
 int openEdges(const World& world, SpaceIndex index) {
     Balance balance;
     const auto ofPortal = [](const Vec3& local) {
@@ -61,7 +61,7 @@ int openEdges(const World& world, SpaceIndex index) {
     return unbalanced(balance);
 }
 
-/// Triangles without area.
+/// The number of triangles without area.
 int degenerateTriangles(const World& world) {
     int degenerate = 0;
     for (const Mesh& mesh : world.meshes) {
@@ -127,7 +127,7 @@ TEST(Watertight, aCornerOfTheNextRoomIsStitchedIntoTheWall) {
 }
 
 TEST(Watertight, polygonsOfAModelMeetEdgeByEdge) {
-    // The walls of the box come in pieces that meet at T-junctions, and a pane fills the opening.
+    // The walls of the box consist of pieces that meet at T-junctions, and a pane fills the opening.
     test::Walls walls = test::boxExterior({-1.1, -0.7, 0}, {1.3, 0.9, 2.3});
     std::vector<Vec3> pane = test::regularPolygon({-1.1, 0.1, 1.2}, {-1, 0, 0}, 0.6, 7);
     const Vec3 outwards = test::cutOpening(walls, pane);
@@ -146,8 +146,8 @@ TEST(Watertight, polygonsOfAModelMeetEdgeByEdge) {
     EXPECT_EQ(unbalanced(balance), 0);
 }
 
-/// Four rooms in a row, turned and placed anywhere, their corners some hundredths of a millimetre apart, with
-/// openings of any kind. Everything follows from the seed.
+/// Four rooms in a row in a random pose, their corners some hundredths of a millimetre apart, with
+/// openings of every kind. The result depends on the seed alone.
 TestWorld misalignedComplex(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto roll = [&](double low, double high) {

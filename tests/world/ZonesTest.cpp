@@ -29,14 +29,14 @@ TEST(Zones, overlappingCellsStartZonesOfTheirOwn) {
 
 TEST(Zones, anExactPortalIntoAnOverlappingCellDoesNotMerge) {
     TestWorld source;
-    // Up from a into a loft, and down again into a closet that stands in the middle of a.
+    // From a up into a loft, and down again into a closet in the middle of a.
     const auto a = source.addBox({0, 0, 0}, {6, 6, 3}), loft = source.addBox({0, 0, 3}, {6, 6, 6}),
                closet = source.addBox({2, 2, 0}, {4, 4, 3});
     source.link(a, rectangle({0, 0, 3}, {1, 1, 3}), loft);
     source.link(loft, rectangle({2.5, 2.5, 3}, {3.5, 3.5, 3}), closet);
     const World world = test::loadTestWorld(source);
     EXPECT_TRUE(world.portals[world.spaces[3].firstPortal].exact);
-    EXPECT_EQ(world.spaces[1].zone, world.spaces[2].zone) << "touching along a wall is not overlapping";
+    EXPECT_EQ(world.spaces[1].zone, world.spaces[2].zone) << "cells that touch along a wall do not overlap";
     EXPECT_NE(world.spaces[3].zone, world.spaces[1].zone);
 }
 
@@ -54,7 +54,7 @@ TEST(Zones, pillarsAndTwoSidedPartitionsDoNotOpenACell) {
     TestWorld source;
     const auto a = source.addBox({0, 0, 0}, {4, 4, 3}), b = source.addBox({4, 0, 0}, {8, 4, 3});
     source.link(a, rectangle({4, 1, 0}, {4, 2, 2}), b);
-    for (int i = 0; i < 4; ++i) { // a pillar without top and bottom, from floor to ceiling
+    for (int i = 0; i < 4; ++i) { // a pillar from floor to ceiling, without top and bottom
         const test::Walls pillar = test::boxExterior({1.5, 1.5, 0}, {2, 2, 3});
         source.walls(a).push_back(pillar[static_cast<std::size_t>(test::kSouth + i)]);
     }

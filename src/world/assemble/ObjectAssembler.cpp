@@ -1,0 +1,71 @@
+#include "world/assemble/ObjectAssembler.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+double largestScale(const Mat3& m) {
+    return std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+}
+
+/// A model-space sphere in global space. An empty one stays empty.
+Sphere placedSphere(const Sphere& sphere, const Mat3& linear, const Vec3& origin) {
+    if (sphere.radius < 0.0)
+        return sphere;
+    return {origin + linear * sphere.centre, sphere.radius * largestScale(linear)};
+}
+
+} // namespace
+
+void ObjectAssembler::add(const JoiningBlock& block) {
+    for (const PlacedModel& object : block.content.objects)
+        addObject(object, block);
+}
+
+void ObjectAssembler::addObject(const PlacedModel& object, const JoiningBlock& block) {
+    const Model& model = models_.model(object.model);
+    const Mat3 linear = glm::mat3_cast(object.orientation) * object.scale;
+    const Vec3 origin = block.origin + object.origin;
+    const std::uint32_t idle = idle_.add(object, block);
+    if (idle == kNone)
+        addStatic(object, model, placedSphere(model.bounds, linear, origin), block);
+    particles_.addToObject(object, idle, block);
+    for (const ModelLight& light : model.lights)
+        lamps_.push_back(
+            {{origin + linear * light.position, light.colour, light.range}, block.spaceOf(object.cell)});
+}
+
+void ObjectAssembler::addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,
+                                const JoiningBlock& block) {
+    ObjectGroup group{static_cast<InstanceIndex>(world_.instances.size()), 0, bounds};
+    for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther})
+        for (const ModelPart& part : *parts)
+            addPart(object, part, block);
+    group.instanceCount = static_cast<InstanceIndex>(world_.instances.size()) - group.firstInstance;
+    if (group.instanceCount > 0)
+        groups_.push_back(group);
+}
+
+void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, const JoiningBlock& block) {
+    const PartMesh* mesh = models_.part(part.gfxObj);
+    if (mesh == nullptr || mesh->mesh.empty())
+        return;
+    const Mat3 linear = glm::mat3_cast(object.orientation) * object.scale * part.linear;
+    const Vec3 origin = object.origin + object.orientation * part.origin * object.scale;
+    Instance instance;
+    instance.kind = object.kind;
+    instance.mesh = arena_.shared(*mesh);
+    instance.block = block.index;
+    instance.linear = glm::mat3(linear);
+    instance.origin = Vec3f(origin);
+    instance.bounds = placedSphere(world_.meshes[instance.mesh].bounds, linear, block.origin + origin);
+    instance.placedIn = block.spaceOf(object.cell);
+    instance.object = object.object;
+    instance.record = part.gfxObj;
+    instance.firstMaterial = materials_.ofPart(*mesh);
+    instance.reach = part.levelRange;
+    world_.instances.push_back(instance);
+}
+
+} // namespace limen::world

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "world/assemble/IdleAssembler.h"
+#include "world/assemble/Lights.h"
+#include "world/assemble/Members.h"
+#include "world/assemble/ParticleAssembler.h"
+
+namespace limen::world {
+
+/// Adds the statics and scenery of blocks to a World, with their lamps and particle sources.
+class ObjectAssembler {
+public:
+    ObjectAssembler(IdleAssembler& idle, ParticleAssembler& particles, Models& models,
+                    MaterialRuns& materials, MeshArena& arena, World& world)
+        : idle_(idle), particles_(particles), models_(models), materials_(materials), arena_(arena),
+          world_(world) {}
+
+    void add(const JoiningBlock& block);
+
+    /// The objects whose members are not found yet.
+    [[nodiscard]] std::span<const ObjectGroup> groups() const { return groups_; }
+    [[nodiscard]] std::span<const PlacedLamp> lamps() const { return lamps_; }
+
+private:
+    void addObject(const PlacedModel& object, const JoiningBlock& block);
+    /// `bounds`: global.
+    void addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,
+                   const JoiningBlock& block);
+    void addPart(const PlacedModel& object, const ModelPart& part, const JoiningBlock& block);
+
+    IdleAssembler& idle_;
+    ParticleAssembler& particles_;
+    Models& models_;
+    MaterialRuns& materials_;
+    MeshArena& arena_;
+    World& world_;
+    std::vector<ObjectGroup> groups_;
+    std::vector<PlacedLamp> lamps_;
+};
+
+} // namespace limen::world

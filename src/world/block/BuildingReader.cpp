@@ -1,0 +1,67 @@
+#include "world/block/BuildingReader.h"
+
+#include "world/mesh/PolygonMesher.h"
+#include "world/records/PolygonSource.h"
+#include "world/records/Pose.h"
+
+namespace limen::world {
+namespace {
+
+std::vector<Vec3> placed(const SourcePolygon& polygon, const Placement& placement) {
+    std::vector<Vec3> points;
+    for (const SourcePolygon::Corner& corner : polygon.corners)
+        points.push_back(placement.origin + placement.linear * corner.position);
+    return points;
+}
+
+void draftPart(const dat::GfxObj& model, const Placement& placement, std::size_t portalCount,
+               BakedGeometry& geometry, BuildingDraft& draft, std::vector<Finding>& findings) {
+    const std::vector<PortalPolygonRef> refs = portalRefs(model, portalCount);
+    std::set<std::uint16_t> portals;
+    for (const PortalPolygonRef& ref : refs)
+        portals.insert(ref.polygonId);
+    BuildingDraft::Part part;
+    part.gfxObj = model.id;
+    part.surfaces = model.surfaces;
+    for (SourcePolygon& polygon : readPolygons(model.vertexArray, model.polygons, model.surfaces.size(),
+                                               portals, model.id, findings)) {
+        for (const PortalPolygonRef& ref : refs)
+            if (ref.polygonId == polygon.id)
+                draft.portalPolygons[ref.portalIndex] = placed(polygon, placement);
+        if (!polygon.isDrawn())
+            continue;
+        const std::uint32_t handle = geometry.add(std::move(polygon), placement);
+        if (handle != kNone)
+            part.polygons.push_back(handle);
+    }
+    draft.parts.push_back(std::move(part));
+}
+
+} // namespace
+
+BuildingDraft draftBuilding(const dat::Building& building, std::uint64_t object, Records& records,
+                            Models& models, BakedGeometry& geometry, std::vector<Finding>& findings) {
+    BuildingDraft draft;
+    draft.object = object;
+    draft.portalPolygons.resize(building.portals.size());
+    const Pose pose = poseOf(building.frame);
+    const Mat3 rotation = glm::mat3_cast(pose.orientation);
+    for (const ModelPart& part : models.model(building.model).parts) {
+        if (const dat::GfxObj* model = records.gfxObj(part.gfxObj))
+            draftPart(*model, {rotation * part.linear, pose.apply(part.origin)}, building.portals.size(),
+                      geometry, draft, findings);
+    }
+    return draft;
+}
+
+void finishBuilding(const BuildingDraft& draft, const BakedGeometry& geometry, Records& records,
+                    BlockContent& block) {
+    for (const BuildingDraft::Part& part : draft.parts) {
+        PolygonMesher mesher(listsOf(part.surfaces, records));
+        for (const std::uint32_t handle : part.polygons)
+            mesher.add(geometry, handle);
+        block.exteriors.push_back({part.gfxObj, draft.object, mesher.finish(), part.surfaces});
+    }
+}
+
+} // namespace limen::world

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "world/block/CellClosure.h"
+#include "world/block/CellReader.h"
+
+namespace limen::world {
+
+/// The portals of a cell with their polygons oriented, not yet linked. They are added to `closure`. The inner
+/// side follows from the edges that the shell leaves open; if these are ambiguous, from the side that all
+/// other vertices are on; else from the record's flags. A record that contradicts is a finding. A polygon
+/// that is missing, without area, not flat or not convex gets no points.
+[[nodiscard]] std::vector<PortalContent> cellPortals(const CellDraft& draft, std::uint32_t cell,
+                                                     const BakedGeometry& geometry, CellClosure& closure,
+                                                     std::span<const Vec3> shellPoints,
+                                                     std::vector<Finding>& findings);
+
+} // namespace limen::world

@@ -1,0 +1,188 @@
+#include "world/mesh/Models.h"
+
+#include "core/Assert.h"
+#include "world/mesh/ModelCache.h"
+#include "world/mesh/PolygonMesher.h"
+#include "world/records/PolygonSource.h"
+#include "world/records/Pose.h"
+
+#include <algorithm>
+
+namespace limen::world {
+namespace {
+
+/// The value of `id`: from `map`, else from `cache` unless that is null, else from `make`. The findings of
+/// its making are reported in every case, so that they do not depend on cache hits.
+template <class Map, class Cache, class Key, class Make>
+const auto& made(Map& map, dat::RecordId id, Cache* cache, const Key& key, Records& records, Make&& make) {
+    auto& entry = map[id];
+    if (entry == nullptr && cache != nullptr)
+        entry = cache->find(key);
+    if (entry == nullptr) {
+        auto fresh = records.collect(make);
+        const std::size_t bytes = bytesOf(fresh.value);
+        auto shared = std::make_shared<const decltype(fresh)>(std::move(fresh));
+        map[id] = cache != nullptr ? cache->keep(key, std::move(shared), bytes) : std::move(shared);
+    }
+    const auto& found = *map[id]; // looked up again: `make` may have added other entries
+    records.report(found.findings);
+    return found.value;
+}
+
+Vec3 scaleOf(const dat::Setup& setup, std::size_t part) {
+    const Vec3 scale = part < setup.scales.size() ? Vec3(setup.scales[part]) : Vec3(1.0);
+    return isFinite(scale) ? scale : Vec3(1.0);
+}
+
+std::vector<ModelLight> lightsOf(const dat::Setup& setup) {
+    std::vector<ModelLight> lights;
+    for (const auto& [index, info] : setup.lights) {
+        if (!std::isfinite(info.intensity) || !(info.falloff > 0.0f) || !std::isfinite(info.falloff))
+            continue;
+        const std::uint32_t argb = info.colour.argb;
+        const Vec3f colour(static_cast<float>(argb >> 16 & 255u), static_cast<float>(argb >> 8 & 255u),
+                           static_cast<float>(argb & 255u));
+        lights.push_back({poseOf(info.frame).origin, colour / 255.0f * info.intensity, info.falloff});
+    }
+    return lights;
+}
+
+bool staysWithinUnit(const MeshData& mesh, std::size_t slot) {
+    constexpr float kSlack = 0.001f;
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const MeshVertex& v) {
+        return v.surface != slot ||
+               (std::min(v.uv.x, v.uv.y) >= -kSlack && std::max(v.uv.x, v.uv.y) <= 1.0f + kSlack);
+    });
+}
+
+} // namespace
+
+bool isSprite(dat::RecordId gfxObj, Records& records) {
+    const dat::GfxObj* record = records.gfxObj(gfxObj);
+    const dat::DegradeInfo* info =
+        record != nullptr && record->degradeId != 0 ? records.degradeInfo(record->degradeId) : nullptr;
+    return info != nullptr && !info->levels.empty() && info->levels.front().mode != dat::DegradeLevel::kMesh;
+}
+
+std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records) {
+    std::vector<SurfaceList> lists;
+    for (const dat::RecordId id : surfaces) {
+        const dat::Surface* surface = records.surface(id);
+        lists.push_back(surface != nullptr ? listOf(surfaceClassOf(*surface), isSplit(*surface))
+                                           : SurfaceList::Opaque);
+    }
+    return lists;
+}
+
+const Model& Models::model(dat::RecordId id) {
+    return made(models_, id, cache_ != nullptr ? &cache_->models : nullptr, std::pair(id, detail_), records_,
+                [&] { return read(id, nullptr); });
+}
+
+std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
+    const dat::GfxObj* record = records_.gfxObj(gfxObj);
+    const dat::DegradeInfo* info =
+        record != nullptr && record->degradeId != 0 ? records_.degradeInfo(record->degradeId) : nullptr;
+    if (info == nullptr || info->levels.empty())
+        return {{gfxObj, {}}};
+    std::vector<Level> levels;
+    std::uint16_t beyond = 0;
+    for (const dat::DegradeLevel& level : info->levels) {
+        const std::uint16_t upTo = std::max(levelRangeLimit(level.maxDistance * detail_), beyond);
+        // Skip levels that turn to the eye, and extend the range of the mesh level before them.
+        const bool turns = level.mode != dat::DegradeLevel::kMesh && !levels.empty();
+        if (turns)
+            levels.back().levelRange.upTo = upTo;
+        else if (upTo > beyond || levels.empty())
+            levels.push_back({level.gfxObj, {beyond, upTo}});
+        beyond = upTo;
+        if (upTo == LevelRange::kEndless)
+            break;
+    }
+    return levels;
+}
+
+void Models::addPart(Model& model, const ModelPart& posed) {
+    const std::vector<Level> levels = levelsOf(posed.gfxObj);
+    LIMEN_ASSERT(!levels.empty() && levels.front().levelRange.beyond == 0,
+                 "the nearest level starts at the eye");
+    if (levels.front().gfxObj == 0)
+        return;
+    for (const Level& level : levels) {
+        if (level.gfxObj == 0)
+            continue;
+        auto& list = level.levelRange.beyond == 0 ? model.parts : model.farther;
+        list.push_back(posed);
+        list.back().gfxObj = level.gfxObj;
+        list.back().levelRange = level.levelRange;
+    }
+}
+
+Model Models::read(dat::RecordId id, const Dress* dress) {
+    Model model;
+    if (isGfxObj(id)) {
+        addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, 0, Vec3(1.0)});
+    } else if (const dat::Setup* setup = records_.setup(id)) {
+        for (std::size_t i = 0; i < setup->parts.size(); ++i) {
+            const Pose pose = restOf(*setup, i);
+            const Vec3 scale = scaleOf(*setup, i);
+            Mat3 linear = glm::mat3_cast(pose.orientation);
+            for (int axis = 0; axis < 3; ++axis)
+                linear[axis] *= scale[axis];
+            const auto number = static_cast<std::uint32_t>(i);
+            const DressedPart* worn = dress != nullptr ? dress->part(number) : nullptr;
+            const dat::RecordId gfxObj =
+                worn != nullptr && worn->gfxObj != 0 ? worn->gfxObj : setup->parts[i];
+            addPart(model, {gfxObj, linear, pose.origin, {}, number, scale});
+        }
+        model.lights = lightsOf(*setup);
+    }
+    std::vector<Vec3> points;
+    for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
+        for (const ModelPart& posed : *parts) {
+            if (const PartMesh* mesh = part(posed.gfxObj))
+                for (const MeshVertex& vertex : mesh->mesh.vertices)
+                    points.push_back(posed.origin + posed.linear * vertex.corner());
+        }
+    }
+    model.bounds = boundingSphere(points);
+    return model;
+}
+
+const PartMesh* Models::part(dat::RecordId gfxObj) {
+    const std::optional<PartMesh>& part = made(parts_, gfxObj, cache_ != nullptr ? &cache_->parts : nullptr,
+                                               gfxObj, records_, [&] { return build(gfxObj); });
+    return part ? &*part : nullptr;
+}
+
+std::optional<PartMesh> Models::build(dat::RecordId gfxObj) {
+    const dat::GfxObj* record = records_.gfxObj(gfxObj);
+    if (record == nullptr)
+        return std::nullopt;
+    std::optional<PartMesh> part(std::in_place);
+    part->gfxObj = gfxObj;
+    part->surfaces = record->surfaces;
+    std::set<std::uint16_t> portals;
+    for (const PortalPolygonRef& ref : portalRefs(*record, kAnyPortalCount))
+        portals.insert(ref.polygonId);
+    BakedGeometry geometry;
+    std::vector<std::uint32_t> polygons;
+    std::vector<Finding> findings;
+    for (SourcePolygon& polygon : readPolygons(record->vertexArray, record->polygons, record->surfaces.size(),
+                                               portals, gfxObj, findings))
+        if (polygon.isDrawn())
+            polygons.push_back(geometry.add(std::move(polygon), {}));
+    records_.report(findings);
+    geometry.bake();
+    PolygonMesher mesher(listsOf(record->surfaces, records_));
+    for (const std::uint32_t handle : polygons) {
+        LIMEN_ASSERT(handle != kNone, "readPolygons leaves out all polygons that add() refuses");
+        mesher.add(geometry, handle);
+    }
+    part->mesh = mesher.finish();
+    for (std::size_t slot = 0; slot < part->surfaces.size(); ++slot)
+        part->clamp.push_back(staysWithinUnit(part->mesh, slot));
+    return part;
+}
+
+} // namespace limen::world

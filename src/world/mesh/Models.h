@@ -1,0 +1,86 @@
+#pragma once
+
+#include "world/mesh/MeshData.h"
+#include "world/records/Clothing.h"
+#include "world/records/Records.h"
+
+#include <optional>
+
+namespace limen::world {
+
+/// A GfxObj as a baked mesh in its own space: no corner is within an edge of another polygon.
+struct PartMesh {
+    dat::RecordId gfxObj = 0;
+    MeshData mesh;
+    std::vector<dat::RecordId> surfaces; ///< by slot
+    std::vector<bool> clamp;             ///< by slot: true if texture coordinates stay within 0..1
+};
+
+/// One part of a model in its pose.
+struct ModelPart {
+    dat::RecordId gfxObj = 0;
+    Mat3 linear{1.0}; ///< object space from part space: rotation and scale
+    Vec3 origin{0.0}; ///< object space, metres
+    LevelRange levelRange;
+    std::uint32_t part = 0; ///< index in the Setup; levels of detail of one part share it
+    Vec3 scale{1.0};        ///< the scale in `linear`
+};
+
+struct ModelLight {
+    Vec3 position{0.0}; ///< object space
+    Vec3f colour{1.0f}; ///< times intensity
+    float range = 0.0f; ///< metres
+};
+
+/// A GfxObj or a Setup in its resting pose (docs/formats/geometry.md, "Setup").
+struct Model {
+    std::vector<ModelPart> parts;   ///< nearest levels of detail
+    std::vector<ModelPart> farther; ///< levels of detail that replace some of them farther away
+    std::vector<ModelLight> lights;
+    Sphere bounds; ///< object space at scale 1, of the vertices of all levels
+};
+
+struct ModelCache;
+
+/// Reads models, each once. References are valid as long as the object. Not thread-safe: one object per
+/// thread.
+class Models {
+public:
+    /// `detail`: factor on the distances at which levels of detail change; infinite: the nearest level at
+    /// every distance. `cache`: null, or a cache of the same archive, which outlives the object.
+    explicit Models(Records& records, double detail = 1.0, ModelCache* cache = nullptr)
+        : records_(records), detail_(detail), cache_(cache) {}
+
+    [[nodiscard]] const Model& model(dat::RecordId id);
+    /// The model with the meshes of some of its parts replaced. Cost: reads the model anew in each call.
+    [[nodiscard]] Model dressed(dat::RecordId id, const Dress& dress) { return read(id, &dress); }
+    /// Null if the record is missing or damaged.
+    [[nodiscard]] const PartMesh* part(dat::RecordId gfxObj);
+
+private:
+    [[nodiscard]] Model read(dat::RecordId id, const Dress* dress);
+    struct Level {
+        dat::RecordId gfxObj = 0;
+        LevelRange levelRange;
+    };
+    /// The levels of detail of a GfxObj, the nearest first. GfxObj 0 is an empty level; markers for editors
+    /// have only that.
+    [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);
+    /// Adds all levels of detail of `posed`.
+    void addPart(Model& model, const ModelPart& posed);
+    [[nodiscard]] std::optional<PartMesh> build(dat::RecordId gfxObj);
+
+    Records& records_;
+    double detail_;
+    ModelCache* cache_;
+    std::unordered_map<dat::RecordId, std::shared_ptr<const Found<Model>>> models_;
+    std::unordered_map<dat::RecordId, std::shared_ptr<const Found<std::optional<PartMesh>>>> parts_;
+};
+
+/// True if the nearest level of detail of a GfxObj is a sprite that faces the eye.
+[[nodiscard]] bool isSprite(dat::RecordId gfxObj, Records& records);
+
+/// The index list of each surface slot; a missing Surface counts as opaque.
+[[nodiscard]] std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records);
+
+} // namespace limen::world

@@ -1,0 +1,88 @@
+#include "world/records/Clothing.h"
+
+#include "core/Assert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::world {
+namespace {
+
+template <class Value>
+const Value* findKey(const dat::PackedHashTable<Value>& table, std::uint32_t key) {
+    const auto found = std::find_if(table.entries.begin(), table.entries.end(),
+                                    [key](const auto& entry) { return entry.first == key; });
+    return found != table.entries.end() ? &found->second : nullptr;
+}
+
+void changeParts(const std::vector<dat::PartChange>& changes, Dress& dress) {
+    for (const dat::PartChange& change : changes) {
+        DressedPart& part = dress.parts[change.part];
+        if (change.gfxObj != 0 && change.gfxObj != part.gfxObj)
+            part = {change.gfxObj, {}}; // texture changes of the replaced mesh are lost with it
+        part.textures.insert(part.textures.end(), change.textures.begin(), change.textures.end());
+    }
+}
+
+/// The palette that a change names, directly or as one shade of a set; 0 if there is none.
+dat::RecordId paletteOf(const dat::PaletteChange& change, double shade, Records& records) {
+    if (change.palettes >> 24 == 0x04)
+        return change.palettes;
+    const dat::PaletteSet* set = records.paletteSet(change.palettes);
+    if (set == nullptr || set->palettes.empty())
+        return 0;
+    return set->palettes[shadeIndex(set->palettes.size(), shade)];
+}
+
+void changeColours(const dat::PaletteTemplate& colours, double shade, Records& records, Dress& dress) {
+    for (const dat::PaletteChange& change : colours.changes) {
+        const dat::RecordId palette = paletteOf(change, shade, records);
+        for (const dat::PaletteRange& range : change.ranges)
+            if (palette != 0)
+                dress.overlays.push_back({palette, range.offset, range.count});
+    }
+}
+
+} // namespace
+
+std::size_t shadeIndex(std::size_t count, double shade) {
+    LIMEN_ASSERT(count > 0, "the set has a palette");
+    const double at = (static_cast<double>(count) - 0.000001) * std::clamp(shade, 0.0, 1.0);
+    return at > 0.0 ? std::min(static_cast<std::size_t>(at), count - 1) : 0;
+}
+
+Dress dressOf(dat::RecordId setup, std::span<const ClothingEntry> clothes, Records& records) {
+    Dress dress;
+    for (const ClothingEntry& piece : clothes) {
+        const dat::ClothingTable* table = records.clothingTable(piece.table);
+        if (table == nullptr)
+            continue;
+        if (const std::vector<dat::PartChange>* changes = findKey(table->parts, setup))
+            changeParts(*changes, dress);
+        const dat::PaletteTemplate* colours =
+            piece.palette != 0 ? findKey(table->palettes, piece.palette) : nullptr;
+        if (colours != nullptr)
+            changeColours(*colours, piece.shade, records, dress);
+        else if (piece.palette != 0)
+            records.report({piece.table, "has no palette template " + std::to_string(piece.palette) +
+                                             ", which world.json names"});
+    }
+    return dress;
+}
+
+dat::Palette withOverlays(const dat::Palette& base, std::span<const PaletteOverlay> overlays,
+                          Records& records) {
+    dat::Palette palette = base;
+    for (const PaletteOverlay& overlay : overlays) {
+        const dat::Palette* source = records.palette(overlay.palette);
+        if (source == nullptr)
+            continue;
+        const std::size_t common = std::min(palette.colours.size(), source->colours.size());
+        const std::size_t end = std::min(common, std::size_t{overlay.offset} + overlay.count);
+        for (std::size_t i = overlay.offset; i < end; ++i)
+            palette.colours[i] = source->colours[i];
+    }
+    return palette;
+}
+
+} // namespace limen::world
