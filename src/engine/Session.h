@@ -9,7 +9,7 @@
 #include "gpu/CheckedDevice.h"
 #include "gpu/GlDevice.h"
 #include "gpu/HeadlessContext.h"
-#include "world/LoadCache.h"
+#include "world/load/LoadCache.h"
 
 #include <memory>
 
