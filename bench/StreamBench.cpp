@@ -9,7 +9,7 @@
 #include "app/SessionStream.h"
 #include "worlds/Demo.h"
 #include "worlds/Generated.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 #include "world/Nearby.h"
 
 #include <fmt/format.h>

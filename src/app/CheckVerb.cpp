@@ -6,7 +6,7 @@
 #include "app/Verbs.h"
 #include "app/ViewOfEye.h"
 #include "check/Run.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "app/Camera.h"
 #include "app/IdTable.h"
 #include "frame/FramePlan.h"
-#include "gpu/Device.h"
+#include "gpu/device/Device.h"
 #include "motion/DynamicStateBuilder.h"
 #include "visibility/VisibleSet.h"
 

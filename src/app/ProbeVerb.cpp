@@ -1,7 +1,7 @@
 #include "app/FrameSource.h"
 #include "app/Probe.h"
 #include "app/Verbs.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -60,7 +60,7 @@ Result<SessionStream::Part> SessionStream::read(const Session& session, const St
         return tl::unexpected(loaded.error());
     frame::SceneUpload scene = frame::buildScene((*loaded)->world, (*loaded)->planner.pieces());
     Result<gpu::StagedScene> staged =
-        gpu::stageScene(std::move(scene), options, session.capabilities(), before);
+        gpu::stageScene(std::move(scene), options.textures, session.capabilities(), before);
     if (!staged)
         return tl::unexpected(staged.error());
     return Part{std::move(*loaded), std::make_unique<gpu::StagedScene>(std::move(*staged)), {}};

@@ -2,7 +2,7 @@
 #include "app/OutputFile.h"
 #include "app/PathWalk.h"
 #include "app/Verbs.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -222,7 +222,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
             addRun(addOwnPieces(range, instance, plan), plan);
     }
     for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i)
-        plan.pieces[i].triangles |= gpu::kKeepsAll;
+        plan.pieces[i].triangles |= gpu::kNeverCulled;
 }
 
 template <class BoundsOf>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/Owned.h"
+#include "gpu/device/Owned.h"
 
 namespace limen::gpu {
 
@@ -11,7 +11,7 @@ public:
 
     /// For a frame of that many pixels. Not during a frame. Errors: Driver, if there is no memory for them.
     [[nodiscard]] Result<void> prepare(std::uint32_t width, std::uint32_t height);
-    /// Those of this frame.
+    /// Of this frame.
     [[nodiscard]] std::uint32_t count() const { return count_; }
     /// The depth of each, row by row from the bottom.
     [[nodiscard]] StorageRange range() const;

@@ -7,6 +7,7 @@
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
 
+#include <array>
 #include <optional>
 
 namespace limen::gpu {
@@ -37,9 +38,9 @@ public:
     /// The slot of a batch's first draw command; those of the others follow.
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
     /// Whether the draws read the static indices; else they read those that are kept, and no others.
-    [[nodiscard]] bool keepsTriangles() const { return keepsTriangles_; }
+    [[nodiscard]] bool drawsStaticIndices() const { return drawsStaticIndices_; }
     /// Whether batches from FramePlan::firstHideable on wait for what is drawn before them.
-    [[nodiscard]] bool leavesOutHidden() const { return leavesOutHidden_; }
+    [[nodiscard]] bool usesOcclusion() const { return usesOcclusion_; }
     /// The indices that are kept. Invalid while none ever were.
     [[nodiscard]] BufferHandle keptIndices() const { return kept_.get(); }
     /// Fills in the arrays of its own.
@@ -48,30 +49,31 @@ public:
     void describe(frame::gpu::FrameConstants& constants) const;
     /// Within a frame whose runs, pieces, commands and indices are bound: writes the commands and indices that are drawn,
     /// of the batches that wait for nothing.
-    void runFirst();
-    /// Of the others, if leavesOutHidden(), when those before are drawn.
-    void runBehind();
+    void cull();
+    /// Of the others, if usesOcclusion(), when those before are drawn.
+    void cullOccluded();
 
 private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);
-    DrawCulling(Device& device, OwnedProgram program, Culling culling)
-        : device_(&device), program_(std::move(program)), culling_(culling), tiles_(device) {}
+    using Programs = std::array<OwnedProgram, frame::gpu::kCullModes>; ///< of cull.comp, by mode
+    DrawCulling(Device& device, Programs programs, Culling culling)
+        : device_(&device), programs_(std::move(programs)), culling_(culling), tiles_(device) {}
     [[nodiscard]] Result<void> reserve(std::size_t indices);
     /// Whether something was made. What is not is asked for again by the next frames, but not for ever.
     [[nodiscard]] bool isMade(const Result<void>& made);
-    /// `purpose`: one of kCullFirst, ...
-    void run(std::uint32_t purpose, std::uint32_t groups);
+    /// `mode`: kCull... of SharedLayout.h.
+    void run(std::uint32_t mode, std::uint32_t groups);
 
     Device* device_;
-    OwnedProgram program_;
+    Programs programs_;
     Culling culling_;
     DepthTiles tiles_;
     OwnedBuffer kept_;
-    std::size_t capacity_ = 0;    ///< indices a frame
-    std::size_t place_ = 0;       ///< of the frames under way
-    bool keepsTriangles_ = false; ///< this frame's, as all that follow
-    bool leavesOutHidden_ = false;
-    std::uint32_t slotCount_ = 0, firstHideable_ = 0;
+    std::size_t capacity_ = 0;        ///< indices a frame
+    std::size_t place_ = 0;           ///< of the frames under way
+    bool drawsStaticIndices_ = false; ///< this frame's, as all that follow
+    bool usesOcclusion_ = false;
+    std::uint32_t slotCount_ = 0, firstOccludee_ = 0;
     std::uint32_t failures_ = 0;
     std::optional<Error> failure_;          ///< the last
     std::vector<std::uint32_t> firstSlots_; ///< by batch

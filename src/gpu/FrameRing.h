@@ -1,17 +1,12 @@
 #pragma once
 
 #include "frame/FramePlan.h"
-#include "gpu/Device.h"
+#include "gpu/device/Device.h"
 
 #include <array>
 
 namespace limen::gpu {
 
-/// Every storage binding of a frame, by number.
-using StorageBindings = std::array<StorageRange, frame::gpu::kStorageBindings>;
-
-/// What an empty array is bound as, bytes: a range may not be empty.
-inline constexpr std::size_t kSmallestRange = 256;
 /// Where one frame's arrays lie in the ring memory: the plan's, and the runs and room of its draw commands.
 class FrameRing {
 public:

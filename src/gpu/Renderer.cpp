@@ -4,7 +4,8 @@
 #include "frame/IdColour.h"
 #include "gpu/DrawCulling.h"
 #include "gpu/FrameRing.h"
-#include "gpu/ResidentScene.h"
+#include "gpu/PassSelection.h"
+#include "gpu/scene/ResidentScene.h"
 
 #include <algorithm>
 #include <chrono>
@@ -100,7 +101,8 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
 }
 
 Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
-    Result<StagedScene> staged = stageScene(std::move(upload), options_, device_->capabilities(), state());
+    Result<StagedScene> staged =
+        stageScene(std::move(upload), options_.textures, device_->capabilities(), state());
     if (!staged)
         return tl::unexpected(staged.error());
     if (Result<void> begun = begin(std::move(*staged)); !begun)
@@ -254,8 +256,8 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (stage.firstBatch + i == plan.firstHideable && culling_->leavesOutHidden())
-                culling_->runBehind();
+            if (stage.firstBatch + i == plan.firstHideable && culling_->usesOcclusion())
+                culling_->cullOccluded();
             if (!isDrawn(batch.program, options))
                 continue;
             if (const Pass pass = passOf(batch.program, options); pass != current) {
@@ -294,7 +296,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
         return reserved;
     // Each time: another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(),
-                         culling.keepsTriangles() ? scene_->indices() : culling.keptIndices());
+                         culling.drawsStaticIndices() ? scene_->indices() : culling.keptIndices());
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
     layout::FrameConstants constants = plan.constants;
     target.place(constants);
@@ -305,7 +307,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     culling.writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
     bindAll(ring, culling);
     clearTarget(plan, options);
-    culling.runFirst();
+    culling.cull();
     drawStages(plan, ring.commands(), options, multisampled);
     if (multisampled)
         device_->resolve();

@@ -2,12 +2,12 @@
 
 #include "frame/FramePlan.h"
 #include "frame/SceneUpload.h"
-#include "gpu/Device.h"
 #include "gpu/FrameReport.h"
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
-#include "gpu/SceneStaging.h"
+#include "gpu/device/Device.h"
+#include "gpu/scene/SceneStaging.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/TextureStaging.h"
+#include "gpu/texture/TextureStaging.h"
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 #include "GlFixture.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 namespace limen::gpu::test {
 namespace {

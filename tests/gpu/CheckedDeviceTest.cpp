@@ -1,8 +1,8 @@
-#include "gpu/CheckedDevice.h"
+#include "gpu/device/CheckedDevice.h"
 
 #include "frame/GpuLayout.h"
-#include "gpu/NullDevice.h"
-#include "gpu/TextureStore.h"
+#include "gpu/device/NullDevice.h"
+#include "gpu/texture/TextureStore.h"
 
 #include <gtest/gtest.h>
 

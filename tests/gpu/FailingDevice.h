@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/ForwardingDevice.h"
+#include "gpu/device/ForwardingDevice.h"
 
 namespace limen::gpu::test {
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "SceneBuilder.h"
-#include "gpu/DebugOutput.h"
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
 #include "gpu/Renderer.h"
+#include "gpu/device/DebugOutput.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 
 #include <gtest/gtest.h>
 

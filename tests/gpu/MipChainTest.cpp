@@ -1,4 +1,4 @@
-#include "gpu/MipChain.h"
+#include "gpu/texture/MipChain.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include "SceneBuilder.h"
 #include "gpu/Renderer.h"
@@ -12,7 +12,7 @@
 namespace limen::gpu::test {
 namespace {
 
-using Kind = NullDevice::Command::Kind;
+using CommandKind = NullDevice::CommandKind;
 
 class NullDeviceTest : public ::testing::Test {
 protected:
@@ -25,7 +25,7 @@ protected:
         ASSERT_TRUE(renderer_.render(plan, *target));
     }
     // Commands of one kind, their first argument.
-    std::vector<std::size_t> of(Kind kind) const {
+    std::vector<std::size_t> of(CommandKind kind) const {
         std::vector<std::size_t> found;
         for (const NullDevice::Command& command : device_.commands())
             if (command.kind == kind)
@@ -62,12 +62,12 @@ TEST_F(NullDeviceTest, frameIsClearsThenStagesInOrder) {
     scene.addWall('B', {-1, -1}, {1, 1}, 1, {.gated = true});
     scene.addWall('C', {-1, -1}, {1, 1}, 1, {.program = frame::Program::CutOut, .gated = true});
     draw(scene);
-    EXPECT_THAT(of(Kind::Clear), ::testing::UnorderedElementsAre(0, 1, 2, 3));
-    EXPECT_THAT(of(Kind::BeginStage), ::testing::ElementsAre(0, 1, 2, 3, 4));
-    EXPECT_EQ(of(Kind::BeginPass), (std::vector<std::size_t>{static_cast<std::size_t>(Pass::Ownership),
-                                                             static_cast<std::size_t>(Pass::Solid)}));
-    EXPECT_EQ(of(Kind::DrawIndirect).size(), 2u) << "one call per batch";
-    EXPECT_EQ(of(Kind::DrawVertices).size(), 2u) << "ownership and plain sky";
+    EXPECT_THAT(of(CommandKind::Clear), ::testing::UnorderedElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(of(CommandKind::BeginStage), ::testing::ElementsAre(0, 1, 2, 3, 4));
+    EXPECT_EQ(of(CommandKind::BeginPass), (std::vector<std::size_t>{static_cast<std::size_t>(Pass::Ownership),
+                                                                    static_cast<std::size_t>(Pass::Solid)}));
+    EXPECT_EQ(of(CommandKind::DrawIndirect).size(), 2u) << "one call per batch";
+    EXPECT_EQ(of(CommandKind::DrawVertices).size(), 2u) << "ownership and plain sky";
     EXPECT_EQ(renderer_.report().stages[1].draws, 3u);
     EXPECT_EQ(renderer_.report().stages[1].batches, 2u);
 }
@@ -100,18 +100,18 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
 }
 
 // What cull.comp finds of a slot: binary search among the runs of its group.
-layout::RunPlace placeOf(std::uint32_t slot, std::span<const layout::SlotGroup> groups,
-                         std::span<const layout::DrawRun> runs) {
+layout::RunOffsets offsetsOf(std::uint32_t slot, std::span<const layout::SlotGroup> groups,
+                             std::span<const layout::DrawRun> runs) {
     const layout::SlotGroup& group = groups[slot / layout::kSlotsPerGroup];
-    layout::RunPlace place = group.place;
+    layout::RunOffsets offsets = group.offsets;
     std::uint32_t low = group.firstRun, high = group.lastRun;
     while (low < high) {
         const std::uint32_t middle = (low + high + 1) / 2;
         const bool isBehind = runs[middle].firstSlot <= slot;
         (isBehind ? low : high) = isBehind ? middle : middle - 1;
-        place = isBehind ? runs[middle].place : place;
+        offsets = isBehind ? runs[middle].offsets : offsets;
     }
-    return place;
+    return offsets;
 }
 
 // One slot for every draw command, each with its piece and room for all its indices behind the one before.
@@ -125,20 +125,20 @@ TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
     draw(scene);
     const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
     EXPECT_EQ(constants.slotCount, 4u);
-    EXPECT_EQ(constants.flags & layout::kFrameKeepsTriangles, 0u);
+    EXPECT_EQ(constants.flags & layout::kFrameStaticIndices, 0u);
     const auto groups = texels<layout::SlotGroup>(constants.firstSlotGroup, 1);
     const auto runs = texels<layout::DrawRun>(constants.firstRun, scene.plan.runs.size());
     const std::array<std::uint32_t, 4> pieces{0, 1, 4, 2}; // as batches follow; the sky's is the plan's first
-    std::uint32_t next = placeOf(0, groups, runs).kept;
+    std::uint32_t next = offsetsOf(0, groups, runs).kept;
     for (std::uint32_t slot = 0; slot < 4; ++slot) {
-        const layout::RunPlace place = placeOf(slot, groups, runs);
-        const std::uint32_t piece = (slot + place.piece) & ~layout::kGated;
+        const layout::RunOffsets offsets = offsetsOf(slot, groups, runs);
+        const std::uint32_t piece = (slot + offsets.piece) & ~layout::kGated;
         EXPECT_EQ(piece, pieces[slot]);
-        EXPECT_EQ(place.kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
+        EXPECT_EQ(offsets.kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
         next += 6;
     }
     const std::size_t commands = device_.storage()[layout::kBindCommands].offset;
-    EXPECT_EQ(of(Kind::DrawIndirect),
+    EXPECT_EQ(of(CommandKind::DrawIndirect),
               (std::vector<std::size_t>{commands, commands + 2 * 20, commands + 3 * 20}))
         << "a batch's commands lie in its slots";
 }
@@ -170,8 +170,8 @@ TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
     const auto groups = texels<layout::SlotGroup>(constants.firstSlotGroup, 7);
     const auto runs = texels<layout::DrawRun>(constants.firstRun, plan.runs.size());
     for (std::uint32_t slot = 0; slot < kWalls; ++slot) {
-        const layout::RunPlace place = placeOf(slot, groups, runs);
-        EXPECT_EQ(((slot + place.piece) & ~layout::kGated) | (place.piece & layout::kGated), order[slot])
+        const layout::RunOffsets offsets = offsetsOf(slot, groups, runs);
+        EXPECT_EQ(((slot + offsets.piece) & ~layout::kGated) | (offsets.piece & layout::kGated), order[slot])
             << slot;
     }
 }
@@ -183,7 +183,7 @@ TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
     const std::uint32_t mesh = scene.addQuads('A', std::vector(layout::kTrianglesPerPiece / 2, quad));
     const auto keepsTriangles = [&] {
         const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
-        return (constants.flags & layout::kFrameKeepsTriangles) != 0;
+        return (constants.flags & layout::kFrameStaticIndices) != 0;
     };
     draw(scene);
     EXPECT_FALSE(keepsTriangles());
@@ -191,8 +191,8 @@ TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
         scene.drawAgain(mesh, frame::Program::Opaque, false);
     draw(scene);
     EXPECT_TRUE(keepsTriangles());
-    EXPECT_EQ(of(Kind::Compute).size(), 1u) << "commands are made in any case";
-    EXPECT_EQ(of(Kind::DrawIndirect).size(), 1u);
+    EXPECT_EQ(of(CommandKind::Compute).size(), 1u) << "commands are made in any case";
+    EXPECT_EQ(of(CommandKind::DrawIndirect).size(), 1u);
 }
 
 TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
@@ -200,12 +200,12 @@ TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
     scene.root(0);
     scene.addWall('A', {-1, -1}, {1, 1}, 1);
     draw(scene);
-    EXPECT_EQ(of(Kind::Compute).size(), 3u) << "what comes first, tiles, what may be behind";
+    EXPECT_EQ(of(CommandKind::Compute).size(), 3u) << "what comes first, tiles, what may be behind";
     const std::uint32_t calls = renderer_.report().glCalls;
     Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
     ASSERT_TRUE(renderer_.render(scene.finish(), *target, {.occlusion = false}));
-    EXPECT_EQ(of(Kind::Compute).size(), 1u);
-    EXPECT_EQ(renderer_.report().glCalls + 5, calls);
+    EXPECT_EQ(of(CommandKind::Compute).size(), 1u);
+    EXPECT_EQ(renderer_.report().glCalls + 6, calls);
 }
 
 TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
@@ -219,8 +219,8 @@ TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
         Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
         ASSERT_TRUE(renderer.render(scene.finish(), *target));
         const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
-        EXPECT_NE(constants.flags & layout::kFrameKeepsTriangles, 0u);
-        EXPECT_EQ(of(Kind::Compute).size(), 1u);
+        EXPECT_NE(constants.flags & layout::kFrameStaticIndices, 0u);
+        EXPECT_EQ(of(CommandKind::Compute).size(), 1u);
     }
 }
 

@@ -196,7 +196,7 @@ void SceneBuilder::addSkyBatch(bool evenEmpty) {
         layout::DrawPiece piece = upload.pieces[number];
         plan.runs.push_back(
             {plan.constants.staticPieces + batch.draws, 1, before, 3 * piece.triangles, false});
-        plan.pieces.push_back({piece.firstIndex, piece.triangles | layout::kKeepsAll, object, before});
+        plan.pieces.push_back({piece.firstIndex, piece.triangles | layout::kNeverCulled, object, before});
         before += 3 * piece.triangles;
         ++batch.draws;
         ++batch.count;

@@ -1,4 +1,4 @@
-#include "gpu/SceneCheck.h"
+#include "gpu/scene/SceneCheck.h"
 
 #include "SceneBuilder.h"
 

@@ -1,4 +1,4 @@
-#include "gpu/ShaderLibrary.h"
+#include "gpu/device/ShaderLibrary.h"
 
 #include <gtest/gtest.h>
 

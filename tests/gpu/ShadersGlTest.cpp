@@ -1,5 +1,5 @@
 #include "GlFixture.h"
-#include "gpu/Programs.h"
+#include "gpu/scene/Programs.h"
 
 namespace limen::gpu::test {
 namespace {

@@ -1,7 +1,7 @@
-#include "gpu/SpareBuffers.h"
+#include "gpu/scene/SpareBuffers.h"
 
 #include "FailingDevice.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A scene that comes in slices beside the one that is drawn: the same on the device as one that comes at once, with what both have
 // in common shared, and nothing of the old one released too early or never.
 #include "SceneBuilder.h"
-#include "gpu/CheckedDevice.h"
-#include "gpu/NullDevice.h"
 #include "gpu/Renderer.h"
+#include "gpu/device/CheckedDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -108,8 +108,8 @@ class StagedScenes : public ::testing::TestWithParam<bool> {
 protected:
     void upload(const Scene& scene) { ASSERT_TRUE(renderer_.upload(scene.builder.upload)); }
     void begin(const Scene& scene) {
-        Result<StagedScene> staged =
-            stageScene(scene.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
+        Result<StagedScene> staged = stageScene(scene.builder.upload, renderer_.options().textures,
+                                                device_.capabilities(), renderer_.state());
         ASSERT_TRUE(staged);
         ASSERT_TRUE(renderer_.begin(std::move(*staged)));
     }
@@ -312,8 +312,8 @@ TEST_P(StagedScenes, whatNoSceneTakesAnyMoreGoes) {
 TEST_P(StagedScenes, oneStagedBesideAnotherSceneIsRefusedWhereThatIsMissed) {
     const Scene first({2, 4}, 3), second({6, 8, 10}, 3), third({2, 4}, 5);
     upload(first);
-    Result<StagedScene> staged =
-        stageScene(third.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
+    Result<StagedScene> staged = stageScene(third.builder.upload, renderer_.options().textures,
+                                            device_.capabilities(), renderer_.state());
     ASSERT_TRUE(staged);
     upload(second);
     draw(second);

@@ -1,7 +1,7 @@
-#include "gpu/TextureStore.h"
+#include "gpu/texture/TextureStore.h"
 
 #include "SceneBuilder.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // next one is complete. And several renderers on one device draw their own scenes.
 #include "FailingDevice.h"
 #include "GlFixture.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 namespace limen::gpu::test {
 namespace {

@@ -2,8 +2,8 @@
 #include "picture/CountedAllocations.h"
 #include "picture/SteadyWalk.h"
 
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 
 #include <gtest/gtest.h>
 

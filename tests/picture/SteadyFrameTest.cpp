@@ -3,7 +3,7 @@
 #include "picture/PictureWorld.h"
 #include "picture/SteadyWalk.h"
 
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 

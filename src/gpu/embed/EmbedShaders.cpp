@@ -89,9 +89,10 @@ int main(int argc, char** argv) {
     }
     Flattener flattener{fs::path(argv[3])};
     std::ofstream source(argv[1]);
-    source << "// Made by embed-shaders from the folder shaders/.\n#include \"gpu/ShaderLibrary.h\"\n\n"
-              "namespace limen::gpu {\n\nstd::span<const EmbeddedShader> embeddedShaders() {\n"
-              "    static const EmbeddedShader kShaders[] = {\n";
+    source
+        << "// Made by embed-shaders from the folder shaders/.\n#include \"gpu/device/ShaderLibrary.h\"\n\n"
+           "namespace limen::gpu {\n\nstd::span<const EmbeddedShader> embeddedShaders() {\n"
+           "    static const EmbeddedShader kShaders[] = {\n";
     for (int i = 4; i < argc; ++i) {
         Flattened shader;
         std::set<std::string> seen;
