@@ -1,5 +1,5 @@
 // Counts the surfaces of the transparent stage instead of painting them: each polygon once wherever it would be
-// blended, whatever its alpha, in any order. Same vertices, gate and depth test as blended.frag. With a source alpha of
+// blended, at any alpha, in any order. Same vertices, gate and depth test as blended.frag. With a source alpha of
 // 0 the blend function (one, one minus source alpha) adds. Out: number of layers, sum of their hashes.
 #define TRANSLUCENT
 #include "surface.glsl"

@@ -167,17 +167,17 @@ LIMEN_STRUCT(FrameConstants) {
 };
 
 LIMEN_STRUCT(Visit) {
-    vec4 entryPlane
-        LIMEN_ZERO; // eye-relative; beyond = positive; the root's is (0,0,0,1): everything is beyond it
+    // eye-relative, positive beyond; the root's is (0,0,0,1), so that everything is beyond it
+    vec4 entryPlane LIMEN_ZERO;
     uint zone LIMEN_ZERO;
     uint parent LIMEN_ZERO; // kNoVisit for the root
-    uint shutBy LIMEN_ZERO; // 0: not shut; else the idBase of what fills the opening, or kShutByNothing
+    uint shutBy LIMEN_ZERO; // 0: open; else the idBase of the filling, or kShutByNothing
     uint reserved LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Instance) {
-    vec4 pose0
-        LIMEN_ZERO; // block-local from model, 12 floats: the columns of the matrix that turns and scales, and the origin
+    // block-local from model, 12 floats: the columns of the linear part, then the origin
+    vec4 pose0 LIMEN_ZERO;
     vec4 pose1 LIMEN_ZERO;
     vec4 pose2 LIMEN_ZERO;
     uint block LIMEN_ZERO;

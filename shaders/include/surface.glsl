@@ -20,7 +20,7 @@ layout(location = kVaryingOutline) flat in vec3 vOutline[3];
 // Textures with alpha of all strengths (foliage, banners) are drawn in two parts. Nearly opaque texels are drawn with
 // the solid surfaces and write depth. The others are blended back to front; nearly transparent ones are skipped.
 // Surfaces that intersect or are sorted wrongly then look right except at their seams. Only in colour-only frames:
-// these surfaces have no id and no depth, whatever their alpha.
+// these surfaces have no id and no depth at any alpha.
 const float kSolidAlpha = 0.95;
 const float kLeastAlpha = 0.05;
 

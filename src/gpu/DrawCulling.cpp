@@ -11,12 +11,12 @@ namespace {
 
 namespace layout = frame::gpu;
 
-constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices a frame
-// All frames under way share one storage range, and 128 MiB is the longest that every driver reads and writes
-// (the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL 4.5).
+constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices per frame
+// All frames in flight share one storage range. 128 MiB is the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL
+// 4.5.
 constexpr std::size_t kLargestCapacity = (std::size_t{1} << 27) / sizeof(std::uint32_t) / kFramesInFlight;
 
-// Times that memory is asked for in vain.
+// Failed allocations before it stops retrying.
 constexpr std::uint32_t kMostFailures = 3;
 
 bool isIndexed(frame::Program program) {
@@ -34,7 +34,7 @@ std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
     return sum;
 }
 
-/// Of a run's slots. Only writes: the memory may be slow to read.
+/// Adds a run's slots to their groups. Writes only, because reading mapped memory may be slow.
 void addToGroups(const layout::RunOffsets& offsets, std::uint32_t run, std::uint32_t firstSlot,
                  std::uint32_t count, std::span<layout::SlotGroup> groups) {
     std::uint32_t group = firstSlot / layout::kSlotsPerGroup;
@@ -47,8 +47,9 @@ void addToGroups(const layout::RunOffsets& offsets, std::uint32_t run, std::uint
 } // namespace
 
 Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::string> defines, Culling which) {
-    // One program object per mode, all of one source, so that the mode costs a frame no GL call but glUseProgram. Programs
-    // that use different buffers make zink (Mesa 25, descriptor buffers) crash: docs/decisions/0119-*.md.
+    // One program object per mode, from one source, so that selecting a mode costs a frame no call beside
+    // glUseProgram. Three programs that use different buffers crash zink (Mesa 25):
+    // docs/decisions/0119-culling-mode-is-a-uniform.md.
     constexpr std::array<const char*, layout::kCullModes> kNames{"cull occluders", "depth tiles",
                                                                  "cull occludees"};
     Programs programs;
@@ -106,11 +107,11 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
         if (plan.firstHideable < firstSlots_.size())
             firstOccludee_ = firstSlots_[plan.firstHideable];
     }
-    place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
+    place_ = (place_ + 1) % kFramesInFlight; // earlier frames still read theirs
 }
 
 void DrawCulling::bind(StorageBindings& storage) const {
-    // Where all triangles are kept nobody writes them, and where none is hidden no tiles; all frames make the same calls.
+    // Without culling or occlusion nothing writes these buffers, but every frame makes the same calls.
     const StorageRange& nothing = storage[layout::kBindIndices];
     storage[layout::kBindKeptIndices] =
         drawsStaticIndices_ ? nothing
@@ -135,7 +136,7 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
             ++number;
         }
     }
-    LIMEN_ASSERT(slot == slotCount_, "batches count the pieces of their runs");
+    LIMEN_ASSERT(slot == slotCount_, "a batch's draws are the pieces of its runs");
 }
 
 void DrawCulling::describe(layout::FrameConstants& constants) const {

@@ -5,11 +5,11 @@
 
 namespace limen::gpu {
 
-/// Whether a frame draws a program's batches. Flat ones show ids, and neither what is blended nor what floats in the sky has
-/// one; frames that count layers paint nothing blended.
+/// Whether a frame draws a program's batches. Flat frames show ids, which blended surfaces and sky objects
+/// lack. Frames that count layers paint nothing blended.
 [[nodiscard]] bool isDrawn(frame::Program program, const RenderOptions& options);
 
-/// Which images a program writes.
+/// The images that a program writes.
 [[nodiscard]] Pass passOf(frame::Program program, const RenderOptions& options);
 
 } // namespace limen::gpu

@@ -76,14 +76,14 @@ TEST(CheckedDevice, whatIsSampledMustBeResident) {
     w.draw(w.plain);
     EXPECT_TRUE(w.device.faults().empty()) << "that program samples nothing by its handle";
     w.draw(w.byHandle);
-    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled, and is not resident");
+    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled but is not resident");
 }
 
 TEST(CheckedDevice, aHandleMadeUpIsNotResident) {
     Watched w;
     w.references = w.makeReferences(0xABCDEF0123ull);
     w.frame();
-    EXPECT_EQ(w.fault(), "handle 0xabcdef0123 may be sampled, and is not resident");
+    EXPECT_EQ(w.fault(), "handle 0xabcdef0123 may be sampled but is not resident");
 }
 
 TEST(CheckedDevice, releasedAfterItWasFoundResidentItIsFoundAstray) {
@@ -92,14 +92,14 @@ TEST(CheckedDevice, releasedAfterItWasFoundResidentItIsFoundAstray) {
     w.device.finishFrames();
     w.device.releaseHandle(w.texture);
     w.frame();
-    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled, and is not resident");
+    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled but is not resident");
 }
 
 TEST(CheckedDevice, noneIsReleasedWhileAFrameIsUnderWay) {
     Watched w;
     w.frame();
     w.device.releaseHandle(w.texture);
-    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame that samples it is under way");
+    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame in flight samples it");
 }
 
 TEST(CheckedDevice, noneIsReleasedInTheFrameThatSamplesIt) {
@@ -107,7 +107,7 @@ TEST(CheckedDevice, noneIsReleasedInTheFrameThatSamplesIt) {
     w.begin();
     w.draw(w.byHandle);
     w.device.releaseHandle(w.texture);
-    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame that samples it is under way");
+    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame in flight samples it");
 }
 
 TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
@@ -140,7 +140,7 @@ TEST(CheckedDevice, aBufferIsNotFilledAgainWhileAFrameReadsIt) {
     Watched watched;
     watched.frame();
     watched.device.refillBuffer("references", watched.references);
-    EXPECT_NE(watched.fault().find("is filled again while a frame"), std::string::npos);
+    EXPECT_NE(watched.fault().find("is refilled while a frame"), std::string::npos);
 }
 
 TEST(CheckedDevice, aBufferMayBeFilledAgainWhenItsFramesAreDone) {
@@ -161,28 +161,28 @@ TEST(CheckedDevice, whatIsGoneIsNotUsed) {
     Watched w;
     w.device.destroyBuffer(w.references);
     w.begin();
-    EXPECT_EQ(w.fault(), "buffer 0 is bound, and does not exist");
+    EXPECT_EQ(w.fault(), "buffer 0 is bound but does not exist");
     Watched textures;
     textures.device.releaseHandle(textures.texture);
     textures.device.destroyTexture(textures.texture);
     textures.begin();
     textures.device.bindTextures(std::span(&textures.texture, 1));
-    EXPECT_EQ(textures.fault(), "texture 0 is bound, and does not exist");
+    EXPECT_EQ(textures.fault(), "texture 0 is bound but does not exist");
     Watched programs;
     programs.device.destroyProgram(programs.plain);
     programs.begin();
     programs.draw(programs.plain);
-    EXPECT_EQ(programs.fault(), "program 1 runs, and does not exist");
+    EXPECT_EQ(programs.fault(), "program 1 is used but does not exist");
     Watched geometry;
     geometry.device.setGeometry(geometry.references, static_cast<BufferHandle>(77));
-    EXPECT_EQ(geometry.fault(), "buffer 77 is drawn from, and does not exist");
+    EXPECT_EQ(geometry.fault(), "buffer 77 is set as geometry but does not exist");
 }
 
 TEST(CheckedDevice, resourcesAreMadeBetweenFrames) {
     Watched w;
     w.begin();
     static_cast<void>(w.device.createBuffer("late", {}));
-    EXPECT_EQ(w.fault(), "a buffer is made during a frame");
+    EXPECT_EQ(w.fault(), "a buffer is created during a frame");
 }
 
 TEST(CheckedDevice, aTextureStoreKeepsTheRules) {

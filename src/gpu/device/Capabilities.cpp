@@ -11,14 +11,14 @@
 namespace limen::gpu {
 namespace {
 
-// The storage buffers in SharedLayout.h, and how many of them the programs of a stage read at most (16 is what some
-// drivers give a stage).
+// Storage buffers of SharedLayout.h, and the most that the programs of a stage read. Some drivers allow a
+// stage 16.
 constexpr int kStorageBindings = static_cast<int>(frame::gpu::kStorageBindings);
 constexpr int kVertexBlocks = 10, kFragmentBlocks = 10, kComputeBlocks = 5;
-// The ownership target and the arrays that are read as textures, and at least one array page for each way of wrapping.
+// The ownership target, the arrays read as texels, and at least one array page for each wrapping mode.
 constexpr int kLeastTextureUnits = static_cast<int>(frame::gpu::kUnitFirstPage) + 2;
-constexpr int kArrayTextureUnits =
-    static_cast<int>(frame::gpu::kUnitFirstPage); // of stages that read no pictures
+// for stages that sample no page
+constexpr int kArrayTextureUnits = static_cast<int>(frame::gpu::kUnitFirstPage);
 constexpr int kDrawBuffers = static_cast<int>(frame::gpu::kOutputBlended) + 1;
 
 GLint limitOf(GLenum name) {
@@ -64,7 +64,7 @@ float queryAnisotropy() {
 
 std::vector<std::string> missingFrom(const DriverLimits& limits) {
     std::vector<std::string> missing;
-    // 4.5 core brings direct state access, clip control, buffer storage, multi-draw-indirect and integer
+    // OpenGL 4.5 core has direct state access, clip control, buffer storage, multi-draw-indirect and integer
     // targets.
     if (limits.version < 45)
         missing.push_back(fmt::format("OpenGL 4.5 (it has {}.{})", limits.version / 10, limits.version % 10));
@@ -91,12 +91,12 @@ std::vector<std::string> missingFrom(const DriverLimits& limits) {
 Result<void> checkSamples(std::uint32_t samples, const Capabilities& capabilities) {
     if (samples > 1 && samples != frame::gpu::kSamples) {
         return fail(ErrorCode::BadArgument, fmt::format("{} samples", samples),
-                    fmt::format("a pixel has 1 or {}", frame::gpu::kSamples));
+                    fmt::format("not supported; use 1 or {} samples per pixel", frame::gpu::kSamples));
     }
     if (samples > capabilities.maxSamples) {
         return fail(
             ErrorCode::Driver, fmt::format("{} / {}", capabilities.vendor, capabilities.renderer),
-            fmt::format("cannot draw {} samples a pixel: {} is the most for colour, depth and integers alike",
+            fmt::format("cannot draw {} samples per pixel; use at most {}",
                         samples, capabilities.maxSamples));
     }
     return {};

@@ -9,29 +9,30 @@
 
 namespace limen::gpu {
 
-/// What the driver offers, as far as the renderer chooses by it. The defaults are GL 4.5's minima or what the
-/// null device pretends.
+/// Properties of the driver that the renderer depends on. Defaults: the minima of OpenGL 4.5, or values for
+/// the null device.
 struct Capabilities {
     std::string vendor, renderer, version;
     bool bindless = false;           ///< ARB_bindless_texture
-    bool software = false;           ///< a rasteriser on the CPU: costly filters stay off
+    bool software = false; ///< rasterises on the CPU: expensive filters are off
     float maxAnisotropy = 1.0f;      ///< 1: none
     std::uint32_t textureUnits = 16; ///< of the fragment stage
     std::uint32_t maxTextureSize = 16384, maxArrayLayers = 2048;
-    std::uint32_t maxSamples = 4; ///< a pixel, of colour, depth and integer images alike; 1: no multisampling
-    std::uint32_t maxBufferTexels = 65536; ///< of a buffer that is read as a texture
-    std::size_t storageAlignment = 256;    ///< of offsets of what is bound of the ring memory, bytes
+    /// per pixel, for colour, depth and integer images alike; 1: no multisampling
+    std::uint32_t maxSamples = 4;
+    std::uint32_t maxBufferTexels = 65536; ///< of a buffer read as a texture
+    std::size_t storageAlignment = 256; ///< of storage offsets in ring memory, bytes
 };
 
-/// Asks the current context. Errors: Driver, with one message that names everything needed and missing, and
-/// the driver.
+/// Queries the current context. Errors: Driver, with one message that names the driver and every missing
+/// feature.
 [[nodiscard]] Result<Capabilities> queryCapabilities();
 
-/// Whether a driver can draw with so many samples a pixel (0 and 1: always). Errors: BadArgument for a number that the
-/// shaders are not made for; Driver, naming it and what it has.
+/// Whether a driver supports this number of samples per pixel (0 and 1: always). Errors: BadArgument for a
+/// number that the shaders do not support; Driver, naming it and its limit.
 [[nodiscard]] Result<void> checkSamples(std::uint32_t samples, const Capabilities& capabilities);
 
-/// What `queryCapabilities` finds missing, for its message; empty on a good driver.
+/// Limits that queryCapabilities compares with the renderer's needs.
 struct DriverLimits {
     int version = 0; ///< 45 for 4.5
     bool shaderDrawParameters = false, coreProfile = false;

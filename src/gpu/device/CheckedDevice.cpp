@@ -17,13 +17,13 @@ namespace layout = frame::gpu;
 constexpr std::size_t kMostFaults = 100;
 static_assert(std::endian::native == std::endian::little);
 
-/// Calls visit(handle) for each of some texture references until it yields true, and yields whether it did.
+/// Calls visit(handle) for each texture reference until it yields true, and yields whether it did.
 template <class Visit>
 bool anyHandle(std::span<const std::byte> references, Visit visit) {
     for (std::size_t at = 0; at + sizeof(layout::TextureRef) <= references.size();
          at += sizeof(layout::TextureRef)) {
         static_assert(offsetof(layout::TextureRef, place) == 0);
-        std::uint64_t handle = 0; // the low word, then the high one
+        std::uint64_t handle = 0; // the low word, then the high word
         std::memcpy(&handle, references.data() + at, sizeof handle);
         if (handle != 0 && visit(handle)) // 0: padding
             return true;
@@ -45,17 +45,17 @@ void CheckedDevice::expectBetweenFrames(std::string_view command) {
 
 void CheckedDevice::expectBuffer(BufferHandle buffer, std::string_view use) {
     if (buffer != BufferHandle::Invalid && !buffers_.contains(buffer))
-        fault(fmt::format("buffer {} {}, and does not exist", static_cast<std::uint32_t>(buffer), use));
+        fault(fmt::format("buffer {} {} but does not exist", static_cast<std::uint32_t>(buffer), use));
 }
 
 void CheckedDevice::expectTexture(TextureHandle texture, std::string_view use) {
     if (!textures_.contains(texture))
-        fault(fmt::format("texture {} {}, and does not exist", static_cast<std::uint32_t>(texture), use));
+        fault(fmt::format("texture {} {} but does not exist", static_cast<std::uint32_t>(texture), use));
 }
 
 void CheckedDevice::expectProgram(ProgramHandle program) {
     if (!programs_.contains(program))
-        fault(fmt::format("program {} runs, and does not exist", static_cast<std::uint32_t>(program)));
+        fault(fmt::format("program {} is used but does not exist", static_cast<std::uint32_t>(program)));
 }
 
 bool CheckedDevice::holds(const Bytes& references, std::uint64_t handle) {
@@ -63,7 +63,7 @@ bool CheckedDevice::holds(const Bytes& references, std::uint64_t handle) {
 }
 
 Result<BufferHandle> CheckedDevice::createBuffer(std::string_view label, std::span<const std::byte> bytes) {
-    expectBetweenFrames("a buffer is made");
+    expectBetweenFrames("a buffer is created");
     Result<BufferHandle> buffer = ForwardingDevice::createBuffer(label, bytes);
     if (buffer) {
         buffers_[*buffer] = capabilities().bindless
@@ -74,7 +74,7 @@ Result<BufferHandle> CheckedDevice::createBuffer(std::string_view label, std::sp
 }
 
 Result<BufferHandle> CheckedDevice::reserveBuffer(std::string_view label, std::size_t bytes) {
-    expectBetweenFrames("a buffer is made");
+    expectBetweenFrames("a buffer is created");
     Result<BufferHandle> buffer = ForwardingDevice::reserveBuffer(label, bytes);
     if (buffer) {
         buffers_[*buffer] =
@@ -102,14 +102,14 @@ void CheckedDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::sp
 }
 
 void CheckedDevice::refillBuffer(std::string_view label, BufferHandle buffer) {
-    expectBetweenFrames("a buffer is filled again");
-    expectBuffer(buffer, "is filled again");
+    expectBetweenFrames("a buffer is refilled");
+    expectBuffer(buffer, "is refilled");
     if (const auto found = buffers_.find(buffer); found != buffers_.end() && found->second) {
         const auto isRead = [&](const std::vector<Bytes>& frame) {
             return std::find(frame.begin(), frame.end(), found->second) != frame.end();
         };
         if (std::any_of(underWay_.begin(), underWay_.end(), isRead)) {
-            fault(fmt::format("buffer {} is filled again while a frame that reads it is under way",
+            fault(fmt::format("buffer {} is refilled while a frame in flight reads it",
                               static_cast<std::uint32_t>(buffer)));
         }
         found->second = std::make_shared<const std::vector<std::byte>>(found->second->size());
@@ -118,7 +118,7 @@ void CheckedDevice::refillBuffer(std::string_view label, BufferHandle buffer) {
 }
 
 Result<BufferHandle> CheckedDevice::createScratch(std::string_view label, std::size_t bytes) {
-    expectBetweenFrames("a buffer is made");
+    expectBetweenFrames("a buffer is created");
     Result<BufferHandle> buffer = ForwardingDevice::createScratch(label, bytes);
     if (buffer)
         buffers_[*buffer] = nullptr;
@@ -133,8 +133,8 @@ void CheckedDevice::destroyBuffer(BufferHandle buffer) {
 }
 
 Result<TextureHandle> CheckedDevice::createTexels(std::string_view label, BufferHandle buffer) {
-    expectBetweenFrames("a texture is made");
-    expectBuffer(buffer, "becomes texels");
+    expectBetweenFrames("a texture is created");
+    expectBuffer(buffer, "is viewed as texels");
     Result<TextureHandle> texture = ForwardingDevice::createTexels(label, buffer);
     if (texture)
         textures_[*texture] = {std::string(label)};
@@ -142,7 +142,7 @@ Result<TextureHandle> CheckedDevice::createTexels(std::string_view label, Buffer
 }
 
 Result<TextureHandle> CheckedDevice::createTexture(std::string_view label, const TextureShape& shape) {
-    expectBetweenFrames("a texture is made");
+    expectBetweenFrames("a texture is created");
     Result<TextureHandle> texture = ForwardingDevice::createTexture(label, shape);
     if (texture)
         textures_[*texture] = {std::string(label)};
@@ -151,7 +151,7 @@ Result<TextureHandle> CheckedDevice::createTexture(std::string_view label, const
 
 std::uint64_t CheckedDevice::residentHandle(TextureHandle texture) {
     expectBetweenFrames("a handle is made resident");
-    expectTexture(texture, "gives a handle");
+    expectTexture(texture, "is made resident");
     const std::uint64_t handle = ForwardingDevice::residentHandle(texture);
     if (handle != 0) {
         textures_[texture].resident = handle;
@@ -169,7 +169,7 @@ void CheckedDevice::releaseHandle(TextureHandle texture) {
                                [&](const Bytes& references) { return holds(references, handle); });
         };
         if (maySample(sampled_) || std::any_of(underWay_.begin(), underWay_.end(), maySample)) {
-            fault(fmt::format("the handle of '{}' is released while a frame that samples it is under way",
+            fault(fmt::format("the handle of '{}' is released while a frame in flight samples it",
                               found->second.label));
         }
         residents_.erase(handle);
@@ -194,7 +194,7 @@ void CheckedDevice::destroyTexture(TextureHandle texture) {
 }
 
 Result<ProgramHandle> CheckedDevice::createProgram(const ProgramSource& source) {
-    expectBetweenFrames("a program is made");
+    expectBetweenFrames("a program is created");
     Result<ProgramHandle> program = ForwardingDevice::createProgram(source);
     if (program)
         programs_[*program] = source.textures.bindless;
@@ -210,7 +210,7 @@ void CheckedDevice::destroyProgram(ProgramHandle program) {
 
 void CheckedDevice::readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) {
     ForwardingDevice::readTarget(target, image, out);
-    underWay_.clear(); // frames end in the order they came
+    underWay_.clear(); // frames end in order
 }
 
 void CheckedDevice::finishFrames() {
@@ -219,14 +219,13 @@ void CheckedDevice::finishFrames() {
 }
 
 void CheckedDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
-    expectBuffer(vertices, "is drawn from");
-    expectBuffer(indices, "is drawn from");
+    expectBuffer(vertices, "is set as geometry");
+    expectBuffer(indices, "is set as geometry");
     ForwardingDevice::setGeometry(vertices, indices);
 }
 
 std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target) {
-    if (underWay_.size() == kFramesInFlight)
-        underWay_.pop_front(); // the device waits for that one
+    if (underWay_.size() == kFramesInFlight) underWay_.pop_front(); // the device waits for that frame
     inFrame_ = true;
     program_ = ProgramHandle::Invalid;
     references_ = nullptr;
@@ -258,7 +257,7 @@ void CheckedDevice::checkSampled() {
         const bool astray = anyHandle(*references_, [&](std::uint64_t handle) {
             if (residents_.contains(handle))
                 return false;
-            fault(fmt::format("handle 0x{:x} may be sampled, and is not resident", handle));
+            fault(fmt::format("handle 0x{:x} may be sampled but is not resident", handle));
             return true;
         });
         sound_ = astray ? nullptr : references_;

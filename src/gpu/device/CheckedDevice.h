@@ -9,18 +9,18 @@
 
 namespace limen::gpu {
 
-/// Another device whose use is watched: drivers report no handle that is sampled without being resident, and none that is
-/// released too early; they draw nonsense, or lose the context. For development builds and tests. It copies every buffer of a
-/// device with bindless textures, and forwards all commands, wrong ones too.
+/// Checks the use of another device. Drivers do not report a handle that is sampled without being resident or
+/// is released too early; they draw garbage or lose the context. For development builds and tests. It copies
+/// every buffer of a bindless device, and forwards all commands, including wrong ones.
 ///
-/// Rules: resources are made and destroyed between frames; what is bound, drawn with and run exists; of a program with bindless
-/// textures all handles in the texture references are resident; none is released while a frame that may sample it is under
-/// way; and a texture's handle is released before the texture is destroyed.
+/// Rules: resources are created and destroyed between frames. Objects in use exist. In a program with
+/// bindless textures all handles in the texture references are resident. No handle is released while a frame
+/// in flight may sample it. A handle is released before its texture is destroyed.
 class CheckedDevice final : public ForwardingDevice {
 public:
     using ForwardingDevice::ForwardingDevice;
 
-    /// What was done wrong, in words, in the order it happened; the first hundred.
+    /// Messages of the first hundred violations, in order.
     [[nodiscard]] std::span<const std::string> faults() const { return faults_; }
 
     [[nodiscard]] Result<BufferHandle> createBuffer(std::string_view label,
@@ -70,13 +70,13 @@ private:
     std::unordered_map<BufferHandle, Bytes> buffers_;
     std::unordered_map<TextureHandle, Texture> textures_;
     std::unordered_map<std::uint64_t, TextureHandle> residents_; ///< by handle
-    std::unordered_map<ProgramHandle, bool> programs_;           ///< whether it samples by handle
-    ProgramHandle program_ = ProgramHandle::Invalid;             ///< of the draws that follow
-    Bytes references_;                                           ///< the texture references that are bound
-    Bytes sound_; ///< those found resident, since residency changed last
+    std::unordered_map<ProgramHandle, bool> programs_; ///< whether the program samples by handle
+    ProgramHandle program_ = ProgramHandle::Invalid; ///< of the next draws
+    Bytes references_; ///< bound texture references
+    Bytes sound_; ///< last references found resident, until residency changes
     bool inFrame_ = false;
-    std::vector<Bytes> sampled_;              ///< by the frame that is being made
-    std::deque<std::vector<Bytes>> underWay_; ///< by frames that the GPU may not be done with
+    std::vector<Bytes> sampled_; ///< by the current frame
+    std::deque<std::vector<Bytes>> underWay_; ///< by frames in flight
 };
 
 } // namespace limen::gpu

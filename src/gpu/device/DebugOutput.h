@@ -5,8 +5,8 @@
 
 namespace limen::gpu {
 
-/// Collects what the driver says on the current context (KHR_debug, synchronous) from construction to
-/// destruction. Not movable: the driver holds its address. The context must outlive it.
+/// Collects the driver's messages of the current context (KHR_debug, synchronous) from construction to
+/// destruction. Not movable: the driver keeps its address. The context must outlive it.
 class DebugOutput {
 public:
     DebugOutput();
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
     void clear() { faults_.clear(); }
 
-    /// Called by the driver.
+    /// Callback of the driver.
     void receive(unsigned type, unsigned severity, std::string message);
 
 private:

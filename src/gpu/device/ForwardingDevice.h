@@ -4,7 +4,7 @@
 
 namespace limen::gpu {
 
-/// Another device, for those who change or watch a few of its commands.
+/// Forwards all commands to another device. Base of devices that change or check a few of them.
 class ForwardingDevice : public Device {
 public:
     /// The device must outlive it.

@@ -12,22 +12,22 @@ namespace {
 
 constexpr std::size_t kMaxBindings = frame::gpu::kStorageBindings; // bound in one call
 constexpr GLuint kFirstBinding = 0,
-                 kFirstUnit = 0;      // the arrays bound in one call are indexed by binding and unit
-constexpr GLint kDepthDrawBuffer = 0; // OpenGL has no other number for depth
+                 kFirstUnit = 0; // arrays passed to glBind...s are indexed by binding and unit
+constexpr GLint kDepthDrawBuffer = 0; // the only number that OpenGL accepts for depth
 constexpr std::size_t kMaxUnits = 64;
 constexpr GLuint64 kFenceTimeoutNanoseconds = 1'000'000'000;
 
 const void* byteOffset(std::size_t offset) {
-    return reinterpret_cast<const void*>(offset); // GL's way of passing an offset into the bound buffer
+    return reinterpret_cast<const void*>(offset); // GL passes the offset into the bound buffer as a pointer
 }
 
 } // namespace
 
 std::string lossMessage(unsigned status) {
-    const char* cause = status == GL_GUILTY_CONTEXT_RESET     ? "by what was drawn"
-                        : status == GL_INNOCENT_CONTEXT_RESET ? "by another program"
-                                                              : "and does not say why";
-    return fmt::format("the graphics device was reset {}; start again", cause);
+    const char* cause = status == GL_GUILTY_CONTEXT_RESET     ? "because of a command of this program"
+                        : status == GL_INNOCENT_CONTEXT_RESET ? "because of another program"
+                                                              : "for an unknown reason";
+    return fmt::format("the graphics device was reset {}; restart the program", cause);
 }
 
 void GlDevice::restoreState() {
@@ -56,7 +56,7 @@ void GlDevice::restoreState() {
     state_ = StateTracker{};
 }
 
-// Makes sure that the GPU is done with a ring slot. Counted calls are part of a frame.
+// Waits until the GPU no longer reads a ring slot. Counted calls are part of a frame.
 void GlDevice::waitForFence(std::size_t slot, bool counted) {
     if (fences_[slot] == nullptr)
         return;
@@ -64,7 +64,7 @@ void GlDevice::waitForFence(std::size_t slot, bool counted) {
     GLenum result = call(glClientWaitSync, fences_[slot], GL_SYNC_FLUSH_COMMANDS_BIT, GLuint64{0});
     if (result == GL_TIMEOUT_EXPIRED) {
         ++ringStalls_;
-        while (result == GL_TIMEOUT_EXPIRED) // one wait, however often the driver makes us ask
+        while (result == GL_TIMEOUT_EXPIRED) // counts as one call however often it repeats
             result = glClientWaitSync(fences_[slot], GL_SYNC_FLUSH_COMMANDS_BIT, kFenceTimeoutNanoseconds);
     }
     isLost_ = isLost_ || result == GL_WAIT_FAILED;
@@ -75,7 +75,7 @@ void GlDevice::waitForFence(std::size_t slot, bool counted) {
 }
 
 void GlDevice::finishFrames() {
-    LIMEN_ASSERT(frameTarget_ == nullptr, "a frame that is being made is not done");
+    LIMEN_ASSERT(frameTarget_ == nullptr, "the current frame has ended");
     for (GLsync fence : fences_) {
         while (fence != nullptr && glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT,
                                                     kFenceTimeoutNanoseconds) == GL_TIMEOUT_EXPIRED) {
@@ -84,7 +84,7 @@ void GlDevice::finishFrames() {
 }
 
 Result<void> GlDevice::reserveRing(std::size_t bytes) {
-    LIMEN_ASSERT(frameTarget_ == nullptr, "the ring grows between frames only");
+    LIMEN_ASSERT(frameTarget_ == nullptr, "the ring grows between frames");
     if (bytes <= ringSlotSize_)
         return {};
     constexpr std::size_t kSmallestSlot = std::size_t{1} << 18;
@@ -93,7 +93,7 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     const std::size_t slotSize = (wanted + alignment - 1) / alignment * alignment;
     if (slotSize / kBytesPerTexel > capabilities_.maxBufferTexels) {
         return fail(ErrorCode::Unsupported, "a frame",
-                    fmt::format("takes {} bytes; {} texels of a buffer are what {} allows", bytes,
+                    fmt::format("needs {0} bytes, but {2} allows {1} texels per buffer", bytes,
                                 capabilities_.maxBufferTexels, capabilities_.renderer));
     }
     Result<Buffer> ring = Buffer::createMapped("frame ring", slotSize * kFramesInFlight);
@@ -101,7 +101,7 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
         return tl::unexpected(ring.error());
     for (std::size_t slot = 0; slot < kFramesInFlight; ++slot) {
         waitForFence(slot, false);
-        // Every slot always has a fence, so that the first frames make the same calls as all others.
+        // Every slot has a fence from the start, so that the first frames make the same calls as later ones.
         fences_[slot] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     }
     ringStalls_ += ring_.empty() ? 0 : 1;
@@ -115,7 +115,7 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
 
 std::span<std::byte> GlDevice::beginFrame(TargetHandle target) {
     LIMEN_ASSERT(frameTarget_ == nullptr, "the last frame has ended");
-    LIMEN_ASSERT(!ring_.empty(), "the ring is reserved before a frame");
+    LIMEN_ASSERT(!ring_.empty(), "the ring is reserved");
     frameTarget_ = targets_[static_cast<std::size_t>(target)].get();
     LIMEN_ASSERT(frameTarget_ != nullptr, "the target exists");
     timers_.beginFrame();
@@ -128,7 +128,7 @@ std::span<std::byte> GlDevice::beginFrame(TargetHandle target) {
 }
 
 void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
-    LIMEN_ASSERT(ranges.size() <= kMaxBindings, "as many bindings as SharedLayout.h has");
+    LIMEN_ASSERT(ranges.size() <= kMaxBindings, "bindings of SharedLayout.h");
     std::array<GLuint, kMaxBindings> names{};
     std::array<GLintptr, kMaxBindings> offsets{};
     std::array<GLsizeiptr, kMaxBindings> sizes{};
@@ -146,7 +146,7 @@ void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
 
 void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
     LIMEN_ASSERT(textures.size() + frame::gpu::kUnitVertices <= kMaxUnits,
-                 "as many pages as the store was allowed");
+                 "units that the driver has");
     std::array<GLuint, kMaxUnits> names{};
     names[frame::gpu::kUnitOwnership] = frameTarget_->ownership.id();
     names[frame::gpu::kUnitRing] = ringTexels_[ringSlot_].id();
@@ -228,7 +228,7 @@ void GlDevice::resolve() {
 
 Result<void> GlDevice::endFrame() {
     LIMEN_ASSERT(frameTarget_ != nullptr, "a frame was begun");
-    // The state every frame starts from, so that all frames make the same calls.
+    // Restores the state that every frame starts with, so that all frames make the same calls.
     if (state_.enableDepthWrite())
         call(glDepthMask, GLboolean{GL_TRUE});
     if (state_.disableCulling())

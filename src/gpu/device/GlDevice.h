@@ -8,15 +8,15 @@
 
 namespace limen::gpu {
 
-/// For a person: why a device that lost all it held did so, by what glGetGraphicsResetStatus says.
+/// Message for a lost context, from the result of glGetGraphicsResetStatus.
 [[nodiscard]] std::string lossMessage(unsigned status);
 
-/// The device on the OpenGL context that is current. The context must outlive it and stay current on the
-/// thread that uses it. Counts every GL call it makes in a frame but timer queries.
+/// Device on the current OpenGL context. The context must outlive it and stay current on the calling thread.
+/// Counts every GL call of a frame except timer queries.
 class GlDevice final : public Device {
 public:
-    /// Errors: Driver, naming everything the driver lacks. Sets the fixed part of the pipeline (see
-    /// DrawState).
+    /// Sets the constant part of the pipeline state (DrawState). Errors: Driver, naming every missing
+    /// feature.
     [[nodiscard]] static Result<std::unique_ptr<GlDevice>> create();
     ~GlDevice() override;
 
@@ -66,22 +66,22 @@ public:
     [[nodiscard]] StageTimes stageTimes() override { return timers_.poll(); }
     [[nodiscard]] DeviceObjects objects() const override;
 
-    /// Sets everything again that the device relies on. Call after code that is not ours has used the context
-    /// (the panel), outside a frame.
+    /// Restores all state that the device depends on. Between frames, after foreign code (the panel) used the
+    /// context.
     void restoreState();
     /// Copies the target's colour to the window's framebuffer, scaled to `width` x `height` pixels, and
-    /// leaves that framebuffer bound for what is drawn over it. Outside a frame.
+    /// leaves that framebuffer bound for later drawing. Between frames.
     void presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height);
 
 private:
     struct Target {
         std::uint32_t width = 0, height = 0;
-        Texture colour, id, depth, ownership, layers; // what is drawn into
+        Texture colour, id, depth, ownership, layers; // images drawn into
         std::array<Framebuffer, kPassCount> passes;
-        Texture resolved; // colour with one sample a pixel, of a multisampled target
+        Texture resolved; // single-sample colour of a multisampled target
         Framebuffer resolvedPass;
         [[nodiscard]] bool isMultisampled() const { return !resolved.empty(); }
-        // What holds the finished picture.
+        // The framebuffer with the finished picture.
         [[nodiscard]] const Framebuffer& shown() const {
             return isMultisampled() ? resolvedPass : passes[static_cast<std::size_t>(Pass::SolidNoIds)];
         }
@@ -89,7 +89,7 @@ private:
 
     explicit GlDevice(Capabilities capabilities);
 
-    // Every GL call of a frame goes through here.
+    // All GL calls of a frame are made here, to be counted.
     template <class Function, class... Arguments>
     auto call(Function function, Arguments... arguments) {
         ++frameCalls_;
@@ -101,13 +101,14 @@ private:
     [[nodiscard]] Result<void> makePasses(Target& target);
 
     Capabilities capabilities_;
-    std::string driver_; ///< a lost context no longer tells
+    std::string driver_; ///< kept because a lost context cannot be queried
     std::vector<Buffer> buffers_;
     std::vector<Texture> textures_;
     std::vector<Program> programs_;
     std::vector<std::unique_ptr<Target>> targets_;
     VertexArray vertexArray_;
-    std::array<BufferHandle, 2> geometry_{BufferHandle::Invalid, BufferHandle::Invalid}; ///< set last
+    /// the current arena
+    std::array<BufferHandle, 2> geometry_{BufferHandle::Invalid, BufferHandle::Invalid};
     StateTracker state_;
     StageTimers timers_;
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-// The part of GlDevice that makes and destroys things.
+// Creation and destruction of GlDevice's objects.
 namespace limen::gpu {
 namespace {
 
@@ -16,7 +16,7 @@ namespace layout = frame::gpu;
 
 constexpr GLuint kArenaSlot = 0; // the vertex array reads one buffer
 
-// Puts an object into the first free place of a table and yields its index.
+// Puts an object into the first free entry of a table and yields its index.
 template <class Object, class IsFree>
 std::uint32_t place(std::vector<Object>& table, Object&& object, IsFree isFree) {
     const auto free = std::find_if(table.begin(), table.end(), isFree);
@@ -135,14 +135,14 @@ Result<BufferHandle> GlDevice::createScratch(std::string_view label, std::size_t
 
 void GlDevice::destroyBuffer(BufferHandle buffer) {
     buffers_[static_cast<std::size_t>(buffer)] = Buffer{};
-    geometry_.fill(BufferHandle::Invalid); // its number may be given again
+    geometry_.fill(BufferHandle::Invalid); // its number may be reused
 }
 
 Result<TextureHandle> GlDevice::createTexture(std::string_view label, const TextureShape& shape) {
     if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
         shape.layers > capabilities_.maxArrayLayers) {
         return fail(ErrorCode::Unsupported, std::string(label),
-                    fmt::format("{} layers of {} x {} texels are more than {} allows", shape.layers,
+                    fmt::format("{} layers of {} x {} texels exceed the limits of {}", shape.layers,
                                 shape.width, shape.height, capabilities_.renderer));
     }
     const float anisotropy = std::min(shape.anisotropy, capabilities_.maxAnisotropy);
@@ -157,7 +157,7 @@ Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandl
     const Buffer& from = buffers_[static_cast<std::size_t>(buffer)];
     if (from.size() / kBytesPerTexel > capabilities_.maxBufferTexels) {
         return fail(ErrorCode::Unsupported, std::string(label),
-                    fmt::format("{} bytes are more than the {} texels of a buffer that {} allows",
+                    fmt::format("{} bytes exceed the {} texels per buffer of {}",
                                 from.size(), capabilities_.maxBufferTexels, capabilities_.renderer));
     }
     return static_cast<TextureHandle>(
@@ -166,7 +166,7 @@ Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandl
 
 void GlDevice::writeTexture(TextureHandle texture, const TextureRows& rows,
                             std::span<const std::uint8_t> rgba) {
-    LIMEN_ASSERT(rgba.size() == std::size_t{rows.width} * rows.count * 4, "four bytes a texel");
+    LIMEN_ASSERT(rgba.size() == std::size_t{rows.width} * rows.count * 4, "four bytes per texel");
     glTextureSubImage3D(textures_[static_cast<std::size_t>(texture)].id(), static_cast<GLint>(rows.level), 0,
                         static_cast<GLint>(rows.first), static_cast<GLint>(rows.layer),
                         static_cast<GLsizei>(rows.width), static_cast<GLsizei>(rows.count), 1, GL_RGBA,
@@ -275,7 +275,7 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
         return fail(
             ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
-            fmt::format("a picture has 1 to {} pixels a side on this driver", capabilities_.maxTextureSize));
+            fmt::format("a picture has 1 to {} pixels per side on this driver", capabilities_.maxTextureSize));
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return tl::unexpected(checked.error());
@@ -295,7 +295,8 @@ std::vector<glm::vec2> GlDevice::samplePositions(TargetHandle target) {
     const Target& of = *targets_[static_cast<std::size_t>(target)];
     LIMEN_ASSERT(of.isMultisampled(), "the target is multisampled");
     GLint before = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before); // there is no asking by name
+    // samples can be queried only of the bound framebuffer
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, of.passes[static_cast<std::size_t>(Pass::SolidNoIds)].id());
     std::vector<glm::vec2> positions(layout::kSamples);
     for (GLuint i = 0; i < layout::kSamples; ++i)
@@ -311,8 +312,8 @@ void GlDevice::destroyTarget(TargetHandle target) {
 void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) {
     const Target& from = *targets_[static_cast<std::size_t>(target)];
     LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * bytesPerPixel(image),
-                 "the image's size");
-    LIMEN_ASSERT(!from.isMultisampled() || image == TargetImage::Colour, "only colour has a single sample");
+                 "the size of the image");
+    LIMEN_ASSERT(!from.isMultisampled() || image == TargetImage::Colour, "of a multisampled target only colour can be read");
     const auto read = [&](const Texture& texture, GLenum format, GLenum type) {
         glGetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
     };
@@ -326,7 +327,7 @@ void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std:
     case TargetImage::Ownership:
         return read(from.ownership, GL_RED_INTEGER, GL_UNSIGNED_INT);
     case TargetImage::Layers:
-        LIMEN_ASSERT(!from.layers.empty(), "the target was made to count layers");
+        LIMEN_ASSERT(!from.layers.empty(), "the target has a layers image");
         return read(from.layers, GL_RG, GL_FLOAT);
     }
 }

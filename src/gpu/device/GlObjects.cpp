@@ -38,7 +38,8 @@ std::string programLog(GLuint program) {
     return log;
 }
 
-// Compiles one stage and attaches it; the shader object goes with the program. Returns the log on failure.
+// Compiles one stage and attaches it; the shader object is deleted with the program. Yields the log on
+// failure.
 std::optional<std::string> attachStage(GLuint program, const ShaderStage& stage) {
     const GLuint shader = glCreateShader(stage.type);
     const GLchar* text = stage.text.data();
@@ -244,7 +245,7 @@ Result<Framebuffer> Framebuffer::create(std::string_view name, std::span<const A
     const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         return fail(ErrorCode::Driver, driverString(),
-                    fmt::format("refuses the {} framebuffer (status 0x{:04X})", name, status));
+                    fmt::format("cannot create the {} framebuffer (status 0x{:04X})", name, status));
     }
     return framebuffer;
 }
@@ -271,7 +272,8 @@ std::optional<std::uint64_t> Query::poll() const {
 }
 
 Result<void> checkMemory(std::string_view what) {
-    constexpr int kMostErrors = 16; // of each kind one waits; a lost context may have no end of them
+    // one of each kind can be pending; a lost context may report errors without end
+    constexpr int kMostErrors = 16;
     bool isShort = false;
     GLenum error = glGetError();
     for (int i = 0; error != GL_NO_ERROR && i < kMostErrors; ++i) {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <utility>
 
-// One move-only owner per kind of GL object, on the current context. Empty is a legal state (id 0) and free
-// to destroy. All creation is direct state access (GL 4.5); nothing here binds anything.
+// One move-only owner per kind of GL object, on the current context. Empty (id 0) is a valid state. Objects
+// are created by direct state access (GL 4.5), without binding.
 namespace limen::gpu {
 
 /// Owner of one GL name. `Delete` is a function void(GLuint).
@@ -56,15 +56,15 @@ void deleteQuery(GLuint id);
 class Buffer : public GlName<detail::deleteBuffer> {
 public:
     Buffer() = default;
-    /// Holds a copy of `bytes`; at least 16 bytes long, zero-filled, so that it can always be bound. Errors, here and below:
-    /// Driver, if it has no memory.
+    /// Copy of `bytes`, zero-padded to at least 16 bytes, so that it can always be bound. Errors, here and
+    /// below: Driver, without memory.
     [[nodiscard]] static Result<Buffer> createStatic(std::string_view label,
                                                      std::span<const std::byte> bytes);
-    /// `size` bytes, at least 16, to be filled later (glNamedBufferSubData).
+    /// `size` bytes, at least 16, filled later (glNamedBufferSubData).
     [[nodiscard]] static Result<Buffer> createFillable(std::string_view label, std::size_t size);
-    /// `size` bytes that only the GPU writes and reads.
+    /// `size` bytes that only the GPU reads and writes.
     [[nodiscard]] static Result<Buffer> createScratch(std::string_view label, std::size_t size);
-    /// `size` bytes, mapped for writing until destroyed, coherent. Errors: Driver, if it cannot be mapped.
+    /// `size` bytes, mapped coherently for writing until destroyed. Errors: Driver, if it cannot be mapped.
     [[nodiscard]] static Result<Buffer> createMapped(std::string_view label, std::size_t size);
 
     void relabel(std::string_view label) const;
@@ -90,30 +90,31 @@ public:
         std::swap(handle_, other.handle_);
         return *this;
     }
-    /// Makes its handle non-resident first, where one was taken.
+    /// Ends the residency of its handle first.
     ~Texture();
 
-    /// One mip level, one layer, nearest filter: a render target's image.
+    /// Image of a render target: one mip level, one layer, nearest filter.
     [[nodiscard]] static Texture createImage(std::string_view label, GLenum format, std::uint32_t width,
                                              std::uint32_t height);
-    /// The same with several samples a pixel, at the same places in every pixel.
+    /// Multisampled image, with equal sample positions in every pixel.
     [[nodiscard]] static Texture createSampledImage(std::string_view label, GLenum format,
                                                     std::uint32_t width, std::uint32_t height,
                                                     std::uint32_t samples);
-    /// RGBA8 array with `levels` mips, trilinear. Errors: Driver, if it has no memory.
+    /// RGBA8 array with `levels` mip levels, trilinear. Errors: Driver, without memory.
     [[nodiscard]] static Result<Texture> createArray(std::string_view label, std::uint32_t width,
                                                      std::uint32_t height, std::uint32_t layers,
                                                      std::uint32_t levels, bool clamp, float anisotropy);
 
-    /// Bytes of a buffer as texels of four words. The buffer must outlive it; `offset` is a multiple of what the driver asks.
+    /// View of a buffer as texels of four words. The buffer must outlive it; `offset` must have the driver's
+    /// alignment.
     [[nodiscard]] static Texture createBufferView(std::string_view label, GLuint buffer, std::size_t offset,
                                                   std::size_t size);
 
-    /// The bindless handle, made resident on the first call. Needs ARB_bindless_texture; parameters and
-    /// storage are fixed from then on. 0 if the driver refuses.
+    /// Bindless handle, made resident by the first call. Requires ARB_bindless_texture. Parameters and
+    /// storage are immutable from then on. 0 if the driver refuses.
     [[nodiscard]] std::uint64_t residentHandle();
     [[nodiscard]] bool isResident() const { return handle_ != 0; }
-    /// Makes it non-resident, if there is one.
+    /// Ends the residency of the handle, if any.
     void releaseHandle();
 
 private:
@@ -140,7 +141,7 @@ private:
     explicit Program(GLuint id) : GlName(id) {}
 };
 
-/// A vertex array object; its format is set by the one who owns it.
+/// A vertex array object; its owner sets the format.
 class VertexArray : public GlName<detail::deleteVertexArray> {
 public:
     VertexArray() = default;
@@ -160,7 +161,8 @@ struct Attachment {
 class Framebuffer : public GlName<detail::deleteFramebuffer> {
 public:
     Framebuffer() = default;
-    /// `drawBuffers[i]`: what fragment output i writes (GL_NONE: nothing). Errors: Driver, when not complete.
+    /// `drawBuffers[i]`: attachment that fragment output i writes (GL_NONE: none). Errors: Driver, if
+    /// incomplete.
     [[nodiscard]] static Result<Framebuffer> create(std::string_view label,
                                                     std::span<const Attachment> attachments,
                                                     std::span<const GLenum> drawBuffers);
@@ -174,20 +176,20 @@ class Query : public GlName<detail::deleteQuery> {
 public:
     Query() = default;
     [[nodiscard]] static Query createTimestamp(std::string_view label);
-    /// Asks for the time at which everything before has been done.
+    /// Records the GPU time at which all earlier commands are complete.
     void stamp() const;
-    /// Nanoseconds, if the result is there; never waits.
+    /// Nanoseconds, if available; does not wait.
     [[nodiscard]] std::optional<std::uint64_t> poll() const;
 
 private:
     explicit Query(GLuint id) : GlName(id) {}
 };
 
-/// Takes all errors that wait to be asked for. Errors: Driver, naming it and `what`, if one of them is that it has no memory; the others
-/// are the programmer's, and DebugOutput's to tell.
+/// Clears all pending GL errors. Errors: Driver, naming it and the object `what`, if one is GL_OUT_OF_MEMORY.
+/// Other errors are programming errors, which DebugOutput reports.
 [[nodiscard]] Result<void> checkMemory(std::string_view what);
 
-/// The driver, in one line: vendor, renderer, version.
+/// Vendor, renderer and version in one line.
 [[nodiscard]] std::string driverString();
 
 } // namespace limen::gpu

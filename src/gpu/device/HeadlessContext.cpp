@@ -60,12 +60,12 @@ EGLContext createContext(EGLDisplay display, bool debug, bool notifiesOfResets) 
     return eglCreateContext(display, configFor(display), EGL_NO_CONTEXT, attributes.data());
 }
 
-// A context of this display, made current; null if it has none to give.
+// A context of this display, made current; null on failure.
 EGLContext contextOn(EGLDisplay display, bool debug) {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
         return EGL_NO_CONTEXT;
     EGLContext context = createContext(display, debug, true);
-    if (context == EGL_NO_CONTEXT) // drivers may refuse to tell of resets
+    if (context == EGL_NO_CONTEXT) // the driver may not support reset notification
         context = createContext(display, debug, false);
     if (context == EGL_NO_CONTEXT)
         return EGL_NO_CONTEXT;
@@ -85,7 +85,7 @@ Result<HeadlessContext> HeadlessContext::create(bool debug) {
             return HeadlessContext(display, context);
     return fail(ErrorCode::Driver, "EGL",
                 fmt::format("no headless OpenGL 4.5 core context: {} displays tried, last error 0x{:04X}; "
-                            "install a driver (Mesa's libegl-mesa0 and libgl1-mesa-dri will do)",
+                            "install an OpenGL driver, for example Mesa (libegl-mesa0, libgl1-mesa-dri)",
                             displays.size(), static_cast<unsigned>(eglGetError())));
 }
 

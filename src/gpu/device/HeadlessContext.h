@@ -4,12 +4,12 @@
 
 namespace limen::gpu {
 
-/// An OpenGL 4.5 core context without window or display, current on the creating thread until destroyed. EGL:
-/// Mesa's surfaceless platform, else the first device that gives a context. The only code here that ties us
-/// to Linux.
+/// OpenGL 4.5 core context without window or display, current on the creating thread until destroyed. Uses
+/// EGL: Mesa's surfaceless platform, else the first device with a context. The only code in this room that
+/// depends on Linux.
 class HeadlessContext {
 public:
-    /// `debug` asks for a debug context (see DebugOutput). Errors: Driver, with what EGL refused.
+    /// `debug`: create a debug context (see DebugOutput). Errors: Driver, with EGL's last error.
     [[nodiscard]] static Result<HeadlessContext> create(bool debug = false);
     HeadlessContext(HeadlessContext&& other) noexcept;
     HeadlessContext& operator=(HeadlessContext&& other) noexcept;

@@ -35,33 +35,33 @@ Result<BufferHandle> NullDevice::reserveBuffer(std::string_view, std::size_t byt
 void NullDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) {
     std::vector<std::byte>& to = buffers_[static_cast<std::size_t>(buffer)];
     LIMEN_ASSERT(offset == to.size() && offset + bytes.size() <= to.capacity(),
-                 "filled from its beginning on");
+                 "filled in order");
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
 void NullDevice::refillBuffer(std::string_view, BufferHandle buffer) {
-    buffers_[static_cast<std::size_t>(buffer)].clear(); // and keeps its memory
+    buffers_[static_cast<std::size_t>(buffer)].clear(); // keeps its memory
 }
 
 Result<BufferHandle> NullDevice::createScratch(std::string_view, std::size_t bytes) {
     ++objects_.buffers;
     objects_.bufferBytes += bytes;
     bufferSizes_.push_back(bytes);
-    buffers_.emplace_back().reserve(
-        bytes); // nobody writes it here: as with a driver, it takes up nothing before
+    buffers_.emplace_back().reserve( bytes); // not written here, so it uses no memory, as with a driver
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 
 void NullDevice::destroyBuffer(BufferHandle buffer) {
     --objects_.buffers;
     objects_.bufferBytes -= bufferSizes_[static_cast<std::size_t>(buffer)];
-    std::vector<std::byte>().swap(buffers_[static_cast<std::size_t>(buffer)]); // `= {}` would keep its memory
+    // assigning {} would keep the memory
+    std::vector<std::byte>().swap(buffers_[static_cast<std::size_t>(buffer)]);
 }
 
 Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {
     if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
         shape.layers > capabilities_.maxArrayLayers)
-        return fail(ErrorCode::Unsupported, std::string(label), "larger than this device allows");
+        return fail(ErrorCode::Unsupported, std::string(label), "exceeds the limits of this device");
     ++objects_.textures;
     textures_.push_back(shape);
     return static_cast<TextureHandle>(textures_.size() - 1);
@@ -80,7 +80,7 @@ void NullDevice::writeTexture(TextureHandle texture, const TextureRows& rows,
     LIMEN_ASSERT(rows.width == std::max(1u, shape.width >> rows.level) &&
                      rows.first + rows.count <= std::max(1u, shape.height >> rows.level),
                  "rows of the level");
-    LIMEN_ASSERT(rgba.size() == std::size_t{rows.width} * rows.count * 4, "four bytes a texel");
+    LIMEN_ASSERT(rgba.size() == std::size_t{rows.width} * rows.count * 4, "four bytes per texel");
 }
 
 std::uint64_t NullDevice::residentHandle(TextureHandle texture) {
@@ -119,7 +119,7 @@ Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t
                                               const TargetOptions& options) {
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
         return fail(ErrorCode::BadArgument, "target",
-                    "a picture has at least one pixel and at most the device's limit");
+                    "a picture has at least one pixel per side and at most the device's limit");
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return tl::unexpected(checked.error());
@@ -170,10 +170,10 @@ void NullDevice::bindTextures(std::span<const TextureHandle> textures) {
 }
 
 void NullDevice::compute(ProgramHandle program, const WorkGroups& groups) {
-    LIMEN_ASSERT(std::max(groups.columns, groups.rows) <= kMostGroups, "as many as any driver runs");
+    LIMEN_ASSERT(std::max(groups.columns, groups.rows) <= kMostGroups, "within the limit of every driver");
     const std::uint32_t changes = state_.apply({.program = program}).count();
     record(CommandKind::Compute, static_cast<std::size_t>(program), std::size_t{groups.columns} * groups.rows,
-           changes + 2); // and the barrier
+           changes + 2); // plus the memory barrier
 }
 
 void NullDevice::clear(TargetImage image, const ClearValue&) {
@@ -210,8 +210,8 @@ void NullDevice::resolve() {
 }
 
 Result<void> NullDevice::endFrame() {
-    frameCalls_ += std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.disableCulling()} +
-                   1; // and the fence
+    // plus the fence
+    frameCalls_ += std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.disableCulling()} + 1;
     lastFrameCalls_ = frameCalls_;
     return {};
 }

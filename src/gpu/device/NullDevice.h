@@ -6,14 +6,14 @@
 
 namespace limen::gpu {
 
-/// A device without a driver: it records what it is asked, keeps the frame's ring memory readable, and counts
-/// the GL calls that GlDevice would make. For tests, and for timing everything up to the driver.
+/// A device without a driver. Records commands, keeps the frame's ring memory readable, and counts the GL
+/// calls that GlDevice would make. For tests, and for timing the code above the driver.
 class NullDevice final : public Device {
 public:
     enum class CommandKind : std::uint8_t {
         BindStorage,  ///< a: number of ranges
         BindTextures, ///< a: number of textures
-        Compute,      ///< a: program handle, b: groups in all
+        Compute, ///< a: program handle, b: number of groups
         Clear,        ///< a: TargetImage
         BeginStage,   ///< a: StageKind
         EndStage,     ///< a: StageKind
@@ -23,7 +23,7 @@ public:
         DrawIndirect, ///< a: byte offset in the ring, b: count
         Resolve
     };
-    /// One command of the last frame. `a`, `b`: what the command's function takes, in its order.
+    /// One command of the last frame. `a`, `b`: its parameters, in order.
     struct Command {
         CommandKind kind = CommandKind::BindStorage;
         std::size_t a = 0, b = 0;
@@ -33,9 +33,9 @@ public:
     explicit NullDevice(Capabilities capabilities = defaultCapabilities());
     [[nodiscard]] static Capabilities defaultCapabilities();
 
-    /// Commands of the frame that was begun last.
+    /// Commands since the last beginFrame.
     [[nodiscard]] std::span<const Command> commands() const { return commands_; }
-    /// Storage ranges bound last.
+    /// Storage ranges of the last bindStorage.
     [[nodiscard]] std::span<const StorageRange> storage() const { return storage_; }
     [[nodiscard]] std::span<const std::byte> ring() const { return ring_; }
     [[nodiscard]] std::span<const std::byte> buffer(BufferHandle handle) const {
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] const ProgramSource& program(ProgramHandle handle) const {
         return programs_[static_cast<std::size_t>(handle)];
     }
-    /// Every texture made so far, destroyed ones included.
+    /// Every texture created so far, including destroyed ones.
     [[nodiscard]] std::span<const TextureShape> textures() const { return textures_; }
     [[nodiscard]] std::size_t liveObjects() const {
         return objects_.buffers + objects_.textures + objects_.programs + objects_.targets;
@@ -73,7 +73,7 @@ public:
     [[nodiscard]] std::vector<glm::vec2> samplePositions(TargetHandle target) override;
     void destroyTarget(TargetHandle target) override;
     void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
-    void finishFrames() override {} // it is never behind
+    void finishFrames() override {} // no GPU to wait for
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override;
 
@@ -97,15 +97,15 @@ public:
     [[nodiscard]] DeviceObjects objects() const override { return objects_; }
 
 private:
-    // Records a command that GlDevice carries out with so many GL calls.
+    // Records a command for which GlDevice makes `glCalls` GL calls.
     void record(CommandKind kind, std::size_t a, std::size_t b, std::uint32_t glCalls);
 
     Capabilities capabilities_;
     std::vector<std::vector<std::byte>> buffers_;
-    std::vector<std::size_t> bufferSizes_; ///< that were asked for
+    std::vector<std::size_t> bufferSizes_; ///< as requested
     std::vector<TextureShape> textures_;
     std::vector<ProgramSource> programs_;
-    std::size_t targets_ = 0; // made so far
+    std::size_t targets_ = 0; // number created so far
     DeviceObjects objects_;
     std::vector<std::byte> ring_;
     std::vector<Command> commands_;

@@ -6,7 +6,7 @@
 
 namespace limen::gpu {
 
-/// An object of a device, given back when its owner goes. The device must outlive it.
+/// Owner of a device's object. The device must outlive it.
 template <class Handle, void (Device::*kDestroy)(Handle)>
 class Owned {
 public:

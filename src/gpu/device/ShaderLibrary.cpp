@@ -16,7 +16,7 @@ const EmbeddedShader* findShader(std::string_view name) {
     return found == all.end() ? nullptr : &*found;
 }
 
-// The defines of textures.glsl.
+// The macros that textures.glsl requires.
 std::string textureDefines(const TextureBinding& binding) {
     if (binding.bindless)
         return "#extension GL_ARB_bindless_texture : require\n#define BINDLESS 1\n";
@@ -32,7 +32,7 @@ const char* stageDefine(std::string_view name) {
                                      : "#define FRAGMENT_STAGE 1\n";
 }
 
-// A number at the start of `text`, which is advanced past it.
+// Removes the number at the start of `text` and yields it.
 std::optional<std::size_t> takeNumber(std::string_view& text) {
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -62,7 +62,7 @@ Result<std::string> shaderText(std::string_view name, const ProgramSource& sourc
     const EmbeddedShader* shader = findShader(name);
     if (shader == nullptr) {
         return fail(ErrorCode::NotFound, std::string(name),
-                    "no shader of this name is built into the library");
+                    "no embedded shader has this name");
     }
     std::string text = "#version 450 core\n" + textureDefines(source.textures);
     text += stageDefine(name);

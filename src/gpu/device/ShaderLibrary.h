@@ -17,43 +17,43 @@ struct EmbeddedShader {
     std::vector<std::string_view> files; ///< file of each source number in its #line directives
 };
 
-/// All shaders of the library, in no particular order.
+/// All embedded shaders, in no particular order.
 [[nodiscard]] std::span<const EmbeddedShader> embeddedShaders();
 
-/// How TextureStore's binding looks to a shader.
+/// Texture binding of a program.
 struct TextureBinding {
     bool bindless = false;
     std::uint32_t pageCount = 0; ///< array pages bound; 0 in bindless mode
     std::vector<std::uint32_t>
-        pages{};          ///< those that a program may sample, ascending: each one costs, used or not
-    bool byIndex = false; ///< unless they are chosen by index (TextureStoreOptions)
+        pages{}; ///< pages that the program may sample, ascending; each one has a cost even if unused
+    bool byIndex = false; ///< pages are selected by a variable index (TextureStoreOptions)
     bool operator==(const TextureBinding&) const = default;
 };
 
-/// A uint uniform that is set once, when its program is built.
+/// A uint uniform set once, when its program is built.
 struct UniformValue {
     std::uint32_t location = 0; ///< kUniform... of SharedLayout.h
     std::uint32_t value = 0;
     bool operator==(const UniformValue&) const = default;
 };
 
-/// What a program is compiled from.
+/// Sources and macros of a program.
 struct ProgramSource {
-    std::string label{};        ///< for debuggers and messages, unique per variant
+    std::string label{}; ///< for debuggers and messages, unique per variant
     std::string vertexShader{}; ///< names of embedded shaders
     std::string fragmentShader{};
     std::vector<std::string> defines{}; ///< e.g. "GATED"
     TextureBinding textures{};
-    std::string computeShader{}; ///< instead of the two
+    std::string computeShader{}; ///< replaces the two others
     std::vector<UniformValue> uniforms{};
 };
 
-/// The text the driver gets for one stage: version, extensions, defines, source. NotFound for an unknown
+/// Text of one stage for the driver: version, extensions, macros, source. Errors: NotFound for an unknown
 /// name.
 [[nodiscard]] Result<std::string> shaderText(std::string_view name, const ProgramSource& source);
 
-/// A driver's log with source numbers replaced by file names ("2:14(3): error" and "2(14) : error" become
-/// "include/gate.glsl:14: ..."). Lines without one stay as they are.
+/// A driver's log with file names instead of source numbers ("2:14(3): error" and "2(14) : error" become
+/// "include/gate.glsl:14: ..."). Other lines are unchanged.
 [[nodiscard]] std::string readableLog(std::string_view name, std::string_view log);
 
 } // namespace limen::gpu

@@ -31,7 +31,7 @@ void StageTimers::end(frame::StageKind stage) {
 }
 
 StageTimes StageTimers::poll() {
-    for (std::size_t age = kFrames; age-- > 0;) { // oldest first, so that the latest stays
+    for (std::size_t age = kFrames; age-- > 0;) { // oldest first, so that the latest remains
         FrameQueries& queries = frames_[(current_ + kFrames - age) % kFrames];
         for (std::size_t stage = 0; stage < queries.size(); ++stage) {
             Pair& pair = queries[stage];

@@ -5,8 +5,8 @@
 
 namespace limen::gpu {
 
-/// Timestamps around every stage, read some frames later without waiting. A frame whose set of queries is
-/// still in flight four frames later is not timed.
+/// Timestamps around every stage, read some frames later without waiting. A frame is not timed if its set of
+/// queries is still in use by the frame four before.
 class StageTimers {
 public:
     StageTimers();
@@ -14,7 +14,7 @@ public:
     void beginFrame();
     void begin(frame::StageKind stage);
     void end(frame::StageKind stage);
-    /// Takes what has arrived and yields the latest times known.
+    /// Reads available results and yields the latest times.
     [[nodiscard]] StageTimes poll();
 
 private:

@@ -159,7 +159,7 @@ Programs::~Programs() {
 
 ProgramHandle Programs::get(frame::Program program, ProgramVariant variant) const {
     const ProgramHandle handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
-    LIMEN_ASSERT(handle != ProgramHandle::Invalid, "a program is prepared before it is used");
+    LIMEN_ASSERT(handle != ProgramHandle::Invalid, "the program is built");
     return handle;
 }
 

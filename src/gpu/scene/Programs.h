@@ -6,43 +6,43 @@
 
 namespace limen::gpu {
 
-/// The ways in which the program of a batch is built.
+/// Build variant of a batch's program.
 struct ProgramVariant {
-    bool gated = false; ///< with the ownership test; ownership and sky have it, or do without, either way
-    bool flat = false;  ///< coloured by id (RenderOptions::shading); of Blended: the one that counts layers
-    bool multisampled = false; ///< for targets with several samples a pixel
+    bool gated = false; ///< with the ownership test; without effect on ownership and sky programs
+    bool flat = false; ///< coloured by id (RenderOptions::shading); for Blended: counts layers
+    bool multisampled = false; ///< for multisampled targets
 };
 
-/// What the program of a batch is built from.
+/// Sources and macros of a batch's program.
 [[nodiscard]] ProgramSource programSource(frame::Program program, ProgramVariant variant,
                                           const TextureBinding& textures);
 
-/// What textures the programs of a scene sample.
+/// Texture bindings of a scene's programs.
 struct SceneBindings {
     TextureBinding meshes, terrain;
     friend bool operator==(const SceneBindings&, const SceneBindings&) = default;
 };
 
-/// All programs of a frame, for one way of binding textures. Destroyed with this.
+/// All programs of a frame for one texture binding. Destroyed with this.
 class Programs {
 public:
-    /// Builds those of lit frames. `defines` go to every shader, later ones too. Errors: Driver, with the log of the
-    /// first that does not build.
+    /// Builds the programs of lit frames. `defines` go to every shader, including later ones. Errors: Driver,
+    /// with the log of the first that fails.
     [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures,
                                                  std::span<const std::string> defines = {});
-    /// None of them built yet.
+    /// With no program built.
     Programs(Device& device, SceneBindings textures, std::span<const std::string> defines);
     Programs(Programs&& other) noexcept;
     Programs& operator=(Programs&& other) noexcept;
     ~Programs();
 
-    /// Builds the next of those of lit frames, which uses up all of `bytes`. Yields true when they are all there. Not during a frame.
-    /// Errors: Driver, with its log.
+    /// Builds the next program of lit frames and sets `bytes` to 0. True when all are built. Between frames.
+    /// Errors: Driver, with the log.
     [[nodiscard]] Result<bool> buildNext(std::size_t& bytes);
     [[nodiscard]] const SceneBindings& bindings() const { return textures_; }
-    /// Builds one unless it is there. Not during a frame. Errors: Driver, with its log.
+    /// Builds a program unless it exists. Between frames. Errors: Driver, with the log.
     [[nodiscard]] Result<void> prepare(frame::Program program, ProgramVariant variant);
-    /// Requires that it was prepared.
+    /// Requires that `prepare` built it.
     [[nodiscard]] ProgramHandle get(frame::Program program, ProgramVariant variant) const;
 
 private:
@@ -55,7 +55,7 @@ private:
     SceneBindings textures_;
     std::vector<std::string> defines_;
     std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};
-    std::size_t built_ = 0; ///< of those of lit frames, two variants a program
+    std::size_t built_ = 0; ///< number of programs of lit frames built, two variants each
 };
 
 } // namespace limen::gpu

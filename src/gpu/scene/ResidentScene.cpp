@@ -25,7 +25,7 @@ ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr
 ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_)
         device_.destroyTexture(texels);
-    for (const SizedBuffer& buffer : owned_) // frames under way may read them yet
+    for (const SizedBuffer& buffer : owned_) // frames in flight may still read them
         device_.destroyBuffer(buffer.handle);
 }
 

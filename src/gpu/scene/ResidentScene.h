@@ -9,41 +9,40 @@
 
 namespace limen::gpu {
 
-/// What stands still, on the device, with the programs that draw it. Gives everything back when it goes; the device and what is spare
-/// must outlive it.
+/// The static scene on the device, with the programs that draw it. The device and the spare buffers must
+/// outlive it.
 class ResidentScene {
 public:
-    /// One to be filled by `advance`. `programs`: for the staged bindings; others may share them. `before`: null, or the scene that it
-    /// was staged beside. `spare`: where its buffers are taken from.
+    /// An empty scene, filled by `advance`. `programs`: for the staged bindings, may be shared. `before`:
+    /// null, or the scene that `staged` was staged beside. `spare`: source of its buffers.
     ResidentScene(Device& device, StagedScene staged, std::shared_ptr<Programs> programs,
                   const ResidentScene* before, SpareBuffers& spare);
     ResidentScene(const ResidentScene&) = delete;
     ResidentScene& operator=(const ResidentScene&) = delete;
     ~ResidentScene();
 
-    /// Uploads the next part, until `bytes` are used up, of which it takes away what it moves; a program that has to be built counts
-    /// for all that is left. Yields true when everything is there. Errors: the device's; BadArgument, if it was staged beside another scene.
+    /// Uploads until `bytes` are used up, and subtracts them; building a program uses up all. True when the
+    /// scene is complete. Errors: the device's; BadArgument, if it was staged beside another scene.
     [[nodiscard]] Result<bool> advance(std::size_t& bytes);
-    /// No frame reads the scene any more, those under way included.
+    /// No frame reads the scene, in flight or later.
     void markUnused() { textures_.markUnused(); }
-    /// Gives a little of it back, after markUnused; its buffers to what is spare. False when nothing is left.
+    /// Releases a part of it, after markUnused; buffers become spare. False when nothing is left.
     bool releaseSome();
 
-    /// Its buffers.
     [[nodiscard]] std::span<const SizedBuffer> buffers() const { return owned_; }
     [[nodiscard]] const std::shared_ptr<Programs>& sharePrograms() const { return programs_; }
     [[nodiscard]] Programs& programs() { return *programs_; }
     [[nodiscard]] const TextureStore& textures() const { return textures_; }
     [[nodiscard]] BufferHandle vertices() const { return vertices_; }
     [[nodiscard]] BufferHandle indices() const { return storage_[frame::gpu::kBindIndices].buffer; }
-    [[nodiscard]] std::uint32_t pieces() const { return pieces_; } ///< how many
-    /// The static arrays by binding; the others are empty.
+    [[nodiscard]] std::uint32_t pieces() const { return pieces_; } ///< their number
+    /// Static arrays by binding; the other ranges are empty.
     [[nodiscard]] const StorageBindings& storage() const { return storage_; }
-    /// What Device::bindTextures takes.
+    /// Textures for Device::bindTextures.
     [[nodiscard]] std::span<const TextureHandle> boundTextures() const { return bound_; }
 
 private:
-    /// An array of the scene on its way to the device.
+    /// An array of the scene, partly uploaded.
     struct Array {
         const char* label = "";
         std::span<const std::byte> bytes;
@@ -54,7 +53,7 @@ private:
     };
     static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
     void listArrays();
-    /// True when it is there.
+    /// True when the array is complete.
     [[nodiscard]] Result<bool> upload(Array& array, std::size_t& bytes);
     [[nodiscard]] Result<void> finish(const Array& array);
 
@@ -64,7 +63,7 @@ private:
     std::shared_ptr<Programs> programs_;
     std::shared_ptr<const frame::SceneUpload> scene_; ///< until it is uploaded
     std::vector<Array> arrays_;
-    std::size_t done_ = 0; ///< of these
+    std::size_t done_ = 0; ///< number of complete arrays
     std::vector<SizedBuffer> owned_;
     std::vector<TextureHandle> texels_; ///< buffers read as textures
     std::vector<TextureHandle> bound_;  ///< these and the textures' pages, by unit from kUnitVertices on

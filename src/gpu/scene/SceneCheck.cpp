@@ -19,7 +19,7 @@ Result<void> checkInstances(const SceneUpload& scene) {
         const std::uint64_t end = std::uint64_t{instance.firstMember} + count;
         if (count == 0 || end > scene.members.size()) {
             return broken("instance", i,
-                          fmt::format("has members {} to {} of {}; it needs at least one",
+                          fmt::format("has members {} to {} of {}; at least one is required",
                                       instance.firstMember, end, scene.members.size()));
         }
     }
@@ -37,7 +37,7 @@ Result<void> checkIndices(const SceneUpload& scene) {
     for (std::size_t i = 0; i < scene.indices.size(); ++i) {
         if (scene.indices[i] >= scene.vertices.size()) {
             return broken("index", i,
-                          fmt::format("is to vertex {} of {}", scene.indices[i], scene.vertices.size()));
+                          fmt::format("refers to vertex {} of {}", scene.indices[i], scene.vertices.size()));
         }
     }
     return {};
@@ -50,17 +50,17 @@ Result<void> checkPieces(const SceneUpload& scene) {
         const std::uint64_t end = piece.firstIndex + std::uint64_t{3} * piece.triangles;
         if (piece.triangles > layout::kTrianglesPerPiece || end > scene.indices.size()) {
             return broken("piece", i,
-                          fmt::format("has indices {} to {} of {}, and may have {}", piece.firstIndex, end,
+                          fmt::format("has indices {} to {} of {}; at most {} are allowed", piece.firstIndex, end,
                                       scene.indices.size(), 3 * layout::kTrianglesPerPiece));
         }
         if (piece.instance >= scene.instances.size()) {
             return broken("piece", i,
-                          fmt::format("is of instance {} of {}", piece.instance, scene.instances.size()));
+                          fmt::format("refers to instance {} of {}", piece.instance, scene.instances.size()));
         }
         if (piece.indicesBefore != before) {
             return broken(
                 "piece", i,
-                fmt::format("counts {} indices before it; there are {}", piece.indicesBefore, before));
+                fmt::format("has {} as the number of earlier indices, not {}", piece.indicesBefore, before));
         }
         before += 3 * piece.triangles;
     }
@@ -72,7 +72,7 @@ Result<void> checkMaterials(const SceneUpload& scene) {
         if (scene.materialRefs[i] >= scene.materials.size()) {
             return broken(
                 "material reference", i,
-                fmt::format("is to material {} of {}", scene.materialRefs[i], scene.materials.size()));
+                fmt::format("refers to material {} of {}", scene.materialRefs[i], scene.materials.size()));
         }
     }
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -87,7 +87,8 @@ Result<void> checkTerrain(const SceneUpload& scene) {
     const auto isGood = [&](std::uint32_t texture) {
         return texture == layout::kNoTexture || texture < scene.textures.size();
     };
-    const auto layerIsGood = [&](const layout::TerrainLayer& layer) { // an absent layer's map is never read
+    // shaders do not read the map of an absent layer
+    const auto layerIsGood = [&](const layout::TerrainLayer& layer) {
         return layer.texture == layout::kNoTexture || (isGood(layer.texture) && isGood(layer.alpha));
     };
     for (std::size_t i = 0; i < scene.terrainCells.size(); ++i) {
@@ -99,7 +100,7 @@ Result<void> checkTerrain(const SceneUpload& scene) {
             good = good && layerIsGood(layer);
         if (!good) {
             return broken("terrain cell", i,
-                          fmt::format("names a texture beyond the {} there are", scene.textures.size()));
+                          fmt::format("refers to a texture beyond the {} of the scene", scene.textures.size()));
         }
     }
     return {};
@@ -111,7 +112,7 @@ Result<void> checkLights(const SceneUpload& scene) {
         const std::uint64_t end = std::uint64_t{set.firstLight} + set.lightCount;
         if (set.lightCount > layout::kMaxLights || end > scene.lights.size()) {
             return broken("light set", i,
-                          fmt::format("has lamps {} to {} of {}, and may have {}", set.firstLight, end,
+                          fmt::format("has lamps {} to {} of {}; at most {} are allowed", set.firstLight, end,
                                       scene.lights.size(), layout::kMaxLights));
         }
     }
@@ -125,7 +126,7 @@ Result<void> checkTextures(const SceneUpload& scene) {
             texture.rgba.size() != std::uint64_t{texture.width} * texture.height * 4) {
             return broken(
                 "texture", i,
-                fmt::format("is {}x{} and has {} bytes", texture.width, texture.height, texture.rgba.size()));
+                fmt::format("has {}x{} pixels but {} bytes", texture.width, texture.height, texture.rgba.size()));
         }
     }
     return {};

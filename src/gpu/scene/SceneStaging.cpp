@@ -25,7 +25,7 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures&
     return {bindingFor(textures, meshes), bindingFor(textures, terrain)};
 }
 
-/// Whether the pages that were there before are still there under their numbers.
+/// Whether the previous pages keep their numbers.
 bool keepsPageNumbers(std::span<const TextureContent> before, const StagedTextures& textures) {
     const auto isAlike = [](const TextureContent& a, const StagedTexture& b) {
         const TextureShape &one = a.shape, &other = b.content.shape;
@@ -53,7 +53,7 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const TextureStoreOptio
         return tl::unexpected(textures.error());
     StagedScene staged;
     staged.bindings = bindingsOf(scene, *textures);
-    // Programs that can sample a page too many are there; those that cannot would have to be built.
+    // Programs that can sample unneeded pages exist already; programs without them would have to be built.
     if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
         include(before.bindings->meshes, staged.bindings.meshes);
         include(before.bindings->terrain, staged.bindings.terrain);

@@ -9,22 +9,23 @@
 
 namespace limen::gpu {
 
-/// What is on a device, as far as it matters to the scene that comes next.
+/// State of a device that the staging of the next scene depends on.
 struct SceneState {
     std::vector<TextureContent> textures;
-    std::optional<SceneBindings> bindings; ///< that the programs are built for; none: there is no scene
+    std::optional<SceneBindings> bindings; ///< of the current programs; none without a scene
 };
 
-/// A scene made ready to be uploaded piece by piece. Plain data, made by any thread.
+/// A scene ready for a sliced upload. Plain data, made by any thread.
 struct StagedScene {
-    /// Without textures. Whoever keeps it, too, decides on which thread all that memory is given back.
+    /// Without textures. The last owner of this pointer frees the memory, on its own thread.
     std::shared_ptr<const frame::SceneUpload> arrays;
     StagedTextures textures;
     SceneBindings bindings;
 };
 
-/// Checks a scene and does all that needs no device. `before`: of the renderer that it is for; what that has is not staged again.
-/// Errors: BadArgument for indices that lead nowhere; what stageTextures reports.
+/// Checks a scene and prepares it as far as possible without a device. `before`: of the renderer that will
+/// draw it; shared content is not staged again. Errors: BadArgument for invalid indices; errors of
+/// stageTextures.
 [[nodiscard]] Result<StagedScene> stageScene(frame::SceneUpload scene, const TextureStoreOptions& options,
                                              const Capabilities& capabilities, const SceneState& before);
 

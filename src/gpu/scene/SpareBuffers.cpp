@@ -7,9 +7,9 @@
 namespace limen::gpu {
 namespace {
 
-constexpr std::size_t kSmallest = std::size_t{64} << 10; // bytes: of those below, all are alike
+constexpr std::size_t kSmallest = std::size_t{64} << 10; // bytes: smaller buffers count as this size
 
-/// So that what comes next fits, too, if it is somewhat longer: at most a quarter more.
+/// Capacity for `bytes` and up to a quarter more, so that a somewhat longer array fits later.
 std::size_t withRoom(std::size_t bytes) {
     const std::size_t step = std::bit_floor(std::max(bytes, kSmallest)) / 4;
     return (bytes + step - 1) / step * step;
@@ -30,13 +30,13 @@ Result<SizedBuffer> SpareBuffers::take(std::string_view label, std::size_t bytes
         device_.refillBuffer(label, found.handle);
         return found;
     }
-    // What can be texels stays so.
+    // A buffer that can be texels is not enlarged beyond the limit for texels.
     const std::size_t longest = device_.capabilities().maxBufferTexels * kBytesPerTexel;
     const std::size_t size = bytes > longest ? bytes : std::min(withRoom(bytes), longest);
     Result<BufferHandle> reserved = device_.reserveBuffer(label, size);
     if (!reserved && !spare_.empty()) {
         clear();
-        device_.finishFrames(); // drivers keep what is destroyed until then
+        device_.finishFrames(); // drivers free destroyed objects only then
         reserved = device_.reserveBuffer(label, size);
     }
     return reserved.map([&](BufferHandle handle) { return SizedBuffer{handle, size}; });

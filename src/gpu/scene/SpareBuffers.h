@@ -7,14 +7,15 @@
 
 namespace limen::gpu {
 
-/// A buffer with how much it holds.
+/// A buffer and its size.
 struct SizedBuffer {
     BufferHandle handle = BufferHandle::Invalid;
     std::size_t bytes = 0;
 };
 
-/// Buffers of scenes that are gone, for those that come: to write where nothing was before costs a frame several times what the
-/// writing does, for the system then finds memory page by page. Gives everything back when it goes; the device must outlive it.
+/// Buffers of released scenes, reused by later ones. Writing to fresh memory costs a frame several times as
+/// much as the copy, because the system maps it page by page. The destructor destroys all; the device must
+/// outlive it.
 class SpareBuffers {
 public:
     explicit SpareBuffers(Device& device) : device_(device) {}
@@ -22,24 +23,25 @@ public:
     SpareBuffers& operator=(const SpareBuffers&) = delete;
     ~SpareBuffers() { clear(); }
 
-    /// One for at least `bytes`, to be filled from its beginning on; the caller's from then on. It may be longer, at most twice. Errors:
-    /// the device's, if it has no memory even without what is spare.
+    /// A buffer of `bytes` to twice as many, which the caller owns and fills from the beginning. Errors: the
+    /// device's, if it lacks memory even after the spare buffers are destroyed.
     [[nodiscard]] Result<SizedBuffer> take(std::string_view label, std::size_t bytes);
-    /// Makes one as long as another, and writes all of it: its memory is found now. Errors: the device's.
+    /// Creates a spare buffer of the same size and writes all of it, so that its memory is mapped now.
+    /// Errors: the device's.
     [[nodiscard]] Result<void> addTwin(const SizedBuffer& of);
-    /// Requires that no frame reads it any more, those under way included.
+    /// Requires that no frame reads the buffer, in flight or later.
     void giveBack(const SizedBuffer& buffer) { spare_.push_back(buffer); }
-    /// A scene has all that it needs: what is spare now is of no use.
+    /// A scene is complete: buffers that are spare now will not be used.
     void endScene() { unused_ = spare_.size(); }
-    /// Gives one of those back. False when there is none.
+    /// Destroys one of those. False when there is none.
     bool releaseSome();
-    /// Gives all back.
+    /// Destroys all.
     void clear();
 
 private:
     Device& device_;
     std::vector<SizedBuffer> spare_;
-    std::size_t unused_ = 0; ///< the first of these
+    std::size_t unused_ = 0; ///< number of the first buffers that will not be used
 };
 
 } // namespace limen::gpu

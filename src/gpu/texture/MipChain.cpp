@@ -37,7 +37,7 @@ struct Range {
     std::uint32_t first = 0, end = 0;
 };
 
-// Texels of a side of `size` that texel `i` of the halved side covers; the last takes an odd one too.
+// Texels of a side of `size` covered by texel `i` of the halved side. The last one also covers an odd texel.
 Range covered(std::uint32_t i, std::uint32_t size, std::uint32_t halved) {
     const std::uint32_t first = std::min(2 * i, size - 1);
     return {first, i + 1 == halved ? size : first + 2};
@@ -69,7 +69,7 @@ std::uint32_t mipLevelCount(std::uint32_t width, std::uint32_t height) {
 std::vector<MipLevel> mipChain(std::uint32_t width, std::uint32_t height,
                                std::span<const std::uint8_t> rgba) {
     LIMEN_ASSERT(width >= 1 && height >= 1 && rgba.size() == std::size_t{width} * height * 4,
-                 "four bytes a texel");
+                 "four bytes per texel");
     std::vector<MipLevel> levels;
     levels.reserve(mipLevelCount(width, height));
     levels.push_back({width, height, {rgba.begin(), rgba.end()}});
@@ -81,7 +81,7 @@ std::vector<MipLevel> mipChain(std::uint32_t width, std::uint32_t height,
 MipLevel enlarged(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba,
                   std::uint32_t newWidth, std::uint32_t newHeight) {
     LIMEN_ASSERT(newWidth >= width && newHeight >= height && width >= 1 && height >= 1,
-                 "enlarged, not reduced");
+                 "the new size is not smaller");
     MipLevel out{newWidth, newHeight, {}};
     out.rgba.resize(std::size_t{newWidth} * newHeight * 4);
     for (std::uint32_t y = 0; y < newHeight; ++y) {

@@ -9,7 +9,7 @@
 namespace limen::gpu {
 namespace {
 
-// Textures that will share a shape, as indices.
+// Textures with a common shape, by index.
 struct Group {
     TextureClass shape;
     std::vector<std::uint32_t> members;
@@ -50,7 +50,7 @@ struct Merge {
     std::size_t into = 0, from = 0;
 };
 
-// The pair whose union adds the fewest texels and saves a page.
+// The pair that saves a page and whose union adds the fewest texels.
 std::optional<Merge> cheapestMerge(std::span<const Group> groups, std::uint32_t maxLayers) {
     std::optional<Merge> best;
     std::uint64_t bestCost = std::numeric_limits<std::uint64_t>::max();
@@ -87,7 +87,7 @@ void mergeUntilItFits(std::vector<Group>& groups, std::uint32_t maxPages, std::u
     }
 }
 
-/// Each picture in the first page of its shape that has room; new pages come last.
+/// Puts each texture into the first page of its shape with room; appends new pages.
 PageLayout extendPages(std::span<const TextureClass> before, std::span<const TextureClass> textures,
                        std::uint32_t maxLayers) {
     PageLayout layout;
@@ -109,7 +109,7 @@ PageLayout extendPages(std::span<const TextureClass> before, std::span<const Tex
 
 PageLayout layOutPages(std::span<const TextureClass> textures, std::uint32_t maxPages,
                        std::uint32_t maxLayers, std::span<const TextureClass> before) {
-    LIMEN_ASSERT(maxPages >= 2 && maxLayers >= 1, "a page for each way of wrapping");
+    LIMEN_ASSERT(maxPages >= 2 && maxLayers >= 1, "at least a page for each wrapping mode");
     if (!before.empty()) {
         PageLayout extended = extendPages(before, textures, maxLayers);
         if (extended.pages.size() <= maxPages)

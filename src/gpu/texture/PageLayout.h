@@ -6,7 +6,7 @@
 
 namespace limen::gpu {
 
-/// How one texture is stored: its size and how it wraps.
+/// Size and wrapping of a stored texture.
 struct TextureClass {
     std::uint32_t width = 0, height = 0;
     bool clamp = false;
@@ -26,16 +26,15 @@ struct PageLayout {
     };
     std::vector<Page> pages;
     std::vector<TextureLocation> locations; ///< one per texture, in order
-    std::uint32_t resampled = 0;            ///< textures whose page is larger than they are
+    std::uint32_t resampled = 0; ///< textures stored in a page of a larger size
 };
 
-/// One page per class of textures, in order of first appearance, a class of more than `maxLayers` in several.
-/// If that is more than `maxPages`, the two pages (of equal wrapping) whose union adds the fewest texels
-/// become one, of the larger width and height, until it fits. Requires maxPages >= 2. Should whole layers not
-/// fit, the result has more pages than `maxPages` and the caller says so. Cost: cubic in the number of
-/// classes.
-/// `before`: shapes of pages that come first, whether they are needed (else they have no layers) or not, if all fit with no two
-/// becoming one.
+/// One page per class of textures, in order of first appearance; several for a class of more than
+/// `maxLayers`. While there are more than `maxPages`, the two pages of equal wrapping whose union adds the
+/// fewest texels are merged into one of the larger width and height. If layers do not fit, the result has
+/// more than `maxPages` pages, which the caller reports. `before`: shapes of existing pages. They keep their
+/// numbers, unused ones without layers, if all fit without merging.
+/// Requires: maxPages >= 2. Cost: cubic in the number of classes.
 [[nodiscard]] PageLayout layOutPages(std::span<const TextureClass> textures, std::uint32_t maxPages,
                                      std::uint32_t maxLayers, std::span<const TextureClass> before = {});
 

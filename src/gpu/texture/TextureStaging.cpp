@@ -27,7 +27,7 @@ bool isAmong(std::span<const TextureContent> before, const TextureContent& conte
     return content.isKnown() && std::find(before.begin(), before.end(), content) != before.end();
 }
 
-/// In the order of their content, so that a page holds the same whatever world its pictures are met in first.
+/// Order by content, so that a page's layers do not depend on the order in which a world uses its textures.
 std::vector<std::uint32_t> orderOf(std::span<const frame::TextureUpload> pictures) {
     std::vector<std::uint32_t> order(pictures.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -60,7 +60,7 @@ Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const Te
     PageLayout layout = layOut(pictures, orderOf(pictures), maxPages, capabilities.maxArrayLayers, before);
     if (layout.pages.size() > maxPages) {
         return fail(ErrorCode::Unsupported, capabilities.renderer,
-                    fmt::format("{} textures are more than its {} pages of {} layers hold", pictures.size(),
+                    fmt::format("{} textures exceed its {} pages of {} layers", pictures.size(),
                                 maxPages, capabilities.maxArrayLayers));
     }
     for (const PageLayout::Page& page : layout.pages) {

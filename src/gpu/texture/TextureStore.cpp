@@ -80,7 +80,7 @@ TextureStore::~TextureStore() {
 
 bool TextureStore::releaseSome() {
     constexpr std::size_t kAtOnce = 4;
-    LIMEN_ASSERT(isUnused_, "nobody samples them");
+    LIMEN_ASSERT(isUnused_, "no frame samples them");
     shared_.clear();
     textures_.resize(textures_.size() - std::min(kAtOnce, textures_.size()));
     return !textures_.empty();
@@ -99,7 +99,7 @@ Result<void> TextureStore::begin(const StagedTexture& staged) {
     isBegun_ = true;
     std::shared_ptr<ResidentTexture>& shared = shared_[textures_.size()];
     if (staged.isShared && shared == nullptr)
-        return fail(ErrorCode::BadArgument, staged.label, "is not there any more: stage the scene again");
+        return fail(ErrorCode::BadArgument, staged.label, "is no longer on the device; stage the scene again");
     if (shared != nullptr) {
         textures_.push_back(std::move(shared));
         return {};
@@ -134,7 +134,7 @@ bool TextureStore::write(const StagedTexture& staged, std::size_t& bytes) {
 }
 
 Result<bool> TextureStore::advance(std::size_t& bytes) {
-    constexpr std::size_t kMaking = 4096; // what making a texture counts for
+    constexpr std::size_t kMaking = 4096; // bytes that the creation of a texture counts for
     while (isBegun_ || textures_.size() < staged_.textures.size()) {
         if (bytes == 0)
             return false;
@@ -149,7 +149,7 @@ Result<bool> TextureStore::advance(std::size_t& bytes) {
         staged.layers = {};
         isBegun_ = false;
         if (staged_.bindless && textures_.back()->handle() == 0 && !textures_.back()->takeHandle())
-            return fail(ErrorCode::Driver, device_->capabilities().renderer, "gives no handle for a texture");
+            return fail(ErrorCode::Driver, device_->capabilities().renderer, "refuses a bindless handle; use array pages");
     }
     if (refs_.empty())
         writeRefs();
