@@ -22,7 +22,7 @@ private:
     OwnedBuffer buffer_;
     std::uint32_t count_ = 0;
     std::size_t capacity_ = 0; ///< tiles per frame
-    std::size_t place_ = 0; ///< index among the frames in flight
+    std::size_t place_ = 0;    ///< index among the frames in flight
 };
 
 } // namespace limen::gpu

@@ -69,13 +69,13 @@ private:
     Culling culling_;
     DepthTiles tiles_;
     OwnedBuffer kept_;
-    std::size_t capacity_ = 0; ///< indices per frame
-    std::size_t place_ = 0; ///< index among the frames in flight
+    std::size_t capacity_ = 0;        ///< indices per frame
+    std::size_t place_ = 0;           ///< index among the frames in flight
     bool drawsStaticIndices_ = false; ///< of this frame, like all that follow
     bool usesOcclusion_ = false;
     std::uint32_t slotCount_ = 0, firstOccludee_ = 0;
     std::uint32_t failures_ = 0;
-    std::optional<Error> failure_; ///< the latest
+    std::optional<Error> failure_;          ///< the latest
     std::vector<std::uint32_t> firstSlots_; ///< by batch
 };
 

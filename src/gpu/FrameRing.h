@@ -42,8 +42,8 @@ private:
         kReplacements,
         kPieces,
         kSlotGroups, // written by DrawCulling
-        kRuns, // written by DrawCulling
-        kCommands, // written on the GPU
+        kRuns,       // written by DrawCulling
+        kCommands,   // written on the GPU
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array,

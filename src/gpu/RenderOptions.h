@@ -11,7 +11,7 @@ namespace limen::gpu {
 enum class Shading : std::uint8_t {
     Lit,
     FlatIds, ///< colour of the surface's id (frame/IdColour.h); void has that of kVoidId
-    IdsOnly ///< the colour image stays unchanged
+    IdsOnly  ///< the colour image stays unchanged
 };
 
 /// Options of one frame.

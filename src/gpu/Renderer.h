@@ -85,11 +85,11 @@ private:
     Device* device_;
     RendererOptions options_;
     std::vector<std::shared_ptr<Programs>> programs_; ///< of the last scenes, most recently used first
-    std::unique_ptr<DrawCulling> culling_; ///< created with the first scene
-    std::unique_ptr<SpareBuffers> spare_; ///< destroyed after the scenes
+    std::unique_ptr<DrawCulling> culling_;            ///< created with the first scene
+    std::unique_ptr<SpareBuffers> spare_;             ///< destroyed after the scenes
     std::unique_ptr<ResidentScene> scene_, coming_;
     std::vector<Retired> retired_; ///< oldest first
-    std::uint64_t frames_ = 0; ///< number of frames drawn
+    std::uint64_t frames_ = 0;     ///< number of frames drawn
     FrameReport report_;
 };
 

@@ -13,7 +13,7 @@ namespace limen::gpu {
 enum class Culling : std::uint8_t {
     None,
     Unseen, ///< back-facing triangles, and those that cover no pixel centre
-    Hidden ///< also triangles behind walls and ground, by depth tiles
+    Hidden  ///< also triangles behind walls and ground, by depth tiles
 };
 
 /// Options of a renderer.

@@ -28,7 +28,7 @@ std::vector<fs::path> filesUnder(const char* folder) {
     return files;
 }
 
-/// Layout qualifiers of GLSL, and those of them that have a literal number.
+/// GLSL layout qualifiers, and those with a literal number.
 struct Qualifiers {
     std::size_t count = 0;
     std::vector<std::string> literal;
@@ -45,7 +45,7 @@ Qualifiers qualifiersIn(const std::string& text) {
     return found;
 }
 
-/// GL functions that take the number of a binding, unit, location or output, and which of their arguments it is.
+/// GL functions with a binding, unit, location or output number, and the index of that argument.
 struct NumberedCall {
     std::string_view function;
     std::size_t argument;
@@ -78,7 +78,7 @@ constexpr std::array<NumberedCall, 25> kNumberedCalls{{
     {"glProgramUniform1i", 1},
 }};
 
-/// The arguments of the call whose opening parenthesis is before `at`.
+/// Arguments of the call whose opening parenthesis precedes `at`.
 std::vector<std::string> argumentsAt(const std::string& text, std::size_t at) {
     std::vector<std::string> arguments{""};
     for (int depth = 0; at < text.size(); ++at) {
@@ -103,7 +103,7 @@ struct Calls {
 void addCalls(const std::string& text, const NumberedCall& numbered, Calls& found) {
     static const std::regex kLiteral(R"((\w+[({])?[0-9]+[uU]?[)}]?)");
     const std::string function(numbered.function);
-    const std::regex call("\\b" + function + "(\\(|,)"); // called, or handed to GlDevice::call
+    const std::regex call("\\b" + function + "(\\(|,)"); // called directly or by GlDevice::call
     for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it) {
         const std::vector<std::string> arguments =
             argumentsAt(text, static_cast<std::size_t>(it->position() + it->length()));

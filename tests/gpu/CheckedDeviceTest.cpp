@@ -69,24 +69,24 @@ TEST(CheckedDevice, finishedFramesThenReleaseThenDestructionIsRight) {
     EXPECT_TRUE(w.device.faults().empty()) << w.device.faults().front();
 }
 
-TEST(CheckedDevice, whatIsSampledMustBeResident) {
+TEST(CheckedDevice, sampledHandlesMustBeResident) {
     Watched w;
     w.device.releaseHandle(w.texture);
     w.begin();
     w.draw(w.plain);
-    EXPECT_TRUE(w.device.faults().empty()) << "that program samples nothing by its handle";
+    EXPECT_TRUE(w.device.faults().empty()) << "that program samples no handle";
     w.draw(w.byHandle);
     EXPECT_EQ(w.fault(), "handle 0x1 may be sampled but is not resident");
 }
 
-TEST(CheckedDevice, aHandleMadeUpIsNotResident) {
+TEST(CheckedDevice, anInventedHandleIsNotResident) {
     Watched w;
     w.references = w.makeReferences(0xABCDEF0123ull);
     w.frame();
     EXPECT_EQ(w.fault(), "handle 0xabcdef0123 may be sampled but is not resident");
 }
 
-TEST(CheckedDevice, releasedAfterItWasFoundResidentItIsFoundAstray) {
+TEST(CheckedDevice, aHandleReleasedAfterTheCheckIsReported) {
     Watched w;
     w.frame();
     w.device.finishFrames();
@@ -95,14 +95,14 @@ TEST(CheckedDevice, releasedAfterItWasFoundResidentItIsFoundAstray) {
     EXPECT_EQ(w.fault(), "handle 0x1 may be sampled but is not resident");
 }
 
-TEST(CheckedDevice, noneIsReleasedWhileAFrameIsUnderWay) {
+TEST(CheckedDevice, noHandleIsReleasedWhileAFrameInFlightSamplesIt) {
     Watched w;
     w.frame();
     w.device.releaseHandle(w.texture);
     EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame in flight samples it");
 }
 
-TEST(CheckedDevice, noneIsReleasedInTheFrameThatSamplesIt) {
+TEST(CheckedDevice, noHandleIsReleasedInTheFrameThatSamplesIt) {
     Watched w;
     w.begin();
     w.draw(w.byHandle);
@@ -133,17 +133,17 @@ TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
     for (std::size_t i = 1; i < kFramesInFlight; ++i)
         early.frame();
     early.device.releaseHandle(early.texture);
-    EXPECT_EQ(early.device.faults().size(), 1u) << "the oldest may still be under way";
+    EXPECT_EQ(early.device.faults().size(), 1u) << "the oldest may still be in flight";
 }
 
-TEST(CheckedDevice, aBufferIsNotFilledAgainWhileAFrameReadsIt) {
+TEST(CheckedDevice, aBufferIsNotRefilledWhileAFrameReadsIt) {
     Watched watched;
     watched.frame();
     watched.device.refillBuffer("references", watched.references);
     EXPECT_NE(watched.fault().find("is refilled while a frame"), std::string::npos);
 }
 
-TEST(CheckedDevice, aBufferMayBeFilledAgainWhenItsFramesAreDone) {
+TEST(CheckedDevice, aBufferMayBeRefilledWhenItsFramesAreComplete) {
     Watched watched;
     watched.frame();
     watched.device.finishFrames();
@@ -157,7 +157,7 @@ TEST(CheckedDevice, releaseComesBeforeDestruction) {
     EXPECT_EQ(w.fault(), "'brick' is destroyed before its handle is released");
 }
 
-TEST(CheckedDevice, whatIsGoneIsNotUsed) {
+TEST(CheckedDevice, destroyedObjectsMustNotBeUsed) {
     Watched w;
     w.device.destroyBuffer(w.references);
     w.begin();
@@ -178,7 +178,7 @@ TEST(CheckedDevice, whatIsGoneIsNotUsed) {
     EXPECT_EQ(geometry.fault(), "buffer 77 is set as geometry but does not exist");
 }
 
-TEST(CheckedDevice, resourcesAreMadeBetweenFrames) {
+TEST(CheckedDevice, resourcesAreCreatedBetweenFrames) {
     Watched w;
     w.begin();
     static_cast<void>(w.device.createBuffer("late", {}));

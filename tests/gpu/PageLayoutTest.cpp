@@ -23,7 +23,7 @@ TEST(PageLayout, noTextures_noPages) {
 }
 
 TEST(PageLayout, tooManySizes_cheapestAreMerged) {
-    // 64x64 into 128x128 adds 3 x 4096 texels; 8x8 into 64x64 less; 8x8 with 16x4 (16x8) least of all.
+    // 64x64 into 128x128 adds 3 x 4096 texels; 8x8 into 64x64 fewer; 8x8 with 16x4 (16x8) fewest.
     const std::vector<TextureClass> textures{
         {128, 128, false}, {64, 64, false}, {8, 8, false}, {16, 4, false}};
     const PageLayout layout = layOutPages(textures, 3, 2048);
@@ -37,7 +37,7 @@ TEST(PageLayout, moreTexturesThanLayers_takeSeveralPages) {
     const PageLayout layout = layOutPages(textures, 3, 3);
     ASSERT_EQ(layout.pages.size(), 3u);
     EXPECT_EQ(layout.pages[2].layers, 1u);
-    EXPECT_GT(layOutPages(textures, 2, 3).pages.size(), 2u) << "says that it does not fit";
+    EXPECT_GT(layOutPages(textures, 2, 3).pages.size(), 2u) << "reports that it does not fit";
 }
 
 RC_GTEST_PROP(PageLayout, everyTextureHasALayerOfItsOwnAtLeastItsSize, (std::vector<std::uint8_t> seeds)) {
@@ -60,13 +60,13 @@ RC_GTEST_PROP(PageLayout, everyTextureHasALayerOfItsOwnAtLeastItsSize, (std::vec
     }
 }
 
-TEST(PageLayout, goesOnFromPagesThatWereThere) {
+TEST(PageLayout, keepsExistingPages) {
     const TextureClass small{8, 8, false}, large{64, 64, false}, wide{64, 8, true};
     const std::vector<TextureClass> before{large, small}, pictures{small, wide, small, small};
     const PageLayout layout = layOutPages(pictures, 8, 2, before);
     ASSERT_EQ(layout.pages.size(), 4u);
     EXPECT_EQ(layout.pages[0].shape, large);
-    EXPECT_EQ(layout.pages[0].layers, 0u) << "nothing needs it";
+    EXPECT_EQ(layout.pages[0].layers, 0u) << "unused";
     EXPECT_EQ(layout.pages[1].shape, small);
     EXPECT_EQ(layout.pages[1].layers, 2u);
     EXPECT_EQ(layout.pages[2].shape, wide);
@@ -75,7 +75,7 @@ TEST(PageLayout, goesOnFromPagesThatWereThere) {
     EXPECT_EQ(layout.resampled, 0u);
 }
 
-TEST(PageLayout, beginsAnewWhereThePagesThatWereThereLeaveNoRoom) {
+TEST(PageLayout, startsOverWhenExistingPagesLeaveNoRoom) {
     const TextureClass small{8, 8, false}, large{64, 64, false}, wide{64, 8, false};
     const std::vector<TextureClass> before{large, wide}, pictures{small, small};
     const PageLayout layout = layOutPages(pictures, 2, 4, before);

@@ -163,7 +163,7 @@ void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t 
     }
 }
 
-// As a planner does, with one run for pieces that follow one another.
+// Like a planner: one run for consecutive pieces.
 void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
     const auto& draws = draws_[program];
     if (draws.empty() && !evenEmpty)

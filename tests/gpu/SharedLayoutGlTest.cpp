@@ -5,7 +5,7 @@
 #include <fstream>
 #include <map>
 
-// The driver's offsets of every struct in SharedLayout.h, against those of C++.
+// Compares the driver's offsets of every struct in SharedLayout.h with those of C++.
 namespace limen::gpu::test {
 namespace {
 
@@ -14,7 +14,7 @@ using Offsets = std::map<std::string, std::size_t>;
 struct SharedStruct {
     const char* name = "";
     std::size_t size = 0;
-    Offsets members; ///< by the name that the driver reports for it
+    Offsets members; ///< by the driver's name
 };
 
 #define MEMBER(Struct, member)                                                                               \
@@ -102,7 +102,7 @@ protected:
         ASSERT_FALSE(header_.empty());
     }
 
-    /// A program with one storage block, an array of the struct, that uses all of its members.
+    /// A program with one storage block, an array of the struct, that uses all members.
     [[nodiscard]] Program programOf(const char* name) const {
         const std::string text =
             fmt::format("#version 450 core\n{}\nlayout(local_size_x = 1) in;\n"
@@ -117,7 +117,7 @@ protected:
     std::string header_;
 };
 
-/// Offset and array stride of every member, as the driver reports them.
+/// Reads the driver's offsets and array stride.
 void read(GLuint program, Offsets& offsets, std::size_t& stride) {
     GLint count = 0;
     glGetProgramInterfaceiv(program, GL_BUFFER_VARIABLE, GL_ACTIVE_RESOURCES, &count);
@@ -147,7 +147,7 @@ TEST_F(SharedLayoutGlTest, everyMemberLiesWhereTheDriverReadsIt) {
     }
 }
 
-/// Names behind LIMEN_STRUCT( or struct, but for the macro's own definition.
+/// Names of the structs that the header defines.
 std::vector<std::string> structsIn(const std::string& header) {
     std::vector<std::string> names;
     for (const std::string& opening : {std::string("\nLIMEN_STRUCT("), std::string("\nstruct ")}) {

@@ -94,10 +94,9 @@ Result<void> checkSamples(std::uint32_t samples, const Capabilities& capabilitie
                     fmt::format("not supported; use 1 or {} samples per pixel", frame::gpu::kSamples));
     }
     if (samples > capabilities.maxSamples) {
-        return fail(
-            ErrorCode::Driver, fmt::format("{} / {}", capabilities.vendor, capabilities.renderer),
-            fmt::format("cannot draw {} samples per pixel; use at most {}",
-                        samples, capabilities.maxSamples));
+        return fail(ErrorCode::Driver, fmt::format("{} / {}", capabilities.vendor, capabilities.renderer),
+                    fmt::format("cannot draw {} samples per pixel; use at most {}", samples,
+                                capabilities.maxSamples));
     }
     return {};
 }

@@ -14,14 +14,14 @@ namespace limen::gpu {
 struct Capabilities {
     std::string vendor, renderer, version;
     bool bindless = false;           ///< ARB_bindless_texture
-    bool software = false; ///< rasterises on the CPU: expensive filters are off
+    bool software = false;           ///< rasterises on the CPU: expensive filters are off
     float maxAnisotropy = 1.0f;      ///< 1: none
     std::uint32_t textureUnits = 16; ///< of the fragment stage
     std::uint32_t maxTextureSize = 16384, maxArrayLayers = 2048;
     /// per pixel, for colour, depth and integer images alike; 1: no multisampling
     std::uint32_t maxSamples = 4;
     std::uint32_t maxBufferTexels = 65536; ///< of a buffer read as a texture
-    std::size_t storageAlignment = 256; ///< of storage offsets in ring memory, bytes
+    std::size_t storageAlignment = 256;    ///< of storage offsets in ring memory, bytes
 };
 
 /// Queries the current context. Errors: Driver, with one message that names the driver and every missing

@@ -225,7 +225,8 @@ void CheckedDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
 }
 
 std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target) {
-    if (underWay_.size() == kFramesInFlight) underWay_.pop_front(); // the device waits for that frame
+    if (underWay_.size() == kFramesInFlight)
+        underWay_.pop_front(); // the device waits for that frame
     inFrame_ = true;
     program_ = ProgramHandle::Invalid;
     references_ = nullptr;

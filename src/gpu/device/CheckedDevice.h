@@ -70,12 +70,12 @@ private:
     std::unordered_map<BufferHandle, Bytes> buffers_;
     std::unordered_map<TextureHandle, Texture> textures_;
     std::unordered_map<std::uint64_t, TextureHandle> residents_; ///< by handle
-    std::unordered_map<ProgramHandle, bool> programs_; ///< whether the program samples by handle
-    ProgramHandle program_ = ProgramHandle::Invalid; ///< of the next draws
-    Bytes references_; ///< bound texture references
+    std::unordered_map<ProgramHandle, bool> programs_;           ///< whether the program samples by handle
+    ProgramHandle program_ = ProgramHandle::Invalid;             ///< of the next draws
+    Bytes references_;                                           ///< bound texture references
     Bytes sound_; ///< last references found resident, until residency changes
     bool inFrame_ = false;
-    std::vector<Bytes> sampled_; ///< by the current frame
+    std::vector<Bytes> sampled_;              ///< by the current frame
     std::deque<std::vector<Bytes>> underWay_; ///< by frames in flight
 };
 

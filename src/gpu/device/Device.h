@@ -50,7 +50,7 @@ enum class Pass : std::uint8_t {
     SolidNoIds, ///< colour, depth
     SolidIds,   ///< id, depth
     Blended,    ///< colour, blended (one, one minus source alpha), and depth
-    Layers ///< layers, blended in the same way, and depth
+    Layers      ///< layers, blended in the same way, and depth
 };
 inline constexpr std::size_t kPassCount = 6;
 

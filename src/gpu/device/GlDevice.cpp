@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxBindings = frame::gpu::kStorageBindings; // bound in one call
 constexpr GLuint kFirstBinding = 0,
-                 kFirstUnit = 0; // arrays passed to glBind...s are indexed by binding and unit
+                 kFirstUnit = 0;      // arrays passed to glBind...s are indexed by binding and unit
 constexpr GLint kDepthDrawBuffer = 0; // the only number that OpenGL accepts for depth
 constexpr std::size_t kMaxUnits = 64;
 constexpr GLuint64 kFenceTimeoutNanoseconds = 1'000'000'000;
@@ -145,8 +145,7 @@ void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
 }
 
 void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
-    LIMEN_ASSERT(textures.size() + frame::gpu::kUnitVertices <= kMaxUnits,
-                 "units that the driver has");
+    LIMEN_ASSERT(textures.size() + frame::gpu::kUnitVertices <= kMaxUnits, "units that the driver has");
     std::array<GLuint, kMaxUnits> names{};
     names[frame::gpu::kUnitOwnership] = frameTarget_->ownership.id();
     names[frame::gpu::kUnitRing] = ringTexels_[ringSlot_].id();

@@ -157,8 +157,8 @@ Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandl
     const Buffer& from = buffers_[static_cast<std::size_t>(buffer)];
     if (from.size() / kBytesPerTexel > capabilities_.maxBufferTexels) {
         return fail(ErrorCode::Unsupported, std::string(label),
-                    fmt::format("{} bytes exceed the {} texels per buffer of {}",
-                                from.size(), capabilities_.maxBufferTexels, capabilities_.renderer));
+                    fmt::format("{} bytes exceed the {} texels per buffer of {}", from.size(),
+                                capabilities_.maxBufferTexels, capabilities_.renderer));
     }
     return static_cast<TextureHandle>(
         placeNamed(textures_, Texture::createBufferView(label, from.id(), 0, from.size())));
@@ -273,9 +273,9 @@ void GlDevice::makeImages(Target& target, const TargetOptions& options) {
 Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t height,
                                             const TargetOptions& options) {
     if (width == 0 || height == 0 || std::max(width, height) > capabilities_.maxTextureSize) {
-        return fail(
-            ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
-            fmt::format("a picture has 1 to {} pixels per side on this driver", capabilities_.maxTextureSize));
+        return fail(ErrorCode::BadArgument, fmt::format("{}x{}", width, height),
+                    fmt::format("a picture has 1 to {} pixels per side on this driver",
+                                capabilities_.maxTextureSize));
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return tl::unexpected(checked.error());
@@ -313,7 +313,8 @@ void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std:
     const Target& from = *targets_[static_cast<std::size_t>(target)];
     LIMEN_ASSERT(out.size() == std::size_t{from.width} * from.height * bytesPerPixel(image),
                  "the size of the image");
-    LIMEN_ASSERT(!from.isMultisampled() || image == TargetImage::Colour, "of a multisampled target only colour can be read");
+    LIMEN_ASSERT(!from.isMultisampled() || image == TargetImage::Colour,
+                 "of a multisampled target only colour can be read");
     const auto read = [&](const Texture& texture, GLenum format, GLenum type) {
         glGetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
     };

@@ -34,8 +34,7 @@ Result<BufferHandle> NullDevice::reserveBuffer(std::string_view, std::size_t byt
 
 void NullDevice::writeBuffer(BufferHandle buffer, std::size_t offset, std::span<const std::byte> bytes) {
     std::vector<std::byte>& to = buffers_[static_cast<std::size_t>(buffer)];
-    LIMEN_ASSERT(offset == to.size() && offset + bytes.size() <= to.capacity(),
-                 "filled in order");
+    LIMEN_ASSERT(offset == to.size() && offset + bytes.size() <= to.capacity(), "filled in order");
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
@@ -47,7 +46,7 @@ Result<BufferHandle> NullDevice::createScratch(std::string_view, std::size_t byt
     ++objects_.buffers;
     objects_.bufferBytes += bytes;
     bufferSizes_.push_back(bytes);
-    buffers_.emplace_back().reserve( bytes); // not written here, so it uses no memory, as with a driver
+    buffers_.emplace_back().reserve(bytes); // not written here, so it uses no memory, as with a driver
     return static_cast<BufferHandle>(buffers_.size() - 1);
 }
 

@@ -13,7 +13,7 @@ public:
     enum class CommandKind : std::uint8_t {
         BindStorage,  ///< a: number of ranges
         BindTextures, ///< a: number of textures
-        Compute, ///< a: program handle, b: number of groups
+        Compute,      ///< a: program handle, b: number of groups
         Clear,        ///< a: TargetImage
         BeginStage,   ///< a: StageKind
         EndStage,     ///< a: StageKind

@@ -39,7 +39,7 @@ struct UniformValue {
 
 /// Sources and macros of a program.
 struct ProgramSource {
-    std::string label{}; ///< for debuggers and messages, unique per variant
+    std::string label{};        ///< for debuggers and messages, unique per variant
     std::string vertexShader{}; ///< names of embedded shaders
     std::string fragmentShader{};
     std::vector<std::string> defines{}; ///< e.g. "GATED"

@@ -8,8 +8,8 @@ namespace limen::gpu {
 
 /// Build variant of a batch's program.
 struct ProgramVariant {
-    bool gated = false; ///< with the ownership test; without effect on ownership and sky programs
-    bool flat = false; ///< coloured by id (RenderOptions::shading); for Blended: counts layers
+    bool gated = false;        ///< with the ownership test; without effect on ownership and sky programs
+    bool flat = false;         ///< coloured by id (RenderOptions::shading); for Blended: counts layers
     bool multisampled = false; ///< for multisampled targets
 };
 

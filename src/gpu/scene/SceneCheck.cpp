@@ -50,8 +50,8 @@ Result<void> checkPieces(const SceneUpload& scene) {
         const std::uint64_t end = piece.firstIndex + std::uint64_t{3} * piece.triangles;
         if (piece.triangles > layout::kTrianglesPerPiece || end > scene.indices.size()) {
             return broken("piece", i,
-                          fmt::format("has indices {} to {} of {}; at most {} are allowed", piece.firstIndex, end,
-                                      scene.indices.size(), 3 * layout::kTrianglesPerPiece));
+                          fmt::format("has indices {} to {} of {}; at most {} are allowed", piece.firstIndex,
+                                      end, scene.indices.size(), 3 * layout::kTrianglesPerPiece));
         }
         if (piece.instance >= scene.instances.size()) {
             return broken("piece", i,
@@ -99,8 +99,9 @@ Result<void> checkTerrain(const SceneUpload& scene) {
         for (const layout::TerrainLayer& layer : cell.roads)
             good = good && layerIsGood(layer);
         if (!good) {
-            return broken("terrain cell", i,
-                          fmt::format("refers to a texture beyond the {} of the scene", scene.textures.size()));
+            return broken(
+                "terrain cell", i,
+                fmt::format("refers to a texture beyond the {} of the scene", scene.textures.size()));
         }
     }
     return {};
@@ -124,9 +125,9 @@ Result<void> checkTextures(const SceneUpload& scene) {
         const frame::TextureUpload& texture = scene.textures[i];
         if (texture.width == 0 || texture.height == 0 ||
             texture.rgba.size() != std::uint64_t{texture.width} * texture.height * 4) {
-            return broken(
-                "texture", i,
-                fmt::format("has {}x{} pixels but {} bytes", texture.width, texture.height, texture.rgba.size()));
+            return broken("texture", i,
+                          fmt::format("has {}x{} pixels but {} bytes", texture.width, texture.height,
+                                      texture.rgba.size()));
         }
     }
     return {};

@@ -26,7 +26,7 @@ struct PageLayout {
     };
     std::vector<Page> pages;
     std::vector<TextureLocation> locations; ///< one per texture, in order
-    std::uint32_t resampled = 0; ///< textures stored in a page of a larger size
+    std::uint32_t resampled = 0;            ///< textures stored in a page of a larger size
 };
 
 /// One page per class of textures, in order of first appearance; several for a class of more than

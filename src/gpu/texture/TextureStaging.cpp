@@ -60,8 +60,8 @@ Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const Te
     PageLayout layout = layOut(pictures, orderOf(pictures), maxPages, capabilities.maxArrayLayers, before);
     if (layout.pages.size() > maxPages) {
         return fail(ErrorCode::Unsupported, capabilities.renderer,
-                    fmt::format("{} textures exceed its {} pages of {} layers", pictures.size(),
-                                maxPages, capabilities.maxArrayLayers));
+                    fmt::format("{} textures exceed its {} pages of {} layers", pictures.size(), maxPages,
+                                capabilities.maxArrayLayers));
     }
     for (const PageLayout::Page& page : layout.pages) {
         StagedTexture& texture = out.textures.emplace_back();

@@ -12,7 +12,7 @@ namespace limen::gpu {
 
 /// Binding of textures to shaders.
 enum class TextureMode : std::uint8_t {
-    Auto, ///< bindless if the driver supports it
+    Auto,       ///< bindless if the driver supports it
     ArrayPages, ///< one array texture per size and wrapping
     Bindless    ///< ARB_bindless_texture handles
 };
@@ -40,17 +40,17 @@ struct TextureContent {
 struct StagedTexture {
     std::string label;
     TextureContent content;
-    bool isShared = false; ///< the previous scene has it
+    bool isShared = false;                     ///< the previous scene has it
     std::vector<std::vector<MipLevel>> layers; ///< by layer, all mip levels; empty if shared
 };
 
 /// All textures of a scene, mipmapped and laid out in pages by any thread.
 struct StagedTextures {
     bool bindless = false, byIndex = false;
-    std::vector<StagedTexture> textures; ///< array pages, or single textures if bindless
+    std::vector<StagedTexture> textures;    ///< array pages, or single textures if bindless
     std::vector<TextureLocation> locations; ///< by picture: index into `textures`, and layer
-    std::vector<TextureClass> stored; ///< by picture: stored size and wrapping
-    std::uint32_t resampled = 0; ///< pictures stored enlarged
+    std::vector<TextureClass> stored;       ///< by picture: stored size and wrapping
+    std::uint32_t resampled = 0;            ///< pictures stored enlarged
 };
 
 /// Stages pictures for a device that holds `before` (may be empty). Existing content is shared. Pages keep

@@ -99,7 +99,8 @@ Result<void> TextureStore::begin(const StagedTexture& staged) {
     isBegun_ = true;
     std::shared_ptr<ResidentTexture>& shared = shared_[textures_.size()];
     if (staged.isShared && shared == nullptr)
-        return fail(ErrorCode::BadArgument, staged.label, "is no longer on the device; stage the scene again");
+        return fail(ErrorCode::BadArgument, staged.label,
+                    "is no longer on the device; stage the scene again");
     if (shared != nullptr) {
         textures_.push_back(std::move(shared));
         return {};
@@ -149,7 +150,8 @@ Result<bool> TextureStore::advance(std::size_t& bytes) {
         staged.layers = {};
         isBegun_ = false;
         if (staged_.bindless && textures_.back()->handle() == 0 && !textures_.back()->takeHandle())
-            return fail(ErrorCode::Driver, device_->capabilities().renderer, "refuses a bindless handle; use array pages");
+            return fail(ErrorCode::Driver, device_->capabilities().renderer,
+                        "refuses a bindless handle; use array pages");
     }
     if (refs_.empty())
         writeRefs();
