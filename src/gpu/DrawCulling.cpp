@@ -52,7 +52,7 @@ Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::str
     // docs/decisions/0119-culling-mode-is-a-uniform.md.
     constexpr std::array<const char*, layout::kCullModes> kNames{"cull occluders", "depth tiles",
                                                                  "cull occludees"};
-    Programs programs;
+    CullPrograms programs;
     for (std::uint32_t mode = 0; mode < layout::kCullModes; ++mode) {
         const Result<ProgramHandle> program =
             device.createProgram({.label = kNames[mode],

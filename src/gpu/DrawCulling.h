@@ -55,8 +55,8 @@ public:
 
 private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);
-    using Programs = std::array<OwnedProgram, frame::gpu::kCullModes>; ///< of cull.comp, by mode
-    DrawCulling(Device& device, Programs programs, Culling culling)
+    using CullPrograms = std::array<OwnedProgram, frame::gpu::kCullModes>; ///< of cull.comp, by mode
+    DrawCulling(Device& device, CullPrograms programs, Culling culling)
         : device_(&device), programs_(std::move(programs)), culling_(culling), tiles_(device) {}
     [[nodiscard]] Result<void> reserve(std::size_t indices);
     /// Records a failure and yields whether there was none. Later frames retry, up to kMostFailures times.
@@ -65,7 +65,7 @@ private:
     void run(std::uint32_t mode, std::uint32_t groups);
 
     Device* device_;
-    Programs programs_;
+    CullPrograms programs_;
     Culling culling_;
     DepthTiles tiles_;
     OwnedBuffer kept_;
