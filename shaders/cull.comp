@@ -188,8 +188,8 @@ void main() {
         return;
     }
     bool isFirst = cullMode == kCullOccluders;
-    uint begins = isFirst ? 0u : frame.firstHideable;
-    uint ends = isFirst ? frame.firstHideable : frame.slotCount;
+    uint begins = isFirst ? 0u : frame.firstOccludee;
+    uint ends = isFirst ? frame.firstOccludee : frame.slotCount;
     // Rows have equal length, so there may be more groups than slots. The surplus repeats the last slot and writes the
     // same values.
     uint slot = min(begins + group, ends - 1u);

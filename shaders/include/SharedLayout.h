@@ -158,7 +158,7 @@ LIMEN_STRUCT(FrameConstants) {
     uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
     uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
     uint replacementCount LIMEN_ZERO;
-    uint firstHideable
+    uint firstOccludee
         LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
     uint firstRect
         LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: vec4 per rectangle: least and most x and y, NDC
@@ -280,9 +280,9 @@ LIMEN_STRUCT(DrawPiece) {
 
 // Modes of cull.comp, a uniform that is set once for each of its three program objects.
 LIMEN_CONST kUniformCullMode = 0;
-LIMEN_CONST kCullOccluders = 0u;  // slots before firstHideable: walls and ground; without occlusion all slots
+LIMEN_CONST kCullOccluders = 0u;  // slots before firstOccludee: walls and ground; without occlusion all slots
 LIMEN_CONST kCullDepthTiles = 1u; // no slots: finds the farthest depth of each tile
-LIMEN_CONST kCullOccludees = 2u;  // slots from firstHideable on, also tested against the depth tiles
+LIMEN_CONST kCullOccludees = 2u;  // slots from firstOccludee on, also tested against the depth tiles
 LIMEN_CONST kCullModes = 3u;
 
 LIMEN_CONST kTileSize = 8u;   // pixels per side

@@ -104,8 +104,8 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
     usesOcclusion_ = culling_ == Culling::Hidden && options.occlusion && !drawsStaticIndices_ &&
                      isMade(tiles_.prepare(target.width(), target.height()));
     if (usesOcclusion_) {
-        if (plan.firstHideable < firstSlots_.size())
-            firstOccludee_ = firstSlots_[plan.firstHideable];
+        if (plan.firstOccludee < firstSlots_.size())
+            firstOccludee_ = firstSlots_[plan.firstOccludee];
     }
     place_ = (place_ + 1) % kFramesInFlight; // earlier frames still read theirs
 }
@@ -141,7 +141,7 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
 
 void DrawCulling::describe(layout::FrameConstants& constants) const {
     constants.slotCount = slotCount_;
-    constants.firstHideable = firstOccludee_;
+    constants.firstOccludee = firstOccludee_;
     constants.flags |= drawsStaticIndices_ ? layout::kFrameStaticIndices : 0;
 }
 

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
     /// Whether draws use the static indices; otherwise only the kept ones.
     [[nodiscard]] bool drawsStaticIndices() const { return drawsStaticIndices_; }
-    /// Whether batches from FramePlan::firstHideable on are culled by cullOccluded.
+    /// Whether batches from FramePlan::firstOccludee on are culled by cullOccluded.
     [[nodiscard]] bool usesOcclusion() const { return usesOcclusion_; }
     /// Buffer of the kept indices. Invalid until the first allocation.
     [[nodiscard]] BufferHandle keptIndices() const { return kept_.get(); }
@@ -47,7 +47,7 @@ public:
     void bind(StorageBindings& storage) const;
     /// Sets the constants that the shader reads.
     void describe(frame::gpu::FrameConstants& constants) const;
-    /// Writes commands and indices of all batches, or with occlusion those before firstHideable. Within a
+    /// Writes commands and indices of all batches, or with occlusion those before firstOccludee. Within a
     /// frame whose runs, pieces, commands and indices are bound.
     void cull();
     /// Writes those of the other batches. Requires usesOcclusion(), and that the earlier batches are drawn.

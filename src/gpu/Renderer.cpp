@@ -257,7 +257,7 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (stage.firstBatch + i == plan.firstHideable && culling_->usesOcclusion())
+            if (stage.firstBatch + i == plan.firstOccludee && culling_->usesOcclusion())
                 culling_->cullOccluded();
             if (!isDrawn(batch.program, options))
                 continue;

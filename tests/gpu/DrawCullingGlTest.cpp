@@ -153,7 +153,7 @@ TEST_F(DrawCullingGlTest, trianglesVisibleByOnePixelAreKept) {
         scene.addWall(100, {-2, -2}, {2, 1 - 2 * pixels / kSize}, 1, {.program = frame::Program::Opaque});
         scene.addWall(101, {-4, -4}, {4, 4}, 2, {.program = frame::Program::CutOut});
         frame::FramePlan plan = scene.finish(true);
-        plan.firstHideable = 3; // ownership, ground, opaque
+        plan.firstOccludee = 3; // ownership, ground, opaque
         Renderer renderer(*device_);
         ASSERT_TRUE(renderer.upload(scene.upload));
         Result<RenderTarget> target = RenderTarget::create(*device_, kSize, kSize);

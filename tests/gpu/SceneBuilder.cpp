@@ -223,7 +223,7 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     stage(frame::StageKind::Ownership, 0);
     std::size_t first = plan.batches.size();
     addBatch(Program::Terrain, allBatches);
-    plan.firstHideable = static_cast<std::uint32_t>(plan.batches.size());
+    plan.firstOccludee = static_cast<std::uint32_t>(plan.batches.size());
     addBatch(Program::Opaque, allBatches);
     addBatch(Program::CutOut, allBatches);
     stage(frame::StageKind::Solid, first);
