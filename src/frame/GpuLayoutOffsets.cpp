@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-// Offsets in bytes of every member of the structs that C++ writes and the GPU reads. A compiler that lays one out differently
-// stops here. tests/gpu/SharedLayoutGlTest.cpp compares the same offsets with those that the driver reports.
+// Offsets in bytes of every member of the structs that C++ writes and the GPU reads, so that a compiler with
+// another layout fails here. tests/gpu/SharedLayoutGlTest.cpp compares them with the driver's.
 namespace limen::frame::gpu {
 namespace {
 

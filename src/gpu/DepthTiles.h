@@ -10,7 +10,7 @@ class DepthTiles {
 public:
     explicit DepthTiles(Device& device) : device_(&device) {}
 
-    /// Reserves tiles for a picture of this size. Between frames. Errors: Driver, without memory.
+    /// Reserves tiles for a picture of this size. Between frames. Errors: Driver, if out of memory.
     [[nodiscard]] Result<void> prepare(std::uint32_t width, std::uint32_t height);
     /// Tiles of this frame.
     [[nodiscard]] std::uint32_t count() const { return count_; }

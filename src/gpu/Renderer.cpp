@@ -17,7 +17,7 @@ namespace {
 
 namespace layout = frame::gpu;
 
-// For an upload without driver memory.
+// Attempts at an upload when the driver is out of memory.
 constexpr int kUploadAttempts = 3;
 
 // Asserts the conditions without which the GPU would read out of bounds or loop.

@@ -127,8 +127,8 @@ public:
 
     // Resources. Between frames only.
 
-    /// Immutable copy of `bytes`; may be empty. Errors, in all creating functions: Driver, naming it, without
-    /// memory.
+    /// Immutable copy of `bytes`; may be empty. Errors, in all creating functions: Driver, if out of
+    /// memory, naming it.
     [[nodiscard]] virtual Result<BufferHandle> createBuffer(std::string_view label,
                                                             std::span<const std::byte> bytes) = 0;
     /// A buffer of `bytes`, filled by writeBuffer from beginning to end before any read.

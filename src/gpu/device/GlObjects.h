@@ -57,7 +57,7 @@ class Buffer : public GlName<detail::deleteBuffer> {
 public:
     Buffer() = default;
     /// Copy of `bytes`, zero-padded to at least 16 bytes, so that it can always be bound. Errors, here and
-    /// below: Driver, without memory.
+    /// below: Driver, if out of memory.
     [[nodiscard]] static Result<Buffer> createStatic(std::string_view label,
                                                      std::span<const std::byte> bytes);
     /// `size` bytes, at least 16, filled later (glNamedBufferSubData).
@@ -100,7 +100,7 @@ public:
     [[nodiscard]] static Texture createSampledImage(std::string_view label, GLenum format,
                                                     std::uint32_t width, std::uint32_t height,
                                                     std::uint32_t samples);
-    /// RGBA8 array with `levels` mip levels, trilinear. Errors: Driver, without memory.
+    /// RGBA8 array with `levels` mip levels, trilinear. Errors: Driver, if out of memory.
     [[nodiscard]] static Result<Texture> createArray(std::string_view label, std::uint32_t width,
                                                      std::uint32_t height, std::uint32_t layers,
                                                      std::uint32_t levels, bool clamp, float anisotropy);
