@@ -7,10 +7,10 @@
 
 #include "app/HeapTuning.h"
 #include "app/SessionStream.h"
-#include "worlds/Demo.h"
-#include "worlds/Generated.h"
 #include "gpu/device/NullDevice.h"
 #include "world/Nearby.h"
+#include "worlds/Demo.h"
+#include "worlds/Generated.h"
 
 #include <fmt/format.h>
 #include <fstream>

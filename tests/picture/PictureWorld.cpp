@@ -4,11 +4,11 @@
 #include "frame/IdColour.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
+#include "gpu/Renderer.h"
 #include "gpu/device/CheckedDevice.h"
 #include "gpu/device/DebugOutput.h"
 #include "gpu/device/GlDevice.h"
 #include "gpu/device/HeadlessContext.h"
-#include "gpu/Renderer.h"
 #include "world/Loader.h"
 
 #include <algorithm>

@@ -60,9 +60,8 @@ std::string readableLine(const EmbeddedShader& shader, std::string_view line) {
 
 Result<std::string> shaderText(std::string_view name, const ProgramSource& source) {
     const EmbeddedShader* shader = findShader(name);
-    if (shader == nullptr) {
+    if (shader == nullptr)
         return fail(ErrorCode::NotFound, std::string(name), "no embedded shader has this name");
-    }
     std::string text = "#version 450 core\n" + textureDefines(source.textures);
     text += stageDefine(name);
     for (const std::string& define : source.defines)
