@@ -59,7 +59,7 @@ private:
     DrawCulling(Device& device, CullPrograms programs, Culling culling)
         : device_(&device), programs_(std::move(programs)), culling_(culling), tiles_(device) {}
     [[nodiscard]] Result<void> reserve(std::size_t indices);
-    /// Records a failure and yields whether there was none. Later frames retry, up to kMostFailures times.
+    /// True on success, else records the failure. Later frames retry, up to kMostFailures times.
     [[nodiscard]] bool isMade(const Result<void>& made);
     /// `mode`: kCull... of SharedLayout.h.
     void run(std::uint32_t mode, std::uint32_t groups);
