@@ -5,7 +5,7 @@
 #include "DrawnPart.h"
 #include "TwoWays.h"
 
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <algorithm>
 #include <fmt/format.h>

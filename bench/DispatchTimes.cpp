@@ -3,7 +3,7 @@
 #include "Stopwatch.h"
 
 #include "core/Hash.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <epoxy/gl.h>
 

@@ -7,7 +7,7 @@
 #include "ViewTimes.h"
 
 #include "core/Hash.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>

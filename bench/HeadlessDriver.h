@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 
 #include <memory>
 #include <optional>

@@ -5,9 +5,9 @@
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
 
-#include "engine/HeapTuning.h"
-#include "engine/StreamedResidency.h"
-#include "gpu/NullDevice.h"
+#include "app/HeapTuning.h"
+#include "app/SessionStream.h"
+#include "gpu/device/NullDevice.h"
 #include "world/Nearby.h"
 #include "worlds/Demo.h"
 #include "worlds/Generated.h"

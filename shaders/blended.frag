@@ -1,6 +1,6 @@
-// Translucent surfaces of the late stage, back to front. Output is premultiplied, so that one blend function
-// (one, one minus source alpha) serves all: alpha (c a, a), additive (c a, 0), inverse alpha (c (1-a), 1-a).
-// No id and no depth.
+// Transparent surfaces of the transparent stage, back to front. Output is premultiplied, so that one blend function
+// (one, one minus source alpha) serves all: alpha (c a, a), additive (c a, 0), inverse alpha (c (1-a), 1-a). No id and
+// no depth.
 #define TRANSLUCENT
 #include "surface.glsl"
 
@@ -11,7 +11,7 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    Keep keep = keepOf(instance);
+    GateResult keep = keepOf(instance);
     if (!keep.kept) {
         discard;
     }
@@ -22,7 +22,7 @@ void main() {
     }
     float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * instance.opacity;
-    // A little of both: two programs do not compute the same to the bit, and what is nearly opaque hides itself.
+    // A small overlap: two programs do not compute identical bits, and the nearly opaque part hides its own surplus.
     if (isSplit(material) && (alpha >= kSolidAlpha + 1.0 / 512.0 || alpha < kLeastAlpha)) {
         discard;
     }

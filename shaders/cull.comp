@@ -1,23 +1,27 @@
-// Makes the draw commands of a frame, a work group each, without those of instances that are drawn from nearer or from farther away,
-// and leaves out triangles that cover no pixel's centre or face away. What
-// is kept stays in its order: of what lies equally deep, what comes later is seen. Where nothing is, nothing is drawn.
-// Triangles are only left out of frames with EXACT: what a pixel shows is decided there by the ray through its centre, so that a
-// triangle whose outline stays clear of all centres shows nothing, however it would be snapped.
-// What is seen in visits that do not have the whole picture is looked for within their rectangles alone: beyond these its fragments would be
-// dropped one by one.
-// In three dispatches (SharedLayout.h): the draws of walls and ground; when these are drawn, how far they cover the picture; and all
-// other draws, without triangles that lie behind.
+// Writes the draw commands of a frame, one work group a command, and compacts the indices of the triangles it keeps.
+// Order is preserved, because of two fragments at equal depth the later one is seen. A command without triangles draws
+// nothing.
+//
+// An instance is dropped outside its level-of-detail range. A triangle is dropped if it faces away, covers no pixel
+// centre, or is outside its run's rectangles (beyond them the ownership test would discard every fragment). Triangles
+// are dropped only with EXACT outlines: there a ray through the pixel centre decides, so a triangle clear of all
+// centres shows nothing, however the rasteriser snaps it.
+//
+// Modes (cullMode): the draws of walls and ground, or all draws; the depth tiles, when walls and ground are drawn; the other
+// draws, without triangles that are behind the depth tiles.
 #include "frommodel.glsl"
 
 layout(local_size_x = kCullThreads) in;
+layout(location = kUniformCullMode) uniform uint cullMode;
 layout(binding = kUnitDepth) uniform sampler2D depthSoFar;
 
-// Pixels that an outline may be from where it is computed here, and a pixel's ray beside its centre (kBesideX), with room to
-// spare: corners are 24-bit floats.
+// Pixels. Bounds the error of an outline computed here, plus the distance of a pixel's ray from its centre (kBesideX),
+// with room to spare: corners are 24-bit floats.
 const float kMargin = 1.0 / 32.0;
-// Share of what is added up by which it may round: ten roundings and more.
+// Relative rounding error of a sum: more than ten roundings.
 const float kRounding = 1.0e-6;
-// Metres, and per metre of distance, that the eye must be behind a triangle's plane: mesh.vert computes it again.
+// Metres, and metres per metre of distance, that the eye must be behind a triangle's plane. mesh.vert computes the
+// plane again.
 const float kBehind = 1.0e-3;
 const float kBehindSlope = 1.0e-6;
 
@@ -26,8 +30,8 @@ bool facesAway(uint vertex, Instance instance, vec3 corner) {
     return plane.w > kBehind + kBehindSlope * length(corner);
 }
 
-// How far a point lies on the inner side of an edge, times the edge's length, with kMargin to spare. `turn`: 1 if the outline
-// runs counter-clockwise, -1 if clockwise; either for one thinner than kMargin.
+// Distance of a point to the inner side of an edge, times the edge's length, plus a margin of kMargin. `turn`: 1 for a
+// counter-clockwise outline, -1 for a clockwise one; either for an outline thinner than kMargin.
 float withinEdge(vec2 from, vec2 to, vec2 point, float turn) {
     vec2 along = to - from;
     vec2 reach = point - from;
@@ -38,15 +42,15 @@ bool isNear(vec2 a, vec2 b, vec2 c, float turn, vec2 point) {
     return min(min(withinEdge(a, b, point, turn), withinEdge(b, c, point, turn)), withinEdge(c, a, point, turn)) >= 0.0;
 }
 
-// The pixels whose centres a triangle may cover: from one to another, both included, or none.
+// Pixels whose centres a triangle may cover, low and high included.
 struct Pixels {
     vec2 low;
     vec2 high;
     bool any;
 };
 
-// Those with centres in the rectangle around three corners on the screen. If no more than two each way have, the triangle itself
-// is asked.
+// Pixels with centres in the rectangle around three corners on the screen. Up to 2 x 2 of them are tested against the
+// triangle itself.
 Pixels pixelsOf(vec3 first, vec3 second, vec3 third) {
     vec2 most = frame.viewport.xy * 0.5;
     vec2 a = first.xy / first.z + most;
@@ -68,21 +72,21 @@ Pixels pixelsOf(vec3 first, vec3 second, vec3 third) {
     return Pixels(low, high, isOnOne);
 }
 
-// The share of a depth by which it may come out nearer than that of the nearest corner: a thousand roundings.
+// Relative error by which a fragment may be nearer than the nearest corner: a thousand roundings.
 const float kNearer = 1.0e-4;
 
-// The picture in tiles of kTileSize pixels a side, row by row from the bottom; the last of a row or column may be cut.
+// Tiles of kTileSize pixels per side, row by row from the bottom. The last of a row or column may be partial.
 uvec2 tilesOfPicture() {
     return (uvec2(frame.viewport.xy) + kTileSize - 1u) / kTileSize;
 }
 
-// Whether what was drawn first is nearer than all of a triangle, at every pixel that it may show at. Depths are the near plane's
-// share: on the screen they are linear, so that no point of a triangle is nearer than the nearest corner.
-bool isHidden(Pixels pixels, float nearest) {
+// Whether the depth tiles are nearer than a triangle at every pixel that it may cover. Stored depth (near plane / view
+// depth) is linear on the screen, so no point of a triangle is nearer than its nearest corner.
+bool isOccluded(Pixels pixels, float nearest) {
     uvec2 from = uvec2(pixels.low) / kTileSize;
     uvec2 count = uvec2(pixels.high) / kTileSize - from + 1u;
     uint tiles = count.x * count.y;
-    if (gl_NumWorkGroups.z != kCullBehind || tiles > kMostTiles) {
+    if (cullMode != kCullOccludees || tiles > kMostTiles) {
         return false;
     }
     float depth = frame.nearPlane / nearest * (1.0 + kNearer);
@@ -95,8 +99,9 @@ bool isHidden(Pixels pixels, float nearest) {
     return true;
 }
 
-// Whether all corners of a triangle, and so all of it that is ahead, lie beyond one edge of a rectangle (least and most x and y, in pixels
-// from the window's middle). Corners are pixels times depth, of which what is linear holds behind the eye as well.
+// Whether all three corners, and so the whole visible triangle, are beyond one edge of a rectangle (least and greatest
+// x and y, in pixels from the window's middle). Corners are pixels times depth, in which linear tests also hold behind
+// the eye.
 bool isBeside(vec3 a, vec3 b, vec3 c, vec4 rect) {
     vec3 depths = vec3(a.z, b.z, c.z);
     vec3 across = vec3(a.x, b.x, c.x);
@@ -107,7 +112,7 @@ bool isBeside(vec3 a, vec3 b, vec3 c, vec4 rect) {
            all(greaterThan(across - rect.z * depths, spareAcross)) || all(greaterThan(up - rect.w * depths, spareUp));
 }
 
-// Whether a triangle reaches into one of a run's rectangles (DrawRun), or into the window.
+// Whether a triangle may overlap one of its run's rectangles (DrawRun), or the window.
 bool isWithin(vec3 a, vec3 b, vec3 c, uint rects) {
     vec4 most = frame.viewport.xyxy * 0.5;
     uint count = rects >> 16;
@@ -135,7 +140,7 @@ bool mayShow(uint vertex, Instance instance, uint rects) {
         return true;
     }
     Pixels pixels = pixelsOf(a, b, c);
-    return pixels.any && !isHidden(pixels, nearest);
+    return pixels.any && !isOccluded(pixels, nearest);
 }
 
 uint squareOf(int steps) {
@@ -143,7 +148,7 @@ uint squareOf(int steps) {
     return away * away;
 }
 
-// Whether the eye is where the instance is drawn from; world/LevelRange.cpp finds the same in the same whole numbers.
+// Whether the eye is within the instance's range; world/LevelRange.cpp computes the same in the same integers.
 bool isInLevelRange(Instance instance) {
     if (instance.reach == kFromAnywhere) {
         return true;
@@ -159,8 +164,8 @@ bool isInLevelRange(Instance instance) {
 
 shared uint keptBy[kCullThreads];
 
-// The least depth of a tile's pixels, which is the farthest. What lies farther all over a tile is hidden there, whatever it is, for depth
-// is what decides.
+// The least stored depth of a tile is its farthest point. A triangle farther than that in all its tiles is occluded,
+// because the depth test decides.
 void coverTile(uint number) {
     uvec2 tiles = tilesOfPicture();
     ivec2 begin = ivec2(number % tiles.x, number / tiles.x) * int(kTileSize);
@@ -177,25 +182,26 @@ void coverTile(uint number) {
 }
 
 void main() {
-    uvec3 groups = gl_NumWorkGroups;
-    uint group = (gl_WorkGroupID.z * groups.y + gl_WorkGroupID.y) * groups.x + gl_WorkGroupID.x;
-    if (groups.z == kCullTiles) {
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    if (cullMode == kCullDepthTiles) {
         coverTile(group * kCullThreads + gl_LocalInvocationID.x);
         return;
     }
-    uint begins = groups.z == kCullFirst ? 0u : frame.firstHideable;
-    uint ends = groups.z == kCullFirst ? frame.firstHideable : frame.slotCount;
-    // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
+    bool isFirst = cullMode == kCullOccluders;
+    uint begins = isFirst ? 0u : frame.firstOccludee;
+    uint ends = isFirst ? frame.firstOccludee : frame.slotCount;
+    // Rows have equal length, so there may be more groups than slots. The surplus repeats the last slot and writes the
+    // same values.
     uint slot = min(begins + group, ends - 1u);
     uint rects;
-    RunPlace place = placeOf(slot, rects);
-    DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
-    bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
-    bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
-    uint triangles = piece.triangles & ~kKeepsAll;
-    Instance instance = instanceAt(keepsAll ? 0u : piece.instance);
-    bool isHere = keepsAll || isInLevelRange(instance);
-    uint toLookAt = drawsAsIs || !isHere ? 0u : triangles;
+    RunOffsets offsets = offsetsOf(slot, rects);
+    DrawPiece piece = pieceAt((slot + offsets.piece) & ~kGated);
+    bool drawsStaticIndices = (frame.flags & kFrameStaticIndices) != 0u;
+    bool neverCulled = (piece.triangles & kNeverCulled) != 0u;
+    uint triangles = piece.triangles & ~kNeverCulled;
+    Instance instance = instanceAt(neverCulled ? 0u : piece.instance);
+    bool isHere = neverCulled || isInLevelRange(instance);
+    uint toLookAt = drawsStaticIndices || !isHere ? 0u : triangles;
     uint me = gl_LocalInvocationID.x;
     uint each = (toLookAt + kCullThreads - 1u) / kCullThreads;
     uint begin = min(me * each, toLookAt);
@@ -203,7 +209,7 @@ void main() {
     uint kept = 0u;
     for (uint i = begin; i < end; ++i) {
         uint vertex = indices[piece.firstIndex + 3u * i];
-        kept |= keepsAll || mayShow(vertex - vertex % 3u, instance, rects) ? 1u << (i - begin) : 0u;
+        kept |= neverCulled || mayShow(vertex - vertex % 3u, instance, rects) ? 1u << (i - begin) : 0u;
     }
     keptBy[me] = bitCount(kept);
     barrier();
@@ -213,7 +219,7 @@ void main() {
         before = thread == me ? all : before;
         all += keptBy[thread];
     }
-    uint first = piece.indicesBefore + place.kept;
+    uint first = piece.indicesBefore + offsets.kept;
     uint to = first + 3u * before;
     while (kept != 0u) {
         uint i = begin + uint(findLSB(kept));
@@ -226,11 +232,11 @@ void main() {
     }
     if (me == 0u) {
         uint command = slot * kWordsPerCommand;
-        uint drawn = drawsAsIs && isHere ? triangles : all;
+        uint drawn = drawsStaticIndices && isHere ? triangles : all;
         commands[command] = 3u * drawn;
         commands[command + 1u] = drawn > 0u ? 1u : 0u;
-        commands[command + 2u] = drawsAsIs ? piece.firstIndex : first;
+        commands[command + 2u] = drawsStaticIndices ? piece.firstIndex : first;
         commands[command + 3u] = 0u;
-        commands[command + 4u] = keepsAll ? piece.instance : recordOf(piece.instance) | (place.piece & kGated);
+        commands[command + 4u] = neverCulled ? piece.instance : recordOf(piece.instance) | (offsets.piece & kGated);
     }
 }

@@ -1,6 +1,6 @@
-// Counts the translucent surfaces of the late stage instead of painting them: each polygon once wherever it would be
-// blended, whatever its alpha, in any order. Through the same vertices, gate and depth test as blended.frag. With a
-// source alpha of 0 the one blend function (one, one minus source alpha) adds. Out: layers met, sum of their hashes.
+// Counts the surfaces of the transparent stage instead of painting them: each polygon once wherever it would be
+// blended, at any alpha, in any order. Same vertices, gate and depth test as blended.frag. With a source alpha of
+// 0 the blend function (one, one minus source alpha) adds. Out: number of layers, sum of their hashes.
 #define TRANSLUCENT
 #include "surface.glsl"
 #include "layers.glsl"
@@ -8,7 +8,7 @@
 layout(location = kOutputBlended) out vec4 outLayers;
 
 void main() {
-    Keep keep = keepOf(drawnInstance());
+    GateResult keep = keepOf(drawnInstance());
     if (!keep.kept) {
         discard;
     }

@@ -1,31 +1,32 @@
-// Vertices of every mesh of the solid and late stages, terrain included.
-// In: one vertex of the arena, model space; gl_BaseInstance + gl_InstanceID: the instance, and kGated. Out: clip position; eye-relative
-// position and world-axes normal for the tests and the light; what is constant over a triangle.
+// Vertices of every mesh of the solid and transparent stages, terrain included.
+// In: one vertex of the arena, model space; gl_BaseInstance + gl_InstanceID: the instance, and kGated. Out: clip
+// position; eye-relative position and world-axes normal for the gate and the light; values that are constant over a
+// triangle.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh.
-// EXACT: triangles are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
+// EXACT: triangles are drawn slightly larger, and fragments outside are discarded (outline.glsl).
 #extension GL_ARB_shader_draw_parameters : require
 #include "frommodel.glsl"
 #include "samples.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec4 inNormal;
-layout(location = 2) in vec2 inUv;
-layout(location = 3) in uint inPolygonSurface;
-layout(location = 4) in vec3 inFacet;
-layout(location = 5) in vec3 inRest;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec4 inNormal;
+layout(location = kAttributeUv) in vec2 inUv;
+layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
+layout(location = kAttributeFacet) in vec3 inFacet;
+layout(location = kAttributeRest) in vec3 inRest;
 
 invariant gl_Position;
-layout(location = 0) SMOOTH out vec3 vEyeRelative;
-layout(location = 1) SMOOTH out vec3 vNormal;
-layout(location = 2) SMOOTH out vec3 vUv; // z: see paintAround
-layout(location = 3) flat out uint vInstance; // and kGated
-layout(location = 4) flat out uint vSurface;
-layout(location = 5) flat out uint vId;
+layout(location = kVaryingEyeRelative) SMOOTH out vec3 vEyeRelative;
+layout(location = kVaryingNormal) SMOOTH out vec3 vNormal;
+layout(location = kVaryingUv) SMOOTH out vec3 vUv; // z: see paintAround
+layout(location = kVaryingInstance) flat out uint vInstance; // also has kGated
+layout(location = kVaryingSurface) flat out uint vSurface;
+layout(location = kVaryingId) flat out uint vId;
 #ifdef EXACT
-layout(location = 6) flat out uint vTriangle; // its first vertex in the arena
-layout(location = 7) flat out vec4 vFacet;    // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
-layout(location = 8) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
-layout(location = 11) flat out vec3 vOutline[3]; // the same corners, of screenFromEye
+layout(location = kVaryingTriangle) flat out uint vTriangle; // its first vertex in the arena
+layout(location = kVaryingFacet) flat out vec4 vFacet; // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
+layout(location = kVaryingCorners) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
+layout(location = kVaryingOutline) flat out vec3 vOutline[3]; // the same corners, by screenFromEye
 #endif
 
 vec3 turned(vec3 normal, Instance instance) {
@@ -42,19 +43,19 @@ vec3 outlineCorner(uint i) {
 }
 #include "grow.glsl"
 
-// The near plane cuts fragment by fragment, too; the clipper must leave what may round to either side of it.
+// Fragments are also cut at the near plane one by one; the clipper must not remove those within rounding of it.
 const float kBeforeNear = 0.999;
 
-// A vertex of a triangle and the others, in the triangle's order.
+// Clip positions of a vertex and its neighbours, in the triangle's order.
 struct Around {
     vec4 before;
     vec4 own;
     vec4 after;
 };
 
-// Growth of a vertex's corner. With `all` it fails for all three vertices alike, if that of any corner does. A loop that
-// seldom has a second turn, and no branch: drivers that run every branch for all vertices still end a loop with its last
-// turn.
+// Growth of a vertex's corner. With `all`, it fails for all three vertices if it fails for any corner. A loop that
+// rarely has a second turn rather than a branch: drivers that execute every branch for all vertices still leave a loop
+// early.
 Growth growthOf(Around clip, bool all) {
     Growth growth = Growth(0.0, 0.0, vec2(0.0), false);
     uint turns = all ? 3u : 1u;
@@ -84,7 +85,7 @@ vec2 aroundTriangle(vec4 first, vec4 second, vec4 third, uint corner) {
     return aroundBox(low, high, corner, true);
 }
 
-// A triangle around the whole one; which fragments lie on it is decided one by one.
+// One triangle around the whole triangle; fragments are tested one by one.
 void drawAround(vec2 pixelsFromMiddle) {
     gl_Position = vec4(pixelsFromMiddle / (frame.viewport.xy * 0.5), 0.5, 1.0);
 }
@@ -93,9 +94,9 @@ float cross2(vec2 a, vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-// What a triangle around another shows, at one of its corners. The three corners share in what is seen at a place of the window by
-// what is linear there, and so is their sum, which is 0 at the plane's horizon: both are interpolated, and divided fragment by
-// fragment.
+// Attributes at a corner of the triangle drawn around another one. The shares of the three original corners, and their
+// sum, are linear on the screen; the sum is 0 at the plane's horizon. Attributes and sum are interpolated, and divided
+// per fragment.
 void paintAround(vec2 pixelsFromMiddle, Instance instance) {
     vec2 across[3];
     for (uint i = 0u; i < 3u; ++i) {
@@ -114,8 +115,8 @@ void paintAround(vec2 pixelsFromMiddle, Instance instance) {
     }
 }
 
-// Moves the corner of a triangle that faces the eye outwards, with what is interpolated from it. All three corners must
-// come to the same decisions, so each of them takes them for the triangle as a whole, in the same order.
+// Moves the corner of a triangle that faces the eye outwards, with its attributes. All three vertices must make the
+// same decisions, so each evaluates them for the whole triangle in the same order.
 void drawLarger(uint own, vec3 before, vec3 after, Instance instance) {
     vec4 clip[3] = vec4[3](clipFromEye(corners[0]), clipFromEye(corners[1]), clipFromEye(corners[2]));
     bool mayThin = mayBeThin(clip[0], clip[1], clip[2]);
@@ -169,7 +170,7 @@ void main() {
     corners[0] = corner == 0u ? eyeRelative : corner == 1u ? before : after;
     corners[1] = corner == 1u ? eyeRelative : corner == 2u ? before : after;
     corners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;
-    vec4 facet = facetFromModel(inFacet, instance, corners[0]); // of the same corner for all three
+    vec4 facet = facetFromModel(inFacet, instance, corners[0]); // from the same corner for all three vertices
     vTriangle = triangle;
     vFacet = facet;
     vCorners = corners;

@@ -1,4 +1,4 @@
-// Opaque surfaces. Out: colour; the polygon's id. FLAT: the colour is the id's.
+// Opaque surfaces. Out: colour; the polygon's id. FLAT: colour of the id.
 #define SOLID
 #include "surface.glsl"
 #include "idcolour.glsl"
@@ -11,7 +11,7 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    Keep keep = keepOf(instance);
+    GateResult keep = keepOf(instance);
     if (!keep.kept) {
         discard;
     }

@@ -1,17 +1,17 @@
-// Stage 1: writes the number of the visit that owns the pixel. A later polygon is a nearer one.
-// The clip set is tested here and not by gl_ClipDistance: clipping makes new vertices, and edges through new vertices
-// are no longer exactly the edges of the walls beside them.
-// EXACT: the opening's own edges are tested, too, as those of the walls are (outline.glsl).
+// Stage 1: writes the number of the visit that owns the pixel. A later polygon is a nearer one. The clip set is tested
+// here, not by gl_ClipDistance: clipping creates vertices, and edges through new vertices no longer coincide exactly
+// with the edges of adjacent walls.
+// EXACT: the opening's own edges are tested like those of walls (outline.glsl).
 #define OWNERSHIP
 #include "transform.glsl"
 #include "ray.glsl"
 #include "samples.glsl"
 
-layout(location = 0) flat in uint vVisit;
-layout(location = 1) flat in uvec3 vOpening;
-layout(location = 2) flat in vec4 vPlane;
-layout(location = 3) flat in uint vCovers;
-layout(location = 0) out uint outVisit;
+layout(location = kVaryingVisit) flat in uint vVisit;
+layout(location = kVaryingOpening) flat in uvec3 vOpening;
+layout(location = kVaryingPlane) flat in vec4 vPlane;
+layout(location = kVaryingCovers) flat in uint vCovers;
+layout(location = kOutputVisit) out uint outVisit;
 
 uvec3 opening = uvec3(0u);
 #include "openingcorner.glsl"
@@ -21,7 +21,7 @@ vec3 cornerOnScreen(uint i) {
 }
 #include "outline.glsl"
 
-// Without EXACT the rasteriser has decided, unless something larger was drawn.
+// Without EXACT the rasteriser's coverage decides, unless a larger shape was drawn.
 bool testsOutline() {
 #ifdef EXACT
     return opening.y > 0u;
@@ -30,7 +30,7 @@ bool testsOutline() {
 #endif
 }
 
-// All but the last of the planes pass through the eye.
+// All planes but the last pass through the eye.
 bool isClipped(ClipSet set, vec3 direction, float depth) {
     for (int i = 0; i < 7; ++i) {
         if (dot(set.planes[i].xyz, direction) + set.planes[i].w < 0.0) {
@@ -50,7 +50,7 @@ bool passes(vec2 window) {
 
 void main() {
     opening = vOpening;
-    if (!passes(windowPlace())) {
+    if (!passes(windowPosition())) {
         discard;
     }
     outVisit = vVisit;

@@ -1,24 +1,24 @@
-// Stage 1: the openings, in tree order. No vertex input: corners are pulled by gl_VertexID.
+// Stage 1: the openings, in tree order. No vertex input: corners are fetched by gl_VertexID.
 // In: the corners of an opening in block-local metres (the same transform as the walls around it), or a clip set alone.
-// Out: clip position; the visit's number; what tells whether a ray passes the opening and those before it.
-// EXACT: openings are drawn a little larger than they are, and fragments beside them dropped (outline.glsl).
+// Out: clip position; the visit's number; the values that the fragment stage tests rays with.
+// EXACT: openings are drawn slightly larger, and fragments outside are discarded (outline.glsl).
 //
-// Depth is 0 (infinitely far) for every corner: portals are met at any distance, so that neither the near nor the far
-// plane may cut them, and the stage has no depth buffer. What is left is the cut at w = 0, the eye's plane.
+// Depth is 0 (infinitely far) for every corner: a ray passes a portal at any distance, so neither the near nor the far
+// plane may clip it, and the stage has no depth buffer. The only remaining clipping is at w = 0, the eye's plane.
 #include "transform.glsl"
 
 invariant gl_Position;
-layout(location = 0) flat out uint vVisit;
-layout(location = 1) flat out uvec3 vOpening; // first vertex of the fan, number of corners (0: none), clip set
-layout(location = 2) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, p) = vPlane.w
-layout(location = 3) flat out uint vCovers;   // 1: drawn around the whole window
+layout(location = kVaryingVisit) flat out uint vVisit;
+layout(location = kVaryingOpening) flat out uvec3 vOpening; // first vertex of the fan, number of corners (0: none), clip set
+layout(location = kVaryingPlane) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, p) = vPlane.w
+layout(location = kVaryingCovers) flat out uint vCovers;   // 1: drawn around the whole window
 
 uvec3 opening = uvec3(0u);
 vec4 plane = vec4(0.0); // vPlane
 #include "openingcorner.glsl"
 #include "grow.glsl"
 
-const float kNearest = 1.0e-4; // metres: openings are met at any distance
+const float kNearest = 1.0e-4; // metres: an opening may be at any distance
 
 vec4 planeOfOutline() {
     vec3 origin = outlineCorner(0u);
@@ -69,8 +69,8 @@ vec4 grownCorner(uint own) {
 
 // `part`: the vertex's number in the fan.
 void drawLarger(uint part) {
-    uint role = part % 3u; // the middle, the corner that has the triangle's number, the next
-    Thin thin = thinAt(opening.y, part < 3u ? role : 2u, kNearest); // of the whole fan one triangle stays
+    uint role = part % 3u; // 0: the middle; 1: the corner with the triangle's number; 2: the next corner
+    Thin thin = thinAt(opening.y, part < 3u ? role : 2u, kNearest); // one triangle of the whole fan remains
     if (thin.is) {
         gl_Position = vec4(thin.at / (frame.viewport.xy * 0.5), 0.0, 1.0);
     } else if (anyFails()) {

@@ -2,13 +2,13 @@
 #include "textures.glsl"
 #include "gate.glsl"
 
-layout(location = 0) SMOOTH in vec2 vUv;
-layout(location = 1) flat in uint vInstance;
-layout(location = 2) flat in uint vMaterial;
+layout(location = kVaryingSkyUv) SMOOTH in vec2 vUv;
+layout(location = kVaryingSkyInstance) flat in uint vInstance;
+layout(location = kVaryingSkyMaterial) flat in uint vMaterial;
 layout(location = kOutputBlended) out vec4 outColour;
 
 void main() {
-    gl_FragDepth = kSkyDepth; // to the bit, as the plain sky: they are drawn over it and over one another
+    gl_FragDepth = kSkyDepth; // equal to the plain sky's to the bit: objects are drawn over it and over one another
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
     if (!gl_FrontFacing || !keepOutside()) {

@@ -1,15 +1,16 @@
-// Meshes of the sky, around the eye and behind everything. In: one vertex of the arena; gl_BaseInstance: the sky instance.
+// Meshes of the sky, around the eye and behind everything. In: one vertex of the arena; gl_BaseInstance: the sky
+// instance.
 #extension GL_ARB_shader_draw_parameters : require
 #include "transform.glsl"
 #include "samples.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 2) in vec2 inUv;
-layout(location = 3) in uint inPolygonSurface;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeUv) in vec2 inUv;
+layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
 
-layout(location = 0) SMOOTH out vec2 vUv;
-layout(location = 1) flat out uint vInstance;
-layout(location = 2) flat out uint vMaterial;
+layout(location = kVaryingSkyUv) SMOOTH out vec2 vUv;
+layout(location = kVaryingSkyInstance) flat out uint vInstance;
+layout(location = kVaryingSkyMaterial) flat out uint vMaterial;
 
 void main() {
     uint index = uint(gl_BaseInstanceARB);

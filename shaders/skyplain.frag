@@ -1,9 +1,9 @@
-// The plain sky, where no surface was met and the ray got outside. Out: horizon to zenith; the sky's id. FLAT: the
-// colour is the id's.
+// The plain sky: pixels without a surface whose ray ended outside. Out: gradient from horizon to zenith; the sky's id.
+// FLAT: colour of the id.
 #include "gate.glsl"
 #include "idcolour.glsl"
 
-layout(location = 0) in vec3 vDirection;
+layout(location = kVaryingDirection) in vec3 vDirection;
 layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
 
@@ -14,7 +14,7 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(kSkyId);
 #else
-    // The square root brings the zenith's colour down: haze is thick only near the horizon.
+    // The square root lowers the zenith's colour: haze is thick only near the horizon.
     float height = sqrt(clamp(normalize(vDirection).z, 0.0, 1.0));
     outColour = vec4(mix(frame.fogColour.rgb, frame.skyZenith.rgb, height), 1.0);
 #endif

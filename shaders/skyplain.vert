@@ -1,7 +1,7 @@
-// One triangle over the whole screen, behind everything. Out: direction of view in world axes, unnormalised.
+// One triangle over the whole screen, behind everything. Out: view direction in world axes, unnormalised.
 #include "buffers.glsl"
 
-layout(location = 0) out vec3 vDirection;
+layout(location = kVaryingDirection) out vec3 vDirection;
 
 void main() {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);

@@ -1,6 +1,6 @@
-// Landscape: a base texture, up to three terrain overlays and up to two roads per landcell, blended in that order
-// (docs/formats/landscape.md#texture-blending). In: uv is the position within the landcell, (0,0) at its south-west corner.
-// Out: colour; the landcell triangle's id. FLAT: the colour is the id's.
+// Landscape: a base texture, up to three terrain overlays and up to two roads per landcell, blended in that order. In:
+// uv is the position within the landcell, (0,0) at its south-west corner. Out: colour; the landcell triangle's id.
+// FLAT: colour of the id.
 #include "surface.glsl"
 #include "idcolour.glsl"
 
@@ -32,7 +32,7 @@ vec3 layerColour(TerrainLayer layer, CellUv uv) {
     return sampleTexture(layer.texture, uv.at * layer.tiling, uv.dx * layer.tiling, uv.dy * layer.tiling).rgb;
 }
 
-// How much of what lies underneath a layer stays: 1 keeps it.
+// Share of the layers below that remains visible: 1 keeps them.
 float keptUnder(TerrainLayer layer, CellUv uv) {
     if (layer.alpha == kNoTexture) {
         return 0.0;
@@ -52,14 +52,14 @@ uint layersPresent(uint first) {
     return count;
 }
 
-// One loop over the layers there are, with one place that samples: drivers that run every branch of an `if` for all
-// fragments still end a loop with its last turn.
+// One loop over the present layers, with one sampling site. Drivers that execute every branch of an `if` for all
+// fragments still leave a loop early.
 vec3 blendedTerrain(uint cell, CellUv uv) {
     uint first = cell * kLayersPerCell;
     uint count = layersPresent(first);
     vec3 colour = vec3(1.0);
     vec3 road = vec3(0.0);
-    float roadKeeps = 1.0; // two road maps are one road: what both keep stays
+    float roadKeeps = 1.0; // two road maps form one road: texels that both keep remain
     for (uint i = 0u; i < count; ++i) {
         TerrainLayer layer = terrainLayers[first + i];
         if (layer.texture == kNoTexture) {
@@ -82,7 +82,7 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    Keep keep = keepOf(instance);
+    GateResult keep = keepOf(instance);
     if (!keep.kept) {
         discard;
     }

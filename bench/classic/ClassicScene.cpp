@@ -2,7 +2,7 @@
 
 #include "core/Assert.h"
 #include "frame/SceneBuilder.h"
-#include "gpu/Programs.h"
+#include "gpu/scene/Programs.h"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "frame/GpuLayout.h"
-#include "gpu/Device.h"
-#include "gpu/TextureStore.h"
+#include "gpu/device/Device.h"
+#include "gpu/texture/TextureStore.h"
 #include "world/DynamicState.h"
 #include "world/World.h"
 

@@ -1,6 +1,6 @@
-// What C++ and GLSL must agree on to the byte: binding numbers, flag bits and the structs of every storage buffer
-// (std430). Read by both: C++ sees glm types in namespace limen::frame::gpu, GLSL sees its own. Sizes and offsets are
-// checked by static_assert in src/frame/GpuLayout.h.
+// Contract between C++ and GLSL, to the byte: binding numbers, flag bits and the structs of every storage buffer
+// (std430). C++ sees glm types in namespace limen::frame::gpu, GLSL sees its own. Sizes are asserted in
+// src/frame/GpuLayout.h, offsets in src/frame/GpuLayoutOffsets.cpp.
 //
 // Space: "eye-relative" is world axes with the origin at the eye, metres.
 #ifdef __cplusplus
@@ -22,7 +22,8 @@ using uint = std::uint32_t;
 #define LIMEN_CONST const uint
 #endif
 
-// Storage buffer bindings.
+// Storage buffer bindings. "Static": written when a scene is uploaded. "GPU": written by cull.comp in
+// each frame.
 LIMEN_CONST kBindFrame = 0;        // FrameConstants, one
 LIMEN_CONST kBindMaterials = 1;    // Material (static)
 LIMEN_CONST kBindMaterialRefs = 2; // uint (static)
@@ -33,75 +34,89 @@ LIMEN_CONST kBindTextures = 6;     // TextureRef (static)
 LIMEN_CONST kBindOwnership = 7;    // OwnershipVertex
 LIMEN_CONST kBindClipSets = 8;     // ClipSet
 LIMEN_CONST kBindSky = 9;          // SkyInstance
-LIMEN_CONST kBindCommands = 10;    // DrawCommand, as words: written on the device
+LIMEN_CONST kBindCommands = 10;    // DrawCommand as words (GPU)
 LIMEN_CONST kBindIndices = 11;     // uint (static)
-LIMEN_CONST kBindKeptIndices = 12; // uint: of the triangles that are kept, written likewise
-LIMEN_CONST kBindTiles = 13;       // float: how far what was drawn first covers each tile, written likewise
+LIMEN_CONST kBindKeptIndices = 12; // uint, the indices of the triangles that culling kept (GPU)
+LIMEN_CONST kBindTiles = 13;       // float, the farthest depth of each tile after walls and ground (GPU)
 LIMEN_CONST kStorageBindings = 14;
 
-// Texture units. Of buffers, these are read as texels of four words: software drivers read a storage buffer lane by lane, and
-// texels several times faster. Array pages come last (none in bindless mode).
+// Texture units. Several are buffers read as texels of four words: software drivers read a storage buffer lane by lane,
+// and texels several times faster. Array pages are last (none in bindless mode).
 LIMEN_CONST kUnitOwnership = 0; // the ownership target
-LIMEN_CONST kUnitRing = 1;      // this frame's arrays, at the texels that FrameConstants tells
-LIMEN_CONST kUnitDepth = 2;     // the target's depth; not sampled while anything is drawn
-LIMEN_CONST kUnitVertices = 3;  // Vertex: the arena that is also the vertex fetch (static)
+LIMEN_CONST kUnitRing = 1;      // this frame's arrays; FrameConstants has the first texel of each
+LIMEN_CONST kUnitDepth = 2;     // the target's depth; sampled only between draws
+LIMEN_CONST kUnitVertices = 3;  // Vertex (static); the vertex fetch reads the same buffer
 LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
 LIMEN_CONST kUnitFirstPage = 7;
+LIMEN_CONST kVertexTexels = 4u; // texels of one record
+LIMEN_CONST kInstanceTexels = 5u;
+LIMEN_CONST kVisitTexels = 2u;
 
-// Fragment outputs. What is blended has a location of its own: blending stays switched on for that draw buffer and
-// off for the others, and no stage has to change it.
+// Fragment outputs. Blended colour has an output of its own. Blending stays enabled for its draw buffer and disabled
+// for the others, so that no stage has to switch it.
 LIMEN_CONST kOutputColour = 0;
 LIMEN_CONST kOutputId = 1;
 LIMEN_CONST kOutputBlended = 2;
+LIMEN_CONST kOutputVisit = 0; // of the ownership stage, which has no other output
+
+// Vertex attribute locations: members of Vertex (GpuLayout.h).
+LIMEN_CONST kAttributePosition = 0;
+LIMEN_CONST kAttributeNormal = 1;
+LIMEN_CONST kAttributeUv = 2;
+LIMEN_CONST kAttributePolygonSurface = 3;
+LIMEN_CONST kAttributeFacet = 4;
+LIMEN_CONST kAttributeRest = 5;
 
 LIMEN_CONST kOutside = 0u;   // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
 
-LIMEN_CONST kKindShell = 0u; // kind of instance: a cell's own walls, world::InstanceKind::Shell
+LIMEN_CONST kKindShell = 0u; // InstanceKind::Shell: a cell's own walls
 LIMEN_CONST kKindFilling =
-    6u; // what stands in an opening: a door's leaf, a pane, world::InstanceKind::Filling
+    6u; // InstanceKind::Filling: a surface in an opening, such as a door leaf or a pane
 
-// Where in a pixel its ray passes, from the centre, in parts of a pixel, y upwards. Eyes stand in the planes of walls and over
-// edges, and what is built on a grid lies at angles that pixels' centres lie at, too: rays through centres then pass along edges,
-// one behind the other, and each decides for itself, by roundings, which side it is on. No such line passes here. The parts are
-// what floats of a window 4,096 pixels wide can tell apart.
+// Sample position in a pixel, relative to its centre, in units of 1/kPartsOfAPixel pixel, y upwards. Eyes stand in the
+// planes of walls and above edges, and geometry on a grid has edges at angles where pixel centres line up. A ray
+// through a centre would then run along several edges at once, and rounding would decide its side at each of them
+// separately. No such line passes through this position. 1/4,096 pixel is the resolution of a float coordinate in a
+// window 4,096 pixels wide.
 LIMEN_CONST kBesideX = 7u;
 LIMEN_CONST kBesideY = 3u;
 LIMEN_CONST kPartsOfAPixel = 4096u;
 
-// Depths are the near plane's share of the view depth. What lies beyond the outline of its polygon, by no more than rounding makes of
-// it, is kept where nothing else is: its depth is stored 2^-kFringeExponent of what it is. The sky covers that, and nothing more:
-// it lies at 2^-kSkyExponent, which is ten million kilometres away.
+// Stored depth is near plane / view depth. A fragment just outside its polygon's outline, by no more than rounding,
+// fills only pixels that nothing else covers: its depth is multiplied by 2^-kFringeExponent. The sky, at
+// 2^-kSkyExponent (ten million kilometres), covers such fragments and nothing else.
 LIMEN_CONST kFringeExponent = 40u;
 LIMEN_CONST kSkyExponent = 39u;
 
-// From how far away an instance is drawn (world/LevelRange.h): steps a metre, and what farther away, or from its block's origin, counts as.
+// Level-of-detail ranges (world/LevelRange.h): steps per metre, and the limits to which distances from the eye and from
+// the block's origin are clamped, in steps.
 LIMEN_CONST kRangeSteps = 16u;
 LIMEN_CONST kMostRangeSteps = 37000u;
 LIMEN_CONST kMostLocalSteps = 1048576u;
 
-LIMEN_CONST kSamples = 4u; // per pixel, of multisampled frames
+LIMEN_CONST kSamples = 4u; // per pixel of a multisampled frame
 
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;
-LIMEN_CONST kShutByNothing = 1u; // Visit.shutBy: a filling without a surface
+LIMEN_CONST kShutByNothing = 1u; // Visit.shutBy: closed by a filling that has no surface
 LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
 LIMEN_CONST kSkyId = 1u;
 LIMEN_CONST kVoidId = 0u;
 
 // FrameConstants.flags
-LIMEN_CONST kFrameExactCutOuts = 1u;   // cut-outs tested at mip 0, nearest texel (ids and depth)
-LIMEN_CONST kFrameKeepsTriangles = 2u; // draws read the static indices, whatever shows; filled in by gpu
+LIMEN_CONST kFrameExactCutOuts = 1u;  // cut-outs are tested at mip level 0, nearest texel (for ids and depth)
+LIMEN_CONST kFrameStaticIndices = 2u; // draws use the static indices, uncompacted; set by gpu
 LIMEN_CONST kFrameSplits =
-    4u; // surfaces with kMaterialSplit are drawn as cut-outs where they are nearly opaque; likewise
+    4u; // nearly opaque texels of kMaterialSplit surfaces are drawn as cut-outs; set by gpu
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
 LIMEN_CONST kMaterialAdditive = 2u;
 LIMEN_CONST kMaterialInvAlpha = 4u;
 LIMEN_CONST kMaterialAlpha = 8u;
-LIMEN_CONST kMaterialSplit = 16u; // drawn as a cut-out, too: see surface.glsl
+LIMEN_CONST kMaterialSplit = 16u; // also drawn as a cut-out: see surface.glsl
 
 LIMEN_STRUCT(FrameConstants) {
     mat4 clipFromEye LIMEN_ZERO; // clip from eye-relative; reversed depth, infinite far plane
@@ -143,7 +158,7 @@ LIMEN_STRUCT(FrameConstants) {
     uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
     uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
     uint replacementCount LIMEN_ZERO;
-    uint firstHideable
+    uint firstOccludee
         LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
     uint firstRect
         LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: vec4 per rectangle: least and most x and y, NDC
@@ -152,36 +167,36 @@ LIMEN_STRUCT(FrameConstants) {
 };
 
 LIMEN_STRUCT(Visit) {
-    vec4 entryPlane
-        LIMEN_ZERO; // eye-relative; beyond = positive; the root's is (0,0,0,1): everything is beyond it
+    // eye-relative, positive beyond; the root's is (0,0,0,1), so that everything is beyond it
+    vec4 entryPlane LIMEN_ZERO;
     uint zone LIMEN_ZERO;
     uint parent LIMEN_ZERO; // kNoVisit for the root
-    uint shutBy LIMEN_ZERO; // 0: not shut; else the idBase of what fills the opening, or kShutByNothing
+    uint shutBy LIMEN_ZERO; // 0: open; else the idBase of the filling, or kShutByNothing
     uint reserved LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Instance) {
-    vec4 pose0
-        LIMEN_ZERO; // block-local from model, 12 floats: the columns of the matrix that turns and scales, and the origin
+    // block-local from model, 12 floats: the columns of the linear part, then the origin
+    vec4 pose0 LIMEN_ZERO;
     vec4 pose1 LIMEN_ZERO;
     vec4 pose2 LIMEN_ZERO;
     uint block LIMEN_ZERO;
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
-    uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
-    uint reach
-        LIMEN_ZERO; // steps: drawn if the eye is farther than the low half says, or that is 0, and not farther than the high half
-    // says; kFromAnywhere
+    uint membersAndKind LIMEN_ZERO; // member count; the high half is the instance's kind
+    // level-of-detail range in steps: drawn if distance > low half (or that is 0) and distance <= high half; or
+    // kFromAnywhere
+    uint reach LIMEN_ZERO;
     uint highlight LIMEN_ZERO; // RGBA8, alpha = strength; 0 none
-    float opacity LIMEN_ZERO;  // times its blended surfaces' own
+    float opacity LIMEN_ZERO;  // factor for the opacity of its blended surfaces
 };
 
 LIMEN_CONST kEndlessRange = 0xFFFFu;
 LIMEN_CONST kFromAnywhere = 0xFFFF0000u;
 LIMEN_CONST kMostMembers = 0xFFFFu;
 
-// A zone an instance belongs to, and the light it has there.
+// A zone that an instance belongs to, and its light set there.
 struct Member {
     uint zone LIMEN_ZERO;
     uint lightSet LIMEN_ZERO;
@@ -189,21 +204,21 @@ struct Member {
 
 LIMEN_STRUCT(Material) {
     vec4 colour LIMEN_ZERO;
-    uint texture LIMEN_ZERO; // index into textures, kNoTexture
+    uint texture LIMEN_ZERO; // index into textures, or kNoTexture
     uint flags LIMEN_ZERO;
     float luminosity LIMEN_ZERO;
     float diffuse LIMEN_ZERO;
 };
 
-// Where a texture lives. x: array pages: the layer; bindless: the low half of the 64-bit handle. y: the page, or the
-// high half. z, w: width and height in texels; z also carries kTextureClamp. Filled by TextureStore.
+// Location of a texture, filled in by TextureStore. x: layer of an array page, or low half of the 64-bit bindless
+// handle. y: page, or high half. z, w: width and height in texels; z also has kTextureClamp.
 LIMEN_CONST kTextureClamp = 0x80000000u;
 LIMEN_STRUCT(TextureRef) {
     uvec4 place LIMEN_ZERO;
 };
 
-// One texture of a landcell. Absent: texture == kNoTexture. `alpha`: blend map, read from its alpha channel (1 keeps
-// what is underneath), kNoTexture for none; turned by `rotation` quarter turns. `tiling`: repeats across the cell.
+// One texture of a landcell; texture == kNoTexture: absent. `alpha`: blend map, read from its alpha channel (1 keeps
+// the layer below), turned by `rotation` quarter turns; kNoTexture: none. `tiling`: repeats across the cell.
 struct TerrainLayer {
     uint texture LIMEN_ZERO;
     uint alpha LIMEN_ZERO;
@@ -211,7 +226,7 @@ struct TerrainLayer {
     float tiling LIMEN_ZERO;
 };
 
-// Six layers on end; the shaders read them as one array.
+// Six consecutive layers; the shaders read all cells as one array of layers.
 LIMEN_CONST kLayersPerCell = 6u;
 struct TerrainCell {
     TerrainLayer base LIMEN_ZERO;
@@ -223,7 +238,7 @@ LIMEN_STRUCT(LightSet) {
     vec4 ambient LIMEN_ZERO; // rgb; w: share of the sky's ambient
     float sun LIMEN_ZERO;    // share of the sun
     uint firstLight LIMEN_ZERO;
-    uint lightCount LIMEN_ZERO; // at most 8
+    uint lightCount LIMEN_ZERO; // at most kMaxLights
     uint reserved0 LIMEN_ZERO;
 };
 
@@ -232,9 +247,9 @@ LIMEN_STRUCT(Light) {
     vec4 colour LIMEN_ZERO;   // rgb; w: bits of the block slot (uint)
 };
 
-// One corner of the ownership stage's triangles, in tree order. An opening is a fan around its middle; each of its triangles
-// has the middle and two corners of the outline. With kCoverWindow the fan is drawn as one triangle around the window, and
-// its outline and clip set decide; without an outline the clip set alone.
+// One corner of the ownership stage's triangles, in tree order. An opening is a triangle fan around its middle; each
+// triangle has the middle and two corners of the outline. With kCoverWindow the fan is drawn as one triangle around the
+// window, and outline and clip set decide per fragment; without an outline the clip set alone.
 LIMEN_CONST kCoverWindow = 0x80000000u;
 LIMEN_STRUCT(OwnershipVertex) {
     vec3 position LIMEN_ZERO; // block-local
@@ -242,68 +257,69 @@ LIMEN_STRUCT(OwnershipVertex) {
     uint visit LIMEN_ZERO;
     uint clipSet LIMEN_ZERO;
     uint outlineFirst LIMEN_ZERO; // the fan's first vertex
-    uint outlineCount LIMEN_ZERO; // corners of the outline, as many as triangles in the fan; and kCoverWindow
-    vec3 rest LIMEN_ZERO;         // what `position` is short of the corner
+    uint outlineCount
+        LIMEN_ZERO;       // corners of the outline, which is also the fan's triangles; and kCoverWindow
+    vec3 rest LIMEN_ZERO; // exact corner minus `position`
     uint reserved0 LIMEN_ZERO;
 };
 
-// Triangles of one instance that one draw command draws, and one work group culls. In one vector: the fewer loads, the better
-// for software drivers.
-LIMEN_CONST kCullThreads = 32u;         // of a work group
-LIMEN_CONST kTrianglesPerThread = 32u;  // at most: a bit each
+// Triangles of one instance: drawn by one draw command, culled by one work group. One vector, because software drivers
+// are faster with fewer loads.
+LIMEN_CONST kCullThreads = 32u;         // per work group
+LIMEN_CONST kTrianglesPerThread = 32u;  // at most: one bit each
 LIMEN_CONST kTrianglesPerPiece = 1024u; // at most
-LIMEN_CONST kKeepsAll =
-    0x80000000u; // DrawPiece.triangles: none is ever left out, for they are not an Instance's
+LIMEN_CONST kNeverCulled =
+    0x80000000u; // in DrawPiece.triangles: not culled, because the piece is a SkyInstance's
 LIMEN_CONST kWordsPerCommand = 5u;
 LIMEN_STRUCT(DrawPiece) {
     uint firstIndex LIMEN_ZERO;
-    uint triangles LIMEN_ZERO;     // and kKeepsAll
-    uint instance LIMEN_ZERO;      // with kKeepsAll a SkyInstance
-    uint indicesBefore LIMEN_ZERO; // of all pieces before it in its array
+    uint triangles LIMEN_ZERO;     // also has kNeverCulled
+    uint instance LIMEN_ZERO;      // a SkyInstance with kNeverCulled
+    uint indicesBefore LIMEN_ZERO; // of all earlier pieces of its array
 };
 
-// What a dispatch of cull.comp is for is how many layers of work groups it has: one program does all, and none is told apart from the
-// next by an argument, which would be a call more.
-LIMEN_CONST kCullFirst = 1u;  // the slots before firstHideable
-LIMEN_CONST kCullTiles = 2u;  // how far what these draw covers each tile
-LIMEN_CONST kCullBehind = 3u; // the other slots
+// Modes of cull.comp, a uniform that is set once for each of its three program objects.
+LIMEN_CONST kUniformCullMode = 0;
+LIMEN_CONST kCullOccluders = 0u;  // slots before firstOccludee: walls and ground; without occlusion all slots
+LIMEN_CONST kCullDepthTiles = 1u; // no slots: finds the farthest depth of each tile
+LIMEN_CONST kCullOccludees = 2u;  // slots from firstOccludee on, also tested against the depth tiles
+LIMEN_CONST kCullModes = 3u;
 
-LIMEN_CONST kTileSize = 8u;   // pixels a side
-LIMEN_CONST kMostTiles = 64u; // that a triangle is looked up in
+LIMEN_CONST kTileSize = 8u;   // pixels per side
+LIMEN_CONST kMostTiles = 64u; // a triangle over more tiles is not tested for occlusion
 
-// What is drawn takes the ownership test (gate.glsl): of DrawRun.piece, and of what draw commands say as their instance.
+// Ownership test required (gate.glsl). A bit of RunOffsets.piece and of the instance number in draw commands.
 LIMEN_CONST kGated = 0x80000000u;
 
-// A frame's draw commands lie in slots, those of a run of pieces one behind the other. Both are what to add, and so the same for the
-// whole run.
-struct RunPlace {
-    uint piece LIMEN_ZERO; // to the slot's number, modulo 2^31: the piece's; and kGated
-    uint kept
-        LIMEN_ZERO; // to the piece's indicesBefore, modulo 2^32: where those of its indices go that are kept
+// Each draw command of a frame has a slot; the pieces of a run have consecutive slots. Both members are offsets to add,
+// so they are equal for the whole run.
+struct RunOffsets {
+    uint piece LIMEN_ZERO; // slot number + this, modulo 2^31: the piece; and kGated
+    uint kept LIMEN_ZERO;  // DrawPiece.indicesBefore + this, modulo 2^32: position in the kept indices
 };
 LIMEN_STRUCT(DrawRun) {
-    RunPlace place LIMEN_ZERO;
+    RunOffsets offsets LIMEN_ZERO;
     uint firstSlot LIMEN_ZERO;
-    uint rects
-        LIMEN_ZERO; // nothing of it shows but within these: the number of the first, and in the high half how many; 0: anywhere
+    // rectangles outside which the run is culled: first, count in the high half; 0: the whole window
+    uint rects LIMEN_ZERO;
 };
 
-// Which runs so many slots are of, from one that is a multiple of it: the run of a slot is looked up in few steps, mostly none, and
-// what a frame writes grows with its runs and not with what is drawn.
+// Runs of kSlotsPerGroup consecutive slots. A shader finds a slot's run by a binary search within the group, usually
+// without a step. The size of a frame's data then depends on its runs, not on its draws.
 LIMEN_CONST kSlotsPerGroup = 16u;
 LIMEN_STRUCT(SlotGroup) {
-    RunPlace place LIMEN_ZERO; // of the first
+    RunOffsets offsets LIMEN_ZERO; // of the first run
     uint firstRun LIMEN_ZERO;
     uint lastRun LIMEN_ZERO;
 };
 
-// Eight half-spaces, eye-relative: kept where dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
+// Eight half-spaces, eye-relative. Inside: dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
 // Unused ones are (0,0,0,1).
 LIMEN_STRUCT(ClipSet) {
     vec4 planes[8] LIMEN_ZERO;
 };
 
-// An instance of the scene that a frame draws by a record of its own, numbered as movers are.
+// A static instance that this frame draws with a record of its own; `by` is numbered like dynamic instances.
 struct Replacement {
     uint instance LIMEN_ZERO;
     uint by LIMEN_ZERO;
@@ -311,7 +327,7 @@ struct Replacement {
 
 // A sky object of this frame.
 LIMEN_STRUCT(SkyInstance) {
-    vec4 row0 LIMEN_ZERO; // world from model, rows
+    vec4 row0 LIMEN_ZERO; // world from model, by rows
     vec4 row1 LIMEN_ZERO;
     vec4 row2 LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO;

@@ -1,18 +1,18 @@
-// What the shaders read, by the names they use. Layout: SharedLayout.h.
+// Storage buffers and buffer textures, by the names that the shaders use. Layout: SharedLayout.h.
 #include "SharedLayout.h"
+#include "varyings.glsl"
 
-// EXACT: what a pixel shows, or a sample of it, is decided by the ray through its centre (outline.glsl).
+// EXACT: the ray through a pixel or sample decides its colour, not the rasteriser's coverage (outline.glsl).
 #ifdef EXACT_OUTLINES
 #define EXACT
 #endif
 
-// Read by every stage.
 layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frameInBuffer; };
 
-// Read once, before any branch: software drivers read a storage buffer lane by lane within one.
+// Read once, before any branch: inside a branch software drivers read a storage buffer lane by lane.
 FrameConstants frame = frameInBuffer;
 
-// Drivers count what is declared, and some allow a stage no more than 16, of compute 8.
+// Drivers count declared blocks. Some allow 16 per stage, and 8 in compute.
 #ifdef COMPUTE_STAGE
 layout(std430, binding = kBindCommands) writeonly buffer CommandBuffer { uint commands[]; };
 layout(std430, binding = kBindIndices) readonly buffer IndexBuffer { uint indices[]; };
@@ -39,10 +39,6 @@ layout(binding = kUnitPieces) uniform usamplerBuffer pieceTexels;
 
 const float kSkyDepth = uintBitsToFloat((127u - kSkyExponent) << 23); // 2^-kSkyExponent
 
-const uint kInstanceTexels = 5u;
-const uint kVertexTexels = 4u;
-const uint kVisitTexels = 2u;
-
 uvec4 ringTexel(uint texel) {
     return texelFetch(ringTexels, int(texel));
 }
@@ -55,7 +51,7 @@ uint kindOf(Instance instance) {
     return instance.membersAndKind >> 16;
 }
 
-// Rows of the matrix that turns and scales.
+// Rows of the linear part of the pose.
 mat3 rowsOf(Instance instance) {
     return mat3(instance.pose0.x, instance.pose0.w, instance.pose1.z, instance.pose0.y, instance.pose1.x, instance.pose1.w,
                 instance.pose0.z, instance.pose1.y, instance.pose2.x);
@@ -70,7 +66,7 @@ Instance instanceOf(uvec4 pose0, uvec4 pose1, uvec4 pose2, uvec4 first, uvec4 se
                     second.x, second.y, second.z, uintBitsToFloat(second.w));
 }
 
-// What stands still and what moves are numbered on, from one array into the other.
+// Static and dynamic instances have consecutive numbers, across two arrays.
 Instance instanceAt(uint index) {
     if (index < frame.staticInstances) {
         int at = int(index * kInstanceTexels);
@@ -83,27 +79,27 @@ Instance instanceAt(uint index) {
 }
 
 #ifdef COMPUTE_STAGE
-// Of the run that a slot is of.
-RunPlace placeOf(uint slot, out uint rects) {
+// Offsets and rectangles of a slot's run.
+RunOffsets offsetsOf(uint slot, out uint rects) {
     uvec4 group = ringTexel(frame.firstSlotGroup + slot / kSlotsPerGroup);
-    RunPlace place = RunPlace(group.x, group.y);
+    RunOffsets offsets = RunOffsets(group.x, group.y);
     uint low = group.z;
     uint high = group.w;
-    while (low < high) { // `place` is that of `low`
+    while (low < high) { // `offsets` belongs to `low`
         uint middle = (low + high + 1u) / 2u;
         uvec4 run = ringTexel(frame.firstRun + middle);
         if (run.z <= slot) {
             low = middle;
-            place = RunPlace(run.x, run.y);
+            offsets = RunOffsets(run.x, run.y);
         } else {
             high = middle - 1u;
         }
     }
     rects = ringTexel(frame.firstRun + low).w;
-    return place;
+    return offsets;
 }
 
-// The number of the record that an instance is drawn by in this frame.
+// The record that draws an instance in this frame.
 uint recordOf(uint instance) {
     for (uint i = 0u; i < frame.replacementCount; ++i) {
         uvec4 pair = ringTexel(frame.firstReplacement + i / 2u);
@@ -115,7 +111,7 @@ uint recordOf(uint instance) {
     return instance;
 }
 
-// What stands still, and the frame's own, are numbered on.
+// Static pieces and the frame's own have consecutive numbers.
 DrawPiece pieceAt(uint index) {
     uvec4 piece = index < frame.staticPieces ? texelFetch(pieceTexels, int(index))
                                              : ringTexel(frame.firstMoverPiece + (index - frame.staticPieces));
@@ -123,7 +119,6 @@ DrawPiece pieceAt(uint index) {
 }
 #endif
 
-// The origin of a resident block.
 vec3 blockOrigin(uint block) {
     return uintBitsToFloat(ringTexel(frame.firstBlock + block).xyz);
 }
@@ -159,7 +154,7 @@ vec2 uvAt(uint vertex) {
     return uintBitsToFloat(vertexTexel(vertex, 1u).xy);
 }
 
-// Signed normalised 10-10-10-2, as the vertex fetch reads it.
+// Signed normalised 10-10-10-2, decoded as the vertex fetch does.
 vec3 normalAt(uint vertex) {
     int bits = int(vertexTexel(vertex, 0u).w);
     return max(vec3(ivec3(bits << 22, bits << 12, bits << 2) >> 22) / 511.0, -1.0);

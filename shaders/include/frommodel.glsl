@@ -1,8 +1,9 @@
-// Eye-relative corners and planes of an instance's triangles, the same for drawing and for culling them.
+// Eye-relative corners and planes of an instance's triangles, identical for drawing and culling.
 #include "transform.glsl"
 
-// A baked mesh has its block's origin, and its vertices go the openings' way. Of any other the origin goes that way, and what
-// is turned is added: its vertices would be rounded to floats of the block (0.01 mm) on the way.
+// A baked mesh has the block's origin, and its vertices take the same path as the corners of openings. For any other
+// instance only the origin takes that path, and the turned vertex is added. Otherwise vertices would be rounded to
+// block-local floats (0.01 mm).
 vec3 eyeFromModel(vec3 position, vec3 rest, Instance instance) {
     vec3 origin = originOf(instance);
     mat3 rows = rowsOf(instance);
@@ -21,8 +22,8 @@ vec3 eyeFromVertex(uint vertex, Instance instance) {
     return eyeFromModel(cornerAt(vertex), cornerRestAt(vertex), instance);
 }
 
-// The plane of a triangle with this normal through a point, eye-relative. Planes turn with the cofactors of a matrix; a
-// mirroring one turns the winding over, and the normal with it.
+// Plane of a triangle with this model-space normal through a point, eye-relative. Normals transform by the cofactor
+// matrix. A mirroring pose reverses the winding, and the cofactors reverse the normal with it.
 vec4 facetFromModel(vec3 facet, Instance instance, vec3 through) {
     mat3 rows = rowsOf(instance);
     vec3 normal = vec3(dot(cross(rows[1], rows[2]), facet), dot(cross(rows[2], rows[0]), facet),

@@ -1,6 +1,6 @@
-// The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
-// a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
-// visit's entry plane and not beyond the entry plane of the next visit of the chain.
+// The ownership test (docs/ray-rule.md). A pixel's leaf visit has a chain of visits up to the root. A fragment is kept
+// if, for some visit of the chain, its instance is a member of the visit's zone, and the fragment is beyond the visit's
+// entry plane but not beyond the entry plane of the next visit.
 #include "samples.glsl"
 
 #ifdef MULTISAMPLED
@@ -9,29 +9,30 @@ layout(binding = kUnitOwnership) uniform usampler2DMS ownership;
 layout(binding = kUnitOwnership) uniform usampler2D ownership;
 #endif
 
-// Metres. What lies in a portal's plane (jambs, sills, panes, the terrain at a threshold) belongs to both sides.
+// Metres. Surfaces in a portal's plane (jambs, sills, panes, the terrain at a threshold) belong to both sides.
 const float kPlaneTolerance = 0.001;
-// Per metre of distance: what float positions and interpolation lose grows with the distance from the eye.
+// Metres per metre of distance: float positions and interpolation lose precision in proportion to the distance from the
+// eye.
 const float kPlaneToleranceSlope = 4.0e-7;
-// Pixels that a fragment's place may be beside its ray. On a surface seen edge-on (the ceiling of a doorway at eye level) that
-// moves it by far more than a millimetre, out of its own cell; too much of it, and a strip of roof seen edge-on is kept though it
-// lies metres beyond the opening by which its ray has left.
+// Pixels between a fragment's position and its ray. On a surface seen edge-on (a doorway's ceiling at eye level) this
+// shifts the fragment by far more than a millimetre, out of its own cell. A larger value would keep a strip of roof
+// seen edge-on that is metres beyond the opening by which its ray has left.
 #ifdef EXACT
-// Depth is taken up to kInward from the ray (onpolygon.glsl), and directions are floats, of which a picture 4,000 pixels wide
-// makes 0.00025 of a pixel.
+// Depth is taken up to kInward from the ray (onpolygon.glsl). Directions are floats, with an error of 0.00025 pixel in
+// a picture 4,000 pixels wide.
 const float kSnap = 1.0 / 2048.0;
 #else
-// Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the pixel's centre,
-// while its position is extended to the centre along the triangle's plane.
+// Corners are snapped by up to 1/256 pixel in each axis, so a fragment stands for a point up to twice that from the
+// pixel's centre, while its position is extrapolated to the centre along the triangle's plane.
 const float kSnap = 1.0 / 128.0;
 #endif
 
-// Metres. What lies no more than this before a shut opening's plane is met after its filling (docs: "Fillings"). So is
-// what lies beyond.
+// Metres. A surface up to this far before a closed opening's plane, or beyond it, is behind the filling
+// (docs/ray-rule.md, "Fillings").
 const float kInFilling = 0.0002;
 
-// Where a fragment was kept, and by which light set it is lit there.
-struct Keep {
+// Result of the test: the zone that kept the fragment, and the light set there.
+struct GateResult {
     bool kept;
     uint zone;
     uint lightSet;
@@ -45,7 +46,7 @@ uint leafVisit() {
 #endif
 }
 
-// Whether the ray got outside.
+// Whether the pixel's ray ended outside.
 bool keepOutside() {
     return visitAt(leafVisit()).zone == kOutside;
 }
@@ -62,35 +63,35 @@ bool findMember(Instance instance, uint zone, out uint lightSet) {
     return false;
 }
 
-// A fragment's position, eye-relative, and how it changes from pixel to pixel.
-struct Place {
+// A fragment's position, eye-relative, and its change from pixel to pixel.
+struct SurfacePoint {
     vec3 at;
     vec3 dx;
     vec3 dy;
 };
 
-// How far a fragment at `place` may lie on the wrong side of a plane with this normal.
-float toleranceFor(vec3 normal, Place place) {
-#ifdef LIMEN_WITHOUT_GATE_TOLERANCE // tests show that it is needed (docs/proof.md)
+// Tolerance in metres for `point` on the wrong side of a plane with this normal.
+float toleranceFor(vec3 normal, SurfacePoint point) {
+#ifdef LIMEN_WITHOUT_GATE_TOLERANCE // tests show the effect of leaving this out (docs/proof.md)
     return 0.0;
 #endif
-    float slope = abs(dot(normal, place.dx)) + abs(dot(normal, place.dy));
-    return kPlaneTolerance + kPlaneToleranceSlope * length(place.at) + kSnap * slope;
+    float slope = abs(dot(normal, point.dx)) + abs(dot(normal, point.dy));
+    return kPlaneTolerance + kPlaneToleranceSlope * length(point.at) + kSnap * slope;
 }
 
-// How far a fragment may lie beyond the plane by which its rays leave, at most. `shutBy`: of the visit beyond.
-float leavingTolerance(Instance instance, vec3 normal, uint shutBy, Place place) {
-#ifndef LIMEN_WITHOUT_FILLING_FIRST // tests show that it is needed (docs/proof.md)
+// Tolerance in metres beyond the plane by which the rays leave a visit. `shutBy`: of the next visit.
+float leavingTolerance(Instance instance, vec3 normal, uint shutBy, SurfacePoint point) {
+#ifndef LIMEN_WITHOUT_FILLING_FIRST // tests show the effect of leaving this out (docs/proof.md)
     if (shutBy != 0u && shutBy != instance.idBase) {
         return -kInFilling;
     }
 #endif
-    return toleranceFor(normal, place);
+    return toleranceFor(normal, point);
 }
 
-// The two halves of the test, for one point.
+// The two halves of the test at one point.
 bool isBeyondEntry(vec4 entryPlane, vec3 at, float tolerance) {
-#ifdef LIMEN_WITHOUT_ENTRY_TEST // tests show that it is needed (docs/proof.md)
+#ifdef LIMEN_WITHOUT_ENTRY_TEST // tests show the effect of leaving this out (docs/proof.md)
     return true;
 #else
     return dot(entryPlane, vec4(at, 1.0)) >= -tolerance;
@@ -107,44 +108,45 @@ bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
 
 const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit
 
-// Walks the chain from the pixel's leaf visit to the root. Parents come before children, so it ends. Without `walks` it has none to
-// look at: a loop, for drivers that run every branch for all fragments still end one with its last turn.
-Keep walkChain(Instance instance, Place place, bool walks) {
+// Follows the chain from the pixel's leaf visit to the root; parents come before children, so it ends. Without `walks`
+// the loop has no turn. A loop rather than a branch: drivers that execute every branch for all fragments still leave a
+// loop early.
+GateResult walkChain(Instance instance, SurfacePoint point, bool walks) {
     vec4 next = kNothingBeyond;
     uint shutBy = 0u;
     uint visitIndex = walks ? leafVisit() : kNoVisit;
     while (visitIndex < frame.visitCount) {
         Visit visit = visitAt(visitIndex);
         uint lightSet;
-        bool beyondEntry = isBeyondEntry(visit.entryPlane, place.at, toleranceFor(visit.entryPlane.xyz, place));
-        bool beforeNext = isBeforeNext(next, place.at, leavingTolerance(instance, next.xyz, shutBy, place));
+        bool beyondEntry = isBeyondEntry(visit.entryPlane, point.at, toleranceFor(visit.entryPlane.xyz, point));
+        bool beforeNext = isBeforeNext(next, point.at, leavingTolerance(instance, next.xyz, shutBy, point));
         if (beyondEntry && beforeNext && findMember(instance, visit.zone, lightSet)) {
-            return Keep(true, visit.zone, lightSet);
+            return GateResult(true, visit.zone, lightSet);
         }
         next = visit.entryPlane;
         shutBy = visit.shutBy;
         visitIndex = visit.parent;
     }
-    return Keep(false, 0u, 0u);
+    return GateResult(false, 0u, 0u);
 }
 
-// Of a frame with several visits. What the planner drew without the test lies wholly in one of them; only which of several zones
-// lights it is open.
-Keep keepWhereVisited(Instance instance, Place place, bool isGated) {
-    Keep keep = walkChain(instance, place, isGated || memberCountOf(instance) > 1u);
+// For a frame with several visits. An instance that the planner draws without the test is wholly inside one visit; only
+// the zone that lights it may be open.
+GateResult keepWhereVisited(Instance instance, SurfacePoint point, bool isGated) {
+    GateResult keep = walkChain(instance, point, isGated || memberCountOf(instance) > 1u);
     if (!keep.kept && !isGated) {
         Member first = memberAt(instance.firstMember);
-        return Keep(true, first.zone, first.lightSet);
+        return GateResult(true, first.zone, first.lightSet);
     }
     return keep;
 }
 
-// Of a frame with one visit: all that is drawn is seen from there.
-Keep keepInRoot(Instance instance) {
+// For a frame with one visit: everything drawn is seen from the root's zone.
+GateResult keepInRoot(Instance instance) {
     uint lightSet;
     if (memberCountOf(instance) > 1u && findMember(instance, frame.rootZone, lightSet)) {
-        return Keep(true, frame.rootZone, lightSet);
+        return GateResult(true, frame.rootZone, lightSet);
     }
     Member first = memberAt(instance.firstMember);
-    return Keep(true, first.zone, first.lightSet);
+    return GateResult(true, first.zone, first.lightSet);
 }

@@ -1,30 +1,31 @@
-// Draws an outline larger than it is, so that every pixel whose centre it covers gets a fragment however corners are
-// snapped; the fragments beside it are dropped again (outline.glsl).
+// Draws an outline slightly larger, so that every pixel whose centre it covers gets a fragment however corners are
+// snapped. Fragments outside the true outline are discarded (outline.glsl).
 //
 // Before this is included: `vec3 outlineCorner(uint i)`, eye-relative.
 
-// Pixels that edges are moved outwards. Snapping moves them by up to 1/256.
+// Pixels by which edges move outwards. Snapping moves them by up to 1/256.
 const float kGrow = 1.0 / 128.0;
-// Pixels: an outline whose seen part is thinner than this is drawn as one triangle around it.
+// Pixels. An outline whose visible part is thinner is drawn as one triangle around it.
 const float kThin = 2.0 * kGrow;
-// Corners that turn by less (sine) are moved across the edge instead of along both edges; sharp ones down to kSharp.
+// Sine of the turn at a corner. Below it a corner moves perpendicular to the edge instead of along both edges; at a
+// sharp corner the limit is kSharp.
 const float kStraight = 0.02;
 const float kSharp = 1.0e-6;
-// Lengths of its edges that a corner is moved at most.
+// Limit of a corner's movement, in lengths of its edges.
 const float kLongest = 4.0;
 
-// How a corner is moved: outwards along both its edges, by these shares of them, which keeps it in its plane and on its
-// texture; or by a step across the screen, in pixels.
+// Movement of a corner: outwards along both its edges, by these shares of their lengths, which keeps it in its plane
+// and its texture coordinates consistent; or a shift on the screen, in pixels.
 struct Growth {
     float before;
     float after;
     vec2 shift;
-    bool fails; // the corner would be moved beyond its plane's horizon, or nearly
+    bool fails; // the corner would move beyond its plane's horizon, or nearly
 };
 
-// `before`, `here`, `after`: clip positions of three corners in a row; `front`: the outline is seen counter-clockwise.
-// An edge moved by d pixels is the line L + (0, 0, d |L.xy|) in homogeneous pixels; the corner moves to where two meet.
-// Everything is taken about the corner, so that nothing large cancels.
+// `before`, `here`, `after`: clip positions of three consecutive corners; `front`: the outline is seen
+// counter-clockwise. An edge L moved by d pixels is the line L + (0, 0, d |L.xy|) in homogeneous pixels; the corner
+// moves to the intersection of two. All coordinates are relative to the corner, so that no large terms cancel.
 Growth growthAt(vec4 before, vec4 here, vec4 after, bool front) {
     Growth none = Growth(0.0, 0.0, vec2(0.0), true);
     if (abs(here.w) < 1.0e-6) {
@@ -52,14 +53,14 @@ Growth growthAt(vec4 before, vec4 here, vec4 after, bool front) {
     return Growth(shares.x, shares.y, vec2(0.0), left < 0.5 || max(abs(shares.x), abs(shares.y)) > kLongest);
 }
 
-// Whether the growth of every corner of an outline may fail, told without computing it: only if it is seen at very
-// different depths, or may be thin.
+// A cheap conservative test for Growth.fails at any corner: possible only if depths differ greatly or the outline may
+// be thin.
 bool mayFail(vec4 before, vec4 here, vec4 after) {
     float nearest = min(min(before.w, here.w), after.w);
     return nearest < frame.nearPlane || max(max(before.w, here.w), after.w) > 1.5 * nearest;
 }
 
-// A triangle around what is seen of an outline between `low` and `high`, pixels from the middle of the screen.
+// A triangle around the rectangle from `low` to `high`, in pixels from the middle of the screen.
 vec2 aroundBox(vec2 low, vec2 high, uint corner, bool front) {
     vec2 size = 2.0 * (high - low + 4.0);
     vec2 origin = low - 2.0;
@@ -81,14 +82,14 @@ bool mayBeThin(vec4 before, vec4 here, vec4 after) {
     return !(abs(p.x * n.y - p.y * n.x) > kThin * longest);
 }
 
-// The triangle around an outline that is thinner than kThin, as seen: its plane is a line on the screen (that of its
-// horizon), and it lies along it. Its edge from corner 0 to corner 1 becomes one end, all other corners the other end.
+// Triangle around an outline that appears thinner than kThin. Its plane then appears as a line (its horizon), and the
+// triangle is placed along that line. Corners 0 and 1 become one end, all other corners the other end.
 struct Thin {
     bool is;
-    vec2 at; // pixels from the middle of the screen, for the corner asked for
+    vec2 at; // of the requested corner, in pixels from the middle of the screen
 };
 
-// What is nearer than `closest` metres is left out.
+// Parts nearer than `closest` metres are ignored.
 Thin thinAt(uint count, uint corner, float closest) {
     vec3 origin = outlineCorner(0u);
     vec3 sum = vec3(0.0);

@@ -1,4 +1,4 @@
-// The colour that stands for an id where a frame is shaded flat. The same in src/frame/IdColour.h.
+// Colour of an id in flat shading. src/frame/IdColour.h has the same function.
 vec4 colourOfId(uint id) {
     uint mixed = (id + 1u) * 2654435761u;
     mixed = (mixed ^ (mixed >> 15)) * 2246822519u;

@@ -1,34 +1,37 @@
-// Where a fragment lies on its polygon. The rasteriser extends depth and position from the snapped triangle's plane to the
-// pixel's centre. Here both are taken from the ray through the centre and the triangle's own plane, and whether the ray
-// passes over the polygon at all from its own outline (outline.glsl), so that what a pixel shows is told to the last bits
-// of a float.
+// Position and depth of a fragment on its polygon. The rasteriser extrapolates both from the snapped triangle's plane
+// to the pixel's centre. Here both come from the ray through the pixel and the triangle's own plane, and the outline
+// decides whether the ray passes over the polygon (outline.glsl). A pixel's content is then exact to the last bits of a
+// float.
 #include "transform.glsl"
 
 #ifdef EXACT
 
-// Pixels, either side: corners are snapped by up to half of 1/256 of a pixel each way. The same as kSnap of the gate.
+// Pixels to either side of the ray in which stretchOver finds the polygon. Corners are snapped by up to half of 1/256
+// pixel in each axis. Equals the gate's kSnap without EXACT.
 const float kBesideRay = 1.0 / 128.0;
-// Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
+// Relative rounding error of a depth at the near plane. A fragment nearer by no more than this is kept.
 const float kNearRounding = 1.0e-5;
-// Metres: twice the reach of the rule for an eye in an opening's plane.
+// Metres. Twice the rule's tolerance for an eye in an opening's plane.
 const float kInPlane = 4.0e-4;
-// Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
+// Sine of the angle between ray and plane. Below it, rounding (1e-7) changes the depth by more than a thousandth.
 const float kGrazing = 1.0e-4;
-// Share of its distance by which a place on a plane is off, seen straight on: eight roundings, of the corners, the plane's
-// normal and height, and of the ray.
+// Relative error of a position on a plane seen frontally: eight roundings, of the corners, the plane's normal and
+// height, and the ray.
 const float kPlaneRounding = 4.8e-7;
-// Pixels that a triangle's fringe is wide, and depth is taken inwards at most.
+// Pixels. Width of a triangle's fringe, and the limit by which the depth sample moves inwards.
 const float kInward = 1.0e-4;
-// The same as an angle. Depths tie within some three steps of a float (3.6e-7 of a depth), which two planes that part at 45 degrees
-// do within as many radians. What is seen flat changes its depth by much within it: by more than a metre, for a leaf half a
-// kilometre away, in 1e-4 of a pixel of a coarse picture. So it is no more than a pixel of a fine one gives: 640 x 360, 90 degrees high.
+// Radians. The same limit as an angle. Depths tie within about three steps of a float (3.6e-7 of the depth); two planes
+// that meet at 45 degrees differ by that within as many radians. A surface seen nearly edge-on changes depth quickly: a
+// door leaf half a kilometre away by more than a metre within 1e-4 pixel of a coarse picture. So this is one kInward of
+// a fine picture: 640 x 360 pixels at 90 degrees high.
 const float kInwardRadians = 5.56e-7;
-// Share of its depth by which what is seen flat may be off, from which on it is taken for as far as it may be: see behindRounding.
+// Relative depth error of a surface seen nearly edge-on, from which it is placed as far as possible: see
+// behindRounding.
 const float kFlat = 2.0e-4;
-// Share of its depth by which it still is before where the ray leaves it: some ten roundings of that.
+// Relative distance that such a fragment keeps before the point where the ray leaves its polygon: about ten roundings.
 const float kBeforeEnd = 2.0e-6;
 const float kBehindAll = uintBitsToFloat((127u - kFringeExponent) << 23); // 2^-kFringeExponent
-// Share of its products by which a corner's share may round: six roundings.
+// Relative rounding error of a corner's share, of the products it is a difference of: six roundings.
 const float kShareRounding = 3.6e-7;
 
 vec3 cornerOnScreen(uint i) {
@@ -37,10 +40,10 @@ vec3 cornerOnScreen(uint i) {
 #include "ray.glsl"
 #include "outline.glsl"
 
-// The depths between which the ray with this direction (depth 1) passes within so many pixels of the polygon; empty (x > y) if
-// it does not. In the polygon's plane the ray is a line; each outline edge that comes within a band around it bounds the
-// stretch. It is seldom asked for: of no edge, then, and drivers that run every branch for all fragments have a single turn of
-// the loop to do.
+// Depth interval in which the ray with this direction (view depth 1) passes within `pixels` of the polygon; empty (x >
+// y) if it does not. In the polygon's plane the ray is a line, and each outline edge within a band around it bounds the
+// interval. Rarely needed: otherwise it looks at no edge, so that drivers that execute every branch for all fragments
+// run one turn of the loop.
 vec2 stretchOver(bool isAsked, float pixels, vec3 normal, vec3 direction) {
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
@@ -54,7 +57,7 @@ vec2 stretchOver(bool isAsked, float pixels, vec3 normal, vec3 direction) {
     for (uint i = 0u; i < edges; ++i) {
         vec2 depths = vec2(dot(along, from), dot(along, to));
         vec2 sides = vec2(dot(across, from), dot(across, to));
-        // Part of the edge with |side| <= beside * |depth|: edges behind the eye bound the stretch as well.
+        // The part of the edge with |side| <= beside * |depth|: edges behind the eye also bound the interval.
         vec2 left = abs(depths) * beside - sides;
         vec2 right = abs(depths) * beside + sides;
         float first = 0.0;
@@ -75,12 +78,13 @@ vec2 stretchOver(bool isAsked, float pixels, vec3 normal, vec3 direction) {
     return stretch;
 }
 
-// How the corners share in where a ray meets the triangle, and how their shares change along the window, by pixels. Shares are
-// positive on the triangle's front, all three where the ray passes over it; their sum may be 0 where it is seen edge-on.
+// Barycentric shares (unnormalised) of the corners at the ray's intersection, and their change per pixel of the window.
+// All three are positive where the ray passes over the front of the triangle. Their sum may be 0 for a triangle seen
+// edge-on.
 struct Shares {
     vec3 corner;
     vec2 change[3];
-    vec3 products; // their sizes: of what the shares are the differences
+    vec3 products; // magnitudes of the products whose differences are the shares
 };
 
 vec2 changeAcross(vec3 from, vec3 to) {
@@ -97,26 +101,26 @@ Shares sharesAt(vec2 window) {
                   abs(one) + abs(other));
 }
 
-// A step on the window, in pixels.
-struct Step {
+// Shift of the depth sample on the window, in pixels.
+struct InwardStep {
     vec2 by;
-    bool isSmall; // of a ray that passes over the triangle, or beside it by no more than the fringe
+    bool isSmall; // the ray passes over the triangle or its fringe
 };
 
 float inwardRadians() {
     return min(kInward * frame.pixel, kInwardRadians);
 }
 
-// Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
-// floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward, or kInwardRadians: there
-// both are asked at the same place, and they differ.
-// Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
-// them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
-// they fill what nothing covers: kInward wide, and as much as rounding may make of more.
-Step stepInwards(Shares shares) {
-    Step inwards = Step(vec2(0.0), true);
+// Two triangles that share an edge may both appear on the same side of it, one behind the other. Closer to the edge
+// than floats can separate their depths, either could show. So depth is sampled no closer to an edge than kInward or
+// kInwardRadians: both triangles are sampled at the same point, where their depths differ. Edges of a near and a far
+// triangle may also appear collinear, if the eye is in the plane of the surface that joins them. Each edge is computed
+// from different corners, and a ray can pass between the two. So triangles have a fringe that fills uncovered pixels:
+// kInward wide, plus the rounding error.
+InwardStep stepInwards(Shares shares) {
+    InwardStep inwards = InwardStep(vec2(0.0), true);
     float most = inwardRadians() / frame.pixel;
-#ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
+#ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show the effect of leaving this out (docs/proof.md)
     inwards.isSmall = false;
     return inwards;
 #endif
@@ -127,13 +131,14 @@ Step stepInwards(Shares shares) {
         inwards.by += shares.change[i] * (clamp(most - within, 0.0, most + fringe) / perPixel);
         inwards.isSmall = inwards.isSmall && within >= -fringe;
     }
-#ifdef LIMEN_WITHOUT_FRINGE // likewise
+#ifdef LIMEN_WITHOUT_FRINGE // tests show the effect of leaving this out (docs/proof.md)
     inwards.isSmall = false;
 #endif
     return inwards;
 }
 
-// View depth where a ray meets the triangle's plane, but no farther off it than the ray passes over it.
+// View depth of the ray's intersection with the triangle's plane, clamped to the interval in which the ray passes over
+// it.
 float depthOnPlane(vec3 direction, float facing) {
     float onPlane = -vFacet.w / facing;
     bool grazes = !(facing > kGrazing * length(direction));
@@ -141,18 +146,18 @@ float depthOnPlane(vec3 direction, float facing) {
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
-// Where a ray meets a triangle, or does not.
-struct Meeting {
-    float depth;     // view depth
-    bool isAhead;    // and not behind the eye, as far as rounding can tell: the ray's line has two ends
-    bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than that
+// Intersection of a ray with a triangle.
+struct Intersection {
+    float depth;
+    bool isAhead; // in front of the eye, not on the backward half of the ray's line, as far as rounding can tell
+    bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than its fringe
 };
 
-// From the plane the depth is off by the more the flatter the plane is seen; within that, what the corners' depths say
-// counts, which is the same for all triangles that share an edge, close to that.
-Meeting meetPolygon(vec3 direction) {
-    Shares shares = sharesAt(windowPlace());
-    Step inwards = stepInwards(shares);
+// The depth from the plane has an error that grows as the plane is seen more edge-on. Within that error the depth
+// interpolated from the corners is used. Near a shared edge it is the same for both triangles.
+Intersection intersectPolygon(vec3 direction) {
+    Shares shares = sharesAt(windowPosition());
+    InwardStep inwards = stepInwards(shares);
     vec3 nearby = direction + frame.rayRight.xyz * inwards.by.x + frame.rayUp.xyz * inwards.by.y;
     float facing = -dot(vFacet.xyz, nearby);
     float depth = depthOnPlane(nearby, facing);
@@ -165,32 +170,34 @@ Meeting meetPolygon(vec3 direction) {
     bool isThere = inwards.isSmall && min(min(corner.x, corner.y), corner.z) > 0.0;
     float whole = shares.corner.x + shares.corner.y + shares.corner.z;
     bool isAhead = whole > -kShareRounding * (shares.products.x + shares.products.y + shares.products.z);
-    return Meeting(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isAhead, isThere);
+    return Intersection(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isAhead, isThere);
 }
 
-// The texture coordinate where the ray meets the triangle. What the rasteriser interpolates is that of a place up to 1/256 of
-// a pixel away: it may be another texel's.
+// Texture coordinate at the ray's intersection. The rasteriser's value belongs to a point up to 1/256 pixel away, which
+// may be in another texel.
 vec2 uvOnPolygon() {
-    vec3 shares = sharesAt(windowPlace()).corner;
+    vec3 shares = sharesAt(windowPosition()).corner;
     float sum = shares.x + shares.y + shares.z;
     if (sum == 0.0) {
-        return uvAt(vTriangle); // an area of nothing; and what is not read here, flat programs need not interpolate
+        // a triangle without area. Flat programs do not read vUv here, so that it need not be interpolated.
+        return uvAt(vTriangle);
     }
     return (uvAt(vTriangle) * shares.x + uvAt(vTriangle + 1u) * shares.y + uvAt(vTriangle + 2u) * shares.z) / sum;
 }
 
-// Cells of a zone that touch reach into each other by what their records' corners are off. Within so much of an edge of its
-// triangle, a fragment of a shell that is reached through the back of the wall beyond the edge belongs to a cell that the ray
-// is not in: it is to lie behind that wall, and whatever of the ray's own cell is there shows instead. Yields how much farther.
-// How much that is follows from how flat the cell's polygons are (world::MeshVertex): a wall's length is one over it.
-// Shells are placed as they are: a facet needs no turning. Only of shells: see stretchOver for the loop.
+// Adjacent cells of a zone overlap by the error of their recorded corners. Near a triangle's edge, a shell fragment
+// reached through the back of the wall beyond that edge belongs to a cell that the ray is not in. It is moved behind
+// that wall, so that the ray's own cell shows instead. Yields the added distance along the ray. The width of the zone
+// affected follows from the flatness of the cell's polygons (world::MeshVertex): 1 / length of the stored wall vector.
+// Shells are placed untransformed, so facets need no turning. Shells only; see stretchOver for the loop.
 float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     float farther = 0.0;
     uint edges = isShell ? 3u : 0u;
     for (uint i = 0u; i < edges; ++i) {
         vec3 wall = neighbourAt(vTriangle + i);
         float perMetre = length(wall);
-        float height = dot(wall, vCorners[i]); // how far the eye is behind the wall; in its plane it may be in an opening
+        // distance of the eye behind the wall; in its plane the eye may be in an opening
+        float height = dot(wall, vCorners[i]);
         float before = dot(wall, at) - height;
         if (height > kInPlane * perMetre && abs(before) < 1.0) {
             farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
@@ -199,8 +206,8 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     return farther;
 }
 
-// Of what lies in an opening's plane a pane is met first (docs: "Fillings"). What is blended writes no depth, so that it may
-// be tested with that of a place before the pane. Yields how much nearer.
+// Of the surfaces in an opening's plane, a pane comes first (docs/ray-rule.md, "Fillings"). Blended surfaces write no
+// depth, so a pane may be tested at a depth before the plane. Yields the reduction.
 float beforePlane(uint kind, vec3 direction) {
 #ifdef TRANSLUCENT
     return kind == kKindFilling ? kInFilling / max(-dot(vFacet.xyz, direction), kGrazing) : 0.0;
@@ -209,14 +216,15 @@ float beforePlane(uint kind, vec3 direction) {
 #endif
 }
 
-// Of a plane seen flat enough floats do not tell the depth: of a leaf half a kilometre away seen at an angle of 0.0005, not to a
-// metre, where it is a ten-thousandth of a pixel wide. Then it is put as far as it may be. What is behind it by less and shows
-// instead is what pixels around it show; what it would hide by being put too near is not. Yields how much farther; that is
-// a millionth of its distance, square to it. But no farther than the ray passes over it: where it ends a wall may begin that no ray
-// meets, between two planks for one (of what is SOLID: leaves have no inside). Not so for shells: right behind a cell's wall may be another cell of its zone, that no
-// ray reaches through it.
+// Floats cannot resolve the depth of a plane seen nearly edge-on: a door leaf half a kilometre away at an angle of
+// 0.0005 not to a metre, where it is 1/10,000 pixel wide. Such a fragment is moved as far as its error allows. A
+// surface behind it by less then shows, which neighbouring pixels show, too; a surface that it would wrongly hide is
+// not hidden. Yields the added distance, a millionth of the distance measured along the normal. For SOLID surfaces it
+// ends where the ray leaves the polygon, because beyond that a wall may begin that no ray meets, between two planks for
+// example (door leaves have no inside). Shells are not moved: directly behind a cell's wall there may be another cell
+// of the zone that no ray reaches through the wall.
 float behindRounding(uint kind, vec3 direction, float depth) {
-#ifdef TRANSLUCENT // writes no depth: it hides nothing
+#ifdef TRANSLUCENT // writes no depth, hides nothing
     return 0.0;
 #endif
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * 1.0e-1);
@@ -229,19 +237,19 @@ float behindRounding(uint kind, vec3 direction, float depth) {
     return farther;
 }
 
-// Eye-relative. Sets the fragment's depth. False: the ray through the pixel does not meet the triangle's front.
-bool findOnPolygon(uint kind, out Place place) {
-    vec3 direction = rayThrough(windowPlace());
-    Meeting met = meetPolygon(direction);
+// Position eye-relative; sets the fragment's depth. False: the pixel's ray does not meet the triangle's front.
+bool findOnPolygon(uint kind, out SurfacePoint point) {
+    vec3 direction = rayThrough(windowPosition());
+    Intersection met = intersectPolygon(direction);
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
-    // Along the plane: what the rasteriser interpolates may be infinite beside a thin triangle.
-    place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
+    // Derivatives along the plane: the rasteriser's may be infinite beside a thin triangle.
+    point = SurfacePoint(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
                   met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
-    float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction) +
+    float tested = met.depth + behindNeighbours(kind == kKindShell, point.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
-    bool isOver = met.isAhead && isOverOutline(3u, windowPlace());
+    bool isOver = met.isAhead && isOverOutline(3u, windowPosition());
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
-#ifndef TRANSLUCENT // of two that share an edge, a layer is counted once
+#ifndef TRANSLUCENT // layers count once where two polygons share an edge, so they have no fringe
     isOver = isOver || met.isOnFringe;
 #endif
     return isOver && met.depth >= frame.nearPlane * (1.0 - kNearRounding);
@@ -253,8 +261,8 @@ vec2 uvOnPolygon() {
     return vUv.xy;
 }
 
-bool findOnPolygon(uint kind, out Place place) {
-    place = Place(vEyeRelative, dFdx(vEyeRelative), dFdy(vEyeRelative));
+bool findOnPolygon(uint kind, out SurfacePoint point) {
+    point = SurfacePoint(vEyeRelative, dFdx(vEyeRelative), dFdy(vEyeRelative));
     return true;
 }
 

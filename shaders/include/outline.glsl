@@ -1,21 +1,22 @@
-// Exact outlines. The rasteriser snaps corners to 1/256 of a pixel and decides by the snapped ones which centres a polygon
-// covers. Where three polygons meet in a line without sharing corners, each is snapped its own way, and a centre near the
-// line may be covered by none of the two that are seen there, so that a hidden third one shows. Here polygons are drawn a
-// little larger than they are (grow.glsl), and each fragment decides for itself whether the ray through its centre passes
-// over the polygon.
+// Exact outlines. The rasteriser snaps corners to 1/256 pixel and computes coverage from the snapped corners. Where
+// three polygons meet in a line without shared corners, each is snapped differently. Neither of the two visible ones
+// may then cover a centre near the line, and the hidden third one shows. Here polygons are drawn slightly larger
+// (grow.glsl), and each fragment tests whether the ray through its pixel passes over the polygon.
 //
-// Before this is included: `vec3 cornerOnScreen(uint i)`, of screenFromEye, i below the number of corners.
-// Ref: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013), for the coordinates in which the ray is the z axis.
+// Before this is included: `vec3 cornerOnScreen(uint i)`, from screenFromEye, i below the number of corners.
+// Ref: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013), for the coordinates in which the ray is the
+// z axis.
 
-// Across the ray through a point of the window, in pixels times depth.
+// Coordinates perpendicular to the ray through a point of the window, in pixels times depth.
 vec2 acrossRay(vec3 onScreen, vec2 window) {
     vec2 centre = window - frame.viewport.xy * 0.5;
     precise vec2 across = onScreen.xy - centre * onScreen.z;
     return across;
 }
 
-// Whether the line of the ray passes over the outline: how many edges cross the half-line to its right. Two polygons that
-// share an edge compute the very same for it, for its ends are taken in the same order, so that no ray slips between them.
+// Whether the ray's line passes over the outline: parity of the edges that cross the half-line to its right. Two
+// polygons with a common edge evaluate the same expression for it, with its ends in the same order, so no ray passes
+// between them.
 bool isOverOutline(uint count, vec2 window) {
     bool inside = false;
     vec2 from = acrossRay(cornerOnScreen(count - 1u), window);

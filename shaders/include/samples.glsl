@@ -1,8 +1,8 @@
-// Where on the window a fragment is asked for. MULTISAMPLED: fragments are shaded for each sample of their pixel, for that
-// each has a ray, an owner and a depth of its own; whoever reads gl_SampleID has the whole shader run so.
+// Window position that a fragment is evaluated at. MULTISAMPLED: fragments are shaded per sample, because each sample
+// has its own ray, owner and depth. Reading gl_SampleID enables per-sample shading.
 #include "buffers.glsl"
 
-// SMOOTH: of what is interpolated; drivers want it the same in both stages.
+// SMOOTH: interpolation qualifier; drivers require the same in both stages.
 #ifdef MULTISAMPLED
 #define SMOOTH sample
 #else
@@ -10,13 +10,13 @@
 #endif
 
 #ifdef FRAGMENT_STAGE
-#ifdef LIMEN_WITHOUT_BESIDE // tests show that it is needed (docs/proof.md)
+#ifdef LIMEN_WITHOUT_BESIDE // tests show the effect of leaving this out (docs/proof.md)
 const vec2 kBeside = vec2(0.0);
 #else
 const vec2 kBeside = vec2(kBesideX, kBesideY) / float(kPartsOfAPixel);
 #endif
 
-vec2 windowPlace() {
+vec2 windowPosition() {
 #ifdef MULTISAMPLED
     uvec2 offset = uvec2(frame.samplesX, frame.samplesY) >> (8 * gl_SampleID) & 0xFFu;
     return floor(gl_FragCoord.xy) + vec2(offset) / 256.0;

@@ -1,26 +1,26 @@
-// What every mesh fragment receives from mesh.vert, and its material's colour.
+// Inputs of every mesh fragment from mesh.vert, and the colour of its material.
 #include "textures.glsl"
 #include "lighting.glsl"
 
-layout(location = 0) SMOOTH in vec3 vEyeRelative;
-layout(location = 1) SMOOTH in vec3 vNormal;
-layout(location = 2) SMOOTH in vec3 vUv; // z: see paintedHere
-layout(location = 3) flat in uint vInstance; // and kGated
-layout(location = 4) flat in uint vSurface;
-layout(location = 5) flat in uint vId;
+layout(location = kVaryingEyeRelative) SMOOTH in vec3 vEyeRelative;
+layout(location = kVaryingNormal) SMOOTH in vec3 vNormal;
+layout(location = kVaryingUv) SMOOTH in vec3 vUv; // z: see paintedHere
+layout(location = kVaryingInstance) flat in uint vInstance; // also has kGated
+layout(location = kVaryingSurface) flat in uint vSurface;
+layout(location = kVaryingId) flat in uint vId;
 #ifdef EXACT
-layout(location = 6) flat in uint vTriangle;
-layout(location = 7) flat in vec4 vFacet;
-layout(location = 8) flat in vec3 vCorners[3];
-layout(location = 11) flat in vec3 vOutline[3];
+layout(location = kVaryingTriangle) flat in uint vTriangle;
+layout(location = kVaryingFacet) flat in vec4 vFacet;
+layout(location = kVaryingCorners) flat in vec3 vCorners[3];
+layout(location = kVaryingOutline) flat in vec3 vOutline[3];
 #endif
 
 #include "onpolygon.glsl"
 
-// Pictures with alpha of all strengths (foliage, banners) are drawn in two parts: with what is solid, and with its depth, where they
-// are nearly opaque; back to front where they are not, and not at all where next to nothing is. Two that reach through each other, or
-// are sorted badly, then look right but for their seams. Only in frames that are painted and nothing else: such surfaces have no id and no
-// depth, whatever their alpha.
+// Textures with alpha of all strengths (foliage, banners) are drawn in two parts. Nearly opaque texels are drawn with
+// the solid surfaces and write depth. The others are blended back to front; nearly transparent ones are skipped.
+// Surfaces that intersect or are sorted wrongly then look right except at their seams. Only in colour-only frames:
+// these surfaces have no id and no depth at any alpha.
 const float kSolidAlpha = 0.95;
 const float kLeastAlpha = 0.05;
 
@@ -28,14 +28,15 @@ bool isSplit(Material material) {
     return (material.flags & kMaterialSplit) != 0u && (frame.flags & kFrameSplits) != 0u;
 }
 
-// What is interpolated over a triangle, here.
+// The interpolated values at this fragment.
 struct Painted {
     vec2 uv;
     vec3 normal; // of any length
     vec3 at;     // eye-relative
 };
 
-// Of a triangle that is drawn as one around the window, vUv.z is a share of all three that is 0 at its plane's horizon; else it is 0.
+// In a triangle drawn around the window, vUv.z is the sum of the three corner shares, which is 0 at the plane's
+// horizon. In any other triangle it is 0.
 Painted paintedHere() {
     float whole = vUv.z == 0.0 ? 1.0 : 1.0 / vUv.z;
     return Painted(vUv.xy * whole, vNormal * whole, vEyeRelative * whole);
@@ -46,19 +47,19 @@ Instance drawnInstance() {
 }
 
 // The caller discards when `kept` is false.
-Keep keepOf(Instance instance) {
-    Place place;
-    if (!findOnPolygon(kindOf(instance), place)) {
-        return Keep(false, 0u, 0u);
+GateResult keepOf(Instance instance) {
+    SurfacePoint point;
+    if (!findOnPolygon(kindOf(instance), point)) {
+        return GateResult(false, 0u, 0u);
     }
 #ifdef GATED
-    return keepWhereVisited(instance, place, (vInstance & kGated) != 0u);
+    return keepWhereVisited(instance, point, (vInstance & kGated) != 0u);
 #else
     return keepInRoot(instance);
 #endif
 }
 
-// Colour and alpha of the material here. Derivatives are parameters: see textures.glsl.
+// Colour and alpha of the material. Derivatives are parameters: see textures.glsl.
 vec4 materialColour(Material material, vec2 uv, vec2 dx, vec2 dy) {
     vec4 colour = material.colour;
     if (material.texture != kNoTexture) {
@@ -68,7 +69,7 @@ vec4 materialColour(Material material, vec2 uv, vec2 dx, vec2 dy) {
 }
 
 // Lit, fogged and highlighted colour of an opaque surface.
-vec4 opaqueColour(vec3 albedo, float luminosity, float diffuse, Painted painted, Instance instance, Keep keep) {
+vec4 opaqueColour(vec3 albedo, float luminosity, float diffuse, Painted painted, Instance instance, GateResult keep) {
     vec3 colour = lit(albedo, luminosity, diffuse, keep, painted.at, painted.normal);
     colour = mix(colour, frame.fogColour.rgb, fogShare(keep, painted.at));
     return vec4(highlighted(colour, instance.highlight), 1.0);

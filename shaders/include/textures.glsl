@@ -1,8 +1,9 @@
-// Textures by index, the same for both bindings of TextureStore: handles (BINDLESS) or array pages (PAGE_COUNT of
-// them, one unit each; EACH_PAGE(x) is x(0) x(3) ... for those that the program's surfaces use, and comes from
-// ShaderLibrary with PAGE_COUNT). Within one draw the texture differs from fragment to fragment, so that derivatives are taken
-// by the caller in uniform control flow, and units are chosen by constant index only. But not with PAGES_BY_INDEX, where the fragments that
-// are shaded together are one triangle's and sample one page: drivers that run every case of a switch would filter in all pages.
+// Textures by index, the same for both bindings of TextureStore: handles (BINDLESS) or array pages (PAGE_COUNT of them,
+// one unit each; EACH_PAGE(x) expands to x(0) x(3) ... for the pages that the program samples). ShaderLibrary defines
+// these macros. The texture differs from fragment to fragment within a draw. So callers take derivatives in uniform
+// control flow, and pages are selected by constant index. Exception: PAGES_BY_INDEX, for drivers that shade the
+// fragments of one triangle together. These sample one page, and with constant indices the driver would filter all
+// pages, because it executes every case of a switch.
 #include "buffers.glsl"
 
 #if defined(PAGES_BY_INDEX) && PAGE_COUNT == 0
@@ -18,7 +19,7 @@ ivec2 textureSizeOf(TextureRef ref) {
     return ivec2(ref.place.z & ~kTextureClamp, ref.place.w);
 }
 
-// Texels at `uv`, filtered, with the given derivatives of uv. v runs downwards from the top row.
+// Filtered texels at `uv`, with the given derivatives of uv. v runs downwards from the top row.
 vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
     TextureRef ref = textureRefs[index];
 #ifdef BINDLESS
@@ -36,7 +37,7 @@ vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
 #endif
 }
 
-// The texel of mip 0 that holds `uv`: no filter, no driver's choice. For ids and depth of cut-outs.
+// The texel of mip level 0 that contains `uv`, unfiltered, independent of the driver. For ids and depth of cut-outs.
 vec4 nearestTexel(uint index, vec2 uv) {
     TextureRef ref = textureRefs[index];
     ivec2 size = textureSizeOf(ref);

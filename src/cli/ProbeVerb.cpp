@@ -1,9 +1,7 @@
-#include "cli/PathArguments.h"
-#include "cli/SessionArguments.h"
-#include "cli/Verbs.h"
-#include "gpu/NullDevice.h"
-#include "output/Probe.h"
-#include "play/FrameSource.h"
+#include "app/FrameSource.h"
+#include "app/Probe.h"
+#include "app/Verbs.h"
+#include "gpu/device/NullDevice.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

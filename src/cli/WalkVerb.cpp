@@ -1,10 +1,8 @@
-#include "cli/PathArguments.h"
-#include "cli/SessionArguments.h"
-#include "cli/Verbs.h"
-#include "gpu/NullDevice.h"
-#include "output/OutputFile.h"
-#include "play/FootWalk.h"
-#include "play/PathWalk.h"
+#include "app/FootWalk.h"
+#include "app/OutputFile.h"
+#include "app/PathWalk.h"
+#include "app/Verbs.h"
+#include "gpu/device/NullDevice.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

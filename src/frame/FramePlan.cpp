@@ -20,7 +20,7 @@ void FramePlan::clear() {
     runs.clear();
     batches.clear();
     stages.clear();
-    firstHideable = 0;
+    firstOccludee = 0;
     counts = {};
 }
 

@@ -113,7 +113,7 @@ struct FramePlan {
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind
-    std::uint32_t firstHideable =
+    std::uint32_t firstOccludee =
         0; ///< batch: those before it are walls and ground, behind which those from it on may be hidden
     PlanCounts counts;
 

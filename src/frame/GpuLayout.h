@@ -41,6 +41,7 @@ struct DrawCommand {
 inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
                                         -double{kBesideY} / kPartsOfAPixel};
 
+// Offsets of members: GpuLayoutOffsets.cpp.
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
 static_assert(sizeof(FrameConstants) == 64 + 14 * 16 + 96);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);

@@ -39,7 +39,7 @@ PieceRun addOwnPieces(const world::Mesh::Range& range, std::uint32_t instance, F
     std::uint32_t before = 0;
     if (first > 0) {
         const gpu::DrawPiece& last = plan.pieces.back();
-        before = last.indicesBefore + 3 * (last.triangles & ~gpu::kKeepsAll);
+        before = last.indicesBefore + 3 * (last.triangles & ~gpu::kNeverCulled);
     }
     std::uint32_t indices = before;
     addPieces(range, instance, indices, plan.pieces);

@@ -193,7 +193,7 @@ void Planner::planSolid(bool several, FramePlan& plan) {
     }
     addSolid(DrawClass::Wall, several, plan);
     addSolid(DrawClass::Terrain, several, plan);
-    plan.firstHideable = static_cast<std::uint32_t>(plan.batches.size());
+    plan.firstOccludee = static_cast<std::uint32_t>(plan.batches.size());
     addSolid(DrawClass::Opaque, several, plan);
     addSolid(DrawClass::CutOut, several, plan);
 }
@@ -222,7 +222,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
             addRun(addOwnPieces(range, instance, plan), plan);
     }
     for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i)
-        plan.pieces[i].triangles |= gpu::kKeepsAll;
+        plan.pieces[i].triangles |= gpu::kNeverCulled;
 }
 
 template <class BoundsOf>

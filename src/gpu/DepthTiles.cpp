@@ -7,7 +7,7 @@ namespace {
 
 namespace layout = frame::gpu;
 
-// Ranges begin at whole multiples of what any driver asks for: 256 bytes.
+// Ranges start at multiples of 256 bytes, the largest alignment that drivers require.
 constexpr std::size_t kTilesPerStep = 256 / sizeof(float);
 
 std::uint32_t tilesAcross(std::uint32_t pixels) {
@@ -29,7 +29,7 @@ Result<void> DepthTiles::prepare(std::uint32_t width, std::uint32_t height) {
         buffer_ = {*device_, *made};
         capacity_ = capacity;
     }
-    place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
+    place_ = (place_ + 1) % kFramesInFlight; // earlier frames still read theirs
     return {};
 }
 

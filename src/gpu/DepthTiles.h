@@ -1,27 +1,28 @@
 #pragma once
 
-#include "gpu/Owned.h"
+#include "gpu/device/Owned.h"
 
 namespace limen::gpu {
 
-/// Where a compute program keeps how far a picture is covered, tile by tile. The device must outlive it.
+/// Buffer for the farthest depth of each tile of a picture (kCullDepthTiles of shaders/cull.comp). The device
+/// must outlive it.
 class DepthTiles {
 public:
     explicit DepthTiles(Device& device) : device_(&device) {}
 
-    /// For a frame of that many pixels. Not during a frame. Errors: Driver, if there is no memory for them.
+    /// Reserves tiles for a picture of this size. Between frames. Errors: Driver, if out of memory.
     [[nodiscard]] Result<void> prepare(std::uint32_t width, std::uint32_t height);
-    /// Those of this frame.
+    /// Tiles of this frame.
     [[nodiscard]] std::uint32_t count() const { return count_; }
-    /// The depth of each, row by row from the bottom.
+    /// Their depths, row by row from the bottom.
     [[nodiscard]] StorageRange range() const;
 
 private:
     Device* device_;
     OwnedBuffer buffer_;
     std::uint32_t count_ = 0;
-    std::size_t capacity_ = 0; ///< tiles a frame
-    std::size_t place_ = 0;    ///< of the frames under way
+    std::size_t capacity_ = 0; ///< tiles per frame
+    std::size_t place_ = 0;    ///< index among the frames in flight
 };
 
 } // namespace limen::gpu

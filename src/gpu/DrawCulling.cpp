@@ -1,7 +1,7 @@
 #include "gpu/DrawCulling.h"
 
 #include "core/Assert.h"
-#include "gpu/Programs.h"
+#include "gpu/PassSelection.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,12 +11,12 @@ namespace {
 
 namespace layout = frame::gpu;
 
-constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices a frame
-// All frames under way share one storage range, and 128 MiB is the longest that every driver reads and writes
-// (the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL 4.5).
+constexpr std::size_t kSmallestCapacity = std::size_t{1} << 18; // indices per frame
+// All frames in flight share one storage range. 128 MiB is the least MAX_SHADER_STORAGE_BLOCK_SIZE of OpenGL
+// 4.5.
 constexpr std::size_t kLargestCapacity = (std::size_t{1} << 27) / sizeof(std::uint32_t) / kFramesInFlight;
 
-// Times that memory is asked for in vain.
+// Failed allocations before it stops retrying.
 constexpr std::uint32_t kMostFailures = 3;
 
 bool isIndexed(frame::Program program) {
@@ -34,23 +34,36 @@ std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
     return sum;
 }
 
-/// Of a run's slots. Only writes: the memory may be slow to read.
-void addToGroups(const layout::RunPlace& place, std::uint32_t run, std::uint32_t firstSlot,
+/// Adds a run's slots to their groups. Writes only, because reading mapped memory may be slow.
+void addToGroups(const layout::RunOffsets& offsets, std::uint32_t run, std::uint32_t firstSlot,
                  std::uint32_t count, std::span<layout::SlotGroup> groups) {
     std::uint32_t group = firstSlot / layout::kSlotsPerGroup;
     if (firstSlot % layout::kSlotsPerGroup != 0)
         groups[group++].lastRun = run;
     for (; group * layout::kSlotsPerGroup < firstSlot + count; ++group)
-        groups[group] = {place, run, run};
+        groups[group] = {offsets, run, run};
 }
 
 } // namespace
 
 Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::string> defines, Culling which) {
-    const ProgramSource source{
-        .label = "cull", .defines = {defines.begin(), defines.end()}, .computeShader = "cull.comp"};
-    return device.createProgram(source).map(
-        [&](ProgramHandle program) { return DrawCulling(device, OwnedProgram(device, program), which); });
+    // One program object per mode, from one source, so that selecting a mode costs a frame no call beside
+    // glUseProgram. Three programs that use different buffers crash zink (Mesa 25):
+    // docs/decisions/0119-culling-mode-is-a-uniform.md.
+    constexpr std::array<const char*, layout::kCullModes> kNames{"cull occluders", "depth tiles",
+                                                                 "cull occludees"};
+    CullPrograms programs;
+    for (std::uint32_t mode = 0; mode < layout::kCullModes; ++mode) {
+        const Result<ProgramHandle> program =
+            device.createProgram({.label = kNames[mode],
+                                  .defines = {defines.begin(), defines.end()},
+                                  .computeShader = "cull.comp",
+                                  .uniforms = {{layout::kUniformCullMode, mode}}});
+        if (!program)
+            return tl::unexpected(program.error());
+        programs[mode] = OwnedProgram(device, *program);
+    }
+    return DrawCulling(device, std::move(programs), which);
 }
 
 Result<void> DrawCulling::reserve(std::size_t indices) {
@@ -84,24 +97,26 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
             indices += indicesOf(plan, batch);
         }
     }
-    keepsTriangles_ = target.options().samples > 0 || culling_ == Culling::None || indices > kLargestCapacity;
-    keepsTriangles_ = keepsTriangles_ || failures_ >= kMostFailures || !isMade(reserve(indices));
-    firstHideable_ = slotCount_;
-    leavesOutHidden_ = culling_ == Culling::Hidden && options.occlusion && !keepsTriangles_ &&
-                       isMade(tiles_.prepare(target.width(), target.height()));
-    if (leavesOutHidden_) {
-        if (plan.firstHideable < firstSlots_.size())
-            firstHideable_ = firstSlots_[plan.firstHideable];
+    drawsStaticIndices_ =
+        target.options().samples > 0 || culling_ == Culling::None || indices > kLargestCapacity;
+    drawsStaticIndices_ = drawsStaticIndices_ || failures_ >= kMostFailures || !isMade(reserve(indices));
+    firstOccludee_ = slotCount_;
+    usesOcclusion_ = culling_ == Culling::Hidden && options.occlusion && !drawsStaticIndices_ &&
+                     isMade(tiles_.prepare(target.width(), target.height()));
+    if (usesOcclusion_) {
+        if (plan.firstOccludee < firstSlots_.size())
+            firstOccludee_ = firstSlots_[plan.firstOccludee];
     }
-    place_ = (place_ + 1) % kFramesInFlight; // frames before still read their own
+    place_ = (place_ + 1) % kFramesInFlight; // earlier frames still read theirs
 }
 
 void DrawCulling::bind(StorageBindings& storage) const {
-    // Where all triangles are kept nobody writes them, and where none is hidden no tiles; all frames make the same calls.
+    // Without culling or occlusion nothing writes these buffers, but every frame makes the same calls.
     const StorageRange& nothing = storage[layout::kBindIndices];
     storage[layout::kBindKeptIndices] =
-        keepsTriangles_ ? nothing : StorageRange{kept_.get(), 0, capacity_ * kFramesInFlight * kIndexSize};
-    storage[layout::kBindTiles] = leavesOutHidden_ ? tiles_.range() : nothing;
+        drawsStaticIndices_ ? nothing
+                            : StorageRange{kept_.get(), 0, capacity_ * kFramesInFlight * kIndexSize};
+    storage[layout::kBindTiles] = usesOcclusion_ ? tiles_.range() : nothing;
 }
 
 void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& options,
@@ -112,40 +127,37 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
         for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
             const frame::PieceRun& run = plan.runs[i];
             const std::uint32_t toPiece = (run.firstPiece - slot) & ~layout::kGated;
-            const layout::RunPlace place{toPiece | (run.gated ? layout::kGated : 0),
-                                         kept - run.indicesBefore};
-            runs[number] = {place, slot, run.rects.first | std::uint32_t{run.rects.count} << 16};
-            addToGroups(place, number, slot, run.pieceCount, groups);
+            const layout::RunOffsets offsets{toPiece | (run.gated ? layout::kGated : 0),
+                                             kept - run.indicesBefore};
+            runs[number] = {offsets, slot, run.rects.first | std::uint32_t{run.rects.count} << 16};
+            addToGroups(offsets, number, slot, run.pieceCount, groups);
             slot += run.pieceCount;
             kept += run.indexCount;
             ++number;
         }
     }
-    LIMEN_ASSERT(slot == slotCount_, "batches count the pieces of their runs");
+    LIMEN_ASSERT(slot == slotCount_, "a batch's draws are the pieces of its runs");
 }
 
 void DrawCulling::describe(layout::FrameConstants& constants) const {
     constants.slotCount = slotCount_;
-    constants.firstHideable = firstHideable_;
-    constants.flags |= keepsTriangles_ ? layout::kFrameKeepsTriangles : 0;
+    constants.firstOccludee = firstOccludee_;
+    constants.flags |= drawsStaticIndices_ ? layout::kFrameStaticIndices : 0;
 }
 
-void DrawCulling::run(std::uint32_t purpose, std::uint32_t groups) {
-    // In rows of equal length, none longer than drivers run.
-    const std::uint32_t rows = std::max((groups + purpose * kMostGroups - 1) / (purpose * kMostGroups), 1u);
-    const std::uint32_t columns = (groups + rows * purpose - 1) / (rows * purpose);
-    device_->compute(program_.get(), {columns, rows, purpose});
+void DrawCulling::run(std::uint32_t mode, std::uint32_t groups) {
+    device_->compute(programs_[mode].get(), WorkGroups::atLeast(groups));
 }
 
-void DrawCulling::runFirst() {
-    run(layout::kCullFirst, firstHideable_);
+void DrawCulling::cull() {
+    run(layout::kCullOccluders, firstOccludee_);
 }
 
-void DrawCulling::runBehind() {
-    LIMEN_ASSERT(leavesOutHidden_, "all slots were run first");
+void DrawCulling::cullOccluded() {
+    LIMEN_ASSERT(usesOcclusion_, "all slots were culled first");
     constexpr std::uint32_t kThreads = layout::kCullThreads;
-    run(layout::kCullTiles, (tiles_.count() + kThreads - 1) / kThreads);
-    run(layout::kCullBehind, slotCount_ - firstHideable_);
+    run(layout::kCullDepthTiles, (tiles_.count() + kThreads - 1) / kThreads);
+    run(layout::kCullOccludees, slotCount_ - firstOccludee_);
 }
 
 } // namespace limen::gpu

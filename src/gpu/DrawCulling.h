@@ -7,73 +7,75 @@
 #include "gpu/RenderTarget.h"
 #include "gpu/RendererOptions.h"
 
+#include <array>
 #include <optional>
 
 namespace limen::gpu {
 
-/// Makes the draw commands of a plan's pieces, on the device, and leaves out triangles that show nothing (shaders/cull.comp). Never
-/// changes a picture of exact outlines. The device must outlive it.
+/// Writes a plan's draw commands on the GPU and culls triangles (shaders/cull.comp). With exact outlines the
+/// picture is the same to the bit. The device must outlive it.
 class DrawCulling {
 public:
     /// Errors: Driver, if a program does not build.
     [[nodiscard]] static Result<DrawCulling> create(Device& device, std::span<const std::string> defines,
                                                     Culling culling);
 
-    /// Takes up what a frame draws by indices. All triangles are drawn of multisampled frames, and where there are more than
-    /// memory is kept for, or can be had: then the frame goes on without. Not during a frame.
+    /// Assigns slots to the plan's indexed draws. Multisampled frames are drawn unculled, as are frames with
+    /// more indices than kLargestCapacity or without memory for them. Between frames.
     void prepare(const frame::FramePlan& plan, const RenderOptions& options, const RenderTarget& target);
-    /// Why frames are drawn without what they were to have; none if they have it.
+    /// Error because of which culling or occlusion is off; none if both work.
     [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
-    /// With another scene what could not be had before is asked for again.
+    /// Retries failed allocations, for a new scene.
     void tryAgain() {
         failures_ = 0;
         failure_.reset();
     }
-    /// How many draw commands that makes: each has a slot.
+    /// Draw commands of the frame; each has a slot.
     [[nodiscard]] std::uint32_t slotCount() const { return slotCount_; }
-    /// Tells which pieces all slots are of, straight into the frame's memory. Plan and options are those of `prepare`.
+    /// Writes the runs of all slots into the frame's ring memory. Same plan and options as in `prepare`.
     void writeRuns(const frame::FramePlan& plan, const RenderOptions& options,
                    std::span<frame::gpu::SlotGroup> groups, std::span<frame::gpu::DrawRun> runs) const;
-    /// The slot of a batch's first draw command; those of the others follow.
+    /// Slot of a batch's first draw command; the others are consecutive.
     [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
-    /// Whether the draws read the static indices; else they read those that are kept, and no others.
-    [[nodiscard]] bool keepsTriangles() const { return keepsTriangles_; }
-    /// Whether batches from FramePlan::firstHideable on wait for what is drawn before them.
-    [[nodiscard]] bool leavesOutHidden() const { return leavesOutHidden_; }
-    /// The indices that are kept. Invalid while none ever were.
+    /// Whether draws use the static indices; otherwise only the kept ones.
+    [[nodiscard]] bool drawsStaticIndices() const { return drawsStaticIndices_; }
+    /// Whether batches from FramePlan::firstOccludee on are culled by cullOccluded.
+    [[nodiscard]] bool usesOcclusion() const { return usesOcclusion_; }
+    /// Buffer of the kept indices. Invalid until the first allocation.
     [[nodiscard]] BufferHandle keptIndices() const { return kept_.get(); }
-    /// Fills in the arrays of its own.
+    /// Sets the bindings of its own buffers.
     void bind(StorageBindings& storage) const;
-    /// Tells the shader what is to be done.
+    /// Sets the constants that the shader reads.
     void describe(frame::gpu::FrameConstants& constants) const;
-    /// Within a frame whose runs, pieces, commands and indices are bound: writes the commands and indices that are drawn,
-    /// of the batches that wait for nothing.
-    void runFirst();
-    /// Of the others, if leavesOutHidden(), when those before are drawn.
-    void runBehind();
+    /// Writes commands and indices of all batches, or with occlusion those before firstOccludee. Within a
+    /// frame whose runs, pieces, commands and indices are bound.
+    void cull();
+    /// Writes those of the other batches. Requires usesOcclusion(), and that the earlier batches are drawn.
+    void cullOccluded();
 
 private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);
-    DrawCulling(Device& device, OwnedProgram program, Culling culling)
-        : device_(&device), program_(std::move(program)), culling_(culling), tiles_(device) {}
+    using CullPrograms = std::array<OwnedProgram, frame::gpu::kCullModes>; ///< of cull.comp, by mode
+    DrawCulling(Device& device, CullPrograms programs, Culling culling)
+        : device_(&device), programs_(std::move(programs)), culling_(culling), tiles_(device) {}
     [[nodiscard]] Result<void> reserve(std::size_t indices);
-    /// Whether something was made. What is not is asked for again by the next frames, but not for ever.
+    /// True on success, else records the failure. Later frames retry, up to kMostFailures times.
     [[nodiscard]] bool isMade(const Result<void>& made);
-    /// `purpose`: one of kCullFirst, ...
-    void run(std::uint32_t purpose, std::uint32_t groups);
+    /// `mode`: kCull... of SharedLayout.h.
+    void run(std::uint32_t mode, std::uint32_t groups);
 
     Device* device_;
-    OwnedProgram program_;
+    CullPrograms programs_;
     Culling culling_;
     DepthTiles tiles_;
     OwnedBuffer kept_;
-    std::size_t capacity_ = 0;    ///< indices a frame
-    std::size_t place_ = 0;       ///< of the frames under way
-    bool keepsTriangles_ = false; ///< this frame's, as all that follow
-    bool leavesOutHidden_ = false;
-    std::uint32_t slotCount_ = 0, firstHideable_ = 0;
+    std::size_t capacity_ = 0;        ///< indices per frame
+    std::size_t place_ = 0;           ///< index among the frames in flight
+    bool drawsStaticIndices_ = false; ///< of this frame, like all that follow
+    bool usesOcclusion_ = false;
+    std::uint32_t slotCount_ = 0, firstOccludee_ = 0;
     std::uint32_t failures_ = 0;
-    std::optional<Error> failure_;          ///< the last
+    std::optional<Error> failure_;          ///< the latest
     std::vector<std::uint32_t> firstSlots_; ///< by batch
 };
 

@@ -1,21 +1,17 @@
 #pragma once
 
 #include "frame/FramePlan.h"
-#include "gpu/Device.h"
+#include "gpu/device/Device.h"
 
 #include <array>
 
 namespace limen::gpu {
 
-/// Every storage binding of a frame, by number.
-using StorageBindings = std::array<StorageRange, frame::gpu::kStorageBindings>;
-
-/// What an empty array is bound as, bytes: a range may not be empty.
-inline constexpr std::size_t kSmallestRange = 256;
-/// Where one frame's arrays lie in the ring memory: the plan's, and the runs and room of its draw commands.
+/// Layout of one frame's arrays in the ring memory: those of the plan, its runs, and its draw commands.
 class FrameRing {
 public:
-    /// `slots`: one for each draw command. Has room for all of the plan's runs. `alignment`: Capabilities::storageAlignment. The plan must outlive it.
+    /// `slots`: number of draw commands. `alignment`: Capabilities::storageAlignment. The plan must outlive
+    /// it.
     FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment);
 
     [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
@@ -24,15 +20,15 @@ public:
     [[nodiscard]] std::span<frame::gpu::SlotGroup> slotGroups(std::span<std::byte> memory) const;
     [[nodiscard]] std::span<frame::gpu::DrawRun> runs(std::span<std::byte> memory) const;
 
-    /// Tells the shaders where the arrays are that they read as texels.
+    /// Sets the first texel of each array that shaders read as texels.
     void locate(frame::gpu::FrameConstants& constants) const;
-    /// Binds the arrays that shaders read as storage.
+    /// Sets the bindings of the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays but runs, their groups and draw commands.
+    /// Writes all arrays except runs, slot groups and draw commands.
     void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
 
 private:
-    // In the order they are written.
+    // In the order of writing.
     enum Array : std::size_t {
         kConstants,
         kBlocks,
@@ -41,13 +37,13 @@ private:
         kOwnership,
         kClipSets,
         kSky,
-        kMovers, // and records
+        kMovers, // dynamic instances, then FramePlan::records
         kMoverMembers,
         kReplacements,
         kPieces,
-        kSlotGroups, // written by whoever has them,
-        kRuns,       // likewise,
-        kCommands,   // and on the device
+        kSlotGroups, // written by DrawCulling
+        kRuns,       // written by DrawCulling
+        kCommands,   // written on the GPU
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array,

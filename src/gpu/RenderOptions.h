@@ -4,23 +4,25 @@
 
 namespace limen::gpu {
 
-/// How solid surfaces and the plain sky are coloured. Flat frames read no texture but for the alpha of cut-outs, have no
-/// light, and leave out what has no id: sky objects and translucent surfaces. Of frames with ids, ids and depth are the same with
-/// all, bit for bit; lit ones without have the depth of nearly opaque texels, too (shaders/include/surface.glsl).
+/// Colouring of solid surfaces and of the plain sky. Flat frames are unlit, read textures only for the alpha
+/// of cut-outs, and skip surfaces without an id: sky objects and transparent surfaces. Ids and depth of
+/// frames with ids are equal in all modes, to the bit. Lit frames without ids also have the depth of nearly
+/// opaque texels (shaders/include/surface.glsl).
 enum class Shading : std::uint8_t {
     Lit,
-    FlatIds, ///< every surface in the colour of its id (frame/IdColour.h), void in that of kVoidId
-    IdsOnly  ///< no colour is written: what it was stays
+    FlatIds, ///< colour of the surface's id (frame/IdColour.h); void has that of kVoidId
+    IdsOnly  ///< the colour image stays unchanged
 };
 
-/// What is asked of one frame.
+/// Options of one frame.
 struct RenderOptions {
     bool wantIds = true; ///< write the id image; not on multisampled targets
     Shading shading = Shading::Lit;
-    /// Count the layers of translucent surfaces per pixel; the late stage then does that instead of painting, and sky
-    /// objects are left out. The target must be made for it.
+    /// Count the layers of transparent surfaces per pixel. The transparent stage then paints nothing, and sky
+    /// objects are skipped. The target must have a layers image.
     bool wantLayers = false;
-    /// Leave out what walls and the ground hide, if the renderer can (Culling::Hidden). The picture is the same.
+    /// Cull triangles behind walls and ground, if the renderer can (Culling::Hidden). The picture is the
+    /// same.
     bool occlusion = true;
 };
 

@@ -58,7 +58,7 @@ std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const
 
 namespace {
 
-/// What the sky is and what fringes are stored as is far behind all else (SharedLayout.h).
+/// View depth ratio of a stored depth: 0 for the sky, and scaled back for fringes (SharedLayout.h).
 float depthOfStored(float stored) {
     const float sky = std::ldexp(1.0f, -static_cast<int>(frame::gpu::kSkyExponent));
     if (stored > sky)
@@ -78,8 +78,8 @@ std::vector<glm::vec2> RenderTarget::samplePositions() const {
 void RenderTarget::place(frame::gpu::FrameConstants& constants) const {
     const double width = width_, height = height_;
     constants.viewport = {width, height, 1.0 / width, 1.0 / height};
-    // Rows: what x, y and w of the clip position are made of. A direction of view depth 1 at (x, y) of the window solves
-    // rows * direction = (x, y, 1).
+    // Rows for x, y and w of the clip position. The direction of view depth 1 through (x, y) of the window
+    // solves rows * direction = (x, y, 1).
     const glm::dmat4 clip(constants.clipFromEye);
     const glm::dmat3 eyeFromWindow = glm::inverse(glm::dmat3(
         clip[0].x, clip[0].y, clip[0].w, clip[1].x, clip[1].y, clip[1].w, clip[2].x, clip[2].y, clip[2].w));

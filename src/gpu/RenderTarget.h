@@ -1,19 +1,19 @@
 #pragma once
 
-#include "gpu/Device.h"
+#include "gpu/device/Device.h"
 
 #include <vector>
 
 namespace limen::gpu {
 
-/// The translucent surfaces met in one pixel (Renderer.h, RenderOptions::wantLayers).
+/// Transparent surfaces of one pixel (RenderOptions::wantLayers).
 struct LayerSum {
     std::uint32_t count = 0;
     std::uint32_t hash = 0; ///< sum of layerHash(id) over the polygons (shaders/include/layers.glsl)
     friend bool operator==(const LayerSum&, const LayerSum&) = default;
 };
 
-/// The images that a frame is drawn into. Readbacks have the top row first and wait for the GPU.
+/// The images that a frame is drawn into. Read functions return the top row first and wait for the GPU.
 class RenderTarget {
 public:
     /// Errors: BadArgument for a size of 0 or beyond the driver's limit; Driver.
@@ -28,26 +28,26 @@ public:
     [[nodiscard]] const TargetOptions& options() const { return options_; }
     [[nodiscard]] TargetHandle handle() const { return handle_; }
 
-    /// Where the samples of a multisampled target's pixels lie: pixels from the pixel's centre, x to the right, y
-    /// downwards. Empty if it is not multisampled.
+    /// Sample positions of a multisampled target: pixels from the pixel's centre, x to the right, y
+    /// downwards. Empty if the target is not multisampled.
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
 
-    /// Fills in what depends on the target: the viewport, its pixels' size and the rays through them (from clipFromEye, whose rounding
-    /// they share), and where its samples lie; samplesX and samplesY must be 0.
+    /// Sets the constants that depend on the target: viewport, pixel size, the rays through its pixels (from
+    /// clipFromEye, with the same rounding) and its sample positions. Requires samplesX and samplesY of 0.
     void place(frame::gpu::FrameConstants& constants) const;
 
-    /// R,G,B,A bytes; of a multisampled target the samples' mean.
+    /// R,G,B,A bytes; of a multisampled target the mean of its samples.
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;
-    /// Ids: kVoidId, kSkyId, or what the planner gave. Undefined after a frame without ids.
+    /// kVoidId, kSkyId, or an id from the planner. Undefined after a frame without ids.
     [[nodiscard]] std::vector<std::uint32_t> readIds() const;
-    /// Near plane / view depth; 0 where nothing was met.
+    /// Near plane / view depth; 0 where no surface was hit.
     [[nodiscard]] std::vector<float> readDepth() const;
     /// Number of the leaf visit.
     [[nodiscard]] std::vector<std::uint32_t> readOwnership() const;
-    /// Layers of translucent surfaces, of a frame that counted them. Requires a target made for it.
+    /// Transparent layers of a frame that counted them. Requires a target with a layers image.
     [[nodiscard]] std::vector<LayerSum> readLayers() const;
-    /// Metres from the eye along the ray of the pixel (frame::gpu::kPixelPlace), of the frame drawn with these constants;
-    /// +inf where nothing was met.
+    /// Metres from the eye along the pixel's ray (frame::gpu::kPixelPlace), for the constants of the frame
+    /// drawn last; +inf where no surface was hit.
     [[nodiscard]] std::vector<float> readDistances(const frame::gpu::FrameConstants& constants) const;
 
 private:

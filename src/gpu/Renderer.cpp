@@ -4,7 +4,8 @@
 #include "frame/IdColour.h"
 #include "gpu/DrawCulling.h"
 #include "gpu/FrameRing.h"
-#include "gpu/ResidentScene.h"
+#include "gpu/PassSelection.h"
+#include "gpu/scene/ResidentScene.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,31 +17,31 @@ namespace {
 
 namespace layout = frame::gpu;
 
-// Of an upload that the driver has no memory for.
+// Attempts at an upload when the driver is out of memory.
 constexpr int kUploadAttempts = 3;
 
-// A plan that breaks these would make the GPU read astray or loop.
+// Asserts the conditions without which the GPU would read out of bounds or loop.
 void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
     LIMEN_ASSERT(!plan.visits.empty() && plan.visits.size() == plan.constants.visitCount,
-                 "the root is a visit");
+                 "a plan has at least the root visit");
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
-    LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan is made for the scene");
+    LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan was made for this scene");
     for (std::size_t i = 0; i < plan.visits.size(); ++i) {
         const std::uint32_t parent = plan.visits[i].parent;
-        LIMEN_ASSERT(parent == layout::kNoVisit || parent < i, "parents come before children");
+        LIMEN_ASSERT(parent == layout::kNoVisit || parent < i, "parents precede children");
     }
     for (const frame::Batch& batch : plan.batches) {
         const std::size_t size =
             batch.program == frame::Program::Ownership ? plan.ownershipVertices.size() : plan.runs.size();
-        LIMEN_ASSERT(std::uint64_t{batch.first} + batch.count <= size, "a batch lies within its runs");
+        LIMEN_ASSERT(std::uint64_t{batch.first} + batch.count <= size, "a batch is within the runs");
     }
     for (const frame::PieceRun& run : plan.runs) {
         LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),
-                     "a run lies within the pieces");
+                     "a run is within the pieces");
     }
     for (const frame::Stage& stage : plan.stages) {
         LIMEN_ASSERT(std::uint64_t{stage.firstBatch} + stage.batchCount <= plan.batches.size(),
-                     "a stage lies within the batches");
+                     "a stage is within the batches");
     }
 }
 
@@ -59,7 +60,8 @@ bool isFlat(const RenderOptions& options) {
     return options.shading != Shading::Lit;
 }
 
-/// A surface's nearly opaque texels would give depth to what has none.
+/// Only colour-only frames split surfaces: the nearly opaque part writes depth, for a surface that has none
+/// otherwise.
 bool splitsSurfaces(const RenderOptions& options) {
     return options.shading == Shading::Lit && !options.wantIds && !options.wantLayers;
 }
@@ -93,14 +95,15 @@ Renderer::~Renderer() = default;
 Result<void> Renderer::upload(const frame::SceneUpload& upload) {
     Result<void> done = uploadOnce(upload);
     for (int tried = 1; tried < kUploadAttempts && !done && done.error().code == ErrorCode::Driver; ++tried) {
-        device_->finishFrames(); // drivers keep what is destroyed until then
+        device_->finishFrames(); // drivers free destroyed objects only then
         done = uploadOnce(upload);
     }
     return done;
 }
 
 Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
-    Result<StagedScene> staged = stageScene(std::move(upload), options_, device_->capabilities(), state());
+    Result<StagedScene> staged =
+        stageScene(std::move(upload), options_.textures, device_->capabilities(), state());
     if (!staged)
         return tl::unexpected(staged.error());
     if (Result<void> begun = begin(std::move(*staged)); !begun)
@@ -108,7 +111,7 @@ Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
     for (bool isThere = false; !isThere;) {
         const Result<bool> advanced = advance(std::numeric_limits<std::size_t>::max());
         if (!advanced) {
-            retired_.clear(); // what did not come goes at once
+            retired_.clear(); // the incomplete scene is destroyed at once
             spare_->clear();
             return tl::unexpected(advanced.error());
         }
@@ -172,7 +175,7 @@ Result<bool> Renderer::advance(std::size_t bytes) {
 }
 
 void Renderer::swap() {
-    LIMEN_ASSERT(coming_ != nullptr, "a scene was begun");
+    LIMEN_ASSERT(coming_ != nullptr, "a sliced upload is complete");
     if (scene_ != nullptr)
         retired_.push_back({std::move(scene_), frames_});
     scene_ = std::move(coming_);
@@ -180,7 +183,7 @@ void Renderer::swap() {
 }
 
 void Renderer::drop() {
-    if (coming_ != nullptr) { // nothing has read it: it may go at once, but little by little
+    if (coming_ != nullptr) { // no frame has read it: it can be released at once, in slices
         coming_->markUnused();
         retired_.insert(retired_.begin(), {std::move(coming_), 0});
     }
@@ -229,7 +232,7 @@ void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset, 
                          bool multisampled) {
     DrawState state;
     state.program = scene_->programs().get(batch.program, variantOf(batch, options, multisampled));
-    // Exact triangles that face away are left out one by one, and a portal polygon counts from either side.
+    // Exact outlines cull back faces per triangle (cull.comp); a portal polygon counts from both sides.
     state.cullBackFaces = !options_.exactOutlines && batch.program != frame::Program::Ownership;
     state.writeDepth = batch.program != frame::Program::Blended;
     device_->setState(state);
@@ -254,8 +257,8 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (stage.firstBatch + i == plan.firstHideable && culling_->leavesOutHidden())
-                culling_->runBehind();
+            if (stage.firstBatch + i == plan.firstOccludee && culling_->usesOcclusion())
+                culling_->cullOccluded();
             if (!isDrawn(batch.program, options))
                 continue;
             if (const Pass pass = passOf(batch.program, options); pass != current) {
@@ -275,11 +278,11 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
 Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target,
                               const RenderOptions& options) {
     LIMEN_ASSERT(scene_ != nullptr, "a scene is uploaded before a frame is drawn");
-    LIMEN_ASSERT(options.wantIds || options.shading != Shading::IdsOnly, "a frame shows something");
-    LIMEN_ASSERT(!options.wantLayers || target.options().layers, "the target is made to count layers");
+    LIMEN_ASSERT(options.wantIds || options.shading != Shading::IdsOnly, "a frame writes colour or ids");
+    LIMEN_ASSERT(!options.wantLayers || target.options().layers, "the target has a layers image");
     const bool multisampled = target.options().samples > 0;
     LIMEN_ASSERT(!multisampled || (!options.wantIds && !options.wantLayers),
-                 "ids and layers have one sample a pixel");
+                 "a multisampled frame has no ids and no layers");
     assertSound(plan, scene_->pieces());
     if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared)
         return prepared;
@@ -292,9 +295,9 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved)
         return reserved;
-    // Each time: another renderer may have drawn since.
+    // In every frame, because another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(),
-                         culling.keepsTriangles() ? scene_->indices() : culling.keptIndices());
+                         culling.drawsStaticIndices() ? scene_->indices() : culling.keptIndices());
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
     layout::FrameConstants constants = plan.constants;
     target.place(constants);
@@ -305,7 +308,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     culling.writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
     bindAll(ring, culling);
     clearTarget(plan, options);
-    culling.runFirst();
+    culling.cull();
     drawStages(plan, ring.commands(), options, multisampled);
     if (multisampled)
         device_->resolve();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/TextureStaging.h"
+#include "gpu/texture/TextureStaging.h"
 
 #include <cstdint>
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace limen::gpu {
 
-/// Which triangles are left out before they are drawn. Pictures are the same, bit for bit. Only with exact outlines, and one
-/// sample a pixel; else none are.
+/// Triangles culled before drawing. Pictures are the same to the bit. Only with exact outlines and one sample
+/// per pixel; otherwise no triangle is culled.
 enum class Culling : std::uint8_t {
     None,
-    Unseen, ///< those that cover no pixel's centre or face away
-    Hidden  ///< also those that lie behind walls or the ground, as far as whole tiles of pixels tell
+    Unseen, ///< back-facing triangles, and those that cover no pixel centre
+    Hidden  ///< also triangles behind walls and ground, by depth tiles
 };
 
-/// How a renderer is made.
+/// Options of a renderer.
 struct RendererOptions {
     TextureStoreOptions textures{};
-    /// What a pixel shows is decided by the ray through its centre and not by corners that the rasteriser has snapped
+    /// The ray through a pixel's centre decides its colour, not corners snapped by the rasteriser
     /// (shaders/include/outline.glsl).
     bool exactOutlines = true;
     Culling culling = Culling::Hidden;
-    /// Macros for every shader: tests leave parts of the method out with them (shaders/include/gate.glsl).
+    /// Macros for every shader. Tests omit parts of the method with them (shaders/include/gate.glsl).
     std::vector<std::string> shaderDefines{};
 };
 

@@ -175,6 +175,38 @@ TEST(IncludeGraph, theAllowedGraphHasNoCycle) {
         ADD_FAILURE() << room << " is part of a cycle";
 }
 
+/// The folders of a room, by the path below src/, with those that each includes. "gpu" and "gpu/device" are two.
+std::map<std::string, Names> foldersOf(const std::string& room) {
+    std::map<std::string, Names> folders;
+    for (const Include& include : includesUnder(folderOf(room))) {
+        const std::string from =
+            fs::relative(include.file.parent_path(), folderOf(room).parent_path()).string();
+        folders[from];
+        if (roomOf(include.name) != room)
+            continue;
+        const std::string to = fs::path(include.name).parent_path().string();
+        if (to != from)
+            folders[from].insert(to);
+    }
+    return folders;
+}
+
+TEST(IncludeGraph, theFoldersOfGpuHaveNoCycle) {
+    auto left = foldersOf("gpu");
+    EXPECT_GE(left.size(), 4u);
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (auto it = left.begin(); it != left.end();) {
+            const bool free = std::none_of(it->second.begin(), it->second.end(),
+                                           [&](const std::string& folder) { return left.contains(folder); });
+            it = free ? left.erase(it) : std::next(it);
+            moved = moved || free;
+        }
+    }
+    for (const auto& [folder, needs] : left)
+        ADD_FAILURE() << folder << " is part of a cycle";
+}
+
 /// The limen targets that a CMakeLists.txt links for the targets that match.
 Names linkedRooms(const fs::path& cmakeLists) {
     static const std::regex kTarget(R"(limen::(\w+))");

@@ -1,7 +1,7 @@
 #include "FieldHelp.h"
 #include "TwoWays.h"
 
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace limen::bench::test {
 namespace {
 
-using Kind = gpu::NullDevice::Command::Kind;
+using Kind = gpu::NullDevice::CommandKind;
 
 /// Whether a ball reaches into the frustum's four sides, told by how far its centre is to the right and up of the gaze.
 bool isSeen(const visibility::View& view, const Sphere& sphere) {

@@ -97,8 +97,8 @@ TEST_F(PlannerTest, wallsAndGroundComeBeforeAllElse) {
                                  kind == world::InstanceKind::Exterior ||
                                  kind == world::InstanceKind::Terrain;
             const bool isSolid = batch.program == Program::Opaque || batch.program == Program::Terrain;
-            EXPECT_EQ(b < plan.firstHideable, isFirst && isSolid);
-            walls += b < plan.firstHideable ? 1 : 0;
+            EXPECT_EQ(b < plan.firstOccludee, isFirst && isSolid);
+            walls += b < plan.firstOccludee ? 1 : 0;
         }
     }
     EXPECT_GT(walls, 2u);

@@ -7,7 +7,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-// A grey wall 2 m north; something translucent over the left half, 1 m north.
+// A grey wall 2 m north; a transparent surface over the left half, 1 m north.
 class BlendedGlTest : public GlTest {
 protected:
     Frame drawOver(std::uint32_t flags, std::uint8_t texelAlpha, float materialAlpha, bool gated = false) {
@@ -52,11 +52,12 @@ TEST_F(BlendedGlTest, hiddenBehindSolidSurfacesAndOutsideItsZone) {
     options.material = scene.addMaterial({1, 0, 0, 1});
     scene.addWall('B', {-3, -3}, {3, 3}, 3, options); // behind
     options.members = {{2, 0}};
-    scene.addWall('C', {-1, -1}, {1, 1}, 1, options); // before, of a zone no ray visits
+    scene.addWall('C', {-1, -1}, {1, 1}, 1, options); // nearer, in a zone that no ray visits
     EXPECT_EQ(render(scene, 2).at(1, 1), glm::ivec3(255));
 }
 
-// A surface that is split, drawn both ways, 1 m north; a green veil behind it, listed after it: sorted wrongly.
+// A split surface 1 m north, drawn both ways; behind it a green veil that is listed after it, so sorted
+// wrongly.
 class SplitGlTest : public GlTest {
 protected:
     Frame drawn(std::uint8_t texelAlpha, const RenderOptions& options, float opacity = 1.0f) {
@@ -80,25 +81,25 @@ protected:
     static constexpr RenderOptions kPainted{.wantIds = false}, kWithIds{};
 };
 
-TEST_F(SplitGlTest, hidesWhatIsBehindWhereItIsNearlyOpaque) {
+TEST_F(SplitGlTest, hidesSurfacesBehindWhereNearlyOpaque) {
     EXPECT_EQ(drawn(250, kPainted).at(0, 0), glm::ivec3(255, 0, 0));
 }
 
-TEST_F(SplitGlTest, hasNoIdAndNoDepthWhateverItsAlpha) {
+TEST_F(SplitGlTest, hasNoIdAndNoDepthAtAnyAlpha) {
     const Frame frame = drawn(250, kWithIds);
     EXPECT_THAT(frame.picture(), ElementsAre("AA", "AA"));
     EXPECT_FLOAT_EQ(frame.depth[0], frame.depth[1]);
     EXPECT_NEAR(frame.at(0, 0).y, 128, 2) << "blended in the order of the list, the veil last";
 }
 
-TEST_F(SplitGlTest, isBlendedOnceWhereItIsNot) {
+TEST_F(SplitGlTest, isBlendedOnceElsewhere) {
     for (const std::uint8_t alpha : {std::uint8_t{20}, std::uint8_t{128}, std::uint8_t{235}})
         EXPECT_EQ(drawn(alpha, kPainted).at(0, 0), drawn(alpha, kWithIds).at(0, 0)) << int{alpha};
     EXPECT_EQ(drawn(255, kPainted, 0.5f).at(0, 0), drawn(255, kWithIds, 0.5f).at(0, 0))
         << "it fades as a whole";
 }
 
-TEST_F(SplitGlTest, isNotThereWhereNextToNothingIs) {
+TEST_F(SplitGlTest, isSkippedWhereNearlyTransparent) {
     EXPECT_EQ(drawn(10, kPainted).at(0, 0), drawn(0, kWithIds).at(0, 0));
     EXPECT_NE(drawn(10, kWithIds).at(0, 0), drawn(0, kWithIds).at(0, 0));
 }

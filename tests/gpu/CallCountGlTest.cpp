@@ -1,14 +1,14 @@
 #include "GlFixture.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 namespace limen::gpu::test {
 namespace {
 
-constexpr std::uint32_t kBudget = 40; // GL calls a frame, docs/architecture.md
+constexpr std::uint32_t kBudget = 40; // GL calls per frame
 
 class CallCountGlTest : public GlTest {
 protected:
-    // A scene that uses every program and variant, `copies` times, behind a row of `copies` openings.
+    // A scene with every program and variant, `copies` times, behind a row of `copies` openings.
     static SceneBuilder everything(std::uint32_t copies) {
         SceneBuilder scene;
         scene.root(1);
@@ -24,8 +24,9 @@ protected:
             for (const frame::Program program : {frame::Program::Opaque, frame::Program::CutOut,
                                                  frame::Program::Terrain, frame::Program::Blended}) {
                 for (const bool gated : {false, true}) {
+                    // a plan has a single list of these
                     if (program == frame::Program::Blended && !gated)
-                        continue; // a plan has one list of these
+                        continue;
                     scene.addWall('A', {-1, -1}, {1, 1}, y,
                                   {.members = {{1, 0}, {0, 0}}, .program = program, .gated = gated});
                 }
@@ -51,7 +52,7 @@ protected:
     }
 };
 
-TEST_F(CallCountGlTest, everyStageTogetherStaysWithinTheBudget_whateverIsDrawn) {
+TEST_F(CallCountGlTest, everyStageTogetherStaysWithinTheBudget_forAnyDraws) {
     std::vector<std::uint32_t> all;
     for (const std::uint32_t copies : {0u, 1u, 3u, 40u}) {
         SceneBuilder scene = everything(copies);
@@ -96,7 +97,7 @@ TEST_F(CallCountGlTest, multisampledFramesStayWithinTheBudget_andNullDeviceCount
     }
 }
 
-TEST_F(CallCountGlTest, nullDeviceCountsWhatTheDriverGets) {
+TEST_F(CallCountGlTest, nullDeviceCountsTheSameCalls) {
     for (const bool all : {true, false}) {
         SceneBuilder scene = everything(2);
         scene.finish(all);

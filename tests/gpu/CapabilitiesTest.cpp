@@ -1,4 +1,4 @@
-#include "gpu/Capabilities.h"
+#include "gpu/device/Capabilities.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "gpu/CheckedDevice.h"
+#include "gpu/device/CheckedDevice.h"
 
 #include "frame/GpuLayout.h"
-#include "gpu/NullDevice.h"
-#include "gpu/TextureStore.h"
+#include "gpu/device/NullDevice.h"
+#include "gpu/texture/TextureStore.h"
 
 #include <gtest/gtest.h>
 
@@ -69,45 +69,45 @@ TEST(CheckedDevice, finishedFramesThenReleaseThenDestructionIsRight) {
     EXPECT_TRUE(w.device.faults().empty()) << w.device.faults().front();
 }
 
-TEST(CheckedDevice, whatIsSampledMustBeResident) {
+TEST(CheckedDevice, sampledHandlesMustBeResident) {
     Watched w;
     w.device.releaseHandle(w.texture);
     w.begin();
     w.draw(w.plain);
-    EXPECT_TRUE(w.device.faults().empty()) << "that program samples nothing by its handle";
+    EXPECT_TRUE(w.device.faults().empty()) << "that program samples no handle";
     w.draw(w.byHandle);
-    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled, and is not resident");
+    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled but is not resident");
 }
 
-TEST(CheckedDevice, aHandleMadeUpIsNotResident) {
+TEST(CheckedDevice, anInventedHandleIsNotResident) {
     Watched w;
     w.references = w.makeReferences(0xABCDEF0123ull);
     w.frame();
-    EXPECT_EQ(w.fault(), "handle 0xabcdef0123 may be sampled, and is not resident");
+    EXPECT_EQ(w.fault(), "handle 0xabcdef0123 may be sampled but is not resident");
 }
 
-TEST(CheckedDevice, releasedAfterItWasFoundResidentItIsFoundAstray) {
+TEST(CheckedDevice, aHandleReleasedAfterTheCheckIsReported) {
     Watched w;
     w.frame();
     w.device.finishFrames();
     w.device.releaseHandle(w.texture);
     w.frame();
-    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled, and is not resident");
+    EXPECT_EQ(w.fault(), "handle 0x1 may be sampled but is not resident");
 }
 
-TEST(CheckedDevice, noneIsReleasedWhileAFrameIsUnderWay) {
+TEST(CheckedDevice, noHandleIsReleasedWhileAFrameInFlightSamplesIt) {
     Watched w;
     w.frame();
     w.device.releaseHandle(w.texture);
-    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame that samples it is under way");
+    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame in flight samples it");
 }
 
-TEST(CheckedDevice, noneIsReleasedInTheFrameThatSamplesIt) {
+TEST(CheckedDevice, noHandleIsReleasedInTheFrameThatSamplesIt) {
     Watched w;
     w.begin();
     w.draw(w.byHandle);
     w.device.releaseHandle(w.texture);
-    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame that samples it is under way");
+    EXPECT_EQ(w.fault(), "the handle of 'brick' is released while a frame in flight samples it");
 }
 
 TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
@@ -133,17 +133,17 @@ TEST(CheckedDevice, aFrameIsDoneWhenTheDeviceHasWaitedForIt) {
     for (std::size_t i = 1; i < kFramesInFlight; ++i)
         early.frame();
     early.device.releaseHandle(early.texture);
-    EXPECT_EQ(early.device.faults().size(), 1u) << "the oldest may still be under way";
+    EXPECT_EQ(early.device.faults().size(), 1u) << "the oldest may still be in flight";
 }
 
-TEST(CheckedDevice, aBufferIsNotFilledAgainWhileAFrameReadsIt) {
+TEST(CheckedDevice, aBufferIsNotRefilledWhileAFrameReadsIt) {
     Watched watched;
     watched.frame();
     watched.device.refillBuffer("references", watched.references);
-    EXPECT_NE(watched.fault().find("is filled again while a frame"), std::string::npos);
+    EXPECT_NE(watched.fault().find("is refilled while a frame"), std::string::npos);
 }
 
-TEST(CheckedDevice, aBufferMayBeFilledAgainWhenItsFramesAreDone) {
+TEST(CheckedDevice, aBufferMayBeRefilledWhenItsFramesAreComplete) {
     Watched watched;
     watched.frame();
     watched.device.finishFrames();
@@ -157,32 +157,32 @@ TEST(CheckedDevice, releaseComesBeforeDestruction) {
     EXPECT_EQ(w.fault(), "'brick' is destroyed before its handle is released");
 }
 
-TEST(CheckedDevice, whatIsGoneIsNotUsed) {
+TEST(CheckedDevice, destroyedObjectsMustNotBeUsed) {
     Watched w;
     w.device.destroyBuffer(w.references);
     w.begin();
-    EXPECT_EQ(w.fault(), "buffer 0 is bound, and does not exist");
+    EXPECT_EQ(w.fault(), "buffer 0 is bound but does not exist");
     Watched textures;
     textures.device.releaseHandle(textures.texture);
     textures.device.destroyTexture(textures.texture);
     textures.begin();
     textures.device.bindTextures(std::span(&textures.texture, 1));
-    EXPECT_EQ(textures.fault(), "texture 0 is bound, and does not exist");
+    EXPECT_EQ(textures.fault(), "texture 0 is bound but does not exist");
     Watched programs;
     programs.device.destroyProgram(programs.plain);
     programs.begin();
     programs.draw(programs.plain);
-    EXPECT_EQ(programs.fault(), "program 1 runs, and does not exist");
+    EXPECT_EQ(programs.fault(), "program 1 is used but does not exist");
     Watched geometry;
     geometry.device.setGeometry(geometry.references, static_cast<BufferHandle>(77));
-    EXPECT_EQ(geometry.fault(), "buffer 77 is drawn from, and does not exist");
+    EXPECT_EQ(geometry.fault(), "buffer 77 is set as geometry but does not exist");
 }
 
-TEST(CheckedDevice, resourcesAreMadeBetweenFrames) {
+TEST(CheckedDevice, resourcesAreCreatedBetweenFrames) {
     Watched w;
     w.begin();
     static_cast<void>(w.device.createBuffer("late", {}));
-    EXPECT_EQ(w.fault(), "a buffer is made during a frame");
+    EXPECT_EQ(w.fault(), "a buffer is created during a frame");
 }
 
 TEST(CheckedDevice, aTextureStoreKeepsTheRules) {

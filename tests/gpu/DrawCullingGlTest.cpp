@@ -8,7 +8,7 @@ namespace {
 
 class DrawCullingGlTest : public GlTest {
 protected:
-    // Draws it with every triangle, and again without those that show nothing.
+    // Draws the scene with and without culling and compares all images.
     void expectSame(SceneBuilder& scene, std::uint32_t size, const RenderOptions& options = {}) {
         Renderer all(*device_, {.culling = Culling::None});
         Renderer culled(*device_);
@@ -19,20 +19,21 @@ protected:
         const Frame less = renderWith(culled, plan, size, size, options);
         EXPECT_EQ(whole.ids, less.ids);
         EXPECT_EQ(whole.depth, less.depth);
-        if (options.shading != Shading::IdsOnly) // that writes none
-            EXPECT_EQ(whole.colour, less.colour);
+        const bool writesColour = options.shading != Shading::IdsOnly;
+        EXPECT_TRUE(!writesColour || whole.colour == less.colour);
         EXPECT_EQ(whole.layers, less.layers);
         seen_ = static_cast<std::size_t>(
             std::count_if(whole.ids.begin(), whole.ids.end(), [](std::uint32_t id) { return id >= 100; }));
     }
 
-    std::size_t seen_ = 0; ///< pixels of quads
+    std::size_t seen_ = 0; ///< pixels that show a quad
 };
 
 constexpr std::array<frame::Program, 3> kPrograms{frame::Program::Opaque, frame::Program::CutOut,
                                                   frame::Program::Blended};
 
-// Quads of all sizes about the size of a pixel and far beyond, turned any way, some across the eye's plane, some mirrored.
+// Quads from a fraction of a pixel to far larger, in any orientation, some across the eye's plane, some
+// mirrored.
 SceneBuilder anyQuads(std::uint32_t seed, std::uint32_t count) {
     SceneBuilder scene;
     scene.root(0);
@@ -67,7 +68,7 @@ TEST_F(DrawCullingGlTest, changesNoPicture) {
     }
 }
 
-// Triangles that the driver was given in a frame.
+// Triangles that the driver received in a frame.
 std::uint32_t trianglesGiven(Renderer& renderer, const frame::FramePlan& plan, RenderTarget& target) {
     GLuint query = 0;
     glGenQueries(1, &query);
@@ -80,10 +81,10 @@ std::uint32_t trianglesGiven(Renderer& renderer, const frame::FramePlan& plan, R
     return given;
 }
 
-// Ground in steps before and among quads of all sizes: what lies behind is left out, and nothing that shows.
-// Rectangles as visits have them: what reaches into one stays, what lies beside all is left out, also of what reaches behind the eye.
-TEST_F(DrawCullingGlTest, whatLiesBesideTheRectanglesOfItsRunIsLeftOut_andNothingElse) {
-    constexpr std::uint32_t kSize = 128; // eighths of NDC are whole pixels
+// Rectangles like those of visits. Triangles that overlap one are kept, others are culled, also triangles
+// that extend behind the eye.
+TEST_F(DrawCullingGlTest, trianglesOutsideTheRunsRectanglesAreCulled_andNoOthers) {
+    constexpr std::uint32_t kSize = 128; // an eighth of NDC is a whole number of pixels
     constexpr float kHalf = kSize / 2;
     const std::array<glm::vec4, 2> rects{glm::vec4{-0.75f, -0.5f, -0.25f, 0.5f},
                                          {0.125f, -0.875f, 0.5f, 0.25f}};
@@ -114,10 +115,10 @@ TEST_F(DrawCullingGlTest, whatLiesBesideTheRectanglesOfItsRunIsLeftOut_andNothin
         }
     }
     EXPECT_GT(inside, 2000u);
-    EXPECT_GT(gone, 500u) << "the rectangles count";
+    EXPECT_GT(gone, 500u) << "the rectangles have an effect";
 }
 
-TEST_F(DrawCullingGlTest, whatGroundHidesIsLeftOut_andNothingElse) {
+TEST_F(DrawCullingGlTest, trianglesBehindGroundAreCulled_andNoOthers) {
     for (std::uint32_t seed = 1; seed <= 8; ++seed) {
         SceneBuilder scene = anyQuads(seed, 400);
         scene.upload.terrainCells.resize(1);
@@ -143,8 +144,8 @@ TEST_F(DrawCullingGlTest, whatGroundHidesIsLeftOut_andNothingElse) {
     }
 }
 
-// A wall and one behind it: that shows where the first ends, be it by a single row of pixels.
-TEST_F(DrawCullingGlTest, whatShowsByAPixelStays) {
+// Two walls, one behind the other. The second shows above the first, by as little as one row of pixels.
+TEST_F(DrawCullingGlTest, trianglesVisibleByOnePixelAreKept) {
     constexpr std::uint32_t kSize = 64;
     for (const float pixels : {0.0f, 0.9f, 1.1f, 7.9f, 8.1f, 17.0f}) {
         SceneBuilder scene;
@@ -152,7 +153,7 @@ TEST_F(DrawCullingGlTest, whatShowsByAPixelStays) {
         scene.addWall(100, {-2, -2}, {2, 1 - 2 * pixels / kSize}, 1, {.program = frame::Program::Opaque});
         scene.addWall(101, {-4, -4}, {4, 4}, 2, {.program = frame::Program::CutOut});
         frame::FramePlan plan = scene.finish(true);
-        plan.firstHideable = 3; // ownership, ground, opaque
+        plan.firstOccludee = 3; // ownership, ground, opaque
         Renderer renderer(*device_);
         ASSERT_TRUE(renderer.upload(scene.upload));
         Result<RenderTarget> target = RenderTarget::create(*device_, kSize, kSize);
@@ -164,10 +165,10 @@ TEST_F(DrawCullingGlTest, whatShowsByAPixelStays) {
     }
 }
 
-// Its rectangle on the screen just holds a pixel's centre, or just does not.
+// The triangle's rectangle on the screen just contains a pixel's centre, or just misses it.
 TEST_F(DrawCullingGlTest, aTriangleOnASinglePixelsCentreIsKept) {
     constexpr std::uint32_t kSize = 8;
-    constexpr float kPixel = 2.0f / kSize; // metres at a distance of one
+    constexpr float kPixel = 2.0f / kSize; // metres at a distance of 1 m
     for (const float half : {0.02f * kPixel, 0.2f * kPixel, 0.4f * kPixel}) {
         for (const float off : {0.0f, 0.9f, 1.1f}) {
             SceneBuilder scene;
@@ -180,7 +181,7 @@ TEST_F(DrawCullingGlTest, aTriangleOnASinglePixelsCentreIsKept) {
     }
 }
 
-// What comes later in a mesh wins where both are equally deep.
+// At equal depth the later triangle of a mesh wins.
 TEST_F(DrawCullingGlTest, keepsTheOrderOfTriangles) {
     SceneBuilder scene;
     scene.root(0);
@@ -195,7 +196,7 @@ TEST_F(DrawCullingGlTest, keepsTheOrderOfTriangles) {
     EXPECT_EQ(seen_, 256u);
 }
 
-// More draws than work groups fit in a row.
+// More draws than work groups in a row.
 TEST_F(DrawCullingGlTest, manyDraws) {
     SceneBuilder scene;
     scene.root(0);
@@ -207,7 +208,7 @@ TEST_F(DrawCullingGlTest, manyDraws) {
     EXPECT_EQ(seen_, 16u);
 }
 
-// The frame's own pieces, as of what moves, are drawn like those that are resident.
+// Pieces of the frame, such as those of dynamic instances, are drawn like resident ones.
 TEST_F(DrawCullingGlTest, aPlansOwnPiecesShowTheSame) {
     SceneBuilder scene = anyQuads(3, 300);
     Renderer renderer(*device_);
@@ -233,7 +234,7 @@ TEST_F(DrawCullingGlTest, manyTrianglesInManyFrames) {
             scene.addWall(100 + i, {-9, -9}, {9, 9}, 1.0f + 0.001f * static_cast<float>(i));
         ASSERT_TRUE(renderer.upload(scene.upload));
         const frame::FramePlan& plan = scene.finish();
-        for (int frame = 0; frame < 4; ++frame) // more than are under way at once
+        for (int frame = 0; frame < 4; ++frame) // more than are in flight at once
             EXPECT_EQ(renderWith(renderer, plan, 4, 4).ids, std::vector<std::uint32_t>(16, 100));
     }
 }

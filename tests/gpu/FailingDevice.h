@@ -1,18 +1,18 @@
 #pragma once
 
-#include "gpu/ForwardingDevice.h"
+#include "gpu/device/ForwardingDevice.h"
 
 namespace limen::gpu::test {
 
-/// Another device that fails when told to: a driver short of memory for a moment, or reset.
+/// A device that fails on request, like a driver that lacks memory for a while or is reset.
 class FailingDevice final : public ForwardingDevice {
 public:
     using ForwardingDevice::ForwardingDevice;
 
-    /// Buffers and textures that are still made before `failures` requests for one fail; none: all are made.
+    /// Number of buffers and textures created before `failures` requests fail; none: no failure.
     std::optional<std::uint32_t> madeBeforeFailure;
     std::uint32_t failures = 1;
-    /// Scratch buffers whose request fails.
+    /// Number of scratch buffer requests that fail.
     std::uint32_t scratchFailures = 0, scratchRequests = 0;
     bool isReset = false;
 

@@ -5,7 +5,7 @@
 namespace limen::gpu::test {
 namespace {
 
-// A wall with a hole of alpha in it, landscape below, an opening to outside above, void beside.
+// A wall with a transparent hole, landscape below, an opening to the outside above, void at the sides.
 SceneBuilder mixedScene() {
     SceneBuilder scene;
     scene.root(1);

@@ -9,13 +9,13 @@ namespace {
 
 namespace layout = frame::gpu;
 
-/// Somebody's record: begins as a layout::Instance does, and goes on.
+/// A caller's record: begins like a layout::Instance and has more members.
 struct Record {
     layout::Instance instance;
     std::array<std::uint32_t, 5> rest{};
 };
 
-constexpr std::uint32_t kHere = 77; // what the record has where the device has a highlight: no highlight
+constexpr std::uint32_t kHere = 77; // at the place of the device's highlight; must not become one
 
 Record recordOf(std::uint32_t number) {
     Record record;
@@ -44,7 +44,7 @@ bool areSame(const layout::Instance& a, const layout::Instance& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-/// Every third of the records is drawn, two with changes, and one record of the frame's own behind them.
+/// Every third record is drawn, two of them with changes, followed by one record of the frame's own.
 void writesWhatIsDrawn(std::uint32_t count) {
     std::vector<Record> records;
     frame::FramePlan plan;
@@ -78,11 +78,11 @@ void writesWhatIsDrawn(std::uint32_t count) {
     EXPECT_TRUE(areSame(written[count], plan.records[0]));
 }
 
-TEST(FrameRing, copiesWhatMovesFromWhereItIs) {
+TEST(FrameRing, copiesTheRecordsOfDynamicInstances) {
     writesWhatIsDrawn(5);
 }
 
-TEST(FrameRing, writesAsMuchThatItGoesPastTheCacheAlike) {
+TEST(FrameRing, nonTemporalStoresWriteTheSame) {
     constexpr std::uint32_t kMany = (2u << 20) / sizeof(layout::Instance);
     writesWhatIsDrawn(kMany);
 }

@@ -16,7 +16,7 @@ void GlTest::TearDown() {
     device_.reset();
     if (debug_)
         for (const std::string& fault : debug_->faults())
-            ADD_FAILURE() << "the driver says: " << fault;
+            ADD_FAILURE() << "driver message: " << fault;
     debug_.reset();
     context_.reset();
 }

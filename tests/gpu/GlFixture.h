@@ -1,21 +1,21 @@
 #pragma once
 
 #include "SceneBuilder.h"
-#include "gpu/DebugOutput.h"
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
 #include "gpu/Renderer.h"
+#include "gpu/device/DebugOutput.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 
 #include <gtest/gtest.h>
 
 namespace limen::gpu::test {
 
-/// A frame read back.
+/// Images of a frame.
 struct Frame {
     std::vector<std::uint32_t> ids, ownership;
     std::vector<std::uint8_t> colour;
     std::vector<float> depth;
-    std::vector<LayerSum> layers{}; ///< where asked for
+    std::vector<LayerSum> layers{}; ///< if requested
     std::uint32_t width = 0;
 
     [[nodiscard]] std::vector<std::string> picture() const { return test::picture(ids, width); }
@@ -26,7 +26,7 @@ struct Frame {
     }
 };
 
-/// A headless debug context and a device on it. Any error or message of high severity fails the test.
+/// Headless debug context and a device on it. An error or a message of high severity fails the test.
 class GlTest : public ::testing::Test {
 protected:
     void SetUp() override;

@@ -10,7 +10,7 @@ namespace {
 using ::testing::Each;
 using ::testing::ElementsAre;
 
-// What the given polygons come to, in any order.
+// Expected sum of these polygons, in any order.
 LayerSum sumOf(std::initializer_list<std::uint32_t> ids) {
     LayerSum sum;
     for (const std::uint32_t id : ids) {
@@ -20,7 +20,7 @@ LayerSum sumOf(std::initializer_list<std::uint32_t> ids) {
     return sum;
 }
 
-// Room 1 around the eye; a wall 10 m north. Pictures of 2 x 2 pixels show one quarter of it each.
+// Room 1 around the eye, a wall 10 m north. Each pixel of a 2 x 2 picture shows a quarter of it.
 class LayersGlTest : public GlTest {
 protected:
     LayersGlTest() {
@@ -28,7 +28,7 @@ protected:
         scene_.addWall('A', {-10, -10}, {10, 10}, 10, {.members = {{1, 0}}});
         material_ = scene_.addMaterial({1, 0, 0, 0.5f}, layout::kNoTexture, layout::kMaterialAlpha);
     }
-    // A translucent wall of room 1 unless said otherwise.
+    // A transparent wall, of room 1 by default.
     void addPane(std::uint32_t id, glm::vec2 min, glm::vec2 max, float y, QuadOptions options = {{{1, 0}}}) {
         options.program = frame::Program::Blended;
         options.gated = true;
@@ -62,7 +62,7 @@ TEST_F(LayersGlTest, onesOfZonesThatNoRayVisitsAreNotMet) {
     EXPECT_THAT(draw(), Each(sumOf({})));
 }
 
-TEST_F(LayersGlTest, gatedByEntryPlane_onlyWhatLiesBeyondTheOpeningOfItsZone) {
+TEST_F(LayersGlTest, gatedByEntryPlane_onlyBeyondTheOpeningOfItsZone) {
     scene_.visitThrough({-5, -5}, {0, 5}, 5, 2, 0); // an opening 5 m north, left half, to room 2
     addPane(7, {-4, -4}, {4, 4}, 4, {{{2, 0}}});    // of room 2, but before the opening
     addPane(8, {-6, -6}, {6, 6}, 6, {{{2, 0}}});    // of room 2, seen through the opening only
@@ -70,7 +70,7 @@ TEST_F(LayersGlTest, gatedByEntryPlane_onlyWhatLiesBeyondTheOpeningOfItsZone) {
     EXPECT_THAT(draw(), ElementsAre(sumOf({8}), sumOf({9}), sumOf({8}), sumOf({9})));
 }
 
-TEST_F(LayersGlTest, whateverTheBlendingAndTheAlpha) {
+TEST_F(LayersGlTest, countedAtAnyBlendingAndAlpha) {
     const std::uint32_t flags[] = {layout::kMaterialAlpha, layout::kMaterialAdditive,
                                    layout::kMaterialInvAlpha};
     std::uint32_t id = 100;

@@ -5,7 +5,7 @@
 namespace limen::gpu::test {
 namespace {
 
-// A white wall 2 m north, lit by light set 1; pixels are 8-bit.
+// A white wall 2 m north, lit by light set 1. Colours have 8 bits.
 class LightingGlTest : public GlTest {
 protected:
     static SceneBuilder wallLitBy(const layout::LightSet& set, std::uint32_t zone = 1,
@@ -46,7 +46,7 @@ TEST_F(LightingGlTest, lampFallsOffToNothingAtItsRange) {
     lamp.colour = {1, 1, 1, std::bit_cast<float>(0u)};
     scene.upload.lights.push_back(lamp);
     const Frame frame = render(scene, 9);
-    // In the middle: facing 1, (1 - (1/2)^2)^2 of the light.
+    // In the middle facing is 1, so the light is (1 - (1/2)^2)^2.
     EXPECT_NEAR(frame.at(4, 4).x, 0.5625 * 255, 1);
     EXPECT_LT(frame.at(6, 4).x, frame.at(5, 4).x);
     EXPECT_EQ(frame.at(0, 0), glm::ivec3(0)) << "more than 2 m away";

@@ -1,4 +1,4 @@
-#include "gpu/MipChain.h"
+#include "gpu/texture/MipChain.h"
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ TEST(MipChain, halvesDownToOneTexel) {
     EXPECT_EQ(mipLevelCount(1, 1), 1u);
 }
 
-TEST(MipChain, texelIsTheMeanOfWhatItCovers) {
+TEST(MipChain, texelIsTheMeanOfItsArea) {
     const std::vector<std::uint8_t> rgba{0, 10, 0, 255, 100, 20, 0, 255, 40, 30, 0, 255, 60, 40, 0, 255};
     EXPECT_THAT(mipChain(2, 2, rgba)[1].rgba, ElementsAre(50, 25, 0, 255));
 }

@@ -57,8 +57,8 @@ TEST_F(MultisampleGlTest, gatedByTheLeafVisitOfEachSample) {
     }
 }
 
-// docs/cases.md 12: where the wall, the opening and what lies behind meet, samples must not fall through to the clear colour,
-// wherever between pixels the edges lie.
+// docs/cases.md 12: where the wall, the opening and the surfaces behind meet, no sample shows the clear
+// colour, at any position of the edges between pixels.
 TEST_F(MultisampleGlTest, noStripOfClearColourAlongAnOpening_atAnyAlignment) {
     SceneBuilder scene;
     scene.root(1);
@@ -77,7 +77,7 @@ TEST_F(MultisampleGlTest, noStripOfClearColourAlongAnOpening_atAnyAlignment) {
         scene.plan.visits[1].entryPlane = {0, 1, 0, eye.y - 2.0f};
         const Frame frame = draw(renderer, scene.plan, 40);
         for (std::uint32_t p = 0; p < 40 * 40; ++p) {
-            // A mean of the two colours in quarters, and nothing else.
+            // A mean of the two colours in quarters.
             const glm::vec3 drawn(frame.at(p % 40, p / 40));
             float best = 255;
             int quarters = 0;
@@ -128,7 +128,7 @@ TEST_F(MultisampleGlTest, samplesLieInsideThePixelAndApart) {
     }
 }
 
-TEST_F(MultisampleGlTest, numbersOfSamplesThatCannotBeAreRefusedInOneMessage) {
+TEST_F(MultisampleGlTest, unsupportedSampleCountsAreRefusedInOneMessage) {
     const Result<RenderTarget> three = RenderTarget::create(*device_, 4, 4, {.samples = 3});
     ASSERT_FALSE(three);
     EXPECT_EQ(three.error().code, ErrorCode::BadArgument);

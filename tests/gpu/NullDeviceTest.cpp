@@ -1,4 +1,4 @@
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include "SceneBuilder.h"
 #include "gpu/Renderer.h"
@@ -12,7 +12,7 @@
 namespace limen::gpu::test {
 namespace {
 
-using Kind = NullDevice::Command::Kind;
+using CommandKind = NullDevice::CommandKind;
 
 class NullDeviceTest : public ::testing::Test {
 protected:
@@ -24,15 +24,15 @@ protected:
         Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
         ASSERT_TRUE(renderer_.render(plan, *target));
     }
-    // Commands of one kind, their first argument.
-    std::vector<std::size_t> of(Kind kind) const {
+    // First parameters of the commands of one kind.
+    std::vector<std::size_t> of(CommandKind kind) const {
         std::vector<std::size_t> found;
         for (const NullDevice::Command& command : device_.commands())
             if (command.kind == kind)
                 found.push_back(command.a);
         return found;
     }
-    // The first of an array in the ring, by its binding.
+    // First elements of an array in the ring, by its binding.
     template <class T, std::size_t Count>
     std::array<T, Count> arrayAt(std::uint32_t binding) const {
         std::array<T, Count> values;
@@ -41,7 +41,7 @@ protected:
         return values;
     }
 
-    // An array in the ring, from where shaders read it as texels.
+    // An array in the ring that shaders read as texels.
     template <class T>
     std::vector<T> texels(std::uint32_t firstTexel, std::size_t count) const {
         std::vector<T> values(count);
@@ -62,12 +62,12 @@ TEST_F(NullDeviceTest, frameIsClearsThenStagesInOrder) {
     scene.addWall('B', {-1, -1}, {1, 1}, 1, {.gated = true});
     scene.addWall('C', {-1, -1}, {1, 1}, 1, {.program = frame::Program::CutOut, .gated = true});
     draw(scene);
-    EXPECT_THAT(of(Kind::Clear), ::testing::UnorderedElementsAre(0, 1, 2, 3));
-    EXPECT_THAT(of(Kind::BeginStage), ::testing::ElementsAre(0, 1, 2, 3, 4));
-    EXPECT_EQ(of(Kind::BeginPass), (std::vector<std::size_t>{static_cast<std::size_t>(Pass::Ownership),
-                                                             static_cast<std::size_t>(Pass::Solid)}));
-    EXPECT_EQ(of(Kind::DrawIndirect).size(), 2u) << "one call per batch";
-    EXPECT_EQ(of(Kind::DrawVertices).size(), 2u) << "ownership and plain sky";
+    EXPECT_THAT(of(CommandKind::Clear), ::testing::UnorderedElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(of(CommandKind::BeginStage), ::testing::ElementsAre(0, 1, 2, 3, 4));
+    EXPECT_EQ(of(CommandKind::BeginPass), (std::vector<std::size_t>{static_cast<std::size_t>(Pass::Ownership),
+                                                                    static_cast<std::size_t>(Pass::Solid)}));
+    EXPECT_EQ(of(CommandKind::DrawIndirect).size(), 2u) << "one call per batch";
+    EXPECT_EQ(of(CommandKind::DrawVertices).size(), 2u) << "ownership and plain sky";
     EXPECT_EQ(renderer_.report().stages[1].draws, 3u);
     EXPECT_EQ(renderer_.report().stages[1].batches, 2u);
 }
@@ -84,7 +84,7 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
     EXPECT_EQ(std::memcmp(at(layout::kBindFrame).data(), &scene.plan.constants,
                           offsetof(layout::FrameConstants, viewport)),
               0)
-        << "all but what the target adds";
+        << "all but the target's members";
     const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
     EXPECT_EQ(std::memcmp(device_.ring().subspan(std::size_t{16} * constants.firstVisit).data(),
                           scene.plan.visits.data(), 2 * sizeof(layout::Visit)),
@@ -99,22 +99,22 @@ TEST_F(NullDeviceTest, plansArraysLieInTheRingAtTheirBindings) {
     }
 }
 
-// What cull.comp finds of a slot: binary search among the runs of its group.
-layout::RunPlace placeOf(std::uint32_t slot, std::span<const layout::SlotGroup> groups,
-                         std::span<const layout::DrawRun> runs) {
+// Same search as in cull.comp: binary search among the runs of the slot's group.
+layout::RunOffsets offsetsOf(std::uint32_t slot, std::span<const layout::SlotGroup> groups,
+                             std::span<const layout::DrawRun> runs) {
     const layout::SlotGroup& group = groups[slot / layout::kSlotsPerGroup];
-    layout::RunPlace place = group.place;
+    layout::RunOffsets offsets = group.offsets;
     std::uint32_t low = group.firstRun, high = group.lastRun;
     while (low < high) {
         const std::uint32_t middle = (low + high + 1) / 2;
         const bool isBehind = runs[middle].firstSlot <= slot;
         (isBehind ? low : high) = isBehind ? middle : middle - 1;
-        place = isBehind ? runs[middle].place : place;
+        offsets = isBehind ? runs[middle].offsets : offsets;
     }
-    return place;
+    return offsets;
 }
 
-// One slot for every draw command, each with its piece and room for all its indices behind the one before.
+// Each draw command has a slot with its piece, and room for its indices after those of the slot before.
 TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
     SceneBuilder scene;
     scene.root(0);
@@ -125,30 +125,31 @@ TEST_F(NullDeviceTest, everyIndexedDrawHasASlot) {
     draw(scene);
     const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
     EXPECT_EQ(constants.slotCount, 4u);
-    EXPECT_EQ(constants.flags & layout::kFrameKeepsTriangles, 0u);
+    EXPECT_EQ(constants.flags & layout::kFrameStaticIndices, 0u);
     const auto groups = texels<layout::SlotGroup>(constants.firstSlotGroup, 1);
     const auto runs = texels<layout::DrawRun>(constants.firstRun, scene.plan.runs.size());
-    const std::array<std::uint32_t, 4> pieces{0, 1, 4, 2}; // as batches follow; the sky's is the plan's first
-    std::uint32_t next = placeOf(0, groups, runs).kept;
+    // in the order of the batches; the sky's is the plan's first
+    const std::array<std::uint32_t, 4> pieces{0, 1, 4, 2};
+    std::uint32_t next = offsetsOf(0, groups, runs).kept;
     for (std::uint32_t slot = 0; slot < 4; ++slot) {
-        const layout::RunPlace place = placeOf(slot, groups, runs);
-        const std::uint32_t piece = (slot + place.piece) & ~layout::kGated;
+        const layout::RunOffsets offsets = offsetsOf(slot, groups, runs);
+        const std::uint32_t piece = (slot + offsets.piece) & ~layout::kGated;
         EXPECT_EQ(piece, pieces[slot]);
-        EXPECT_EQ(place.kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
+        EXPECT_EQ(offsets.kept + (piece == 4 ? 0 : scene.upload.pieces[piece].indicesBefore), next);
         next += 6;
     }
     const std::size_t commands = device_.storage()[layout::kBindCommands].offset;
-    EXPECT_EQ(of(Kind::DrawIndirect),
+    EXPECT_EQ(of(CommandKind::DrawIndirect),
               (std::vector<std::size_t>{commands, commands + 2 * 20, commands + 3 * 20}))
         << "a batch's commands lie in its slots";
 }
 
-// Runs of one piece and of many, that begin, end and lie within groups, and cover several.
+// Runs of one piece and of many that begin, end or lie within groups, or cover several.
 TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
     constexpr std::uint32_t kWalls = 100;
     SceneBuilder scene;
     scene.root(0);
-    std::vector<std::uint32_t> order; // of pieces: what does not follow the one before begins a run
+    std::vector<std::uint32_t> order; // of pieces: a gap in the order begins a run
     for (std::uint32_t i = 0; i < kWalls; ++i)
         scene.addWall('A', {-1, -1}, {1, 1}, 1);
     scene.finish();
@@ -158,7 +159,7 @@ TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
     plan.runs.clear();
     for (const std::uint32_t end : {1u, 2u, 3u, 16u, 31u, 32u, 33u, 80u, 81u, 82u, 100u}) {
         const auto first = static_cast<std::uint32_t>(order.size());
-        const std::uint32_t piece = kWalls - end; // from the last backwards
+        const std::uint32_t piece = kWalls - end; // from the last to the first
         plan.runs.push_back({piece, end - first, 6 * piece, 6 * (end - first), first % 2 == 1});
         for (std::uint32_t i = 0; i < end - first; ++i)
             order.push_back((piece + i) | (first % 2 == 1 ? layout::kGated : 0));
@@ -170,20 +171,20 @@ TEST_F(NullDeviceTest, theRunOfEverySlotIsFound) {
     const auto groups = texels<layout::SlotGroup>(constants.firstSlotGroup, 7);
     const auto runs = texels<layout::DrawRun>(constants.firstRun, plan.runs.size());
     for (std::uint32_t slot = 0; slot < kWalls; ++slot) {
-        const layout::RunPlace place = placeOf(slot, groups, runs);
-        EXPECT_EQ(((slot + place.piece) & ~layout::kGated) | (place.piece & layout::kGated), order[slot])
+        const layout::RunOffsets offsets = offsetsOf(slot, groups, runs);
+        EXPECT_EQ(((slot + offsets.piece) & ~layout::kGated) | (offsets.piece & layout::kGated), order[slot])
             << slot;
     }
 }
 
-TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
+TEST_F(NullDeviceTest, moreTrianglesThanTheCapacityAreDrawnUnculled) {
     SceneBuilder scene;
     scene.root(0);
     const std::array<glm::vec3, 4> quad{glm::vec3{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
     const std::uint32_t mesh = scene.addQuads('A', std::vector(layout::kTrianglesPerPiece / 2, quad));
     const auto keepsTriangles = [&] {
         const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
-        return (constants.flags & layout::kFrameKeepsTriangles) != 0;
+        return (constants.flags & layout::kFrameStaticIndices) != 0;
     };
     draw(scene);
     EXPECT_FALSE(keepsTriangles());
@@ -191,8 +192,8 @@ TEST_F(NullDeviceTest, moreTrianglesThanMemoryIsKeptForAreAllDrawn) {
         scene.drawAgain(mesh, frame::Program::Opaque, false);
     draw(scene);
     EXPECT_TRUE(keepsTriangles());
-    EXPECT_EQ(of(Kind::Compute).size(), 1u) << "commands are made in any case";
-    EXPECT_EQ(of(Kind::DrawIndirect).size(), 1u);
+    EXPECT_EQ(of(CommandKind::Compute).size(), 1u) << "commands are written in any case";
+    EXPECT_EQ(of(CommandKind::DrawIndirect).size(), 1u);
 }
 
 TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
@@ -200,12 +201,21 @@ TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
     scene.root(0);
     scene.addWall('A', {-1, -1}, {1, 1}, 1);
     draw(scene);
-    EXPECT_EQ(of(Kind::Compute).size(), 3u) << "what comes first, tiles, what may be behind";
+    std::vector<std::uint32_t> modes;
+    for (const std::size_t program : of(CommandKind::Compute)) {
+        const std::vector<UniformValue>& uniforms =
+            device_.program(static_cast<ProgramHandle>(program)).uniforms;
+        ASSERT_EQ(uniforms.size(), 1u);
+        EXPECT_EQ(uniforms[0].location, layout::kUniformCullMode);
+        modes.push_back(uniforms[0].value);
+    }
+    EXPECT_EQ(modes, (std::vector<std::uint32_t>{layout::kCullOccluders, layout::kCullDepthTiles,
+                                                 layout::kCullOccludees}));
     const std::uint32_t calls = renderer_.report().glCalls;
     Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
     ASSERT_TRUE(renderer_.render(scene.finish(), *target, {.occlusion = false}));
-    EXPECT_EQ(of(Kind::Compute).size(), 1u);
-    EXPECT_EQ(renderer_.report().glCalls + 5, calls);
+    EXPECT_EQ(of(CommandKind::Compute).size(), 1u);
+    EXPECT_EQ(renderer_.report().glCalls + 6, calls);
 }
 
 TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
@@ -219,12 +229,12 @@ TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
         Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
         ASSERT_TRUE(renderer.render(scene.finish(), *target));
         const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0];
-        EXPECT_NE(constants.flags & layout::kFrameKeepsTriangles, 0u);
-        EXPECT_EQ(of(Kind::Compute).size(), 1u);
+        EXPECT_NE(constants.flags & layout::kFrameStaticIndices, 0u);
+        EXPECT_EQ(of(CommandKind::Compute).size(), 1u);
     }
 }
 
-TEST_F(NullDeviceTest, glCallsDoNotGrowWithWhatIsDrawn) {
+TEST_F(NullDeviceTest, glCallsDoNotDependOnTheNumberOfDraws) {
     std::vector<std::uint32_t> counts;
     for (const std::uint32_t walls : {1u, 2000u}) {
         SceneBuilder scene;
@@ -247,13 +257,13 @@ TEST_F(NullDeviceTest, destroyedRenderer_leavesNothingBehind) {
         SceneBuilder scene;
         scene.root(0);
         ASSERT_TRUE(renderer.upload(scene.upload));
-        ASSERT_TRUE(renderer.upload(scene.upload)) << "and what it replaced goes, too";
+        ASSERT_TRUE(renderer.upload(scene.upload)) << "and the replaced scene is released";
         EXPECT_GT(device.liveObjects(), 0u);
     }
     EXPECT_EQ(device.liveObjects(), 0u);
 }
 
-TEST_F(NullDeviceTest, brokenScene_isRefusedAndTheOldOneStays) {
+TEST_F(NullDeviceTest, invalidScene_isRefusedAndTheOldOneStays) {
     SceneBuilder scene;
     scene.root(0);
     draw(scene);
@@ -265,7 +275,7 @@ TEST_F(NullDeviceTest, brokenScene_isRefusedAndTheOldOneStays) {
     draw(scene);
 }
 
-TEST(NullDevice, buffersThatAreGoneTakeUpNoMemory) {
+TEST(NullDevice, destroyedBuffersUseNoMemory) {
     NullDevice device;
     const Result<BufferHandle> buffer = device.createBuffer("b", std::vector<std::byte>(1000));
     ASSERT_TRUE(buffer);

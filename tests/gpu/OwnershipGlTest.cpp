@@ -47,7 +47,7 @@ TEST_F(OwnershipGlTest, nothingOfTheNextRoomShowsBeforeItsEntryPlane) {
 
 TEST_F(OwnershipGlTest, nothingOfTheEyesRoomShowsBeyondTheOpening) {
     SceneBuilder scene = twoRooms();
-    scene.addWall('D', {-8, -8}, {0, 8}, 3, in({{kRoom, 0}})); // overlaps the next room
+    scene.addWall('D', {-8, -8}, {0, 8}, 3, in({{kRoom, 0}})); // intersects the next room
     EXPECT_THAT(render(scene).picture(), ElementsAre("AAAAAAAA", "AAAAAAAA", "AABBBBAA", "AABBBBAA",
                                                      "AABBBBAA", "AABBBBAA", "AAAAAAAA", "AAAAAAAA"));
 }
@@ -55,7 +55,7 @@ TEST_F(OwnershipGlTest, nothingOfTheEyesRoomShowsBeyondTheOpening) {
 TEST_F(OwnershipGlTest, memberOfBothRoomsIsSeenWhole) {
     SceneBuilder scene = twoRooms();
     // A floor strip from 1 m before to 1.5 m behind the opening, at z = -0.4, 1.2 m wide, seen from above.
-    // The rows at z/y = -0.125 and -0.375 meet it at y = 3.2, where it is 3 eighths of the picture wide, and
+    // The rows at z/y = -0.125 and -0.375 hit it at y = 3.2, where it is 3 eighths of the picture wide, and
     // at y = 1.07.
     scene.addQuad('M',
                   {glm::vec3{-0.6f, 1, -0.4f}, {0.6f, 1, -0.4f}, {0.6f, 3.5f, -0.4f}, {-0.6f, 3.5f, -0.4f}},
@@ -73,7 +73,7 @@ TEST_F(OwnershipGlTest, memberThatStandsInTheOpeningIsSeenOnBothSides) {
                                                      "AANNFBAA", "AANNBBAA", "AAAAAAAA", "AAAAAAAA"));
 }
 
-TEST_F(OwnershipGlTest, whatLiesInThePortalsPlaneBelongsToBothSides) {
+TEST_F(OwnershipGlTest, surfacesInThePortalsPlaneBelongToBothSides) {
     SceneBuilder scene = twoRooms();
     scene.addWall('P', {-1, -1}, {0, 1}, 2, in({{kRoom, 0}})); // half of the opening is filled from this side
     scene.addWall('Q', {0.5f, -1}, {1, 1}, 2, in({{kNext, 0}}));
@@ -85,16 +85,17 @@ TEST_F(OwnershipGlTest, chainOfThreeZonesEndsAtItsLastRoom) {
     SceneBuilder scene;
     scene.root(1);
     const std::uint32_t second = scene.visitThrough({-1, -1}, {1, 1}, 2, 2, 0);
-    scene.visitThrough({-1, -1}, {1, 1}, 4, 1, second); // and back into the eye's zone, which is elsewhere
+    scene.visitThrough({-1, -1}, {1, 1}, 4, 1, second); // back into the eye's zone, which is elsewhere
     scene.addWallWithOpening('A', 8, 1, 2, in({{1, 0}}));
     scene.addWallWithOpening('B', 8, 1, 4, in({{2, 0}}));
     scene.addWall('C', {-8, -8}, {8, 8}, 6, in({{1, 0}}));
-    scene.addWall('D', {-8, -8}, {8, 8}, 3, in({{1, 0}})); // of zone 1, but between the openings: on no ray
+    // of zone 1, but between the openings: no ray hits it
+    scene.addWall('D', {-8, -8}, {8, 8}, 3, in({{1, 0}}));
     EXPECT_THAT(render(scene).picture(), ElementsAre("AAAAAAAA", "AAAAAAAA", "AABBBBAA", "AABCCBAA",
                                                      "AABCCBAA", "AABBBBAA", "AAAAAAAA", "AAAAAAAA"));
 }
 
-TEST_F(OwnershipGlTest, clipSetCutsWhatAChildOwns) {
+TEST_F(OwnershipGlTest, clipSetLimitsAChildsPixels) {
     SceneBuilder scene = twoRooms();
     layout::ClipSet set = scene.plan.clipSets[0];
     set.planes[0] = {1, 0, 0, 0};  // x >= 0
@@ -123,7 +124,7 @@ TEST_F(OwnershipGlTest, aClipSetAloneOwnsItsPixels) {
                                                      "AABB..AA", "AABB..AA", "AAAAAAAA", "AAAAAAAA"));
 }
 
-TEST_F(OwnershipGlTest, anOpeningLookedForInTheWholeWindowOwnsTheSamePixels) {
+TEST_F(OwnershipGlTest, openingDrawnAroundTheWholeWindowOwnsTheSamePixels) {
     SceneBuilder scene = twoRooms();
     const Frame drawn = render(scene);
     for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices)
@@ -132,10 +133,10 @@ TEST_F(OwnershipGlTest, anOpeningLookedForInTheWholeWindowOwnsTheSamePixels) {
     EXPECT_EQ(render(scene, 8, {.exactOutlines = false}).ids, drawn.ids);
 }
 
-TEST_F(OwnershipGlTest, portalCutByTheEyesPlaneOwnsWhatIsInFront) {
+TEST_F(OwnershipGlTest, portalAcrossTheEyesPlaneOwnsThePartInFront) {
     SceneBuilder scene;
     scene.root(1);
-    // A trapdoor's plane just under the eye, from 5 m behind to 5 m before it; everything below belongs to
+    // A trapdoor's plane just below the eye, from 5 m behind to 5 m before it; everything below belongs to
     // zone 2.
     layout::Visit below;
     below.entryPlane = {0, 0, -1, -0.001f};

@@ -5,7 +5,7 @@ namespace {
 
 class RingGlTest : public GlTest {
 protected:
-    // A wall of 4 x 4 pixels, and `visits` openings that nothing is seen through: arrays of any length.
+    // A wall of 4 x 4 pixels, and `visits` openings without a visible pixel, for arrays of any length.
     static SceneBuilder wallAndVisits(std::uint32_t visits) {
         SceneBuilder scene;
         scene.root(0);
@@ -31,8 +31,7 @@ TEST_F(RingGlTest, growsWhenAFrameNeedsMoreAndDrawsTheSame) {
 }
 
 TEST_F(RingGlTest, framesInFlightDoNotOverwriteEachOther) {
-    // Ten frames into ten targets without waiting in between, each with a wall of its own, read back
-    // afterwards.
+    // Ten frames into ten targets without waiting, each with a wall of its own, read back afterwards.
     Renderer renderer(*device_);
     SceneBuilder scene = wallAndVisits(1);
     ASSERT_TRUE(renderer.upload(scene.upload));

@@ -163,7 +163,7 @@ void SceneBuilder::addOpening(std::span<const glm::vec3> corners, std::uint32_t 
     }
 }
 
-// As a planner does, with one run for pieces that follow one another.
+// Like a planner: one run for consecutive pieces.
 void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
     const auto& draws = draws_[program];
     if (draws.empty() && !evenEmpty)
@@ -196,7 +196,7 @@ void SceneBuilder::addSkyBatch(bool evenEmpty) {
         layout::DrawPiece piece = upload.pieces[number];
         plan.runs.push_back(
             {plan.constants.staticPieces + batch.draws, 1, before, 3 * piece.triangles, false});
-        plan.pieces.push_back({piece.firstIndex, piece.triangles | layout::kKeepsAll, object, before});
+        plan.pieces.push_back({piece.firstIndex, piece.triangles | layout::kNeverCulled, object, before});
         before += 3 * piece.triangles;
         ++batch.draws;
         ++batch.count;
@@ -223,7 +223,7 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     stage(frame::StageKind::Ownership, 0);
     std::size_t first = plan.batches.size();
     addBatch(Program::Terrain, allBatches);
-    plan.firstHideable = static_cast<std::uint32_t>(plan.batches.size());
+    plan.firstOccludee = static_cast<std::uint32_t>(plan.batches.size());
     addBatch(Program::Opaque, allBatches);
     addBatch(Program::CutOut, allBatches);
     stage(frame::StageKind::Solid, first);

@@ -14,7 +14,7 @@ namespace limen::gpu::test {
 
 namespace layout = frame::gpu;
 
-/// How a quad is drawn.
+/// Options of a quad.
 struct QuadOptions {
     std::vector<layout::Member> members{{0, 0}};
     std::uint32_t material = 0;
@@ -26,57 +26,57 @@ struct QuadOptions {
     std::array<glm::vec2, 4> uv{glm::vec2{0, 1}, glm::vec2{1, 1}, glm::vec2{1, 0}, glm::vec2{0, 0}};
 };
 
-/// Builds small scenes by hand. The camera looks north (+Y) from the eye with 90 degrees of view both ways,
-/// so that at distance d a square picture shows x and z from -d to d. Material 0 is white, light set 0 shows
-/// albedo as it is.
+/// Builds small scenes by hand. The camera looks north (+Y) from the eye with a field of view of 90 degrees
+/// in both axes. At distance d a square picture shows x and z from -d to d. Material 0 is white; light set 0
+/// leaves albedo unchanged.
 class SceneBuilder {
 public:
     SceneBuilder();
 
-    /// Yields the material's index. Textures are clamped or repeated as `addTexture` said.
+    /// Yields the material's index.
     std::uint32_t addMaterial(const glm::vec4& colour, std::uint32_t texture = layout::kNoTexture,
                               std::uint32_t flags = 0);
     std::uint32_t addTexture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> rgba,
                              bool clamp = true);
-    /// A quad by its corners, counter-clockwise seen from its front, first corner uv (0,1). Its id is `id`.
-    /// Yields the instance's index.
+    /// A quad by its corners, counter-clockwise seen from its front; the first corner has uv (0,1). Yields
+    /// the instance's index.
     std::uint32_t addQuad(std::uint32_t id, const std::array<glm::vec3, 4>& corners,
                           const QuadOptions& options = {});
-    /// Several as one mesh, in their order; the ids go up from `id`.
+    /// Several quads as one mesh, in order, with consecutive ids from `id`.
     std::uint32_t addQuads(std::uint32_t id, std::span<const std::array<glm::vec3, 4>> quads,
                            const QuadOptions& options = {});
     /// An upright rectangle that faces the camera (south).
     std::uint32_t addWall(std::uint32_t id, glm::vec2 min, glm::vec2 max, float y,
                           const QuadOptions& options = {});
-    /// A wall with a square opening of half-size `half` about x = z = 0; reaches `outer` to each side.
+    /// A wall with a square opening of half-size `half` about x = z = 0; extends `outer` to each side.
     void addWallWithOpening(std::uint32_t id, float outer, float half, float y,
                             const QuadOptions& options = {});
-    /// A rectangle of the sky: relative to the eye.
+    /// A rectangle of the sky, relative to the eye.
     void addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity);
-    /// The same draw again, in the given way.
+    /// Draws an instance once more with this program.
     void drawAgain(std::uint32_t instance, frame::Program program, bool gated);
 
-    /// The root visit; call first. Zone of the eye.
+    /// The root visit, in the eye's zone. Call first.
     void root(std::uint32_t zone);
-    /// A visit behind a rectangle in the plane y, entered northwards; yields its number.
+    /// A visit behind a rectangle in the plane y, entered northwards. Yields its number.
     std::uint32_t visitThrough(glm::vec2 min, glm::vec2 max, float y, std::uint32_t zone,
                                std::uint32_t parent, std::uint32_t clipSet = 0);
-    /// An opening of a visit that is there, as a fan around its middle.
+    /// An opening of an existing visit, as a fan around its middle.
     void addOpening(std::span<const glm::vec3> corners, std::uint32_t visit, std::uint32_t clipSet = 0);
 
-    /// Fills in the batches and stages and yields the plan. `allBatches`: one of every program, even empty.
+    /// Fills in batches and stages and yields the plan. `allBatches`: one of every program, even if empty.
     const frame::FramePlan& finish(bool allBatches = false);
 
     frame::SceneUpload upload;
     frame::FramePlan plan;
 
 private:
-    std::deque<std::vector<std::uint8_t>> pixels_; // what the texture uploads view
+    std::deque<std::vector<std::uint8_t>> pixels_; // pixels that the texture uploads refer to
     void addBatch(frame::Program program, bool evenEmpty);
     void addSkyBatch(bool evenEmpty);
     std::map<frame::Program, std::vector<std::pair<std::uint32_t, bool>>>
-        draws_; // pieces, an instance has one each; and whether they are gated
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> sky_; // pieces, and the objects they show
+        draws_; // pieces, one per instance; and whether they are gated
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sky_; // pieces and their sky objects
 };
 
 /// The id image as text, top row first: '.' void, '~' sky, else the id as a character.

@@ -1,4 +1,4 @@
-#include "gpu/SceneCheck.h"
+#include "gpu/scene/SceneCheck.h"
 
 #include "SceneBuilder.h"
 
@@ -25,7 +25,7 @@ TEST(SceneCheck, goodSceneAndEmptySceneAreSound) {
     EXPECT_TRUE(checkScene({}));
 }
 
-TEST(SceneCheck, eachIndexThatLeadsNowhereIsFound) {
+TEST(SceneCheck, eachInvalidIndexIsFound) {
     using Scene = frame::SceneUpload;
     const std::vector<std::pair<std::string, std::function<void(Scene&)>>> faults{
         {"instance 0", [](Scene& s) { s.instances[0].membersAndKind = 0; }},

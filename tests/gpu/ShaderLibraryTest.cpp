@@ -1,4 +1,4 @@
-#include "gpu/ShaderLibrary.h"
+#include "gpu/device/ShaderLibrary.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(ReadableLog, namesFilesInBothStylesOfDrivers) {
               "mesh.vert:7: error C1008: undefined\n");
 }
 
-TEST(ReadableLog, keepsWhatIsNoPosition) {
+TEST(ReadableLog, keepsLinesWithoutAPosition) {
     EXPECT_EQ(readableLog("mesh.vert", "999:1(1): x\nplain words\n\n"), "999:1(1): x\nplain words\n");
     EXPECT_EQ(readableLog("unknown.vert", "0:1(1): x"), "0:1(1): x\n");
     EXPECT_EQ(readableLog("mesh.vert", ""), "");

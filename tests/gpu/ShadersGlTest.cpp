@@ -1,5 +1,5 @@
 #include "GlFixture.h"
-#include "gpu/Programs.h"
+#include "gpu/scene/Programs.h"
 
 namespace limen::gpu::test {
 namespace {
@@ -32,7 +32,7 @@ TEST_F(ShadersGlTest, everyVariantBuilds) {
 
 TEST_F(ShadersGlTest, failureNamesFileLineAndDriver) {
     ProgramSource source = programSource(frame::Program::Opaque, {.gated = true}, {false, 1, {0}});
-    source.defines.emplace_back("walkChain"); // breaks include/gate.glsl where the function is defined
+    source.defines.emplace_back("walkChain"); // breaks include/gate.glsl at the function's definition
     const Result<ProgramHandle> program = device_->createProgram(source);
     ASSERT_FALSE(program);
     EXPECT_EQ(program.error().code, ErrorCode::Driver);

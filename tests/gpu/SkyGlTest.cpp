@@ -23,9 +23,9 @@ TEST_F(SkyGlTest, sky_onlyWhereTheRayGotOutside) {
     SceneBuilder scene;
     scene.root(1);
     scene.visitThrough({-1, -1}, {1, 1}, 2, 0, 0);    // a window
-    scene.visitThrough({-0.8f, -1}, {0, 1}, 3, 2, 1); // a door of another house over there, which has a hole
+    scene.visitThrough({-0.8f, -1}, {0, 1}, 3, 2, 1); // a door of another house, which has a hole
     scene.addWall('A', {-2, -2}, {2, -1}, 2, {.members = {{1, 0}}, .gated = true});
-    // Elsewhere the room has no wall: a hole, not the sky.
+    // The rest of the room has no wall: void, not sky.
     EXPECT_THAT(render(scene).picture(), ElementsAre("........", "........", "..~~~~..", "..~.~~..",
                                                      "..~.~~..", "..~~~~..", "AAAAAAAA", "AAAAAAAA"));
 }

@@ -28,7 +28,7 @@ TEST_F(SolidGlTest, readback_hasTheTopRowFirst) {
     EXPECT_THAT(render(scene, 4).picture(), ElementsAre("AA~~", "AA~~", "~~~~", "~~~~"));
 }
 
-TEST_F(SolidGlTest, nearerWins_whateverTheOrder) {
+TEST_F(SolidGlTest, nearerWins_inAnyOrder) {
     for (const bool nearFirst : {true, false}) {
         SceneBuilder scene;
         scene.root(0);
@@ -69,8 +69,9 @@ TEST_F(SolidGlTest, distances_areAlongTheRay) {
     ASSERT_TRUE(target);
     ASSERT_TRUE(renderer.render(scene.finish(), *target));
     const std::vector<float> distances = target->readDistances(scene.plan.constants);
-    const double perPixel = 2.0 / 4.0;                              // at a distance of one
-    const double x = (0.75 + layout::kPixelPlace.x * perPixel) * 3; // pixel (3, 1) meets the wall here
+    const double perPixel = 2.0 / 4.0; // at a distance of 1 m
+    // pixel (3, 1) shows this point of the wall
+    const double x = (0.75 + layout::kPixelPlace.x * perPixel) * 3;
     const double z = (0.25 - layout::kPixelPlace.y * perPixel) * 3;
     EXPECT_NEAR(distances[1 * 4 + 3] / std::sqrt(x * x + z * z + 9), 1.0, 1e-6);
     EXPECT_TRUE(std::isinf(distances[0]));
@@ -103,7 +104,7 @@ TEST_F(SolidGlTest, sameSceneAtAFarCornerGivesTheSameIdsAndDepth) {
 TEST_F(SolidGlTest, modelRowsTurnScaleAndMove) {
     SceneBuilder scene;
     scene.root(0);
-    QuadOptions options; // x and z change places, doubled, and moved 1 m to the right and 2 m north
+    QuadOptions options; // x and z swapped, scaled by 2, moved 1 m to the right and 2 m north
     options.rows = {glm::vec4{0, 0, -2, 1}, glm::vec4{0, 1, 0, 2}, glm::vec4{2, 0, 0, 0}};
     scene.addWall('A', {0, 0}, {0.5f, 0.5f}, 0, options); // x from 0 to 1, z from 0 to 1
     EXPECT_THAT(render(scene, 4).picture(), ElementsAre("~~~~", "~~A~", "~~~~", "~~~~"));
@@ -133,7 +134,7 @@ TEST_F(SolidGlTest, exactCutOut_takesTheTexelAtMipZeroWhereFilteringWouldBlur) {
         rgba.insert(rgba.end(), {255, 255, 255, static_cast<std::uint8_t>(i % 3 == 1 ? 255 : 0)});
     const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(12, 12, rgba, false));
     scene.addWall('A', {-2, -2}, {2, 2}, 2, {.material = material, .program = frame::Program::CutOut});
-    // Four pixels of three columns each: their centres all fall on the middle one.
+    // Four pixels of three columns each; their centres are all in the middle column.
     EXPECT_THAT(render(scene, 4).picture(), ElementsAre("AAAA", "AAAA", "AAAA", "AAAA"));
 }
 

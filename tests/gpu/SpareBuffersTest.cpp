@@ -1,7 +1,7 @@
-#include "gpu/SpareBuffers.h"
+#include "gpu/scene/SpareBuffers.h"
 
 #include "FailingDevice.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -23,42 +23,42 @@ protected:
     SpareBuffers spare_{device_};
 };
 
-TEST_F(SpareBuffersTest, whatWasGivenBackIsTakenAgain) {
+TEST_F(SpareBuffersTest, releasedBufferIsReused) {
     const SizedBuffer first = take(1 << 20);
     spare_.giveBack(first);
     EXPECT_EQ(take(1 << 20).handle, first.handle);
     EXPECT_NE(take(1 << 20).handle, first.handle) << "once";
 }
 
-TEST_F(SpareBuffersTest, oneSomewhatLongerFitsToo) {
+TEST_F(SpareBuffersTest, somewhatLongerArrayFitsToo) {
     const SizedBuffer first = take(900'000);
     spare_.giveBack(first);
     EXPECT_EQ(take(first.bytes).handle, first.handle);
 }
 
-TEST_F(SpareBuffersTest, roomIsAQuarterAtMost) {
+TEST_F(SpareBuffersTest, extraCapacityIsAQuarterAtMost) {
     for (std::size_t bytes = 100'000; bytes < 1'000'000; bytes += 7'777)
         EXPECT_LE(take(bytes).bytes, bytes + bytes / 4);
 }
 
-TEST_F(SpareBuffersTest, theShortestThatIsLongEnoughIsTaken) {
+TEST_F(SpareBuffersTest, shortestSufficientBufferIsTaken) {
     const SizedBuffer a = take(400'000), b = take(300'000), c = take(200'000);
     for (const SizedBuffer& buffer : {a, b, c})
         spare_.giveBack(buffer);
     EXPECT_EQ(take(250'000).handle, b.handle);
 }
 
-TEST_F(SpareBuffersTest, aMuchLongerOneIsKeptForWhatNeedsIt) {
+TEST_F(SpareBuffersTest, muchLongerBufferIsNotTaken) {
     const SizedBuffer large = take(10'000'000);
     spare_.giveBack(large);
     EXPECT_NE(take(1'000'000).handle, large.handle);
     EXPECT_EQ(take(9'000'000).handle, large.handle);
 }
 
-TEST_F(SpareBuffersTest, whatASceneLeftIsReleasedOneByOne) {
+TEST_F(SpareBuffersTest, unusedBuffersAreDestroyedOneByOne) {
     for (const SizedBuffer& buffer : {take(1000), take(1000)})
         spare_.giveBack(buffer);
-    EXPECT_FALSE(spare_.releaseSome()) << "a scene may come yet that needs it";
+    EXPECT_FALSE(spare_.releaseSome()) << "a later scene may need it";
     spare_.endScene();
     const SizedBuffer later = take(500'000);
     spare_.giveBack(later);
@@ -70,7 +70,7 @@ TEST_F(SpareBuffersTest, whatASceneLeftIsReleasedOneByOne) {
     EXPECT_EQ(take(500'000).handle, later.handle);
 }
 
-TEST_F(SpareBuffersTest, whatIsTakenBeforeItsReleaseIsNotReleased) {
+TEST_F(SpareBuffersTest, bufferTakenInTimeIsNotDestroyed) {
     const SizedBuffer a = take(400'000), b = take(1000);
     spare_.giveBack(a);
     spare_.giveBack(b);
@@ -81,7 +81,7 @@ TEST_F(SpareBuffersTest, whatIsTakenBeforeItsReleaseIsNotReleased) {
     EXPECT_EQ(made(), 1u) << "it is the scene's";
 }
 
-TEST_F(SpareBuffersTest, whatIsSpareGoesWhenTheDeviceHasNoMemory) {
+TEST_F(SpareBuffersTest, spareBuffersAreDestroyedWithoutMemory) {
     const SizedBuffer small = take(1000);
     spare_.giveBack(small);
     device_.madeBeforeFailure = 0;
@@ -107,11 +107,11 @@ TEST_F(SpareBuffersTest, withoutMemoryTheErrorIsTheDevices) {
     EXPECT_EQ(taken.error().code, ErrorCode::Driver);
 }
 
-TEST_F(SpareBuffersTest, texelsStayAsManyAsTheDeviceCanTellApart) {
+TEST_F(SpareBuffersTest, sizesStayWithinTheTexelLimit) {
     const std::size_t most = device_.capabilities().maxBufferTexels * kBytesPerTexel;
     EXPECT_EQ(take(most - 5000).bytes, most);
     EXPECT_EQ(take(most).bytes, most);
-    EXPECT_EQ(take(most + 4).bytes, most + 4) << "it can be no texels; may be it need not";
+    EXPECT_EQ(take(most + 4).bytes, most + 4) << "beyond the texel limit anyway";
 }
 
 } // namespace

@@ -1,9 +1,9 @@
-// A scene that comes in slices beside the one that is drawn: the same on the device as one that comes at once, with what both have
-// in common shared, and nothing of the old one released too early or never.
+// Sliced uploads beside a scene that is drawn. The device ends up with the same content as after one upload
+// at once. Common content is shared. No object of the old scene is released too early or never.
 #include "SceneBuilder.h"
-#include "gpu/CheckedDevice.h"
-#include "gpu/NullDevice.h"
 #include "gpu/Renderer.h"
+#include "gpu/device/CheckedDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace limen::gpu::test {
 namespace {
 
-/// Writes down what textures and buffers are made of, and how much each step moves.
+/// Records the content of textures and buffers, and the bytes moved by each step.
 class WritingDevice final : public ForwardingDevice {
 public:
     using ForwardingDevice::ForwardingDevice;
@@ -53,7 +53,7 @@ public:
         ++programs;
         return device().createProgram(source);
     }
-    /// Texels of all textures in the order they were made.
+    /// Texels of all textures, in order of creation.
     [[nodiscard]] std::vector<std::vector<std::uint8_t>> texels() const {
         std::vector<std::vector<std::uint8_t>> all;
         for (const auto& [place, level] : levels)
@@ -80,7 +80,7 @@ Capabilities capabilitiesOf(bool bindless) {
     return capabilities;
 }
 
-/// Walls with pictures; those of one key are the same in every scene.
+/// Walls with pictures; equal keys mean equal pictures in every scene.
 class Scene {
 public:
     Scene(std::initializer_list<std::uint64_t> keys, std::uint32_t walls) {
@@ -108,12 +108,12 @@ class StagedScenes : public ::testing::TestWithParam<bool> {
 protected:
     void upload(const Scene& scene) { ASSERT_TRUE(renderer_.upload(scene.builder.upload)); }
     void begin(const Scene& scene) {
-        Result<StagedScene> staged =
-            stageScene(scene.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
+        Result<StagedScene> staged = stageScene(scene.builder.upload, renderer_.options().textures,
+                                                device_.capabilities(), renderer_.state());
         ASSERT_TRUE(staged);
         ASSERT_TRUE(renderer_.begin(std::move(*staged)));
     }
-    /// Yields how many slices it took.
+    /// Yields the number of slices.
     int advanceToTheEnd(std::size_t bytes) {
         for (int slices = 1; slices < 100'000; ++slices) {
             const std::size_t before = device_.moved;
@@ -123,7 +123,7 @@ protected:
             if (!advanced || *advanced)
                 return slices;
         }
-        ADD_FAILURE() << "it never ends";
+        ADD_FAILURE() << "the upload does not end";
         return 0;
     }
     void draw(const Scene& scene) {
@@ -132,7 +132,7 @@ protected:
             ADD_FAILURE() << fault;
     }
 
-    static constexpr std::size_t kSlack = 512; ///< a row of texels, and what fills up short arrays
+    static constexpr std::size_t kSlack = 512; ///< a row of texels, and the padding of short arrays
     NullDevice null_{capabilitiesOf(GetParam())};
     CheckedDevice checked_{null_};
     WritingDevice device_{checked_};
@@ -140,7 +140,7 @@ protected:
     Renderer renderer_{device_};
 };
 
-TEST_P(StagedScenes, inSlicesTheSameIsThereAsAtOnce) {
+TEST_P(StagedScenes, slicedUploadEqualsUploadAtOnce) {
     const Scene scene({1, 2, 3, 4, 5}, 40);
     NullDevice null(capabilitiesOf(GetParam()));
     WritingDevice atOnce(null);
@@ -170,7 +170,7 @@ TEST_P(StagedScenes, theOldSceneIsDrawnUntilTheSwap) {
     draw(after);
 }
 
-TEST_P(StagedScenes, whatBothHaveIsShared) {
+TEST_P(StagedScenes, commonContentIsShared) {
     const Scene before({1, 2, 3, 4}, 3), after({4, 3, 2, 1}, 5);
     upload(before);
     draw(before);
@@ -180,7 +180,7 @@ TEST_P(StagedScenes, whatBothHaveIsShared) {
     advanceToTheEnd(1 << 20);
     renderer_.swap();
     draw(after);
-    EXPECT_EQ(device_.textures, textures) << "none is made anew";
+    EXPECT_EQ(device_.textures, textures) << "none is created again";
     EXPECT_TRUE(device_.levels.empty()) << "none is written";
     EXPECT_EQ(device_.programs, programs);
 }
@@ -199,7 +199,7 @@ TEST_P(StagedScenes, aSmallerSceneNeedsNoOtherPrograms) {
     }
 }
 
-TEST_P(StagedScenes, whatIsDrawnNoMoreGoesWhenNoFrameReadsIt) {
+TEST_P(StagedScenes, retiredSceneIsReleasedWhenNoFrameReadsIt) {
     const Scene before({1, 2, 3}, 3), after({3, 5, 8}, 3);
     upload(after);
     draw(after);
@@ -215,7 +215,7 @@ TEST_P(StagedScenes, whatIsDrawnNoMoreGoesWhenNoFrameReadsIt) {
         const std::size_t live = null_.liveObjects();
         for (std::size_t frame = 0; frame < kFramesInFlight; ++frame) {
             ASSERT_TRUE(renderer_.advance(500));
-            EXPECT_EQ(null_.liveObjects(), live) << "frames under way read it";
+            EXPECT_EQ(null_.liveObjects(), live) << "frames in flight read it";
             draw(*next);
         }
         for (int i = 0; i < 40; ++i) {
@@ -223,12 +223,12 @@ TEST_P(StagedScenes, whatIsDrawnNoMoreGoesWhenNoFrameReadsIt) {
             draw(*next);
         }
     }
-    EXPECT_EQ(null_.objects().buffers, alone.buffers + buffersOfOne) << "those of one scene are spare";
+    EXPECT_EQ(null_.objects().buffers, alone.buffers + buffersOfOne) << "the buffers of one scene are spare";
     EXPECT_EQ(null_.objects().residentHandles, alone.residentHandles);
     EXPECT_EQ(null_.objects().textures, alone.textures);
 }
 
-TEST_P(StagedScenes, oneThatIsNotWantedAnyMoreLeavesNothing) {
+TEST_P(StagedScenes, droppedSceneLeavesNoObjects) {
     const Scene scene({1, 2}, 3), other({2, 4, 6, 8}, 30);
     upload(scene);
     draw(scene);
@@ -243,7 +243,7 @@ TEST_P(StagedScenes, oneThatIsNotWantedAnyMoreLeavesNothing) {
             draw(scene);
         }
         DeviceObjects now = null_.objects();
-        now.programs = objects.programs; // some are kept for the next that needs them, and so are buffers
+        now.programs = objects.programs; // some programs are kept for later scenes, as are buffers
         EXPECT_LE(now.buffers, 2 * objects.buffers);
         now.buffers = objects.buffers;
         now.bufferBytes = objects.bufferBytes;
@@ -251,7 +251,7 @@ TEST_P(StagedScenes, oneThatIsNotWantedAnyMoreLeavesNothing) {
     }
 }
 
-TEST_P(StagedScenes, oneAfterTheOtherNeedsNoMoreBuffers) {
+TEST_P(StagedScenes, laterScenesReuseBuffers) {
     const Scene first({1, 2}, 30), second({1, 2}, 33);
     upload(first);
     draw(first);
@@ -276,10 +276,10 @@ TEST_P(StagedScenes, oneAfterTheOtherNeedsNoMoreBuffers) {
     WritingDevice atOnce(null);
     Renderer other(atOnce);
     ASSERT_TRUE(other.upload(first.builder.upload));
-    EXPECT_EQ(device_.arrays, atOnce.arrays) << "and they hold the same";
+    EXPECT_EQ(device_.arrays, atOnce.arrays) << "with the same content";
 }
 
-TEST_P(StagedScenes, withRoomMadeTheNextNeedsNoMoreBuffers) {
+TEST_P(StagedScenes, afterMakeRoomTheNextSceneCreatesNoBuffers) {
     const Scene first({1, 2}, 30), second({1, 2}, 33);
     upload(first);
     draw(first);
@@ -292,7 +292,7 @@ TEST_P(StagedScenes, withRoomMadeTheNextNeedsNoMoreBuffers) {
     EXPECT_EQ(device_.reserved, reserved);
 }
 
-TEST_P(StagedScenes, whatNoSceneTakesAnyMoreGoes) {
+TEST_P(StagedScenes, unusedSpareBuffersAreDestroyed) {
     const Scene large({1, 2}, 40'000), small({1, 2}, 2);
     upload(large);
     draw(large);
@@ -309,11 +309,11 @@ TEST_P(StagedScenes, whatNoSceneTakesAnyMoreGoes) {
     EXPECT_LT(null_.objects().bufferBytes, bytes / 2);
 }
 
-TEST_P(StagedScenes, oneStagedBesideAnotherSceneIsRefusedWhereThatIsMissed) {
+TEST_P(StagedScenes, sceneStagedBesideAnotherIsRefusedWithoutItsTextures) {
     const Scene first({2, 4}, 3), second({6, 8, 10}, 3), third({2, 4}, 5);
     upload(first);
-    Result<StagedScene> staged =
-        stageScene(third.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
+    Result<StagedScene> staged = stageScene(third.builder.upload, renderer_.options().textures,
+                                            device_.capabilities(), renderer_.state());
     ASSERT_TRUE(staged);
     upload(second);
     draw(second);

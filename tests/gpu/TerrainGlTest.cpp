@@ -101,7 +101,7 @@ TEST_F(TerrainGlTest, tiling_repeatsTheColourTextureFromTheNorthWest) {
     const std::uint32_t texture =
         scene.addTexture(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}, false);
     layout::TerrainCell cell = only(layer(texture));
-    cell.base.tiling = 4.0f; // a texel per pixel
+    cell.base.tiling = 4.0f; // one texel per pixel
     const Frame frame = drawCell(scene, cell);
     EXPECT_EQ(frame.at(0, 0), glm::ivec3(255, 0, 0));
     EXPECT_EQ(frame.at(1, 0), glm::ivec3(0, 255, 0));

@@ -5,8 +5,8 @@
 namespace limen::gpu::test {
 namespace {
 
-// Many textures of several sizes and both ways of wrapping, on slanted quads that need every mip, in one
-// draw; half of them cut-outs; and a landcell.
+// Textures of several sizes and both wrapping modes, on slanted quads that need every mip level, in one draw;
+// half of them cut-outs; and a landcell.
 SceneBuilder manyTextures() {
     SceneBuilder scene;
     scene.root(0);
@@ -52,7 +52,7 @@ TEST_F(TextureGlTest, bindlessAndArrayPagesGiveTheSameImage) {
     EXPECT_EQ(pages.depth, bindless.depth);
 }
 
-// On a software driver; on others the two are one.
+// On software drivers; on others both are the same.
 TEST_F(TextureGlTest, pagesChosenByIndexAndByConstantGiveTheSameImage) {
     SceneBuilder scene = manyTextures();
     scene.plan.constants.flags = layout::kFrameExactCutOuts;
@@ -67,8 +67,8 @@ TEST_F(TextureGlTest, pagesChosenByIndexAndByConstantGiveTheSameImage) {
     }
 }
 
-// An eye that looks straight ahead, right over the edge of a floor: corners at no depth at all lie nowhere in the window, and the
-// triangle is drawn as one around the window. Its texture lies where it belongs all the same.
+// The eye looks straight ahead over the edge of a floor. Corners of depth 0 have no position in the window,
+// and the triangle is drawn as one around the window. Its texture is still in the right place.
 TEST_F(TextureGlTest, liesInPlaceOnAFloorWhoseCornersAreBeneathTheEye) {
     constexpr std::uint32_t kTexels = 64, kSize = 32;
     constexpr double kHalf = 4.0, kLength = 8.0, kBelow = 1.0; // metres
@@ -98,7 +98,7 @@ TEST_F(TextureGlTest, liesInPlaceOnAFloorWhoseCornersAreBeneathTheEye) {
             const double right = (x + 0.5) / (kSize / 2) - 1.0, down = (y + 0.5) / (kSize / 2) - 1.0;
             const double along = kBelow / down; // metres ahead
             if (along > kLength / 3)
-                continue; // mips of the ramp end at its edges
+                continue; // mip levels of the ramp end at its edges
             const double u = (right * along + kHalf) / (2 * kHalf), v = 1.0 - along / kLength;
             EXPECT_NEAR(frame.at(x, y).x, 4.0 * (u * kTexels - 0.5), 6.0) << x << ", " << y;
             EXPECT_NEAR(frame.at(x, y).y, 4.0 * (v * kTexels - 0.5), 6.0) << x << ", " << y;
@@ -109,11 +109,11 @@ TEST_F(TextureGlTest, liesInPlaceOnAFloorWhoseCornersAreBeneathTheEye) {
 }
 
 TEST_F(TextureGlTest, drawsAreAsIfEachHadItsTextureAlone) {
-    // The same quads, each in a scene of one texture only: what one page and no divergence give.
+    // The same quads, each in a scene with one texture: the result with a single page and no divergence.
     SceneBuilder all = manyTextures();
     const Frame together = render(all, 64);
     std::size_t compared = 0;
-    for (std::uint32_t i = 0; i < 20; i += 3) { // every size, both wrappings, all programs
+    for (std::uint32_t i = 0; i < 20; i += 3) { // all sizes, both wrapping modes, all programs
         SceneBuilder alone = manyTextures();
         const frame::TextureUpload kept = alone.upload.textures[i];
         alone.upload.textures = {kept};
@@ -138,7 +138,7 @@ TEST_F(TextureGlTest, drawsAreAsIfEachHadItsTextureAlone) {
     EXPECT_GT(compared, 100u);
 }
 
-TEST_F(TextureGlTest, fewPages_keepExactCutOutsAndReportWhatWasResampled) {
+TEST_F(TextureGlTest, fewPages_keepExactCutOutsAndReportResampledTextures) {
     const auto draw = [this](std::uint32_t pageLimit, DriverReport& report) {
         SceneBuilder scene;
         scene.root(0);

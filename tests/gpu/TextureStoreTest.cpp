@@ -1,7 +1,7 @@
-#include "gpu/TextureStore.h"
+#include "gpu/texture/TextureStore.h"
 
 #include "SceneBuilder.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ SceneBuilder threeTextures() {
     return scene;
 }
 
-TEST(TextureStore, arrayPages_shareSizesAndTellTheShaderWhere) {
+TEST(TextureStore, arrayPages_shareSizesAndLocateEachTexture) {
     NullDevice device;
     SceneBuilder scene = threeTextures();
     {
@@ -31,10 +31,10 @@ TEST(TextureStore, arrayPages_shareSizesAndTellTheShaderWhere) {
         EXPECT_EQ(device.textures()[0].levels, 2u);
         EXPECT_EQ(device.liveObjects(), 2u);
     }
-    EXPECT_EQ(device.liveObjects(), 0u) << "the store takes its textures along";
+    EXPECT_EQ(device.liveObjects(), 0u) << "the moved store owns its textures";
 }
 
-TEST(TextureStore, bindless_hasAHandleForEachAndBindsNothing) {
+TEST(TextureStore, bindless_hasAHandleForEachAndBindsNoPage) {
     Capabilities capabilities = NullDevice::defaultCapabilities();
     capabilities.bindless = true;
     NullDevice device(capabilities);
@@ -47,7 +47,7 @@ TEST(TextureStore, bindless_hasAHandleForEachAndBindsNothing) {
     EXPECT_NE(store->refs()[0].place.x, store->refs()[2].place.x);
 }
 
-TEST(TextureStore, whatTheDeviceCannotDoIsRefusedAndNothingStays) {
+TEST(TextureStore, unsupportedTexturesAreRefusedAndLeaveNoObjects) {
     Capabilities capabilities = NullDevice::defaultCapabilities();
     capabilities.maxTextureSize = 3;
     NullDevice device(capabilities);

@@ -1,8 +1,8 @@
-// Hard case 21 of docs/cases.md, as far as it goes: a failed upload is reported once and leaves the old scene as it was; the
-// next one is complete. And several renderers on one device draw their own scenes.
+// Hard case 21 of docs/cases.md: a failed upload is reported once and leaves the old scene unchanged, and the
+// next upload is complete. Several renderers on one device draw their own scenes.
 #include "FailingDevice.h"
 #include "GlFixture.h"
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 namespace limen::gpu::test {
 namespace {
@@ -11,7 +11,7 @@ using UploadGl = GlTest;
 
 constexpr std::uint32_t kForGood = 1000;
 
-/// A wall with a picture before another that has none.
+/// A wall with a picture before another without one.
 void buildScene(SceneBuilder& scene, std::uint32_t id, std::uint8_t shade) {
     scene.root(0);
     std::vector<std::uint8_t> small(2 * 2 * 4, shade), large(8 * 4 * 4, static_cast<std::uint8_t>(shade / 2));
@@ -50,8 +50,8 @@ TEST_F(UploadGl, case21_aFailedUploadLeavesTheOldSceneAndTheNextOneIsComplete) {
     EXPECT_NE(now.colour, old.colour);
 }
 
-// A few failures are of the moment, and nobody hears of them.
-TEST(Upload, isTriedAgainButNotForEver) {
+// A few failures are temporary and are not reported.
+TEST(Upload, isRetriedAFewTimes) {
     NullDevice device;
     FailingDevice failing(device);
     Renderer renderer(failing, {.textures = {.mode = TextureMode::ArrayPages}});
@@ -67,7 +67,7 @@ TEST(Upload, isTriedAgainButNotForEver) {
     EXPECT_EQ(failing.failures, kForGood - 3);
 }
 
-TEST_F(UploadGl, framesGoOnWithoutMemoryForCullingAndAskForItThreeTimes) {
+TEST_F(UploadGl, framesAreDrawnUnculledWithoutMemory_andRetryThreeTimes) {
     FailingDevice failing(*device_);
     Renderer renderer(failing), other(*device_);
     SceneBuilder scene;
@@ -88,7 +88,7 @@ TEST_F(UploadGl, framesGoOnWithoutMemoryForCullingAndAskForItThreeTimes) {
     }
 }
 
-TEST_F(UploadGl, aFrameTellsOfADeviceThatWasReset) {
+TEST_F(UploadGl, frameReportsADeviceReset) {
     FailingDevice failing(*device_);
     Renderer renderer(failing);
     SceneBuilder scene;
@@ -102,21 +102,21 @@ TEST_F(UploadGl, aFrameTellsOfADeviceThatWasReset) {
     EXPECT_EQ(drawn.error().message(), "a driver: was reset");
 }
 
-TEST_F(UploadGl, whatTheDriverHasNoMemoryForIsAnErrorThatNamesIt) {
+TEST_F(UploadGl, missingMemoryIsAnErrorThatNamesTheObject) {
     constexpr std::size_t kTooMuch = std::size_t{1} << 50;
-    const Result<BufferHandle> buffer = device_->createScratch("far too much", kTooMuch);
+    const Result<BufferHandle> buffer = device_->createScratch("too much", kTooMuch);
     ASSERT_FALSE(buffer);
     EXPECT_EQ(buffer.error().code, ErrorCode::Driver);
     EXPECT_NE(buffer.error().message().find(device_->capabilities().renderer), std::string::npos);
-    EXPECT_NE(buffer.error().message().find("far too much"), std::string::npos);
-    debug_->clear(); // the driver said so itself
-    EXPECT_TRUE(device_->createScratch("little", 64)) << "it goes on";
+    EXPECT_NE(buffer.error().message().find("too much"), std::string::npos);
+    debug_->clear(); // the driver reported it as well
+    EXPECT_TRUE(device_->createScratch("little", 64)) << "later frames are drawn";
 }
 
-TEST(DeviceLoss, isToldWithWhatIsKnownOfItsCause) {
-    EXPECT_NE(lossMessage(GL_GUILTY_CONTEXT_RESET).find("by what was drawn"), std::string::npos);
-    EXPECT_NE(lossMessage(GL_INNOCENT_CONTEXT_RESET).find("by another program"), std::string::npos);
-    EXPECT_NE(lossMessage(GL_NO_ERROR).find("does not say why"), std::string::npos);
+TEST(DeviceLoss, messageNamesTheCause) {
+    EXPECT_NE(lossMessage(GL_GUILTY_CONTEXT_RESET).find("a command of this program"), std::string::npos);
+    EXPECT_NE(lossMessage(GL_INNOCENT_CONTEXT_RESET).find("another program"), std::string::npos);
+    EXPECT_NE(lossMessage(GL_NO_ERROR).find("unknown reason"), std::string::npos);
 }
 
 TEST_F(UploadGl, twoRenderersOnOneDeviceDrawTheirOwnScenesInTurns) {

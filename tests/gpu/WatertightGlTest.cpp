@@ -28,7 +28,7 @@ void addFace(SceneBuilder& scene, std::uint32_t id, glm::vec3 min, glm::vec3 max
         p[axis] = high ? max[axis] : min[axis];
         p[u] = i == 1 || i == 2 ? max[u] : min[u];
         p[v] = i >= 2 ? max[v] : min[v];
-        corners[static_cast<std::size_t>(i)] = p; // counter-clockwise seen from the high side
+        corners[static_cast<std::size_t>(i)] = p; // counter-clockwise seen from the upper side
     }
     if (high)
         std::swap(corners[1], corners[3]);
@@ -52,7 +52,7 @@ void addFrame(SceneBuilder& scene, std::uint32_t id, float y, glm::vec2 outer, g
     }
 }
 
-// Two closed rooms that share an opening of 2 x 1.4 m in the plane y = 2; the second is larger, so that both
+// Two closed rooms that share an opening of 2 x 1.4 m in the plane y = 2. The second is larger, so that both
 // overlap around the shared wall when seen through it.
 SceneBuilder closedRooms() {
     SceneBuilder scene;
@@ -95,8 +95,8 @@ Camera randomCamera(std::mt19937& random) {
     return camera;
 }
 
-// Distance of the ray's crossing of the plane y = 2 from the opening's edge, metres, positive inside; the ray
-// through the pixel's centre. Negative infinity if it never crosses.
+// Distance in metres from the opening's edge, positive inside, of the point where the ray through the pixel's
+// centre crosses the plane y = 2. Negative infinity if it never crosses.
 double insideOpening(const Camera& camera, std::uint32_t x, std::uint32_t y) {
     const glm::dvec3 view{(x + 0.5) / kSize * 2 - 1, 1 - (y + 0.5) / kSize * 2, -1};
     const glm::dvec3 ray = glm::dmat3(camera.worldFromView) * view;

@@ -1,4 +1,4 @@
-// The built-in world, drawn and held against the ray rule: its places, its tour, and random eyes.
+// The built-in world, drawn and compared with the ray rule: its places, its tour, and random eyes.
 #include "picture/PictureWorld.h"
 
 #include "motion/Locate.h"
@@ -41,7 +41,7 @@ struct BuiltInWorld : ::testing::TestWithParam<bool> {
         worlds()[1].reset();
         std::filesystem::remove_all(directory());
     }
-    /// Loaded on first use: each test runs in a process of its own.
+    /// Loaded on first use, because each test has a process of its own.
     [[nodiscard]] static PictureWorld& pictures() {
         std::unique_ptr<PictureWorld>& world = worlds()[GetParam()];
         if (!world) {
@@ -83,8 +83,9 @@ INSTANTIATE_TEST_SUITE_P(Zones, BuiltInWorld, ::testing::Bool(),
 TEST_P(BuiltInWorld, everyPlaceIsClean) {
     for (const world::Place& place : places().places) {
         SCOPED_TRACE(place.name);
+        // of a distant landblock: SealedDungeon
         if (place.cell != 0 && world::findCell(pictures().world(), place.cell) == world::kNone)
-            continue; // of a landblock far away: SealedDungeon
+            continue;
         const auto located = motion::locate(pictures().world(), place.eye);
         EXPECT_FALSE(located.ambiguous);
         EXPECT_EQ(pictures().world().spaces[located.space].cellId, place.cell);
@@ -103,7 +104,7 @@ TEST_P(BuiltInWorld, theTourIsCleanAllAlong) {
     for (std::size_t i = 0; i < tour.size(); ++i) {
         space = motion::sweep(pictures().world(), space, tour[i == 0 ? 0 : i - 1].eye, tour[i].eye);
         indoors += space == world::kOutside ? 0 : 1;
-        if (i % (GetParam() ? 5 : 23) == 0) { // `limen check` takes the rest
+        if (i % (GetParam() ? 5 : 23) == 0) { // `limen check` tests the rest
             SCOPED_TRACE(::testing::Message() << "way point " << i);
             pictures().expectClean(look(tour[i].eye, tour[i].yaw, tour[i].pitch, space));
         }
@@ -118,7 +119,7 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
         if (portal.reciprocal != world::kNone && portal.reciprocal < p)
             continue; // each opening once
         if (p % 4 != (GetParam() ? 0u : 1u))
-            continue; // some of them: `limen check` sweeps them all
+            continue; // a sample: `limen check` sweeps all
         Vec3 middle(0.0);
         for (std::uint32_t v = 0; v < portal.vertexCount; ++v)
             middle += world.portalVertices[portal.firstVertex + v] / static_cast<double>(portal.vertexCount);
@@ -139,12 +140,12 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
             most = std::max(most, picture.visible.visits.size());
         }
         EXPECT_EQ(space, portal.destination) << "portal " << p;
-        EXPECT_LT(most, 80u) << "visits stay bounded"; // apart, a dungeon's hub is dozens of zones
+        EXPECT_LT(most, 80u) << "visits stay bounded"; // without zones, a dungeon's hub is dozens of spaces
     }
 }
 
-/// In the cell, and so far from its walls that the near plane cuts none: what shows through a wall that it cuts is not
-/// judged.
+/// Whether the eye is in the cell and so far from its walls that the near plane cuts none. Pixels seen
+/// through a wall that is cut are not judged.
 bool clearOfWalls(const world::World& world, world::SpaceIndex cell, const Vec3& eye) {
     constexpr double kClear = 0.05;
     for (int axis = 0; axis < 3; ++axis) {
@@ -208,7 +209,7 @@ private:
 };
 
 TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
-    // LIMEN_TEST_VIEWS, LIMEN_TEST_SEED and LIMEN_TEST_WIDTH make it a longer hunt.
+    // LIMEN_TEST_VIEWS, LIMEN_TEST_SEED and LIMEN_TEST_WIDTH extend the search.
     const unsigned views = fromEnvironment("LIMEN_TEST_VIEWS", 250);
     pictures().width = fromEnvironment("LIMEN_TEST_WIDTH", kWidth);
     pictures().height = pictures().width * kHeight / kWidth;
@@ -222,7 +223,7 @@ TEST_P(BuiltInWorld, randomEyesInCellsAndInFreeAirAreClean) {
     pictures().height = kHeight;
 }
 
-/// Eyes where `limen check` once found wrong pixels.
+/// Eyes at which `limen check` once found wrong pixels.
 struct OnceWrong {
     const char* what;
     Vec3 eye;
@@ -240,7 +241,7 @@ const OnceWrong kOnceWrong[] = {
      0xA9B50104,
      333.27},
     {"the same, a storey below", {32554.25, 34860.75, 63.870625}, 0.0, -90.0, 0xA9B50102, 523.39},
-    {"a roof seen edge-on, metres beyond the window that the ray has left by",
+    {"a roof seen edge-on, metres beyond the window by which the ray left",
      {32562.9535, 34643.61678490541, 33.53147169765033},
      179.8956931540755,
      -3.946814869745165,
@@ -254,7 +255,7 @@ const OnceWrong kOnceWrong[] = {
      306.46,
      640,
      360},
-    {"a riser a third of a pixel wide, beside which interpolation leaves the numbers",
+    {"a riser a third of a pixel wide, where interpolation overflows",
      {32556.007471758025, 34859.98448639413, 63.651625},
      0.0,
      -90.0,
@@ -280,13 +281,13 @@ const OnceWrong kOnceWrong[] = {
      0.0,
      0xAAB5010F,
      502.09},
-    {"a wall a fifth of a millimetre behind the eye, which only the ray's line meets",
+    {"a wall 0.2 mm behind the eye, hit only by the backward half of the ray's line",
      {32551.75021, 34860.25, 70.890625},
      232.20417010960466,
      -26.511374549708997,
      0xA9B50104,
      574.81},
-    {"the tops of a door's planks, seen from their own height: one was put behind the side of the next",
+    {"the tops of a door's planks at eye level: one was placed behind the side of the next",
      {32535.509243479726, 34668.79584760852, 32.397399054858624},
      237.046875,
      -0.19374999999999967,
@@ -351,7 +352,7 @@ TEST_P(BuiltInWorld, everyViewTakesFewCallsAndTheSameForTheSameStages) {
     }
 }
 
-/// Far from all others; a world, and a renderer, of its own.
+/// Far from all others, with a world and a renderer of its own.
 TEST(SealedDungeon, case22_isCleanAndNothingElseIsVisited) {
     const auto directory =
         std::filesystem::temp_directory_path() / ("limen-sealed-" + std::to_string(::getpid()));
@@ -378,8 +379,9 @@ TEST(SealedDungeon, case22_isCleanAndNothingElseIsVisited) {
     std::filesystem::remove_all(directory);
 }
 
-/// A leaf hundreds of metres away, seen so flat that floats do not tell its depth, behind another: it must not show before that.
-/// Both found along the tour; so far away only where as much is loaded as `limen check` loads.
+/// A door leaf hundreds of metres away, so nearly edge-on that floats cannot resolve its depth. It is behind
+/// another leaf and must not show before it. Both were found along the tour, with as much of the world loaded
+/// as `limen check` loads.
 TEST(FarAway, aLeafSeenEdgeOnStaysBehindTheOneBeforeIt) {
     const auto directory =
         std::filesystem::temp_directory_path() / ("limen-far-" + std::to_string(::getpid()));
@@ -413,8 +415,8 @@ TEST(FarAway, aLeafSeenEdgeOnStaysBehindTheOneBeforeIt) {
     std::filesystem::remove_all(directory);
 }
 
-/// A cell's wall seen flat, and right behind it the corner of another cell of its zone: that must not show. Found sweeping through
-/// the tower's openings.
+/// A cell's wall seen nearly edge-on, and directly behind it the corner of another cell of its zone, which
+/// must not show. Found in a sweep through the tower's openings.
 TEST(FlatWall, hidesTheCellBehindIt) {
     const auto directory =
         std::filesystem::temp_directory_path() / ("limen-flat-" + std::to_string(::getpid()));

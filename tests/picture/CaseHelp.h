@@ -6,22 +6,22 @@
 
 #include <algorithm>
 
-// What the tests of hard cases (docs/cases.md) have in common.
+// Shared by the tests of hard cases (docs/cases.md).
 namespace limen::test {
 
-/// Every case is tried with cells merged into zones and with every cell a zone of its own.
+/// Every case is run with cells merged into zones and with every cell as a zone.
 struct ZoneCases : ::testing::TestWithParam<bool> {
     [[nodiscard]] PictureOptions options(world::MovingEntries moving = {}, int radius = 1) const {
         return {.mergeZones = GetParam(), .radius = radius, .moving = std::move(moving)};
     }
 };
 
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): GoogleTest has no other way.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): GoogleTest offers no other way.
 #define LIMEN_BOTH_ZONINGS(suite)                                                                            \
     INSTANTIATE_TEST_SUITE_P(Zones, suite, ::testing::Bool(),                                                \
                              [](const auto& zones) { return zones.param ? "merged" : "apart"; })
 
-/// The instance, static or a moving thing's part, that shows as `id`; null for void and sky.
+/// The instance, static or part of a dynamic object, that shows as `id`; null for void and sky.
 [[nodiscard]] inline const world::Instance* shownAs(const world::World& world, std::uint32_t id) {
     for (const auto* instances : {&world.instances, &world.movingParts}) {
         for (const world::Instance& in : *instances)
@@ -55,7 +55,7 @@ struct ZoneCases : ::testing::TestWithParam<bool> {
                        [&](const visibility::SeenSpace& s) { return s.space == space; });
 }
 
-/// The moment in which `frame` is drawn.
+/// The dynamic state in which `frame` is drawn.
 [[nodiscard]] inline motion::DynamicStateInput dynamicsFor(const frame::FrameView& frame, double seconds,
                                                            std::optional<double> doors, bool rain = false) {
     motion::DynamicStateInput input;

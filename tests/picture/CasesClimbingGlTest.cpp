@@ -1,4 +1,5 @@
-// Hard case 4 of docs/cases.md: horizontal portals, with the eye just above and just below them, and on the way up.
+// Hard case 4 of docs/cases.md: horizontal portals, with the eye just above and just below them, and on the
+// way up.
 #include "picture/CaseHelp.h"
 
 #include "motion/Locate.h"
@@ -12,8 +13,8 @@ namespace {
 struct CasesClimbing : ZoneCases {};
 LIMEN_BOTH_ZONINGS(CasesClimbing);
 
-/// A tower of four rooms, 6 × 6 × 3 m each, with an opening in every floor a quarter turn on from the one below, a
-/// spiral of steps around a newel that pokes through all floors, and a window on top.
+/// A tower of four rooms, 6 × 6 × 3 m each. Every floor has an opening a quarter turn on from the one below.
+/// A spiral of steps runs around a newel that passes through all floors; the top has a window.
 struct Tower {
     static constexpr int kFloors = 4;
     static constexpr double kHeight = 3.0, kLeft = 90.0, kLow = 90.0, kWide = 2.6;
@@ -33,7 +34,7 @@ struct Tower {
             world.link(rooms[static_cast<std::size_t>(i - 1)], rectangle(low, low + Vec3(kWide, kWide, 0)),
                        rooms[static_cast<std::size_t>(i)]);
         }
-        for (int k = 0; k < 48; ++k) { // a quarter turn and 3 m a dozen
+        for (int k = 0; k < 48; ++k) { // a dozen steps are a quarter turn and 3 m
             const Vec3 at = spiral(k / 12.0);
             const int room = static_cast<int>(at.z / kHeight);
             if (std::abs(at.z - std::round(at.z / kHeight) * kHeight) > 0.2) {
@@ -51,10 +52,10 @@ struct Tower {
     [[nodiscard]] static double floorOf(int i) { return kHeight * i; }
     /// The south-western corner of the opening in floor `i` (1..).
     [[nodiscard]] static Vec3 openingOf(int i) {
-        const Vec3 middle = spiral(i - 0.27); // from where the head comes through to where the feet do
+        const Vec3 middle = spiral(i - 0.27); // from the height of the head to that of the feet
         return {middle.x - kWide / 2, middle.y - kWide / 2, floorOf(i)};
     }
-    /// Where the stairs are after so many floors.
+    /// Position on the stairs after a number of floors.
     [[nodiscard]] static Vec3 spiral(double floors) {
         const double angle = (floors + 0.5) * std::numbers::pi / 2;
         return {kLeft + 3 + 1.6 * std::cos(angle), kLow + 3 + 1.6 * std::sin(angle), floors * kHeight};

@@ -1,4 +1,4 @@
-// Hard cases 7 and 15 of docs/cases.md: what is far away, and what is tall.
+// Hard cases 7 and 15 of docs/cases.md: distant and tall objects.
 #include "picture/CaseHelp.h"
 
 namespace limen::test {
@@ -7,8 +7,8 @@ namespace {
 struct CasesDistance : ZoneCases {};
 LIMEN_BOTH_ZONINGS(CasesDistance);
 
-/// A street northwards over three blocks: houses 6 m wide, 4 m high, each with a door towards the south. Metres are the
-/// home block's.
+/// A street northwards over three blocks: houses 6 m wide, 4 m high, each with a door in the south. Metres
+/// are relative to the home block.
 struct Street {
     TestWorld world;
     std::vector<TestWorld::Cell> rooms;
@@ -70,7 +70,7 @@ TEST_P(CasesDistance, case07_doorsFourHundredMetresAwayAreSeenInto) {
     EXPECT_EQ(away.visible.visits.size(), 1u) << "nothing behind the eye is flooded";
 }
 
-/// Pictures of the same street with and without what lies behind must agree where the nearer thing shows.
+/// Pictures of the street with and without the farther objects must agree where the nearer one shows.
 void expectUntouched(const PictureWorld& with, const Picture& a, const PictureWorld& without,
                      const Picture& b, dat::RecordId occluder) {
     std::size_t compared = 0;
@@ -131,7 +131,7 @@ TEST_P(CasesDistance, case07_aDoorBehindAHillShowsNothingOfItsInterior) {
 }
 
 TEST_P(CasesDistance, case15_aTallObjectIsDrawnThoughItsAnchorIsOffScreen) {
-    // A mast that leans: its model runs 25 m along +x from its anchor, its setup turns it upright.
+    // A leaning mast: its model extends 25 m along +x from its anchor, and its setup turns it upright.
     TestWorld world;
     world.setFlatTerrain(world.home(), 0);
     const std::uint32_t mast = world.addModel(boxExterior({0, -0.3, -0.3}, {25, 0.3, 0.3}, "oak"));
@@ -143,16 +143,16 @@ TEST_P(CasesDistance, case15_aTallObjectIsDrawnThoughItsAnchorIsOffScreen) {
     setup.placementFrames = {{0x65, pose}};
     const std::uint32_t upright = world.addSetup(setup);
     world.addObject(upright, frameAt({96, 100, 0}, 30));
-    world.addObject(mast, frameAt({60, 96, 0.5}, 90)); // lies along +y
+    world.addObject(mast, frameAt({60, 96, 0.5}, 90)); // points along +y
     PictureWorld pictures(world, options());
     pictures.fov = 40;
     const Picture up = pictures.expectClean(pictures.look({96, 90, 1.6}, 0, 50, world::kOutside));
     EXPECT_GT(pixelsOfRecord(pictures, up, mast), 40u) << "its foot is below the picture";
     EXPECT_EQ(pixelsOfRecord(pictures, up, mast) + skyPixels(up), up.ids.size());
     const Picture tip = pictures.expectClean(pictures.look({64, 120, 1.6}, 270, -10, world::kOutside));
-    EXPECT_GT(pixelsOfRecord(pictures, tip, mast), 40u) << "it lies northwards of its anchor";
+    EXPECT_GT(pixelsOfRecord(pictures, tip, mast), 40u) << "it extends northwards from its anchor";
     const Picture east = pictures.expectClean(pictures.look({80, 90, 1.6}, 180, -5, world::kOutside));
-    EXPECT_EQ(pixelsOfRecord(pictures, east, mast), 0u) << "where it lies unturned there is nothing";
+    EXPECT_EQ(pixelsOfRecord(pictures, east, mast), 0u) << "no pixel at its unturned position";
     EXPECT_EQ(east.counts.instancesDrawn, east.counts.instancesTested - east.counts.instancesCulled);
 }
 

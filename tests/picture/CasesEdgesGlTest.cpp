@@ -9,7 +9,7 @@ namespace {
 struct CasesEdges : ZoneCases {};
 LIMEN_BOTH_ZONINGS(CasesEdges);
 
-/// A room with a door to the outside and one to a closet; another house stands before the first door.
+/// A room with a door to the outside and one to a closet. Another house faces the first door.
 struct Threshold {
     TestWorld world;
     TestWorld::Cell room = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");
@@ -24,7 +24,7 @@ struct Threshold {
         const auto door = world.openOutside(other, rectangle({94.4, 92, 0.1}, {95.3, 92, 2.2}));
         world.addBuilding(boxExterior({92, 92, 0}, {98, 96, 3}), {door});
     }
-    /// Looks through both doors; alignment `k` moves the eye by fractions of a pixel of what is seen at the door.
+    /// Looks through both doors. `k` moves the eye by fractions of a pixel as seen at the door.
     [[nodiscard]] frame::FrameView look(const PictureWorld& pictures, int k) const {
         const double pixel = 2.0 * std::tan(pictures.fov / 114.59155902616465) / pictures.height * 3.4;
         const double x = std::fmod(k * 0.6180339887498949, 1.0), z = k / 250.0;
@@ -39,12 +39,13 @@ TEST_P(CasesEdges, case03_inADoorsPlaneBesideItAndOnItsEdge) {
     const world::SpaceIndex room = pictures.space(world.world.id(world.room));
     for (double yaw = 0; yaw < 360; yaw += 24) {
         SCOPED_TRACE(yaw);
-        // Beside the house, in the plane of its door and window: nothing of its rooms, nothing lost of the outside.
+        // Beside the house, in the plane of its door and window: its rooms are invisible, and the outside is
+        // complete.
         for (const Vec3& eye : {Vec3(104, 86, 1.6), Vec3(85, 86, 1.2), Vec3(94.5, 86, 7)}) {
             const Picture beside = pictures.expectClean(pictures.look(eye, yaw, -5, world::kOutside));
             EXPECT_EQ(pixelsOfRecord(pictures, beside, world.world.id(world.room)), 0u);
         }
-        // On the door's edge, its corner and its sill; said to be inside, looking inwards or along.
+        // On the door's edge, corner and sill; with the room as root, looking inwards or along the wall.
         for (const Vec3& eye : {Vec3(94, 86, 1.1), Vec3(95.4, 86, 2.1), Vec3(94.6, 86, 0.1)})
             pictures.expectClean(pictures.look(eye, yaw, 5, room));
     }
@@ -82,8 +83,8 @@ TEST_P(CasesEdges, case12_multisampledOpeningEdgesAtEverySubPixelAlignment) {
 }
 
 TEST_P(CasesEdges, case16_anObjectThatOnlyPokesThroughAWallIsAbsentThereAndWholeWhereverItsSpacesAreSeen) {
-    // A long beam in the room pokes through the wall into a den that no door joins to it, and stands half in the door to
-    // the closet.
+    // A long beam in the room passes through the wall into a den that no door joins to it, and stands halfway
+    // in the closet's door.
     TestWorld world;
     const auto room = world.addBox({0, 0, 0}, {4, 6, 3}, "brown");
     const auto closet = world.addBox({4, 0, 0}, {8, 3, 3}, "blue");
@@ -109,7 +110,7 @@ TEST_P(CasesEdges, case16_anObjectThatOnlyPokesThroughAWallIsAbsentThereAndWhole
     EXPECT_GT(west, 150u);
     EXPECT_NEAR(static_cast<double>(west), static_cast<double>(east), 0.2 * static_cast<double>(west))
         << "whole from both sides of the door";
-    // Through a sliver of the doorway, and away from it: drawn while it is seen, culled where it cannot be.
+    // Towards a sliver of the doorway, and away from it: drawn while visible, culled when not.
     bool culled = false, drawn = false;
     for (double y = 0.2; y < 3.0; y += 0.12) {
         SCOPED_TRACE(y);
@@ -123,7 +124,7 @@ TEST_P(CasesEdges, case16_anObjectThatOnlyPokesThroughAWallIsAbsentThereAndWhole
 }
 
 TEST_P(CasesEdges, case31_openingsThatShareAnEdge) {
-    // West: one room with three openings edge to edge: to two rooms side by side, and one above the first.
+    // West: a room with three adjoining openings, to two rooms side by side, and to one above the first.
     TestWorld world;
     const auto hall = world.addBox({0, 0, 0}, {4, 6, 6}, "brown");
     const auto a = world.addBox({4, 0, 0}, {8, 3, 3}, "blue");
@@ -149,7 +150,8 @@ TEST_P(CasesEdges, case31_openingsThatShareAnEdge) {
     }
 }
 
-/// The eye is 5 mm before three openings that share edges, and in the plane of the wall between two rooms behind.
+/// The eye is 5 mm before three openings that share edges, in the plane of the wall between the two rooms
+/// behind.
 TEST_P(CasesEdges, case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
     TestWorld world;
     const auto hall = world.addBox({0, 0, 0}, {4, 6, 6}, "brown");
@@ -168,8 +170,8 @@ TEST_P(CasesEdges, case31_closeToSharedEdgesAndInThePlaneOfTheWallBehind) {
     }
 }
 
-/// Two openings of a wall that share an edge, and a third one in the wall beside it; nothing stands at right angles to the
-/// axes.
+/// Two openings of a wall that share an edge, and a third one in the adjacent wall; no edge is parallel to an
+/// axis.
 struct SlantedHalves {
     static Vec3 slanted(const Vec3& p) {
         static const Mat3 turn(glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(Vec3(1, 2, 3))));
@@ -229,8 +231,8 @@ TEST_P(CasesEdges, case31_nearerToAnEdgeThanFloatsTell) {
 }
 
 TEST_P(CasesEdges, case31_openingsNestedEdgeOnEdge) {
-    // A porch as deep as its doorway is thick: its openings touch along whole edges, and the last one, to the outside,
-    // fills its wall. From the axis the openings' edges fall on one another on the screen as well.
+    // A porch as deep as its doorway is thick: its openings touch along whole edges, and the last one, to the
+    // outside, fills its wall. Seen from the axis, the openings' edges coincide on the screen as well.
     TestWorld world;
     world.setFlatTerrain(world.home(), 0);
     const auto room = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");
@@ -239,7 +241,7 @@ TEST_P(CasesEdges, case31_openingsNestedEdgeOnEdge) {
     const auto porch = world.addBox({91.4, 86.4, 0}, {93.2, 88, 2}, "green");
     world.link(room, rectangle({92, 86, 0}, {93.2, 86, 2}), jamb);
     world.link(jamb, rectangle({93.2, 86, 0}, {93.2, 86.4, 2}), niche); // shares an edge with the door
-    world.link(jamb, rectangle({92, 86.4, 0}, {93.2, 86.4, 2}), porch); // and one with that
+    world.link(jamb, rectangle({92, 86.4, 0}, {93.2, 86.4, 2}), porch); // shares an edge with that one
     const auto exit = world.openOutside(porch, rectangle({91.4, 88, 0}, {93.2, 88, 2}));
     Walls outside = boxExterior({90, 80, 0}, {96, 86, 3});
     for (const Walls& part :

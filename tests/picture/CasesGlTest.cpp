@@ -1,5 +1,5 @@
-// Hard cases of docs/cases.md, drawn through the whole path and held against the ray rule. Every world is
-// tried twice: with cells merged into zones, and with every cell a zone of its own.
+// Hard cases of docs/cases.md, drawn by the whole pipeline and compared with the ray rule. Every world is run
+// twice: with cells merged into zones, and with every cell as a zone.
 #include "picture/PictureWorld.h"
 
 #include "motion/Locate.h"
@@ -23,8 +23,8 @@ struct TwoRooms {
     TwoRooms() { world.link(west, rectangle({4, 1.5, 10}, {4, 2.5, 12}), east); }
 };
 
-/// A yard with two houses that face each other across it: each one room with a door (in line with one
-/// another) and, in the back wall, a window in line with the door.
+/// A yard with two houses that face each other across it. Each has one room with a door (in line with the
+/// other's) and, in the back wall, a window in line with the door.
 struct TwoHouses {
     TestWorld world;
     TestWorld::Cell south = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");
@@ -115,10 +115,10 @@ TEST_P(Cases, case08_someoneInADoorwaySeenFromOutside) {
     TwoHouses houses;
     const std::uint32_t body =
         houses.world.addModel(insideOut(boxWalls({-0.3, -0.3, 0}, {0.3, 0.3, 1.8}, "pink")));
-    houses.world.addObject(body, frameAt({92.6, 100.0, 0.1})); // half in the northern house's door, half out
+    houses.world.addObject(body, frameAt({92.6, 100.0, 0.1})); // half inside the northern house's door
     PictureWorld pictures(houses.world, options());
     const Picture picture = pictures.expectClean(pictures.look({92.6, 94, 1.2}, 0, 0, world::kOutside));
-    // Seen whole: 0.6 m by 1.8 m at 5.7 m, its front face before the door's plane.
+    // Fully visible: 0.6 m by 1.8 m at 5.7 m, its front face before the door's plane.
     std::size_t seen = 0;
     for (const std::uint32_t id : picture.ids) {
         const std::uint32_t i = instanceOfId(pictures.world(), id);
@@ -137,7 +137,7 @@ TEST_P(Cases, case08_someoneInADoorwaySeenFromOutside) {
 
 TEST_P(Cases, case10_fromACellarUpTheStairsAndOut) {
     TestWorld world;
-    world.setFlatTerrain(world.home(), 2); // 4 m: the cellar lies wholly below
+    world.setFlatTerrain(world.home(), 2); // 4 m: the cellar is wholly below
     const auto cellar = world.addBox({90, 90, 0}, {96, 96, 3}, "brown");
     const auto shaft = world.addBox({96, 90, 0}, {100, 96, 7}, "blue");
     world.link(cellar, rectangle({96, 91, 0}, {96, 95, 3}), shaft);
@@ -154,7 +154,7 @@ TEST_P(Cases, case10_fromACellarUpTheStairsAndOut) {
                          std::count(picture.ids.begin(), picture.ids.end(), 1u) > 0;
         }
     }
-    EXPECT_TRUE(sawOutside) << "no view looked out, so nothing was tried";
+    EXPECT_TRUE(sawOutside) << "no view looked out";
 }
 
 TEST_P(Cases, case11_aStillEyeGivesIdenticalFrames) {
@@ -245,7 +245,7 @@ TEST_P(Cases, case25_theFarCornerOfTheMap) {
             const auto picture = pictures.expectClean(
                 pictures.look({92.3, 82.1, 1.6}, yaw, 0, pictures.space(world.id(room))));
             for (const std::uint32_t id :
-                 picture.ids) { // which way a landcell is split depends on its place on the map
+                 picture.ids) { // a landcell's diagonal depends on its position on the map
                 const auto i = instanceOfId(pictures.world(), id);
                 const bool ground =
                     i != world::kNone && pictures.world().instances[i].kind == world::InstanceKind::Terrain;

@@ -1,4 +1,4 @@
-// Hard cases 9, 17, 19 and 27 of docs/cases.md: what moves, what fills openings, what shines through.
+// Hard cases 9, 17, 19 and 27 of docs/cases.md: dynamic objects, fillings, transparent surfaces.
 #include "picture/CaseHelp.h"
 #include "support/Effects.h"
 
@@ -14,7 +14,7 @@ LIMEN_BOTH_ZONINGS(CasesMoving);
 
 constexpr gpu::RenderOptions kCountLayers{.shading = gpu::Shading::IdsOnly, .wantLayers = true};
 
-/// Pixels of a record by rays: those that show it, and those of them that do so with all eight neighbours.
+/// Traced pixels of a record: all that show it, and those whose eight neighbours show it, too.
 struct Traced {
     std::size_t all = 0;
     std::vector<std::size_t> inner;
@@ -96,7 +96,7 @@ TEST_P(CasesMoving, case19_fillingsAreDrawnByTheirStateAndStopTheFloodWhenShut) 
         const Picture outside = shoot(towardsFrontDoor), inside = shoot(fromFront),
                       inner = shoot(towardsInner), pane = shoot(towardsPane);
         for (const Picture* picture : {&outside, &inside, &inner})
-            EXPECT_GT(pixelsOfRecord(pictures, *picture, hut.leaf), 0u) << "a leaf is to be seen";
+            EXPECT_GT(pixelsOfRecord(pictures, *picture, hut.leaf), 0u) << "a leaf is visible";
         const bool shut = doors == 0.0;
         EXPECT_EQ(visitsSpace(outside, front), !shut) << "a closed door stops the flood behind it";
         EXPECT_EQ(seesSpace(inner, rear), !shut);
@@ -104,8 +104,8 @@ TEST_P(CasesMoving, case19_fillingsAreDrawnByTheirStateAndStopTheFloodWhenShut) 
         EXPECT_EQ(inside.stages[2] > 0, !shut) << "and no sky is drawn behind it";
         const auto& visits = inside.visible.visits;
         EXPECT_EQ(std::all_of(visits.begin() + 1, visits.end(), [](const auto& v) { return v.shut; }), shut)
-            << "of shut doors the visits that end there are all";
-        EXPECT_TRUE(seesSpace(pane, rear)) << "glass never stops anything";
+            << "closed doors end their visits";
+        EXPECT_TRUE(seesSpace(pane, rear)) << "glass does not end visits";
         EXPECT_GT(
             std::count_if(pane.layers.begin(), pane.layers.end(), [](const auto& l) { return l.count > 0; }),
             20);
@@ -206,8 +206,8 @@ TEST_P(CasesMoving, case17_particlesOfRecordsAndTurningThingsObeyTheRuleThroughD
     EXPECT_GT(layered, 500u);
 }
 
-/// The hut with more that is translucent: glow and smoke at rest in both rooms and before the door, a glowing lantern,
-/// and panes without a door: one that stands in the rear room, one in the meadow, each part of a setup.
+/// The hut with more transparent surfaces: static glow and smoke in both rooms and before the door, a glowing
+/// lantern, and panes outside any opening, one in the rear room, one in the meadow, each part of a setup.
 struct ShiningHut : MovingHut {
     std::uint32_t glassPart = 0;
     ShiningHut() {
@@ -281,7 +281,7 @@ TEST_P(CasesMoving, case17_everyLayerOnceWhateverItIsAttachedTo) {
 }
 
 TEST_P(CasesMoving, case17_theNearerOfTwoPanesIsBlendedLast) {
-    // A red and a blue pane, each nearly opaque, on either side of the plane of a door between two rooms.
+    // A red and a blue pane, both nearly opaque, on opposite sides of the plane of a door between two rooms.
     TestWorld world;
     const auto west = world.addBox({0, 0, 10}, {4, 4, 13}, "grey");
     const auto east = world.addBox({4, 0, 10}, {8, 4, 13}, "grey");
@@ -303,11 +303,11 @@ TEST_P(CasesMoving, case17_theNearerOfTwoPanesIsBlendedLast) {
     const Vec3 fromWest = middle({1, 2, 11}, 90, west), fromEast = middle({7, 2, 11}, 270, east);
     EXPECT_GT(fromWest.x, 2.5 * fromWest.z) << "red before blue";
     EXPECT_GT(fromEast.z, 2.5 * fromEast.x) << "blue before red";
-    EXPECT_GT(fromWest.z, fromWest.y) << "what is behind shines through";
+    EXPECT_GT(fromWest.z, fromWest.y) << "the surface behind shines through";
 }
 
 TEST_P(CasesMoving, case17_noLayerBeforeItsOpeningIsTakenForOneBehind) {
-    // A flame on either side of a closed door: seen from its own side alone.
+    // A flame on each side of a closed door, visible only from its own side.
     MovingHut hut;
     hut.moving.villagers.clear();
     hut.moving.emitters.erase(hut.moving.emitters.begin() + 1, hut.moving.emitters.end());
@@ -337,7 +337,7 @@ TEST_P(CasesMoving, case27_aStandingEyeAndAFrozenMomentGiveTheSameBits) {
         const motion::DynamicStateInput still = dynamicsFor(frame, 6.1, 0.5, root == world::kOutside);
         pictures.setDynamics(still);
         const Picture first = pictures.expectClean(frame);
-        // Another moment and another view in between must leave nothing behind.
+        // A different state and view drawn in between must have no effect.
         const frame::FrameView away = pictures.look(eye, 270, 0, root);
         pictures.setDynamics(dynamicsFor(away, 9.7, 1.0));
         const Picture other = pictures.shoot(away);
@@ -348,7 +348,7 @@ TEST_P(CasesMoving, case27_aStandingEyeAndAFrozenMomentGiveTheSameBits) {
             EXPECT_TRUE(next.ids == first.ids && next.depth == first.depth && next.colour == first.colour);
         }
         pictures.setDynamics(dynamicsFor(frame, 6.2, 0.5, root == world::kOutside));
-        EXPECT_FALSE(pictures.shoot(frame).colour == first.colour) << "a moment later something has moved";
+        EXPECT_FALSE(pictures.shoot(frame).colour == first.colour) << "later something has moved";
     }
 }
 

@@ -1,5 +1,5 @@
-// Hard cases 18, 23 and 30 of docs/cases.md: rain and smoke at an open door, and the eye on another side than the player.
-// Whether it rains at all follows from where the player is: tests/app/DynamicStateInputTest.cpp.
+// Hard cases 18, 23 and 30 of docs/cases.md: rain and smoke at an open door, with eye and player on different
+// sides. The player's position decides whether it rains: tests/app/DynamicStateInputTest.cpp.
 #include "picture/CaseHelp.h"
 #include "support/MovingHut.h"
 
@@ -16,7 +16,8 @@ LIMEN_BOTH_ZONINGS(CasesWeather);
 
 constexpr gpu::RenderOptions kCountRain{.shading = gpu::Shading::IdsOnly, .wantLayers = true};
 
-/// The hut with smoke that rises in its front door, and glass in no window, so that all that is translucent is a sprite.
+/// The hut with smoke that rises in its front door and no glass in its window, so that all transparent
+/// surfaces are sprites.
 struct RainyHut : MovingHut {
     RainyHut() {
         moving.doors.pop_back();
@@ -30,7 +31,7 @@ struct RainyHut : MovingHut {
 };
 
 struct Sum {
-    std::size_t layers = 0, pixels = 0; ///< pixels that have some
+    std::size_t layers = 0, pixels = 0; ///< pixels with layers
 };
 Sum sumOf(const Picture& picture) {
     Sum sum;
@@ -41,7 +42,7 @@ Sum sumOf(const Picture& picture) {
     return sum;
 }
 
-/// Drops of the moment that hang where the hut's rooms are: those that a picture must not show there.
+/// Drops positioned inside the hut's rooms, which a picture must not show there.
 std::size_t dropsInRooms(const PictureWorld& pictures, const motion::DynamicStateInput& input) {
     world::DynamicState dynamics;
     motion::DynamicStateBuilder(pictures.world()).at(input, dynamics);
@@ -71,13 +72,13 @@ TEST_P(CasesWeather, case18_rainFallsOutsideOnlyWhicheverSideTheEyeIsOn) {
     struct Stand {
         Vec3 eye;
         double yaw;
-        bool out; ///< rain is in the picture
+        bool out; ///< rain is visible
     };
-    const Stand stands[] = {{{12.8, 11.4, 3.5}, 268, true},   // in, looking out at the door
-                            {{12.8, 11.4, 3.5}, 30, false},   // in, at a wall
-                            {{8.7, 11.6, 3.5}, 90, true},     // out, looking in
-                            {{8.7, 11.6, 3.5}, 240, true},    // out, looking away
-                            {{16.8, 12.1, 3.6}, 91, true},    // in, at the open window
+    const Stand stands[] = {{{12.8, 11.4, 3.5}, 268, true},   // inside, looking out at the door
+                            {{12.8, 11.4, 3.5}, 30, false},   // inside, facing a wall
+                            {{8.7, 11.6, 3.5}, 90, true},     // outside, looking in
+                            {{8.7, 11.6, 3.5}, 240, true},    // outside, looking away
+                            {{16.8, 12.1, 3.6}, 91, true},    // inside, at the open window
                             {{10.004, 11.6, 3.6}, 80, false}, // on the threshold, just inside
                             {{9.996, 11.6, 3.6}, 260, true}}; // just outside
     for (const Stand& stand : stands) {
@@ -104,7 +105,7 @@ TEST_P(CasesWeather, case30_rainAndSmokeAtAnOpenDoorWithTheEyeOnEitherSide) {
     RainyHut hut;
     PictureWorld pictures(hut.source, options(hut.moving));
     std::size_t rainy = 0;
-    for (int step = 0; step <= 20; ++step) { // through the door, to and fro, faster around the sill
+    for (int step = 0; step <= 20; ++step) { // through the door in both directions, faster around the sill
         const double x = 10.0 + 1.6 * std::pow(step / 10.0 - 1.0, 3.0);
         const Vec3 eye(x, 11.4, 3.4);
         const auto root = motion::locate(pictures.world(), hut.at(eye)).space;
@@ -115,14 +116,14 @@ TEST_P(CasesWeather, case30_rainAndSmokeAtAnOpenDoorWithTheEyeOnEitherSide) {
             const Picture both = pictures.expectClean(frame, kCountRain);
             pictures.setDynamics(dynamicsFor(frame, 3.0 + 0.21 * step, 1.0, false));
             const Picture smoke = pictures.expectClean(frame, kCountRain);
-            // A pixel whose ray never gets outside has the smoke's layers and no more.
+            // A pixel whose ray never gets outside has only the layers of the smoke.
             for (std::uint32_t i = 0; i < both.layers.size(); ++i) {
                 const auto traced =
                     pictures.tracer().trace(root, rayThrough(frame, i % frame.width, i / frame.width));
                 rainy += both.layers[i].count > smoke.layers[i].count ? 1 : 0;
                 if (!traced.reachedOutside && root != world::kOutside &&
                     both.layers[i].count != smoke.layers[i].count) {
-                    // Edges of the opening: a neighbour's ray must have got outside.
+                    // Edges of the opening: the ray of a neighbouring pixel must have got outside.
                     bool near = false;
                     for (int k = 0; k < 9; ++k) {
                         near =
@@ -164,7 +165,7 @@ TEST_P(CasesWeather, case23_aChaseCameraPulledThroughTheDoorSeesWhatRaysSeeAndRu
         for (std::size_t i = 0; i < order.size(); ++i)
             EXPECT_EQ(plan.stages[i].kind, order[i]);
         const Picture picture = pictures.expectClean(frame);
-        // The spaces that rays show are seen; and a zone that is visited is one that some ray gets to.
+        // Spaces that rays show are seen, and every visited zone is reached by a ray.
         std::set<world::SpaceIndex> shown;
         std::set<world::ZoneIndex> zones{pictures.world().spaces[space].zone};
         for (std::uint32_t y = 0; y < frame.height; ++y) {

@@ -13,8 +13,8 @@ struct CasesWorlds : ZoneCases {};
 LIMEN_BOTH_ZONINGS(CasesWorlds);
 
 TEST_P(CasesWorlds, case20_equalLowIdsInTwoLandblocksShareNothing) {
-    // Two landblocks side by side, each with a first cell, a first building and a first object of the same low ids, of
-    // different shape and colour.
+    // Two adjacent landblocks, each with a first cell, a first building and a first object of the same low
+    // ids, with different shapes and colours.
     TestWorld world;
     const dat::BlockCoord home = world.home(), north{home.x, home.y + 1};
     world.setFlatTerrain(home, 0);
@@ -39,7 +39,7 @@ TEST_P(CasesWorlds, case20_equalLowIdsInTwoLandblocksShareNothing) {
     world.addStatic(b, pole, frameAt({100, 5, 0}));
     world.addObject(home, stool, frameAt({91, 178, 0}));
     world.addObject(north, pole, frameAt({98.6, 0.5, 0}));
-    world.addObject(north, stool, frameAt({96, 1, 0})); // the same model in both: the mesh may be shared
+    world.addObject(north, stool, frameAt({96, 1, 0})); // the same model in both: its mesh may be shared
     ASSERT_EQ(world.id(a) & 0xFFFF, world.id(b) & 0xFFFF);
     PictureWorld pictures(world, options());
 
@@ -69,7 +69,7 @@ TEST_P(CasesWorlds, case20_equalLowIdsInTwoLandblocksShareNothing) {
     pictures.expectClean(pictures.look({101, 199, 1.6}, 200, 0, pictures.space(world.id(b))));
 }
 
-/// A dungeon of four rooms in a ring in a block of its own, with a landscape and a house in the blocks around it.
+/// A dungeon of four rooms in a ring in a block of its own, surrounded by blocks with landscape and a house.
 struct Dungeon {
     TestWorld world;
     std::vector<TestWorld::Cell> rooms;
@@ -84,7 +84,7 @@ struct Dungeon {
         world.link(b, rectangle({28, 26, -12}, {30, 26, -9.5}), c);
         world.link(c, rectangle({26, 28, -12}, {26, 30, -9.5}), d);
         world.link(d, rectangle({22, 26, -12}, {24, 26, -9.5}), a);
-        (void)world.terrain(world.home()); // all heights are 0, and no building: a pure dungeon
+        (void)world.terrain(world.home()); // all heights are 0 and there is no building: a pure dungeon
         const dat::BlockCoord east{world.home().x + 1, world.home().y};
         world.setFlatTerrain(east, 3);
         TestWorld::CellOptions cell;
@@ -127,7 +127,7 @@ TEST_P(CasesWorlds, case22_aSealedDungeonIsAloneAndDoesNoLandscapeWork) {
     }
 }
 
-/// A house with a window; a lamp beside it outdoors, and one within.
+/// A house with a window, a lamp beside it outdoors, and one inside.
 struct LitHouse {
     TestWorld world;
     TestWorld::Cell room, closet;
@@ -143,7 +143,7 @@ struct LitHouse {
         const std::uint32_t stand = world.addModel(boxExterior({-0.05, -0.05, 0}, {0.05, 0.05, 0.3}, "oak"));
         world.addObject(lamp(stand, 0xFFFF4020), frameAt({97, 88.5, 3}));
         world.addStatic(room, lamp(stand, 0xFF2040FF), frameAt({93, 94.5, 3}));
-        // What is looked at outside: a post before the window.
+        // Target of the views outside: a post before the window.
         world.addObject(world.addModel(boxExterior({-0.5, -0.5, 0}, {0.5, 0.5, 3}, "chalk")),
                         frameAt({93, 86, 2}));
     }
@@ -199,7 +199,7 @@ TEST_P(CasesWorlds, case26_aSurfaceIsLitAlikeWhicheverRootItIsSeenFrom) {
         for (const Vec3& eye : target.eyes) {
             const Seen seen = lookAt(eye, target.point);
             EXPECT_EQ(seen.id, first.id) << "from " << eye.x << ", " << eye.y;
-            for (int c = 0; c < 3; ++c) // fog and rounding of positions are worth a step or two
+            for (int c = 0; c < 3; ++c) // fog and rounding of positions differ by a step or two
                 EXPECT_NEAR(seen.colour[c], first.colour[c], 3) << "from " << eye.x << ", " << eye.y;
         }
         colours.push_back(first.colour);

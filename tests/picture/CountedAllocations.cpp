@@ -1,4 +1,4 @@
-// Replaces the program's allocation functions. Arrays come through these too.
+// Replaces the program's allocation functions. Array forms call these.
 #include "picture/CountedAllocations.h"
 
 #include <atomic>

@@ -4,7 +4,7 @@
 
 namespace limen::test {
 
-/// Heap allocations of this program so far, through `new`. Of test programs that link CountedAllocations.cpp.
+/// Number of heap allocations by `new` so far, in programs that link CountedAllocations.cpp.
 [[nodiscard]] std::size_t allocations();
 
 } // namespace limen::test

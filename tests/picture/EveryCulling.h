@@ -9,7 +9,7 @@
 
 namespace limen::test {
 
-/// Tests of what must not depend on which triangles are left out before they are drawn.
+/// For tests whose result must be the same in every culling mode.
 inline auto everyCulling() {
     return ::testing::Values(gpu::Culling::None, gpu::Culling::Unseen, gpu::Culling::Hidden);
 }

@@ -1,4 +1,4 @@
-// Highlights: an object in another colour, standing still or moving, and nothing else touched.
+// Highlights: a static or dynamic object in another colour, with all other pixels unchanged.
 #include "picture/CaseHelp.h"
 #include "picture/EveryCulling.h"
 #include "support/MovingHut.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kGreen = 0xFF00FF00u; // strength, B, G, R
 
-/// By pixel: the object that shows; 0 for sky and void.
+/// The object at each pixel; 0 for sky and void.
 std::vector<std::uint64_t> objectsOf(const PictureWorld& pictures, const Picture& picture) {
     std::vector<std::uint64_t> objects;
     for (const std::uint32_t id : picture.ids) {
@@ -24,7 +24,7 @@ std::array<std::uint8_t, 3> colourAt(const Picture& picture, std::size_t pixel) 
     return {picture.colour[4 * pixel], picture.colour[4 * pixel + 1], picture.colour[4 * pixel + 2]};
 }
 
-/// With and without triangles left out: draw commands are made either way.
+/// With and without culling, because draw commands are made in both.
 struct Highlight : ::testing::TestWithParam<gpu::Culling> {};
 INSTANTIATE_TEST_SUITE_P(Culling, Highlight, everyCulling(), nameOfCulling);
 
@@ -68,9 +68,9 @@ TEST_P(Highlight, takesSeveralAndMixesByStrength) {
     std::vector<frame::Highlight> highlights;
     for (const std::uint64_t object : objects) {
         highlights.push_back({object, kGreen});
-        highlights.push_back({object, 0x80000000u}); // half black; of two the later counts
+        highlights.push_back({object, 0x80000000u}); // half black; the later of two highlights counts
     }
-    highlights.push_back({12345, kGreen}); // nobody
+    highlights.push_back({12345, kGreen}); // no object has this number
     frame.highlights = highlights;
     const Picture picture = pictures.shoot(frame);
     for (std::size_t i = 0; i < shown.size(); ++i)

@@ -1,5 +1,5 @@
-// Layers of translucent surfaces, counted as they would be drawn, held against the ray rule: panes, and the sprites of
-// emitters that move from moment to moment.
+// Transparent layers, counted as they would be drawn and compared with the ray rule: panes, and emitters'
+// sprites at several times.
 #include "picture/PictureWorld.h"
 #include "reference/Scene.h"
 #include "support/MovingHut.h"
@@ -25,8 +25,8 @@ struct Tally {
     std::string first;
 };
 
-/// Held against the naive tracer, and judged as `limen check` does: a pixel is wrong if no naive ray through the 3 by 3
-/// pixels meets what was counted, and it is neither a sliver nor beyond judging.
+/// Compares with the naive tracer and judges as `limen check` does. A pixel is wrong if no naive ray through
+/// its 3 by 3 neighbourhood has the counted layers, and it is neither a sliver nor exempt.
 void tally(PictureWorld& pictures, const Picture& picture, Tally& tally) {
     const check::Comparison judged = pictures.judge(picture);
     const auto meets = [&](double x, double y) {
@@ -39,10 +39,11 @@ void tally(PictureWorld& pictures, const Picture& picture, Tally& tally) {
             ++tally.pixels;
             tally.withLayers += drawn.count > 0 ? 1 : 0;
             bool right = false;
-            for (int i = 0; i < 9 && !right; ++i) // as ids are judged: the 3 by 3 pixels
+            for (int i = 0; i < 9 && !right; ++i) // like ids: the 3 by 3 pixels
                 right = meets(x + i % 3 - 1.0, y + i / 3 - 1.0) == drawn;
             const check::Verdict verdict = judged.verdicts[y * picture.frame.width + x];
-            // Within one zone a sprite that pokes through a wall may be met beyond it (docs/ray-rule.md); the naive tracer knows no zones.
+            // Within a zone, a sprite that passes through a wall may be hit beyond it (ray-rule.md); the
+            // naive tracer has no zones.
             tally.byZone += !right && verdict == check::Verdict::ByZone ? 1 : 0;
             right = right || verdict == check::Verdict::Sliver || verdict == check::Verdict::Unjudged ||
                     verdict == check::Verdict::ByZone;
@@ -73,7 +74,7 @@ TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
         for (const double doors : {0.0, 0.6}) {
             const Vec3& eye = eyes[step % 5];
             const world::SpaceIndex root = motion::locate(pictures.world(), hut.at(eye)).space;
-            // Towards the lantern's way, so that sprites are in the picture.
+            // Along the lantern's path, so that sprites are visible.
             const frame::FrameView frame = pictures.look(eye, eye.x > 12 ? 270 : 95, -5, root);
             motion::DynamicStateInput input;
             input.seconds = 3.0 + step * 0.83;
@@ -91,7 +92,7 @@ TEST_P(Layers, ofPanesAndMovingSpritesAreThoseThatRaysMeet) {
             EXPECT_EQ(sum.wrong, 0u) << sum.first;
         }
     }
-    EXPECT_GT(sum.withLayers, sum.pixels / 50) << "layers are to be seen";
+    EXPECT_GT(sum.withLayers, sum.pixels / 50) << "layers are visible";
     EXPECT_LE(sum.byZone, GetParam() ? sum.pixels / 1000 : 0u) << "only within one zone, and rarely";
     RecordProperty("pixelsWithLayers", static_cast<int>(sum.withLayers));
 }
@@ -100,7 +101,7 @@ TEST_P(Layers, ofAPaneIsMetBeforeTheBarThatTouchesIt) {
     MovingHut hut;
     const auto plate = hut.source.addModel({{{{0, 0, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 1}}, "glass", true}});
     hut.moving.doors.back().leaves.front().model = plate;
-    // A bar whose face towards the room lies a tenth of a millimetre before the pane.
+    // A bar whose face towards the room is 0.1 mm before the pane.
     hut.source.addStatic(hut.rear,
                          hut.source.addModel(boxExterior({-0.0001, 0, 0}, {-0.00005, 0.3, 0.8}, "oak")),
                          frameAt({18, 12, 3.1}));

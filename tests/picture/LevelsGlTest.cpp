@@ -1,4 +1,5 @@
-// Levels of detail: what stands still and what moves, opaque and translucent, changes at its distance, drawn and traced alike.
+// Levels of detail: static and dynamic, opaque and transparent instances change at their distances, drawn and
+// traced alike.
 #include "picture/CaseHelp.h"
 #include "picture/EveryCulling.h"
 #include "support/MovingHut.h"
@@ -10,7 +11,8 @@ namespace {
 
 constexpr double kNear = 12.0, kFar = 30.0; // metres
 
-/// A meadow with a box of stone, a box of glass and a villager, each of which is a smaller one from kNear on and gone from kFar on.
+/// A meadow with a stone box, a glass box and a villager. Each is replaced by a smaller one from kNear on and
+/// absent from kFar on.
 struct LevelsGl : ::testing::TestWithParam<gpu::Culling> {
     TestWorld source;
     world::MovingEntries moving;
@@ -39,7 +41,7 @@ struct LevelsGl : ::testing::TestWithParam<gpu::Culling> {
         moving.villagers.push_back({"anna", "lane", coat, 1.0, 0.0, {}, {}});
     }
 
-    /// The eye `metres` south of what stands still, at its foot's height and a little.
+    /// The eye `metres` south of the static boxes, slightly above their base.
     [[nodiscard]] static Vec3 southOf(const Vec3& place, double metres) {
         return place + Vec3(0, -metres, 0.7);
     }
@@ -79,12 +81,12 @@ TEST_P(LevelsGl, ofGlassCountAsLayers) {
     EXPECT_EQ(layers[2], 0u);
 }
 
-// Limits are met in whole sixteenths of a metre: a float more or less must not show another thing.
+// Limits are whole sixteenths of a metre, so that float rounding cannot change the level.
 TEST_P(LevelsGl, areTheSameDrawnAndTracedWithinARoundingOfTheirLimits) {
     PictureWorld pictures(source, {.moving = moving, .culling = GetParam()});
     std::size_t near = 0, far = 0;
     for (int i = 0; i < 60; ++i) {
-        // Eyes on a sphere around the stone, and a hair to either side of steps.
+        // Eyes on a sphere around the stone, and slightly to both sides of the steps.
         const double turn = 0.02 * i, hair = (i % 3 - 1) * 1e-9;
         Vec3 eye = stoneAt + kNear * Vec3(-std::sin(turn), -std::cos(turn), 0.0) + Vec3(hair, hair, 0.5);
         if (i % 2 == 1) // onto a step's edge

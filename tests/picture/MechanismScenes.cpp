@@ -6,7 +6,7 @@
 namespace limen::test {
 namespace {
 
-/// Two houses on a meadow, one behind the other: each one room with a door, and a window in line with it.
+/// Two houses on a meadow, one behind the other, each with one room, a door, and a window in line with it.
 NamedView twoHouses() {
     NamedView view;
     view.world.setFlatTerrain(view.world.home(), 0);
@@ -60,7 +60,7 @@ NamedView hallBesideAWindow() {
     TestWorld& world = view.world;
     const auto room = world.addBox({0, 0, 0}, {8, 4, 3}, "brown");
     const auto hall = world.addBox({0, 4, 0}, {20, 8, 3}, "blue");
-    const auto closet = world.addBox({4, 4, 0}, {8, 6, 3}, "red"); // stands where the hall is
+    const auto closet = world.addBox({4, 4, 0}, {8, 6, 3}, "red"); // at the hall's position
     const auto beyond = world.addBox({0, 8, 0}, {20, 12, 3}, "green");
     world.link(room, rectangle({5, 4, 0.5}, {7, 4, 2.5}), closet);
     world.link(room, rectangle({1, 4, 0.5}, {3, 4, 2.5}), hall);
@@ -161,7 +161,7 @@ NamedView boardThroughAShutDoor() {
     const auto other = world.openOutside(next, rectangle({94.1, 84, 0.5}, {96, 84, 2}));
     world.addBuilding(boxExterior({90, 80, 0}, {98, 84, 3}), {window, other});
     world.addStatic(next, world.addModel(boxExterior({-0.00015, -0.5, -0.9}, {0.1, 1.9, 0.9}, "red")),
-                    frameAt({94, 82, 1.2})); // by both windows it belongs to the first room, too
+                    frameAt({94, 82, 1.2})); // also a member of the first room, through both windows
     view.moving.doors.push_back({"door", world.id(room), 0, true, 0.0, {}});
     view.doors = 0.0;
     view.root = room;
@@ -213,7 +213,8 @@ NamedView eavesBehindAnEdge() {
     world.addStatic(hall, world.addModel({front, eaves}), frameAt({50, 60, 9}));
     view.root = hall;
     view.eye = {50, 10, 4};
-    // The edge, 50 m away and 5 m up, passes through the middles of a row of pixels, 4.5 above the middle of the picture.
+    // The edge, 50 m away and 5 m up, passes through the centres of a row of pixels, 4.5 above the middle of
+    // the picture.
     const double perPixel = std::tan(glm::radians(view.fov / 2)) / (view.height / 2.0);
     view.pitch = glm::degrees(std::atan(5.0 / 50.0) - std::atan(4.5 * perPixel));
     return view;
@@ -223,7 +224,7 @@ NamedView landingsInAShaft() {
     NamedView view;
     TestWorld& world = view.world;
     const auto shaft = world.addBox({0, 40, 0}, {12, 60, 30}, "grey");
-    for (int i = 0; i < 6; ++i) { // each ends at the same diagonal, by corners of its own
+    for (int i = 0; i < 6; ++i) { // each ends at the same diagonal, with corners of its own
         const double one = 1.703125 + 0.359375 * i, other = 2.296875 + 0.203125 * i,
                      z = 19.71875 - 1.640625 * i;
         world.walls(shaft).push_back({{{5 - one, 50 + one, z}, {5 + other, 50 - other, z}, {11, 56, z}},
@@ -242,7 +243,7 @@ NamedView stepFromAbove() {
     TestWorld& world = view.world;
     constexpr double kStep = 8.71875, kTop = 40.0; // metres
     const Vec3 along(0.8, -0.6, 0), across(0.6, 0.8, 0), middle(10, 50, 0);
-    // Seen from above: the corners of the hall, and of them the ends of the step.
+    // From above: the corners of the hall, with the ends of the step among them.
     const Vec3 west = middle - along * 31.7, east = middle + along * 29.3, south = middle - across * 40.0,
                north = middle + across * 40.0;
     const Vec3 up(0, 0, kStep), top(0, 0, kTop);
@@ -255,7 +256,7 @@ NamedView stepFromAbove() {
                       {{west + up, west, north, north + top, west + top}, "grey"},
                       {{north, east, east + up, east + top, north + top}, "grey"}};
     view.root = world.addCell(walls);
-    // Behind the riser, by so little that floats do not tell the edges it lies between apart.
+    // Behind the riser, by less than floats can resolve between the edges on both sides.
     view.eye = middle - along * 4.0979 - across * 1.51e-6 + Vec3(0, 0, 27.9495);
     view.yaw = glm::degrees(std::atan2(along.x, along.y)) - 45.0;
     view.pitch = -90.0;

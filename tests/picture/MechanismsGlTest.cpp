@@ -1,5 +1,5 @@
-// Every part of the method is needed: with all of them a named view is right to the pixel, and with one left out so many
-// pixels are wrong (docs/proof.md). The counts are those of the stock driver; others must find some.
+// Every part of the method is needed. With all parts a named view is right to the pixel. Without one, a known
+// number of pixels is wrong (docs/proof.md). The numbers hold for the stock driver; others must find some.
 #include "picture/MechanismScenes.h"
 #include "picture/PictureWorld.h"
 
@@ -8,7 +8,7 @@
 namespace limen::test {
 namespace {
 
-/// What is left out.
+/// The omitted part.
 struct Off {
     PictureOptions options;
     frame::Rules frame;
@@ -47,7 +47,7 @@ Judged judge(NamedView view, const Off& off) {
     return {pictures.judge(pictures.shoot(frame)).findings(), stock};
 }
 
-/// What concerns the rasteriser's snapping shows only where it decides what pixels are covered.
+/// The effect of snapping is visible only where the rasteriser decides coverage.
 Off withoutExactOutlines() {
     Off off;
     off.options.exactOutlines = false;
@@ -55,7 +55,7 @@ Off withoutExactOutlines() {
 }
 
 void expectNeeded(NamedView (*view)(), const Off& off, std::uint64_t wrongWithout, const Off& on = {}) {
-    EXPECT_EQ(judge(view(), on).wrong, 0u) << "with everything in place";
+    EXPECT_EQ(judge(view(), on).wrong, 0u) << "with every part";
     const Judged without = judge(view(), off);
     ::testing::Test::RecordProperty("wrong_pixels", std::to_string(without.wrong));
     if (without.stockDriver)
@@ -143,7 +143,7 @@ TEST(Mechanisms, exactOutlines) {
 }
 
 TEST(Mechanisms, depthInwards) {
-    // The edge lies where pixels have their centres, and is to be met.
+    // Pixel centres are on the edge, which must be hit.
     const Off on = withoutShaderPart("LIMEN_WITHOUT_BESIDE");
     Off off = on;
     off.options.shaderDefines.emplace_back("LIMEN_WITHOUT_DEPTH_INWARDS");
@@ -151,7 +151,7 @@ TEST(Mechanisms, depthInwards) {
 }
 
 TEST(Mechanisms, fringe) {
-    // The edges lie where pixels have their centres, as above.
+    // Pixel centres are on the edges, as above.
     const Off on = withoutShaderPart("LIMEN_WITHOUT_BESIDE");
     Off off = on;
     off.options.shaderDefines.emplace_back("LIMEN_WITHOUT_FRINGE");

@@ -1,4 +1,4 @@
-// Multisampled frames shaded flat by id, held against rays traced through every sample (docs/testing.md).
+// Multisampled frames shaded flat by id, compared with rays traced through every sample (docs/testing.md).
 #include "picture/PictureWorld.h"
 
 #include "motion/Locate.h"
@@ -14,7 +14,7 @@ struct Multisample : ::testing::TestWithParam<bool> {
 INSTANTIATE_TEST_SUITE_P(Zones, Multisample, ::testing::Bool(),
                          [](const auto& zones) { return zones.param ? "merged" : "apart"; });
 
-/// Two houses of which each has a door and a window, with a yard between them, and someone in a doorway.
+/// Two houses, each with a door and a window, a yard between them, and a person in a doorway.
 struct Yard {
     TestWorld world;
     TestWorld::Cell south = world.addBox({90, 80, 0}, {96, 86, 3}, "brown");

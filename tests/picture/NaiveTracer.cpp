@@ -12,11 +12,11 @@ namespace limen::test {
 
 namespace {
 
-/// Metres: an eye this near to a portal's plane is in it, and a surface this near is met from both sides.
+/// Metres. An eye this near to a portal's plane is in it, and a surface this near is hit from both sides.
 constexpr double kTolerance = 0.0002;
 
-/// Triangles are closed sets: a ray along an edge that two of them share must not slip between by rounding. In
-/// barycentric coordinates, where doubles round at 10⁻¹⁵ times the distance over the triangle's size.
+/// Triangles are closed sets: a ray along a shared edge must not pass between two of them by rounding. In
+/// barycentric coordinates, where doubles round at 10⁻¹⁵ times distance over triangle size.
 constexpr double kEdge = 1e-9;
 
 } // namespace
@@ -59,7 +59,7 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
 
 bool NaiveTracer::isInLevelRange(const Body& body, const Vec3& eye) {
     const Vec3 steps = glm::floor(body.origin * 16.0) - glm::floor(eye * 16.0);
-    const double away = glm::dot(steps, steps); // whole, and exact
+    const double away = glm::dot(steps, steps); // complete and exact
     const double beyond = body.reach.beyond, upTo = body.reach.upTo;
     return (beyond == 0.0 || away > beyond * beyond) &&
            (body.reach.upTo == world::LevelRange::kEndless || away <= upTo * upTo);
@@ -167,7 +167,7 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
                 double v = 0.0, w = 0.0;
                 const Triangle& triangle = triangles_[i];
                 double t = triangle.blended ? meets(triangle, ray, v, w) : 0.0;
-                if (triangle.blended && body.filling) { // met before what else lies in the plane
+                if (triangle.blended && body.filling) { // hit before other surfaces in the plane
                     const Vec3 normal = glm::normalize(glm::cross(triangle.ab, triangle.ac));
                     t -= kTolerance / std::abs(glm::dot(normal, ray.direction));
                 }
@@ -192,7 +192,7 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
             continue;
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         const double side = portal.plane.signedDistance(ray.eye);
-        double before = 0.00001; // what floats make of corners, and how far they are off the plane
+        double before = 0.00001; // float rounding of corners, and their distance to the plane
         for (const auto& corners : {polygon, world::cornersOf(world_, portal)})
             for (const Vec3& corner : corners)
                 before = std::max(before, 0.00001 + std::abs(portal.plane.signedDistance(corner)));

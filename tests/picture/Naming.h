@@ -10,7 +10,7 @@
 
 namespace limen::test {
 
-/// The ray through a pixel centre; pixels beyond the border are fine.
+/// The ray through a pixel centre; pixels beyond the border are allowed.
 [[nodiscard]] NaiveTracer::Ray rayThrough(const frame::FrameView& frame, double x, double y);
 
 /// The instance that shows as `id`, or kNone for void and sky.

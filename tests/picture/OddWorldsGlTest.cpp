@@ -1,5 +1,5 @@
-// Worlds that others may write: no landscape, the last block of the map, portals of every make. Drawn and
-// held against the ray rule; two of them against ids stated by hand.
+// Worlds as other authors may write them: no landscape, the last block of the map, portals of every kind.
+// Drawn and compared with the ray rule; two of them also with ids stated by hand.
 #include "picture/PictureWorld.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,7 @@ TEST(OddWorlds, anInexactPairIsOpenWhereBothPolygonsAre) {
     const world::SpaceIndex root = pictures.space(world.id(a));
     const frame::FrameView frame = pictures.look({2, 1, 1.5}, 0, 0, root);
     const Picture picture = pictures.shoot(frame);
-    ASSERT_EQ(picture.visible.visits.size(), 3u) << "the hole, and the part that is open";
+    ASSERT_EQ(picture.visible.visits.size(), 3u) << "the hole and the open part";
     // Seen from 3 m before the wall: open from 0.5 m left of the eye to 0.5 m right, from 1 m below it to 0.5
     // m above.
     std::size_t seen = 0;
@@ -104,7 +104,8 @@ TEST(OddWorlds, anInexactPairIsOpenWhereBothPolygonsAre) {
     EXPECT_EQ(pictures.judge(picture).findings(), 0u);
 }
 
-/// A corner of two rooms, one zone when merged: what lies past the holes of the first one's north wall is the second.
+/// A corner of two rooms, one zone when merged. The second room is behind the holes of the first one's north
+/// wall.
 struct RoundTheCorner {
     TestWorld world;
     TestWorld::Cell first = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");
@@ -163,8 +164,8 @@ TEST(OddWorlds, aOneWayPortalLeadsThroughAndNotBack) {
 
 TEST(OddWorlds, aWholePictureOfTwoRoomsStatedByHand) {
     // Looking north from the middle of a room 8 m wide and high, 4 m before its far wall, 90 degrees, 8×8
-    // pixels: each pixel is 1 m of that wall. The opening in it is the middle 4×4 m; behind it, 4 m farther,
-    // the next room's far wall.
+    // pixels: each pixel is 1 m of that wall. Its opening is the middle 4×4 m. The next room's far wall is 4
+    // m behind it.
     for (const bool merge : {false, true}) {
         TestWorld world;
         const auto a = world.addBox({0, 0, 0}, {8, 8, 8}, "brown");
@@ -190,7 +191,7 @@ TEST(OddWorlds, aWholePictureOfTwoRoomsStatedByHand) {
 }
 
 TEST(OddWorlds, aWholePictureOfGroundAndSkyStatedByHand) {
-    // Level gaze over flat ground, eye 10 m above it: sky above the middle, ground below.
+    // Level view over flat ground, eye 10 m above it: sky above the middle, ground below.
     TestWorld world;
     world.setFlatTerrain(world.home(), 0);
     PictureWorld pictures(world, {true, 0});

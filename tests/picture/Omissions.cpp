@@ -5,7 +5,8 @@
 namespace limen::test {
 namespace {
 
-/// Lists the instances by the spaces they are members of. Yields where each space's run begins, and the end of all.
+/// Lists the instances by the spaces they are members of. Yields the beginning of each space's run, and the
+/// end of all.
 template <class IsListed>
 std::vector<std::uint32_t> listBySpace(std::size_t spaceCount, const std::vector<world::Instance>& instances,
                                        const std::vector<world::SpaceIndex>& members, IsListed isListed,
@@ -33,7 +34,7 @@ void leaveOneMember(world::Instance& instance) {
 world::World withoutMembership(const world::World& world) {
     world::World less = world;
     std::vector<bool> listed(world.instances.size(),
-                             false); // those that depend on a door are in no static list
+                             false); // instances that depend on a door are in no static list
     for (const world::InstanceIndex i : world.spaceInstances)
         listed[i] = true;
     for (world::Instance& instance : less.instances)
@@ -57,7 +58,7 @@ world::DynamicState without(const Omissions& omissions, const world::World& worl
     if (omissions.fillings) {
         less.closed.clear();
         less.fillings.clear();
-        for (world::Instance& instance : less.instances) // which are then in no space
+        for (world::Instance& instance : less.instances) // which then belong to no space
             if (instance.kind == world::InstanceKind::Filling)
                 instance.memberCount = 0;
     }

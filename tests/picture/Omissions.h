@@ -5,17 +5,17 @@
 
 namespace limen::test {
 
-/// Mechanisms that live in the loaded data and not in the drawing: tests leave one out of what is drawn, while the
-/// reference keeps the whole (docs/proof.md).
+/// Mechanisms in the loaded data rather than in the drawing. Tests omit one from the drawn world, while the
+/// reference keeps all (docs/proof.md).
 struct Omissions {
-    bool membership = false; ///< objects are members of no space but the one they are placed in
-    bool fillings = false;   ///< shut openings are drawn open, without what fills them
+    bool membership = false; ///< objects are members only of the space they are placed in
+    bool fillings = false;   ///< closed openings are drawn open, without their fillings
 };
 
-/// The world with every instance a member of the space it is placed in, alone.
+/// The world with every instance a member only of the space it is placed in.
 [[nodiscard]] world::World withoutMembership(const world::World& world);
 
-/// The moment less what is omitted; instances keep their numbers. `world` is the one that it is a moment of.
+/// The dynamic state without the omitted part; instances keep their numbers. `world` is its world.
 [[nodiscard]] world::DynamicState without(const Omissions& omissions, const world::World& world,
                                           const world::DynamicState& dynamics);
 

@@ -1,5 +1,6 @@
-// What exact outlines paint is what the rasteriser by itself paints, but for pixels at edges: ids and depths are held against rays,
-// colours are not. In the built-in world, from its places, and from eyes that stand where corners of the ground lie at no depth.
+// Colours with exact outlines equal the rasteriser's own, except at edges. Ids and depths are compared with
+// rays elsewhere, colours only here. In the built-in world, from its places, and from eyes at which corners
+// of the ground have no depth.
 #include "picture/PictureWorld.h"
 #include "support/TemporaryDirectory.h"
 
@@ -13,14 +14,14 @@
 namespace limen::test {
 namespace {
 
-/// Of two colours that paint the same, a channel apart at most; 0..255.
+/// Equal colours: at most 1 of 255 apart in each channel.
 constexpr int kNear = 12;
 
 struct Counts {
     std::size_t pixels = 0, unlike = 0;
 };
 
-/// All around, in both pictures, shows the same.
+/// Both pictures show the same in the pixel's neighbourhood.
 bool isWithin(const Picture& a, const Picture& b, std::uint32_t x, std::uint32_t y) {
     const std::uint32_t id = a.id(x, y);
     for (std::uint32_t v = y - 1; v <= y + 1; ++v) {
@@ -60,7 +61,7 @@ struct Painted : ::testing::Test {
         options.exactOutlines = false;
         plain = std::make_unique<PictureWorld>(directory.path(), home, options);
     }
-    /// How much of it is painted otherwise, of what is no edge.
+    /// Share of the pixels away from edges that have another colour.
     double shareUnlike(const Vec3& eye, double yaw, double pitch) {
         const world::SpaceIndex root = motion::locate(exact->world(), eye).space;
         const auto frame = frame::makeView(eye, yaw, pitch, 75.0, 120, 80, root);

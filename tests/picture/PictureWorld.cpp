@@ -2,11 +2,13 @@
 
 #include "check/SampledComparison.h"
 #include "frame/IdColour.h"
-#include "gpu/CheckedDevice.h"
-#include "gpu/DebugOutput.h"
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
-#include "gpu/NullDevice.h"
+#include "frame/SceneBuilder.h"
+#include "frame/WorldGraph.h"
+#include "gpu/Renderer.h"
+#include "gpu/device/CheckedDevice.h"
+#include "gpu/device/DebugOutput.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 #include "world/Loader.h"
 
 #include <algorithm>

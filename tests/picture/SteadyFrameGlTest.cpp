@@ -1,9 +1,9 @@
-// As SteadyFrameTest.cpp, down to the driver's door.
+// Like SteadyFrameTest.cpp, up to the driver.
 #include "picture/CountedAllocations.h"
 #include "picture/SteadyWalk.h"
 
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(SteadyFrameGl, allocatesNothing) {
     const std::size_t before = allocations();
     walk.go(tour.way);
     EXPECT_EQ(allocations(), before);
-    EXPECT_GT(walk.frames(), 20u) << "the way is as long as it was";
+    EXPECT_GT(walk.frames(), 20u) << "the path has the same length";
     EXPECT_GT(walk.inside(), 8u);
 }
 

@@ -1,9 +1,9 @@
-// A steady frame allocates nothing on the heap: counted over a warm path.
+// A steady frame allocates nothing on the heap. Counted over a warm path.
 #include "picture/CountedAllocations.h"
 #include "picture/PictureWorld.h"
 #include "picture/SteadyWalk.h"
 
-#include "gpu/NullDevice.h"
+#include "gpu/device/NullDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(SteadyFrame, allocatesNothingFromTheMomentToTheDriver) {
     const std::size_t before = allocations();
     walk.go(tour.way);
     EXPECT_EQ(allocations(), before);
-    EXPECT_GT(walk.frames(), 400u) << "the way is as long as it was";
+    EXPECT_GT(walk.frames(), 400u) << "the path has the same length";
     EXPECT_GT(walk.inside(), 100u);
 }
 

@@ -16,7 +16,7 @@ struct EffectsHut {
                                               {{TestWorld::kItself, 2, 0, 0, 500}});
     std::uint32_t post = hut.source.addModel(boxExterior({-0.1, -0.1, 0}, {0.1, 0.1, 1}, "oak"));
 
-    /// One that sends out still, opaque sparks, one each half second, four at most, each for two seconds.
+    /// An emitter of static opaque sparks: one each half second, four at most, each for two seconds.
     static dat::ParticleEmitter emitter(std::uint32_t gfxObj) {
         dat::ParticleEmitter record;
         record.gfxObj = gfxObj;

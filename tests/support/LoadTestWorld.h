@@ -11,7 +11,7 @@
 // Header-only, for tests that link limen::world.
 namespace limen::test {
 
-/// A new directory that is removed with everything in it.
+/// A new directory, removed with its content.
 class TempDir {
 public:
     TempDir() {
@@ -31,7 +31,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// Writes the world to files and loads the blocks around its home. A failure fails the test and gives an
+/// Writes the world to files and loads the blocks around its home. A failure fails the test and yields an
 /// empty world.
 [[nodiscard]] inline world::World loadTestWorld(TestWorld& source, const world::LoadOptions& options = {},
                                                 const world::MovingEntries& moving = {}) {
@@ -56,7 +56,7 @@ private:
     return local + Vec3(source.home().x * world::kBlockSize, source.home().y * world::kBlockSize, 0.0);
 }
 
-/// All findings as text, one a line: for failure messages and for looking something up.
+/// All findings as text, one per line, for failure messages and searches.
 [[nodiscard]] inline std::string findingsOf(const world::World& world) {
     std::string text;
     for (const world::Finding& finding : world.findings) {

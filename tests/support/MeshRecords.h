@@ -8,12 +8,12 @@
 namespace limen::test {
 
 /// Collects flat polygons as a record stores them. Every corner gets a vertex of its own, with its polygon's
-/// normal and texture coordinates of one repeat a metre.
+/// normal and texture coordinates of one repeat per metre.
 struct MeshRecords {
     dat::VertexArray vertices;
     dat::PolygonList polygons;
 
-    /// Yields the id: the position in `polygons`. `surface` -1 draws nothing.
+    /// Yields the id, an index into `polygons`. A `surface` of -1 draws nothing.
     std::uint16_t add(std::span<const Vec3> points, std::int16_t surface, bool twoSided);
 };
 
@@ -23,7 +23,7 @@ struct MeshRecords {
 /// The cell tree of a convex cell: a chain of planes, all seen from inside.
 [[nodiscard]] dat::BspTree chainTree(std::span<const Plane> planes);
 
-/// Gives each surface name a slot; names resolve through `idOf`.
+/// Assigns each surface name a slot; `idOf` resolves names.
 class SurfaceSlots {
 public:
     explicit SurfaceSlots(std::function<std::uint32_t(const std::string&)> idOf) : idOf_(std::move(idOf)) {}

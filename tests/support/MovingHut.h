@@ -4,15 +4,16 @@
 
 namespace limen::test {
 
-/// A hut of two rooms on a flat meadow, with things that move: an opaque front door (room 1 to the outside), an opaque door
-/// between the rooms, a pane in the rear window (room 2 to the outside), a villager who walks from the meadow through both
-/// doors, a player who looks like the villager, one emitter in the meadow and one that the villager carries. Positions are block-local.
+/// A hut of two rooms on a flat meadow, with dynamic objects: an opaque front door (room 1 to the outside),
+/// an opaque door between the rooms, a pane in the rear window (room 2 to the outside), a villager walking
+/// from the meadow through both doors, a player with the same model, one emitter in the meadow and one
+/// carried by the villager. Positions are block-local.
 ///
-///            y
-///   14 +---------+---------+
-///      | front   D  rear   P      D, d: doors, P: pane; d lies in the wall x = 10
-///   10 d---------+---------+
-///      10        14        18   x
+///           y
+///  14 +---------+---------+
+///     | front   D  rear   P      D, d: doors, P: pane; d is in the wall x = 10
+///  10 d---------+---------+
+///     10        14        18   x
 struct MovingHut {
     TestWorld source;
     TestWorld::Cell front = source.addBox({10, 10, 2}, {14, 14, 5}, "blue"),
@@ -27,12 +28,13 @@ struct MovingHut {
         window = source.openOutside(rear, rectangle({18, 11, 3}, {18, 13, 4}));
         source.addBuilding(boxExterior({10, 10, 2}, {18, 14, 5.2}), {frontDoor, window});
         source.setFlatTerrain(source.home(), 1);
-        // A leaf hangs from its origin along +y (closed in the plane x = const), a metre wide, two high, 6 cm thick.
+        // A door leaf extends from its origin along +y (closed in the plane x = const), 1 m wide, 2 m high, 6
+        // cm thick.
         source.solid("glass", 0xFF80A0C0u, 0x10, 0.6f);
         leaf = source.addModel(boxExterior({-0.03, 0, 0}, {0.03, 1, 2}, "wood"));
         pane = source.addModel(boxExterior({-0.01, 0, 0}, {0.01, 2, 1}, "glass"));
         body = source.addModel(boxExterior({-0.25, -0.2, 0}, {0.25, 0.2, 1.75}, "coat"));
-        // A table in the rear room that pokes through the inner door.
+        // A table in the rear room that extends through the inner door.
         table = source.addModel(boxExterior({-1, -0.2, 0}, {1, 0.2, 0.8}, "oak"));
         source.addStatic(rear, table, frameAt({14.5, 11.5, 2}));
         moving.doors.push_back(

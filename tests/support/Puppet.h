@@ -7,8 +7,8 @@ namespace limen::test {
 inline constexpr std::uint32_t kPuppetStyle = 0x8000003D, kPuppetStands = 0x41000003,
                                kPuppetWalks = 0x45000005, kPuppetRuns = 0x44000007;
 
-/// A moving hut whose villager is a Setup of two parts, a trunk and a leg that hangs from its joint, with motions to be filled in:
-/// `setup` and `table` are written as they are when it is loaded.
+/// A moving hut whose villager is a Setup of two parts, a trunk and a leg that hangs from its joint, without
+/// motions. Tests fill in `setup` and `table`, which are written when it is loaded.
 struct Puppet {
     MovingHut hut;
     dat::Setup setup;
@@ -27,7 +27,7 @@ struct Puppet {
         table.styleDefaults = {{kPuppetStyle, kPuppetStands}};
     }
 
-    /// Gives it other parts; more than the two rest at the body's origin.
+    /// Replaces its parts; from the third on, parts rest at the body's origin.
     void setParts(std::vector<std::uint32_t> parts) {
         setup.placementFrames.front().second.parts.resize(parts.size(), frameAt({0, 0, 0}));
         setup.parts = std::move(parts);
@@ -42,7 +42,7 @@ struct Puppet {
         hut.source.portalFile().add(animation);
         return animation.id;
     }
-    /// One of `count` frames, in the k-th of which the leg's joint is k/10 m ahead.
+    /// An animation of `count` frames; in frame k the leg's joint is k/10 m ahead.
     std::uint32_t sliding(int count) {
         std::vector<std::vector<dat::Frame>> frames;
         for (int k = 0; k < count; ++k)
@@ -68,7 +68,7 @@ private:
     std::uint32_t nextAnimation_ = 0x03000001;
 };
 
-/// Turned about +x by degrees: what hangs swings forward.
+/// Turned about +x, in degrees: the hanging leg swings forward.
 [[nodiscard]] inline dat::Frame swungAt(const Vec3& origin, double degrees) {
     const double half = degrees * 3.14159265358979323846 / 360.0;
     return {Vec3f(origin),

@@ -8,7 +8,7 @@
 // Header-only, for tests that link limen::world.
 namespace limen::test {
 
-/// Names of the arrays in which two worlds differ; empty if they are the same. Of the sky, its parts.
+/// Names of the arrays in which two worlds differ, and of the differing parts of the sky; empty if equal.
 [[nodiscard]] inline std::string differenceOf(const world::World& a, const world::World& b) {
     std::string names;
     const auto compare = [&](const char* name, bool isSame) {

@@ -9,7 +9,7 @@
 
 namespace limen::test {
 
-/// A directory of its own for one test, removed with all it holds.
+/// A directory for one test, removed with its content.
 class TemporaryDirectory {
 public:
     TemporaryDirectory() {
@@ -26,7 +26,7 @@ public:
     TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    /// How many files and directories lie in it.
+    /// Number of files and directories in it.
     [[nodiscard]] std::size_t entryCount() const {
         return static_cast<std::size_t>(
             std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator()));

@@ -58,7 +58,7 @@ bool coplanar(const Wall& wall, std::span<const Vec3> opening) {
                        [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) < 1e-3; });
 }
 
-/// What remains of one wall: clipped away edge by edge, the last rest being the opening itself.
+/// The remainder of one wall: clipped edge by edge; the last part is the opening itself.
 void subtract(const Wall& wall, std::span<const Vec3> opening, Walls& out) {
     const Vec3 normal = planeOf(wall.points).n;
     const double turn = glm::dot(newellNormal(opening), normal) > 0.0 ? 1.0 : -1.0;

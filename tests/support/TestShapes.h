@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-// Walls, boxes and openings for worlds that tests build. Units: metres; any one frame.
+// Walls, boxes and openings for worlds that tests build. Units: metres, in any one frame.
 namespace limen::test {
 
-/// A flat convex polygon, counter-clockwise seen from the side that shows.
+/// A flat convex polygon, counter-clockwise seen from its visible side.
 struct Wall {
     std::vector<Vec3> points;
     std::string surface = "grey"; ///< name given to TestWorld::solid or ::picture; "" draws nothing
@@ -18,13 +18,13 @@ struct Wall {
 };
 using Walls = std::vector<Wall>;
 
-/// Positions in what boxWalls returns.
+/// Indices into the result of boxWalls.
 enum BoxWall { kFloor, kCeiling, kSouth, kNorth, kWest, kEast };
 
 /// The six walls of a box, seen from inside, in the order of BoxWall.
 [[nodiscard]] Walls boxWalls(const Vec3& min, const Vec3& max, const std::string& surface = "grey");
 
-/// The same walls seen from the other side: boxWalls turned into a solid block.
+/// The same walls seen from the other side: a solid block.
 [[nodiscard]] Walls insideOut(Walls walls);
 
 /// An axis-aligned rectangle from two opposite corners that agree in exactly one coordinate.
@@ -34,8 +34,8 @@ enum BoxWall { kFloor, kCeiling, kSouth, kNorth, kWest, kEast };
 [[nodiscard]] std::vector<Vec3> regularPolygon(const Vec3& centre, const Vec3& normal, double radius,
                                                int count);
 
-/// Cuts a convex opening out of every wall that lies in its plane (within 1 mm). The pieces meet at
-/// T-junctions, as an artist's do. Yields the normal of a wall that was cut, zero if none was.
+/// Cuts a convex opening out of every wall in its plane (within 1 mm). The pieces meet at T-junctions, as in
+/// artists' models. Yields the normal of a wall that was cut, zero if none was.
 Vec3 cutOpening(Walls& walls, std::span<const Vec3> opening);
 
 } // namespace limen::test

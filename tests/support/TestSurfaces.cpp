@@ -1,6 +1,6 @@
 #include "support/TestWorld.h"
 
-// The part of TestWorld that makes surfaces, textures and the Region.
+// Surfaces, textures and the Region of TestWorld.
 namespace limen::test {
 
 dat::RenderSurface solidImage(std::int32_t width, std::int32_t height, std::uint32_t argb) {

@@ -224,7 +224,7 @@ dat::CellStruct TestWorld::cellStruct(CellData& cell) {
     dat::CellStruct shape;
     for (std::size_t i = 0; i < cell.portals.size(); ++i) {
         const std::vector<Vec3> local = toLocal(cell.record.position, cell.portals[i]);
-        // The polygon has a surface, as some of the game's have: it must not be drawn all the same.
+        // The polygon has a surface, as some of the game's have. It must not be drawn.
         shape.portalPolygons.push_back(mesh.add(local, 0, false));
     }
     for (const Wall& wall : cell.walls) {

@@ -8,37 +8,38 @@
 
 namespace limen::test {
 
-/// Builds small worlds as dat records: convex cells with openings, linked any way, buildings, terrain,
+/// Builds small worlds as dat records: convex cells with openings, linked in any way, buildings, terrain,
 /// objects.
 ///
-///     TestWorld world;
-///     auto a = world.addBox({0, 0, 0}, {4, 4, 3});
-///     auto b = world.addBox({4, 0, 0}, {8, 4, 3}, "red");
-///     world.link(a, rectangle({4, 1, 0}, {4, 2, 2}), b);            // cuts the door out of both walls
-///     auto door = world.openOutside(a, rectangle({0, 1, 0}, {0, 2, 2}));
-///     world.addBuilding(boxExterior({-0.2, -0.2, 0}, {8.2, 4.2, 3.2}), {door});
-///     world.setFlatTerrain(world.home(), 0);
-///     world.write(directory);
+///    TestWorld world;
+///    auto a = world.addBox({0, 0, 0}, {4, 4, 3});
+///    auto b = world.addBox({4, 0, 0}, {8, 4, 3}, "red");
+///    world.link(a, rectangle({4, 1, 0}, {4, 2, 2}), b);            // cuts the door out of both walls
+///    auto door = world.openOutside(a, rectangle({0, 1, 0}, {0, 2, 2}));
+///    world.addBuilding(boxExterior({-0.2, -0.2, 0}, {8.2, 4.2, 3.2}), {door});
+///    world.setFlatTerrain(world.home(), 0);
+///    world.write(directory);
 ///
-/// What is drawn is what bodies bump into, openings apart. All positions are block-local metres of the cell's (building's, object's) own block, `home()` unless said
-/// otherwise. Cells get the ids 0x0100, 0x0101, ... of their block in the order they are added.
+/// Collision shapes equal the drawn shapes, apart from openings. Positions are block-local metres of the
+/// object's own block, `home()` by default. Cells get the ids 0x0100, 0x0101, ... of their block, in order of
+/// creation.
 class TestWorld {
 public:
     using Cell = std::size_t; ///< handle
 
     struct CellOptions {
         std::optional<dat::BlockCoord> block; ///< home() if not given
-        dat::Frame frame; ///< where the record places the cell; its vertices are stored relative to it
+        dat::Frame frame; ///< position of the cell in its record; its vertices are relative to it
         bool seenOutside = false;
-        bool bsp = true; ///< write the cell BSP, one plane a wall: right for convex cells only
-        std::optional<dat::BspTree> tree; ///< that instead
+        bool bsp = true; ///< write the cell BSP, one plane per wall: correct only for convex cells
+        std::optional<dat::BspTree> tree; ///< replaces it
     };
     struct LinkOptions {
         bool exact = true;            ///< flag bit 0, on both sides
-        bool insideIsPositive = true; ///< how the polygon is wound, and flag bit 1 with it
-        bool wrongSideFlag = false;   ///< let flag bit 1 contradict the winding
-        bool oneWay = false;          ///< the second cell gets an opening, but no way back is named
-        std::vector<Vec3> polygonInB; ///< another opening in the second cell; empty: the same
+        bool insideIsPositive = true; ///< winding of the polygon, and flag bit 1 with it
+        bool wrongSideFlag = false;   ///< flag bit 1 contradicts the winding
+        bool oneWay = false;          ///< the second cell gets an opening but no link back
+        std::vector<Vec3> polygonInB; ///< a different opening in the second cell; empty: the same
     };
     /// A portal by its cell and its index in the cell's list.
     struct Portal {
@@ -57,7 +58,7 @@ public:
 
     [[nodiscard]] dat::BlockCoord home() const { return home_; }
 
-    // --- surfaces: used by name; an unknown name is made a solid of a colour that follows from the name
+    // --- surfaces: used by name; an unknown name becomes a solid surface with a colour derived from the name
     std::uint32_t solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0,
                         float translucency = 0);
     std::uint32_t picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type);
@@ -88,29 +89,29 @@ public:
         return openOutside(cell, std::move(polygon), LinkOptions());
     }
     Portal openOutside(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options);
-    /// The polygon of a portal as it is stored: block-local, wound as LinkOptions said.
+    /// The polygon of a portal as stored: block-local, with the winding of LinkOptions.
     [[nodiscard]] const std::vector<Vec3>& polygon(Portal portal) const {
         return cells_[portal.cell].portals[portal.index];
     }
 
     // --- outdoors
-    /// A building whose walls (seen from outside) are cut open at `exits`. Yields the model's id.
+    /// A building with `exits` cut out of its walls (seen from outside). Yields the model's id.
     std::uint32_t addBuilding(Walls exterior, std::vector<Portal> exits) {
         return addBuilding(std::move(exterior), std::move(exits), BuildingOptions());
     }
     std::uint32_t addBuilding(Walls exterior, std::vector<Portal> exits, const BuildingOptions& options);
-    [[nodiscard]] dat::LandBlock& terrain(dat::BlockCoord block); ///< made (all zero) on first use
+    [[nodiscard]] dat::LandBlock& terrain(dat::BlockCoord block); ///< created (all zero) on first use
     void setFlatTerrain(dat::BlockCoord block, std::uint8_t heightIndex, std::uint8_t type = 0);
-    [[nodiscard]] dat::LandBlockInfo& info(dat::BlockCoord block); ///< made on first use
+    [[nodiscard]] dat::LandBlockInfo& info(dat::BlockCoord block); ///< created on first use
     [[nodiscard]] dat::Region& region() {
         return region_;
-    } ///< heights[i] = 2 i; types 0..3 and the road are there
+    } ///< heights[i] = 2 i; types 0..3 and the road exist
     void omitRegion() { writeRegion_ = false; }
     void add(const dat::Scene& scene) { portalFile_.add(scene); }
 
     // --- objects
     std::uint32_t addModel(const Walls& walls) { return addModel(walls, {}); } ///< a GfxObj in its own space
-    /// One with levels of detail; `gfxObj` kItself stands for its own id.
+    /// A model with levels of detail; kItself as `gfxObj` stands for its own id.
     std::uint32_t addModel(const Walls& walls, std::vector<dat::DegradeLevel> levels);
     static constexpr std::uint32_t kItself = 1;
     std::uint32_t addSetup(dat::Setup setup); ///< its id is filled in
@@ -120,10 +121,10 @@ public:
 
     [[nodiscard]] dat::Writer& portalFile() {
         return portalFile_;
-    } ///< for records that the builder does not know
+    } ///< for records without a builder function
     [[nodiscard]] dat::Writer& cellFile() { return cellFile_; }
 
-    /// Writes client_portal.dat and client_cell_1.dat to `directory`, which is made if it is missing.
+    /// Writes client_portal.dat and client_cell_1.dat to `directory`, which is created if missing.
     [[nodiscard]] Result<void> write(const std::filesystem::path& directory);
 
 private:

@@ -1,8 +1,8 @@
 // embed-shaders OUT.cpp OUT.d DIR NAME...: writes a C++ file with the sources DIR/NAME, includes resolved.
 //
-// An include is taken once per shader. #line directives keep file (as a source number) and line; the number's
-// file is its place in the shader's file list. OUT.d is a depfile in make's format, so that a changed include
-// rebuilds.
+// An include is inserted once per shader. #line directives keep file (as a source number) and line; a source
+// number is an index into the shader's file list. OUT.d is a depfile in make's format, so that a changed
+// include triggers a rebuild.
 
 #include <filesystem>
 #include <fstream>
@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One shader with everything it includes.
+// One shader with all its includes.
 struct Flattened {
     std::string text;
     std::vector<std::string> files; // relative to the shader folder; the index is the source number
 };
 
-// The name in `#include "name"`, if the line is one.
+// The name in `#include "name"`, or none.
 std::optional<std::string> includedName(const std::string& line) {
     const std::size_t hash = line.find_first_not_of(" \t");
     if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0)
@@ -89,9 +89,10 @@ int main(int argc, char** argv) {
     }
     Flattener flattener{fs::path(argv[3])};
     std::ofstream source(argv[1]);
-    source << "// Made by embed-shaders from the folder shaders/.\n#include \"gpu/ShaderLibrary.h\"\n\n"
-              "namespace limen::gpu {\n\nstd::span<const EmbeddedShader> embeddedShaders() {\n"
-              "    static const EmbeddedShader kShaders[] = {\n";
+    source
+        << "// Made by embed-shaders from the folder shaders/.\n#include \"gpu/device/ShaderLibrary.h\"\n\n"
+           "namespace limen::gpu {\n\nstd::span<const EmbeddedShader> embeddedShaders() {\n"
+           "    static const EmbeddedShader kShaders[] = {\n";
     for (int i = 4; i < argc; ++i) {
         Flattened shader;
         std::set<std::string> seen;

@@ -1,0 +1,22 @@
+// Locations of the values passed from vertex to fragment stages, named for both.
+const uint kVaryingEyeRelative = 0u; // mesh.vert
+const uint kVaryingNormal = 1u;
+const uint kVaryingUv = 2u;
+const uint kVaryingInstance = 3u;
+const uint kVaryingSurface = 4u;
+const uint kVaryingId = 5u;
+const uint kVaryingTriangle = 6u;
+const uint kVaryingFacet = 7u;
+const uint kVaryingCorners = 8u;  // an array: three locations
+const uint kVaryingOutline = 11u; // an array: three locations
+
+const uint kVaryingVisit = 0u; // ownership.vert
+const uint kVaryingOpening = 1u;
+const uint kVaryingPlane = 2u;
+const uint kVaryingCovers = 3u;
+
+const uint kVaryingSkyUv = 0u; // skyobjects.vert
+const uint kVaryingSkyInstance = 1u;
+const uint kVaryingSkyMaterial = 2u;
+
+const uint kVaryingDirection = 0u; // skyplain.vert

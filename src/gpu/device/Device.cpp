@@ -1,0 +1,28 @@
+#include "gpu/device/Device.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limen::gpu {
+
+WorkGroups WorkGroups::atLeast(std::uint32_t count) {
+    const std::uint32_t rows = std::max((count + kMostGroups - 1) / kMostGroups, 1u);
+    return {(count + rows - 1) / rows, rows};
+}
+
+StateTracker::Changes StateTracker::apply(const DrawState& next) {
+    const Changes changes{next.program != current_.program, next.cullBackFaces != current_.cullBackFaces,
+                          next.writeDepth != current_.writeDepth};
+    current_ = next;
+    return changes;
+}
+
+bool StateTracker::enableDepthWrite() {
+    return !std::exchange(current_.writeDepth, true);
+}
+
+bool StateTracker::disableCulling() {
+    return std::exchange(current_.cullBackFaces, false);
+}
+
+} // namespace limen::gpu

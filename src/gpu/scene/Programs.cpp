@@ -1,0 +1,166 @@
+#include "gpu/scene/Programs.h"
+
+#include "core/Assert.h"
+
+#include <utility>
+
+namespace limen::gpu {
+namespace {
+
+bool hasGatedVariant(frame::Program program) {
+    switch (program) {
+    case frame::Program::Opaque:
+    case frame::Program::CutOut:
+    case frame::Program::Terrain:
+    case frame::Program::Blended:
+        return true;
+    case frame::Program::Ownership:
+    case frame::Program::SkyPlain:
+    case frame::Program::SkyObjects:
+        return false;
+    }
+    return false;
+}
+
+struct Shaders {
+    const char* name;
+    const char* vertex;
+    const char* fragment;
+};
+
+Shaders shadersOf(frame::Program program) {
+    switch (program) {
+    case frame::Program::Ownership:
+        return {"ownership", "ownership.vert", "ownership.frag"};
+    case frame::Program::Opaque:
+        return {"opaque", "mesh.vert", "opaque.frag"};
+    case frame::Program::CutOut:
+        return {"cutout", "mesh.vert", "cutout.frag"};
+    case frame::Program::Terrain:
+        return {"terrain", "mesh.vert", "terrain.frag"};
+    case frame::Program::SkyPlain:
+        return {"sky plain", "skyplain.vert", "skyplain.frag"};
+    case frame::Program::SkyObjects:
+        return {"sky objects", "skyobjects.vert", "skyobjects.frag"};
+    case frame::Program::Blended:
+        return {"blended", "mesh.vert", "blended.frag"};
+    }
+    return {"", "", ""};
+}
+
+bool hasFlatVariant(frame::Program program) {
+    return program != frame::Program::Ownership && program != frame::Program::SkyObjects;
+}
+
+} // namespace
+
+ProgramSource programSource(frame::Program program, ProgramVariant variant, const TextureBinding& textures) {
+    const Shaders shaders = shadersOf(program);
+    ProgramSource source{shaders.name, shaders.vertex, shaders.fragment, {}, textures};
+    const auto vary = [&source](const char* name, const char* define) {
+        source.label += std::string(" ") + name;
+        source.defines.emplace_back(define);
+    };
+    if (program == frame::Program::Blended && variant.flat) {
+        source.label = "layers";
+        source.fragmentShader = "layers.frag";
+    } else if (hasFlatVariant(program) && variant.flat) {
+        vary("flat", "FLAT");
+    }
+    if (hasGatedVariant(program) && variant.gated)
+        vary("gated", "GATED");
+    if (variant.multisampled)
+        vary("multisampled", "MULTISAMPLED");
+    if (program == frame::Program::Terrain)
+        source.defines.emplace_back("TERRAIN");
+    return source;
+}
+
+Programs::Programs(Device& device, SceneBindings textures, std::span<const std::string> defines)
+    : device_(&device), textures_(std::move(textures)), defines_(defines.begin(), defines.end()) {
+    for (auto& variants : handles_)
+        variants.fill(ProgramHandle::Invalid);
+}
+
+Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
+                                  std::span<const std::string> defines) {
+    Programs programs(device, textures, defines);
+    for (bool isBuilt = false; !isBuilt;) {
+        std::size_t bytes = 1;
+        const Result<bool> next = programs.buildNext(bytes);
+        if (!next)
+            return tl::unexpected(next.error());
+        isBuilt = *next;
+    }
+    return programs;
+}
+
+Result<bool> Programs::buildNext(std::size_t& bytes) {
+    for (; built_ < 2 * kPrograms; ++built_) {
+        const auto program = static_cast<frame::Program>(built_ / 2);
+        const ProgramVariant variant{.gated = built_ % 2 == 1};
+        if (has(program, variant))
+            continue;
+        if (bytes == 0)
+            return false;
+        bytes = 0;
+        if (Result<void> made = prepare(program, variant); !made)
+            return tl::unexpected(made.error());
+    }
+    return true;
+}
+
+bool Programs::has(frame::Program program, ProgramVariant variant) const {
+    return handles_[static_cast<std::size_t>(program)][indexOf(program, variant)] != ProgramHandle::Invalid;
+}
+
+std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
+    const std::size_t gated = variant.gated && hasGatedVariant(program) ? 1 : 0;
+    const std::size_t flat = variant.flat && hasFlatVariant(program) ? 2 : 0;
+    return gated + flat + (variant.multisampled ? 4 : 0);
+}
+
+Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
+    ProgramHandle& handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
+    if (handle != ProgramHandle::Invalid)
+        return {};
+    const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
+    ProgramSource source = programSource(program, variant, sampled);
+    source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
+    Result<ProgramHandle> made = device_->createProgram(source);
+    if (!made)
+        return tl::unexpected(made.error());
+    handle = *made;
+    return {};
+}
+
+Programs::Programs(Programs&& other) noexcept
+    : device_(std::exchange(other.device_, nullptr)), textures_(std::move(other.textures_)),
+      defines_(std::move(other.defines_)), handles_(other.handles_), built_(other.built_) {}
+
+Programs& Programs::operator=(Programs&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(textures_, other.textures_);
+    std::swap(defines_, other.defines_);
+    std::swap(handles_, other.handles_);
+    std::swap(built_, other.built_);
+    return *this;
+}
+
+Programs::~Programs() {
+    if (device_ == nullptr)
+        return;
+    for (const auto& variants : handles_) {
+        for (ProgramHandle handle : variants)
+            if (handle != ProgramHandle::Invalid)
+                device_->destroyProgram(handle);
+    }
+}
+
+ProgramHandle Programs::get(frame::Program program, ProgramVariant variant) const {
+    const ProgramHandle handle = handles_[static_cast<std::size_t>(program)][indexOf(program, variant)];
+    LIMEN_ASSERT(handle != ProgramHandle::Invalid, "the program is built");
+    return handle;
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "gpu/device/Device.h"
+
+#include <array>
+
+namespace limen::gpu {
+
+/// Build variant of a batch's program.
+struct ProgramVariant {
+    bool gated = false;        ///< with the ownership test; without effect on ownership and sky programs
+    bool flat = false;         ///< coloured by id (RenderOptions::shading); for Blended: counts layers
+    bool multisampled = false; ///< for multisampled targets
+};
+
+/// Sources and macros of a batch's program.
+[[nodiscard]] ProgramSource programSource(frame::Program program, ProgramVariant variant,
+                                          const TextureBinding& textures);
+
+/// Texture bindings of a scene's programs.
+struct SceneBindings {
+    TextureBinding meshes, terrain;
+    friend bool operator==(const SceneBindings&, const SceneBindings&) = default;
+};
+
+/// All programs of a frame for one texture binding. Destroyed with this.
+class Programs {
+public:
+    /// Builds the programs of lit frames. `defines` go to every shader, including later ones. Errors: Driver,
+    /// with the log of the first that fails.
+    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures,
+                                                 std::span<const std::string> defines = {});
+    /// With no program built.
+    Programs(Device& device, SceneBindings textures, std::span<const std::string> defines);
+    Programs(Programs&& other) noexcept;
+    Programs& operator=(Programs&& other) noexcept;
+    ~Programs();
+
+    /// Builds the next program of lit frames and sets `bytes` to 0. True when all are built. Between frames.
+    /// Errors: Driver, with the log.
+    [[nodiscard]] Result<bool> buildNext(std::size_t& bytes);
+    [[nodiscard]] const SceneBindings& bindings() const { return textures_; }
+    /// Builds a program unless it exists. Between frames. Errors: Driver, with the log.
+    [[nodiscard]] Result<void> prepare(frame::Program program, ProgramVariant variant);
+    /// Requires that `prepare` built it.
+    [[nodiscard]] ProgramHandle get(frame::Program program, ProgramVariant variant) const;
+
+private:
+    static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
+    static constexpr std::size_t kVariants = 8;
+    [[nodiscard]] bool has(frame::Program program, ProgramVariant variant) const;
+    [[nodiscard]] static std::size_t indexOf(frame::Program program, ProgramVariant variant);
+
+    Device* device_ = nullptr;
+    SceneBindings textures_;
+    std::vector<std::string> defines_;
+    std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};
+    std::size_t built_ = 0; ///< number of programs of lit frames built, two variants each
+};
+
+} // namespace limen::gpu

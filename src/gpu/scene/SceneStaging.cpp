@@ -1,0 +1,67 @@
+#include "gpu/scene/SceneStaging.h"
+
+#include "gpu/scene/SceneCheck.h"
+
+#include <algorithm>
+
+namespace limen::gpu {
+namespace {
+
+namespace layout = frame::gpu;
+
+SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures& textures) {
+    std::vector<std::uint32_t> meshes, terrain;
+    for (const layout::Material& material : upload.materials)
+        meshes.push_back(material.texture);
+    const auto addLayer = [&](const layout::TerrainLayer& layer) {
+        if (layer.texture != layout::kNoTexture)
+            terrain.insert(terrain.end(), {layer.texture, layer.alpha});
+    };
+    for (const layout::TerrainCell& cell : upload.terrainCells) {
+        terrain.push_back(cell.base.texture);
+        std::for_each(std::begin(cell.overlays), std::end(cell.overlays), addLayer);
+        std::for_each(std::begin(cell.roads), std::end(cell.roads), addLayer);
+    }
+    return {bindingFor(textures, meshes), bindingFor(textures, terrain)};
+}
+
+/// Whether the previous pages keep their numbers.
+bool keepsPageNumbers(std::span<const TextureContent> before, const StagedTextures& textures) {
+    const auto isAlike = [](const TextureContent& a, const StagedTexture& b) {
+        const TextureShape &one = a.shape, &other = b.content.shape;
+        return one.width == other.width && one.height == other.height && one.clamp == other.clamp;
+    };
+    return before.size() <= textures.textures.size() &&
+           std::equal(before.begin(), before.end(), textures.textures.begin(), isAlike);
+}
+
+void include(const TextureBinding& before, TextureBinding& binding) {
+    std::vector<std::uint32_t> pages;
+    std::set_union(before.pages.begin(), before.pages.end(), binding.pages.begin(), binding.pages.end(),
+                   std::back_inserter(pages));
+    binding.pages = std::move(pages);
+}
+
+} // namespace
+
+Result<StagedScene> stageScene(frame::SceneUpload scene, const TextureStoreOptions& options,
+                               const Capabilities& capabilities, const SceneState& before) {
+    if (Result<void> checked = checkScene(scene); !checked)
+        return tl::unexpected(checked.error());
+    Result<StagedTextures> textures = stageTextures(scene.textures, options, capabilities, before.textures);
+    if (!textures)
+        return tl::unexpected(textures.error());
+    StagedScene staged;
+    staged.bindings = bindingsOf(scene, *textures);
+    // Programs that can sample unneeded pages exist already; programs without them would have to be built.
+    if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
+        include(before.bindings->meshes, staged.bindings.meshes);
+        include(before.bindings->terrain, staged.bindings.terrain);
+    }
+    scene.textures.clear();
+    staged.arrays = std::make_shared<const frame::SceneUpload>(std::move(scene));
+    staged.textures = std::move(*textures);
+    return staged;
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,143 @@
+#include "gpu/texture/TextureStaging.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace limen::gpu {
+namespace {
+
+TextureClass classOf(const frame::TextureUpload& picture) {
+    return {picture.width, picture.height, picture.clamp};
+}
+
+std::vector<MipLevel> levelsFor(const frame::TextureUpload& picture, const TextureClass& stored) {
+    if (picture.width == stored.width && picture.height == stored.height)
+        return mipChain(picture.width, picture.height, picture.rgba);
+    const MipLevel large = enlarged(picture.width, picture.height, picture.rgba, stored.width, stored.height);
+    return mipChain(large.width, large.height, large.rgba);
+}
+
+TextureShape shapeOf(const TextureClass& size, std::uint32_t layers, float anisotropy) {
+    return {size.width, size.height, layers, mipLevelCount(size.width, size.height), size.clamp, anisotropy};
+}
+
+bool isAmong(std::span<const TextureContent> before, const TextureContent& content) {
+    return content.isKnown() && std::find(before.begin(), before.end(), content) != before.end();
+}
+
+/// Order by content, so that a page's layers do not depend on the order in which a world uses its textures.
+std::vector<std::uint32_t> orderOf(std::span<const frame::TextureUpload> pictures) {
+    std::vector<std::uint32_t> order(pictures.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return pictures[a].contentKey < pictures[b].contentKey;
+    });
+    return order;
+}
+
+PageLayout layOut(std::span<const frame::TextureUpload> pictures, std::span<const std::uint32_t> order,
+                  std::uint32_t maxPages, std::uint32_t maxLayers, std::span<const TextureContent> before) {
+    std::vector<TextureClass> classes, pages;
+    for (const std::uint32_t picture : order)
+        classes.push_back(classOf(pictures[picture]));
+    for (const TextureContent& content : before)
+        pages.push_back({content.shape.width, content.shape.height, content.shape.clamp});
+    PageLayout layout = layOutPages(classes, maxPages, maxLayers, pages);
+    std::vector<TextureLocation> locations(pictures.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        locations[order[i]] = layout.locations[i];
+    layout.locations = std::move(locations);
+    return layout;
+}
+
+Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const TextureStoreOptions& options,
+                        const Capabilities& capabilities, float anisotropy,
+                        std::span<const TextureContent> before, StagedTextures& out) {
+    const std::uint32_t units = capabilities.textureUnits - frame::gpu::kUnitFirstPage;
+    const std::uint32_t maxPages = options.pageLimit == 0 ? units : std::min(units, options.pageLimit);
+    PageLayout layout = layOut(pictures, orderOf(pictures), maxPages, capabilities.maxArrayLayers, before);
+    if (layout.pages.size() > maxPages) {
+        return fail(ErrorCode::Unsupported, capabilities.renderer,
+                    fmt::format("{} textures exceed its {} pages of {} layers", pictures.size(), maxPages,
+                                capabilities.maxArrayLayers));
+    }
+    for (const PageLayout::Page& page : layout.pages) {
+        StagedTexture& texture = out.textures.emplace_back();
+        texture.label = fmt::format("page {}x{}{}", page.shape.width, page.shape.height,
+                                    page.shape.clamp ? " clamped" : "");
+        texture.content.shape = shapeOf(page.shape, std::max(page.layers, 1u), anisotropy);
+        texture.content.keys.resize(page.layers);
+    }
+    out.locations = std::move(layout.locations);
+    out.resampled = layout.resampled;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const auto [page, layer] = out.locations[i];
+        out.textures[page].content.keys[layer] = pictures[i].contentKey;
+        out.stored.push_back(layout.pages[page].shape);
+    }
+    return {};
+}
+
+void stageHandles(std::span<const frame::TextureUpload> pictures, float anisotropy, StagedTextures& out) {
+    for (const frame::TextureUpload& picture : pictures) {
+        const auto number = static_cast<std::uint32_t>(out.textures.size());
+        StagedTexture& texture = out.textures.emplace_back();
+        texture.label = fmt::format("texture {}", number);
+        texture.content = {shapeOf(classOf(picture), 1, anisotropy), {picture.contentKey}};
+        out.locations.push_back({number, 0});
+        out.stored.push_back(classOf(picture));
+    }
+}
+
+} // namespace
+
+TextureBinding bindingFor(const StagedTextures& staged, std::span<const std::uint32_t> pictures) {
+    TextureBinding binding{staged.bindless, 0, {}, staged.byIndex};
+    if (staged.bindless)
+        return binding;
+    binding.pageCount = static_cast<std::uint32_t>(staged.textures.size());
+    std::vector<bool> used(staged.textures.size(), false);
+    for (const std::uint32_t picture : pictures)
+        if (picture != frame::gpu::kNoTexture)
+            used[staged.locations[picture].page] = true;
+    for (std::uint32_t page = 0; page < binding.pageCount; ++page)
+        if (used[page])
+            binding.pages.push_back(page);
+    return binding;
+}
+
+bool TextureContent::isKnown() const {
+    return std::find(keys.begin(), keys.end(), 0u) == keys.end();
+}
+
+Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictures,
+                                     const TextureStoreOptions& options, const Capabilities& capabilities,
+                                     std::span<const TextureContent> before) {
+    if (options.mode == TextureMode::Bindless && !capabilities.bindless) {
+        return fail(ErrorCode::Unsupported, capabilities.renderer,
+                    "the driver has no GL_ARB_bindless_texture; use array pages");
+    }
+    const float anisotropy = capabilities.software ? 1.0f : options.anisotropy;
+    StagedTextures out;
+    out.bindless = options.mode != TextureMode::ArrayPages && capabilities.bindless;
+    out.byIndex = !out.bindless && options.pagesByIndex && capabilities.software;
+    if (out.bindless)
+        stageHandles(pictures, anisotropy, out);
+    else if (Result<void> staged = stagePages(pictures, options, capabilities, anisotropy, before, out);
+             !staged)
+        return tl::unexpected(staged.error());
+    for (StagedTexture& texture : out.textures) {
+        texture.isShared = isAmong(before, texture.content);
+        texture.layers.resize(texture.isShared ? 0 : texture.content.keys.size());
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const auto [texture, layer] = out.locations[i];
+        if (!out.textures[texture].isShared)
+            out.textures[texture].layers[layer] = levelsFor(pictures[i], out.stored[i]);
+    }
+    return out;
+}
+
+} // namespace limen::gpu

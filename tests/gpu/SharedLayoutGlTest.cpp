@@ -1,0 +1,175 @@
+#include "GlFixture.h"
+
+#include <cstddef>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+
+// Compares the driver's offsets of every struct in SharedLayout.h with those of C++.
+namespace limen::gpu::test {
+namespace {
+
+using Offsets = std::map<std::string, std::size_t>;
+
+struct SharedStruct {
+    const char* name = "";
+    std::size_t size = 0;
+    Offsets members; ///< by the driver's name
+};
+
+#define MEMBER(Struct, member)                                                                               \
+    { "entries[0]." #member, offsetof(layout::Struct, member) }
+
+std::vector<SharedStruct> sharedStructs() {
+    return {
+        {"Visit",
+         sizeof(layout::Visit),
+         {MEMBER(Visit, entryPlane), MEMBER(Visit, zone), MEMBER(Visit, parent), MEMBER(Visit, shutBy),
+          MEMBER(Visit, reserved)}},
+        {"Instance",
+         sizeof(layout::Instance),
+         {MEMBER(Instance, pose0), MEMBER(Instance, pose1), MEMBER(Instance, pose2), MEMBER(Instance, block),
+          MEMBER(Instance, idBase), MEMBER(Instance, firstMaterial), MEMBER(Instance, firstMember),
+          MEMBER(Instance, membersAndKind), MEMBER(Instance, reach), MEMBER(Instance, highlight),
+          MEMBER(Instance, opacity)}},
+        {"Member", sizeof(layout::Member), {MEMBER(Member, zone), MEMBER(Member, lightSet)}},
+        {"DrawPiece",
+         sizeof(layout::DrawPiece),
+         {MEMBER(DrawPiece, firstIndex), MEMBER(DrawPiece, triangles), MEMBER(DrawPiece, instance),
+          MEMBER(DrawPiece, indicesBefore)}},
+        {"RunOffsets", sizeof(layout::RunOffsets), {MEMBER(RunOffsets, piece), MEMBER(RunOffsets, kept)}},
+        {"DrawRun",
+         sizeof(layout::DrawRun),
+         {MEMBER(DrawRun, offsets.piece), MEMBER(DrawRun, offsets.kept), MEMBER(DrawRun, firstSlot),
+          MEMBER(DrawRun, rects)}},
+        {"SlotGroup",
+         sizeof(layout::SlotGroup),
+         {MEMBER(SlotGroup, offsets.piece), MEMBER(SlotGroup, offsets.kept), MEMBER(SlotGroup, firstRun),
+          MEMBER(SlotGroup, lastRun)}},
+        {"Replacement",
+         sizeof(layout::Replacement),
+         {MEMBER(Replacement, instance), MEMBER(Replacement, by)}},
+        {"Material",
+         sizeof(layout::Material),
+         {MEMBER(Material, colour), MEMBER(Material, texture), MEMBER(Material, flags),
+          MEMBER(Material, luminosity), MEMBER(Material, diffuse)}},
+        {"TextureRef", sizeof(layout::TextureRef), {MEMBER(TextureRef, place)}},
+        {"TerrainLayer",
+         sizeof(layout::TerrainLayer),
+         {MEMBER(TerrainLayer, texture), MEMBER(TerrainLayer, alpha), MEMBER(TerrainLayer, rotation),
+          MEMBER(TerrainLayer, tiling)}},
+        {"TerrainCell",
+         sizeof(layout::TerrainCell),
+         {MEMBER(TerrainCell, base.texture),         MEMBER(TerrainCell, base.alpha),
+          MEMBER(TerrainCell, base.rotation),        MEMBER(TerrainCell, base.tiling),
+          MEMBER(TerrainCell, overlays[0].texture),  MEMBER(TerrainCell, overlays[0].alpha),
+          MEMBER(TerrainCell, overlays[0].rotation), MEMBER(TerrainCell, overlays[0].tiling),
+          MEMBER(TerrainCell, overlays[1].texture),  MEMBER(TerrainCell, overlays[1].alpha),
+          MEMBER(TerrainCell, overlays[1].rotation), MEMBER(TerrainCell, overlays[1].tiling),
+          MEMBER(TerrainCell, overlays[2].texture),  MEMBER(TerrainCell, overlays[2].alpha),
+          MEMBER(TerrainCell, overlays[2].rotation), MEMBER(TerrainCell, overlays[2].tiling),
+          MEMBER(TerrainCell, roads[0].texture),     MEMBER(TerrainCell, roads[0].alpha),
+          MEMBER(TerrainCell, roads[0].rotation),    MEMBER(TerrainCell, roads[0].tiling),
+          MEMBER(TerrainCell, roads[1].texture),     MEMBER(TerrainCell, roads[1].alpha),
+          MEMBER(TerrainCell, roads[1].rotation),    MEMBER(TerrainCell, roads[1].tiling)}},
+        {"LightSet",
+         sizeof(layout::LightSet),
+         {MEMBER(LightSet, ambient), MEMBER(LightSet, sun), MEMBER(LightSet, firstLight),
+          MEMBER(LightSet, lightCount), MEMBER(LightSet, reserved0)}},
+        {"Light", sizeof(layout::Light), {MEMBER(Light, position), MEMBER(Light, colour)}},
+        {"OwnershipVertex",
+         sizeof(layout::OwnershipVertex),
+         {MEMBER(OwnershipVertex, position), MEMBER(OwnershipVertex, block), MEMBER(OwnershipVertex, visit),
+          MEMBER(OwnershipVertex, clipSet), MEMBER(OwnershipVertex, outlineFirst),
+          MEMBER(OwnershipVertex, outlineCount), MEMBER(OwnershipVertex, rest),
+          MEMBER(OwnershipVertex, reserved0)}},
+        {"ClipSet", sizeof(layout::ClipSet), {{"entries[0].planes[0]", offsetof(layout::ClipSet, planes)}}},
+        {"SkyInstance",
+         sizeof(layout::SkyInstance),
+         {MEMBER(SkyInstance, row0), MEMBER(SkyInstance, row1), MEMBER(SkyInstance, row2),
+          MEMBER(SkyInstance, firstMaterial), MEMBER(SkyInstance, opacity), MEMBER(SkyInstance, luminosity),
+          MEMBER(SkyInstance, uvOffsetX), MEMBER(SkyInstance, uvOffsetY), MEMBER(SkyInstance, reserved0),
+          MEMBER(SkyInstance, reserved1), MEMBER(SkyInstance, reserved2)}},
+    };
+}
+
+class SharedLayoutGlTest : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        std::ifstream in(std::string(LIMEN_SOURCE_DIR) + "/shaders/include/SharedLayout.h");
+        header_.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+        ASSERT_FALSE(header_.empty());
+    }
+
+    /// A program with one storage block, an array of the struct, that uses all members.
+    [[nodiscard]] Program programOf(const char* name) const {
+        const std::string text =
+            fmt::format("#version 450 core\n{}\nlayout(local_size_x = 1) in;\n"
+                        "layout(std430, binding = kBindFrame) buffer Block {{ {} entries[]; }};\n"
+                        "void main() {{ entries[gl_WorkGroupID.x] = entries[gl_WorkGroupID.x + 1u]; }}\n",
+                        header_, name);
+        Result<Program> program = Program::link(name, {{GL_COMPUTE_SHADER, name, text}});
+        EXPECT_TRUE(program) << program.error().message();
+        return program ? std::move(*program) : Program{};
+    }
+
+    std::string header_;
+};
+
+/// Reads the driver's offsets and array stride.
+void read(GLuint program, Offsets& offsets, std::size_t& stride) {
+    GLint count = 0;
+    glGetProgramInterfaceiv(program, GL_BUFFER_VARIABLE, GL_ACTIVE_RESOURCES, &count);
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+        std::array<GLchar, 128> name{};
+        GLsizei length = 0;
+        glGetProgramResourceName(program, GL_BUFFER_VARIABLE, i, name.size(), &length, name.data());
+        constexpr std::array<GLenum, 2> kWanted{GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE};
+        std::array<GLint, 2> values{};
+        glGetProgramResourceiv(program, GL_BUFFER_VARIABLE, i, kWanted.size(), kWanted.data(), values.size(),
+                               nullptr, values.data());
+        offsets[std::string(name.data(), static_cast<std::size_t>(length))] =
+            static_cast<std::size_t>(values[0]);
+        stride = static_cast<std::size_t>(values[1]);
+    }
+}
+
+TEST_F(SharedLayoutGlTest, everyMemberLiesWhereTheDriverReadsIt) {
+    for (const SharedStruct& shared : sharedStructs()) {
+        const Program program = programOf(shared.name);
+        ASSERT_FALSE(program.empty());
+        Offsets reported;
+        std::size_t stride = 0;
+        read(program.id(), reported, stride);
+        EXPECT_EQ(reported, shared.members) << shared.name;
+        EXPECT_EQ(stride, shared.size) << shared.name;
+    }
+}
+
+/// Names of the structs that the header defines.
+std::vector<std::string> structsIn(const std::string& header) {
+    std::vector<std::string> names;
+    for (const std::string& opening : {std::string("\nLIMEN_STRUCT("), std::string("\nstruct ")}) {
+        for (std::size_t at = header.find(opening); at != std::string::npos;
+             at = header.find(opening, at + 1)) {
+            const std::size_t begin = at + opening.size();
+            names.push_back(header.substr(begin, header.find_first_of(") ", begin) - begin));
+        }
+    }
+    return names;
+}
+
+TEST_F(SharedLayoutGlTest, everyStructOfTheHeaderIsCompared) {
+    const std::vector<std::string> names = structsIn(header_);
+    EXPECT_GE(names.size(), 18u);
+    const std::vector<SharedStruct> compared = sharedStructs();
+    for (const std::string& name : names) {
+        const bool isThere = std::any_of(compared.begin(), compared.end(),
+                                         [&](const SharedStruct& shared) { return name == shared.name; });
+        EXPECT_TRUE(isThere || name == "FrameConstants") << name;
+    }
+}
+
+} // namespace
+} // namespace limen::gpu::test
