@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/Device.h"
+#include "gpu/device/Device.h"
 #include "visibility/VisibleSet.h"
 #include "world/World.h"
 

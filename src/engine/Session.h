@@ -6,9 +6,9 @@
 #include "engine/Residency.h"
 #include "engine/SessionOptions.h"
 #include "engine/WorldSource.h"
-#include "gpu/CheckedDevice.h"
-#include "gpu/GlDevice.h"
-#include "gpu/HeadlessContext.h"
+#include "gpu/device/CheckedDevice.h"
+#include "gpu/device/GlDevice.h"
+#include "gpu/device/HeadlessContext.h"
 #include "world/load/LoadCache.h"
 
 #include <memory>
