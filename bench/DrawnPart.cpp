@@ -1,5 +1,6 @@
 #include "DrawnPart.h"
 
+#include "core/Assert.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
 #include "motion/Locate.h"
@@ -31,9 +32,7 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive
         return tl::unexpected(target.error());
     std::unique_ptr<DrawnPart> part(
         new DrawnPart(std::move(*world), std::move(*graph), device, std::move(*target)));
-    if (Result<void> uploaded =
-            part->renderer_.upload(frame::buildScene(part->world_, part->planner_.pieces()));
-        !uploaded)
+    if (Result<void> uploaded = part->renderer_.upload(frame::buildScene(part->scene_)); !uploaded)
         return tl::unexpected(uploaded.error());
     if (!part->holds(place))
         return fail(ErrorCode::NotFound, place.name, "is not where the world file says");
@@ -60,10 +59,12 @@ void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) 
     input.up = view.view.up;
     input.forward = view.view.forward;
     dynamicsBuilder_.at(input, dynamics_);
+    dynamicScene_.pack(scene_, dynamics_);
 }
 
 void DrawnPart::flood(const frame::FrameView& view) {
-    visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_);
+    LIMEN_ASSERT(visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_),
+                 "the views of a bench are valid");
 }
 
 void DrawnPart::takeAll(const frame::FrameView& view) {

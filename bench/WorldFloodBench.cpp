@@ -86,7 +86,7 @@ void addFineRows(const FloodScene& scene, AllocationCounter counter, std::vector
 
 std::size_t seenFrom(const visibility::Graph& graph, const View& view, visibility::FloodScratch& scratch,
                      visibility::VisibleSet& set) {
-    visibility::flood(graph, {}, view, {}, scratch, set);
+    LIMEN_ASSERT(visibility::flood(graph, {}, view, {}, scratch, set), "the views of a bench are valid");
     return set.seen.size();
 }
 
@@ -148,7 +148,8 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
     std::vector<BenchRow> rows;
     SeenCounts wanted;
     for (const std::uint32_t size : {1000u, 10000u, 100000u}) {
-        const Result<world::World> world = generatedWorld({worlds::GeneratedKind::Dungeon, size, kSeed, 0.02});
+        const Result<world::World> world =
+            generatedWorld({worlds::GeneratedKind::Dungeon, size, kSeed, 0.02});
         if (!world) {
             rows.push_back(failedRow("flood/scale", world.error()));
             continue;

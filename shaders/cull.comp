@@ -48,12 +48,12 @@ struct Pixels {
 // Those with centres in the rectangle around three corners on the screen. If no more than two each way have, the triangle itself
 // is asked.
 Pixels pixelsOf(vec3 first, vec3 second, vec3 third) {
-    vec2 most = frame.viewport.xy * 0.5;
+    vec2 most = device.viewport.xy * 0.5;
     vec2 a = first.xy / first.z + most;
     vec2 b = second.xy / second.z + most;
     vec2 c = third.xy / third.z + most;
     vec2 low = ceil(max(min(min(a, b), c) - kMargin, vec2(0.0)) - 0.5);
-    vec2 high = floor(min(max(max(a, b), c) + kMargin, frame.viewport.xy) - 0.5);
+    vec2 high = floor(min(max(max(a, b), c) + kMargin, device.viewport.xy) - 0.5);
     if (any(greaterThan(low, high))) {
         return Pixels(low, high, false);
     }
@@ -73,7 +73,7 @@ const float kNearer = 1.0e-4;
 
 // The picture in tiles of kTileSize pixels a side, row by row from the bottom; the last of a row or column may be cut.
 uvec2 tilesOfPicture() {
-    return (uvec2(frame.viewport.xy) + kTileSize - 1u) / kTileSize;
+    return (uvec2(device.viewport.xy) + kTileSize - 1u) / kTileSize;
 }
 
 // Whether what was drawn first is nearer than all of a triangle, at every pixel that it may show at. Depths are the near plane's
@@ -101,19 +101,19 @@ bool isBeside(vec3 a, vec3 b, vec3 c, vec4 rect) {
     vec3 depths = vec3(a.z, b.z, c.z);
     vec3 across = vec3(a.x, b.x, c.x);
     vec3 up = vec3(a.y, b.y, c.y);
-    vec3 spareAcross = kMargin * abs(depths) + kRounding * (abs(across) + frame.viewport.x * abs(depths));
-    vec3 spareUp = kMargin * abs(depths) + kRounding * (abs(up) + frame.viewport.y * abs(depths));
+    vec3 spareAcross = kMargin * abs(depths) + kRounding * (abs(across) + device.viewport.x * abs(depths));
+    vec3 spareUp = kMargin * abs(depths) + kRounding * (abs(up) + device.viewport.y * abs(depths));
     return all(lessThan(across - rect.x * depths, -spareAcross)) || all(lessThan(up - rect.y * depths, -spareUp)) ||
            all(greaterThan(across - rect.z * depths, spareAcross)) || all(greaterThan(up - rect.w * depths, spareUp));
 }
 
 // Whether a triangle reaches into one of a run's rectangles (DrawRun), or into the window.
 bool isWithin(vec3 a, vec3 b, vec3 c, uint rects) {
-    vec4 most = frame.viewport.xyxy * 0.5;
+    vec4 most = device.viewport.xyxy * 0.5;
     uint count = rects >> 16;
     bool isIn = count == 0u && !isBeside(a, b, c, vec4(-1.0, -1.0, 1.0, 1.0) * (most + 2.0));
     for (uint i = 0u; i < count; ++i) {
-        vec4 rect = uintBitsToFloat(ringTexel(frame.firstRect + (rects & 0xFFFFu) + i));
+        vec4 rect = uintBitsToFloat(ringTexel(device.firstRect + (rects & 0xFFFFu) + i));
         isIn = isIn || !isBeside(a, b, c, rect * most);
     }
     return isIn;
@@ -145,15 +145,15 @@ uint squareOf(int steps) {
 
 // Whether the eye is where the instance is drawn from; world/LevelRange.cpp finds the same in the same whole numbers.
 bool isInLevelRange(Instance instance) {
-    if (instance.reach == kFromAnywhere) {
+    if (instance.levelRange == kFromAnywhere) {
         return true;
     }
     vec3 origin = originOf(instance);
     vec3 local = clamp(floor(origin * float(kRangeSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
     ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kRangeSteps)) - ivec3(frame.eyeSteps.xyz);
     uint away = squareOf(offset.x) + squareOf(offset.y) + squareOf(offset.z);
-    uint beyond = instance.reach & 0xFFFFu;
-    uint upTo = instance.reach >> 16;
+    uint beyond = instance.levelRange & 0xFFFFu;
+    uint upTo = instance.levelRange >> 16;
     return (beyond == 0u || away > beyond * beyond) && away <= upTo * upTo;
 }
 
@@ -164,7 +164,7 @@ shared uint keptBy[kCullThreads];
 void coverTile(uint number) {
     uvec2 tiles = tilesOfPicture();
     ivec2 begin = ivec2(number % tiles.x, number / tiles.x) * int(kTileSize);
-    ivec2 end = min(begin + int(kTileSize), ivec2(frame.viewport.xy));
+    ivec2 end = min(begin + int(kTileSize), ivec2(device.viewport.xy));
     float least = 1.0;
     for (int y = begin.y; y < end.y; ++y) {
         for (int x = begin.x; x < end.x; ++x) {
@@ -183,14 +183,14 @@ void main() {
         coverTile(group * kCullThreads + gl_LocalInvocationID.x);
         return;
     }
-    uint begins = groups.z == kCullFirst ? 0u : frame.firstHideable;
-    uint ends = groups.z == kCullFirst ? frame.firstHideable : frame.slotCount;
+    uint begins = groups.z == kCullFirst ? 0u : device.firstHideable;
+    uint ends = groups.z == kCullFirst ? device.firstHideable : device.slotCount;
     // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
     uint slot = min(begins + group, ends - 1u);
     uint rects;
     RunPlace place = placeOf(slot, rects);
     DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
-    bool drawsAsIs = (frame.flags & kFrameKeepsTriangles) != 0u;
+    bool drawsAsIs = (device.flags & kFrameKeepsTriangles) != 0u;
     bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
     uint triangles = piece.triangles & ~kKeepsAll;
     Instance instance = instanceAt(keepsAll ? 0u : piece.instance);

@@ -45,7 +45,7 @@ vec2 stretchOver(bool isAsked, float pixels, vec3 normal, vec3 direction) {
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
     vec3 across = normalize(cross(normal, direction));
-    float beside = pixels * frame.pixel;
+    float beside = pixels * device.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
     vec3 from = vCorners[2];
     vec3 to = vCorners[0];
@@ -104,7 +104,7 @@ struct Step {
 };
 
 float inwardRadians() {
-    return min(kInward * frame.pixel, kInwardRadians);
+    return min(kInward * device.pixel, kInwardRadians);
 }
 
 // Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
@@ -115,7 +115,7 @@ float inwardRadians() {
 // they fill what nothing covers: kInward wide, and as much as rounding may make of more.
 Step stepInwards(Shares shares) {
     Step inwards = Step(vec2(0.0), true);
-    float most = inwardRadians() / frame.pixel;
+    float most = inwardRadians() / device.pixel;
 #ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
     inwards.isSmall = false;
     return inwards;
@@ -153,7 +153,7 @@ struct Meeting {
 Meeting meetPolygon(vec3 direction) {
     Shares shares = sharesAt(windowPlace());
     Step inwards = stepInwards(shares);
-    vec3 nearby = direction + frame.rayRight.xyz * inwards.by.x + frame.rayUp.xyz * inwards.by.y;
+    vec3 nearby = direction + device.rayRight.xyz * inwards.by.x + device.rayUp.xyz * inwards.by.y;
     float facing = -dot(vFacet.xyz, nearby);
     float depth = depthOnPlane(nearby, facing);
     float off = kPlaneRounding * depth / max(facing, kGrazing);
@@ -235,8 +235,8 @@ bool findOnPolygon(uint kind, out Place place) {
     Meeting met = meetPolygon(direction);
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
     // Along the plane: what the rasteriser interpolates may be infinite beside a thin triangle.
-    place = Place(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
-                  met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
+    place = Place(direction * met.depth, met.depth * (device.rayRight.xyz + direction * (dot(vFacet.xyz, device.rayRight.xyz) / facing)),
+                  met.depth * (device.rayUp.xyz + direction * (dot(vFacet.xyz, device.rayUp.xyz) / facing)));
     float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
     bool isOver = met.isAhead && isOverOutline(3u, windowPlace());

@@ -292,8 +292,7 @@ Result<std::shared_ptr<LoadedWorld>> Session::read(const StreamTarget& target, u
 }
 
 Result<void> Session::show(std::shared_ptr<LoadedWorld> world) {
-    if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->world, world->planner.pieces()));
-        !uploaded)
+    if (Result<void> uploaded = renderer_.upload(frame::buildScene(world->scene)); !uploaded)
         return uploaded;
     static_cast<void>(take(std::move(world)));
     return {};
@@ -346,11 +345,15 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     shown_ = *target;
     const frame::FrameView view = frameView(eye, options);
     loaded_->dynamicsBuilder.at(dynamicsInput(loaded_->world, eye), dynamics_);
+    dynamicScene_.pack(loaded_->scene, dynamics_);
     const Stopwatch flooding;
-    visibility::flood(loaded_->graph, dynamics_.closed, view.view, {}, scratch_, visible_);
+    if (Result<void> flooded =
+            visibility::flood(loaded_->graph, dynamics_.closed, view.view, {}, scratch_, visible_);
+        !flooded)
+        return flooded;
     floodMs_ = flooding.ms();
     const Stopwatch planning;
-    loaded_->planner.plan(view, dynamics_, visible_, plan_);
+    loaded_->planner.plan(view, dynamicScene_, visible_, plan_);
     planMs_ = planning.ms();
     Result<void> rendered = renderer_.render(
         plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
@@ -370,8 +373,10 @@ Result<Picked> Session::pick(const FrameEye& eye, std::uint32_t x, std::uint32_t
 void Session::tracePortals(const FrameEye& eye, visibility::FloodTrace& trace) {
     LIMEN_ASSERT(loaded_ != nullptr && shown_ != nullptr, "draw before asking why");
     visibility::VisibleSet visible;
-    visibility::flood(loaded_->graph, dynamics_.closed, viewOf(eye.camera, eye.size, eye.root), {}, scratch_,
-                      visible, &trace);
+    const Result<void> flooded =
+        visibility::flood(loaded_->graph, dynamics_.closed, viewOf(eye.camera, eye.size, eye.root), {},
+                          scratch_, visible, &trace);
+    LIMEN_ASSERT(flooded, "this view was drawn before");
 }
 
 FrameFigures Session::figures() const {

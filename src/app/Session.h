@@ -61,7 +61,7 @@ public:
 private:
     explicit LoadedWorld(std::shared_ptr<const Contents> contents)
         : contents_(std::move(contents)), world(contents_->world), graph(contents_->graph),
-          ids(contents_->ids), target(contents_->target), centre(target.centre), planner(world),
+          ids(contents_->ids), target(contents_->target), centre(target.centre), scene(world), planner(scene),
           dynamicsBuilder(world) {}
     const std::shared_ptr<const Contents> contents_; // first: the others refer to it
 
@@ -71,6 +71,7 @@ public:
     const IdTable& ids;
     const StreamTarget& target; ///< what it was asked for
     const dat::BlockCoord& centre;
+    const frame::StaticScene scene;
     frame::Planner planner;
     motion::DynamicStateBuilder dynamicsBuilder;
 };
@@ -176,6 +177,7 @@ private:
     std::shared_ptr<LoadedWorld> loaded_;
     visibility::FloodScratch scratch_;
     world::DynamicState dynamics_;
+    frame::DynamicScene dynamicScene_; ///< of dynamics_
     visibility::VisibleSet visible_;
     frame::FramePlan plan_;
     double floodMs_ = 0.0, planMs_ = 0.0;

@@ -58,7 +58,7 @@ Result<SessionStream::Part> SessionStream::read(const Session& session, const St
     Result<std::shared_ptr<LoadedWorld>> loaded = session.read(target, threadsToReadOn());
     if (!loaded)
         return tl::unexpected(loaded.error());
-    frame::SceneUpload scene = frame::buildScene((*loaded)->world, (*loaded)->planner.pieces());
+    frame::SceneUpload scene = frame::buildScene((*loaded)->scene);
     Result<gpu::StagedScene> staged =
         gpu::stageScene(std::move(scene), options, session.capabilities(), before);
     if (!staged)

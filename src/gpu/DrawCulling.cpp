@@ -124,7 +124,7 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
     LIMEN_ASSERT(slot == slotCount_, "batches count the pieces of their runs");
 }
 
-void DrawCulling::describe(layout::FrameConstants& constants) const {
+void DrawCulling::describe(layout::DeviceConstants& constants) const {
     constants.slotCount = slotCount_;
     constants.firstHideable = firstHideable_;
     constants.flags |= keepsTriangles_ ? layout::kFrameKeepsTriangles : 0;

@@ -45,7 +45,7 @@ public:
     /// Fills in the arrays of its own.
     void bind(StorageBindings& storage) const;
     /// Tells the shader what is to be done.
-    void describe(frame::gpu::FrameConstants& constants) const;
+    void describe(frame::gpu::DeviceConstants& constants) const;
     /// Within a frame whose runs, pieces, commands and indices are bound: writes the commands and indices that are drawn,
     /// of the batches that wait for nothing.
     void runFirst();

@@ -25,11 +25,11 @@ public:
     [[nodiscard]] std::span<frame::gpu::DrawRun> runs(std::span<std::byte> memory) const;
 
     /// Tells the shaders where the arrays are that they read as texels.
-    void locate(frame::gpu::FrameConstants& constants) const;
+    void locate(frame::gpu::DeviceConstants& constants) const;
     /// Binds the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
     /// Writes all arrays but runs, their groups and draw commands.
-    void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
+    void write(const frame::gpu::DeviceConstants& constants, std::span<std::byte> memory) const;
 
 private:
     // In the order they are written.
@@ -41,8 +41,8 @@ private:
         kOwnership,
         kClipSets,
         kSky,
-        kMovers, // and records
-        kMoverMembers,
+        kInstances,
+        kMembers,
         kReplacements,
         kPieces,
         kSlotGroups, // written by whoever has them,
@@ -50,13 +50,12 @@ private:
         kCommands,   // and on the device
         kArrays
     };
-    [[nodiscard]] std::span<const std::byte> bytes(Array array,
-                                                   const frame::gpu::FrameConstants& constants) const;
+    [[nodiscard]] std::span<const std::byte> bytes(Array array) const;
     [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
-    void writeMovers(std::span<frame::gpu::Instance> out) const;
+    void writeInstances(std::span<frame::gpu::Instance> out) const;
     template <class Copy>
-    void copyMovers(std::span<frame::gpu::Instance> out, const Copy& copy) const;
+    void copyDynamic(std::span<frame::gpu::Instance> out, const Copy& copy) const;
     template <class T>
     [[nodiscard]] std::span<T> in(std::span<std::byte> memory, Array array) const;
 

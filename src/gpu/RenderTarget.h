@@ -34,7 +34,7 @@ public:
 
     /// Fills in what depends on the target: the viewport, its pixels' size and the rays through them (from clipFromEye, whose rounding
     /// they share), and where its samples lie; samplesX and samplesY must be 0.
-    void place(frame::gpu::FrameConstants& constants) const;
+    void place(const frame::gpu::ViewConstants& view, frame::gpu::DeviceConstants& device) const;
 
     /// R,G,B,A bytes; of a multisampled target the samples' mean.
     [[nodiscard]] std::vector<std::uint8_t> readColour() const;
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::vector<LayerSum> readLayers() const;
     /// Metres from the eye along the ray of the pixel (frame::gpu::kPixelPlace), of the frame drawn with these constants;
     /// +inf where nothing was met.
-    [[nodiscard]] std::vector<float> readDistances(const frame::gpu::FrameConstants& constants) const;
+    [[nodiscard]] std::vector<float> readDistances(const frame::gpu::ViewConstants& view) const;
 
 private:
     RenderTarget(Device& device, TargetHandle handle, std::uint32_t width, std::uint32_t height,

@@ -248,7 +248,7 @@ std::uint32_t Assembly::particlePart(const dat::ParticleEmitter& record, Particl
     part.bounds = world_.meshes[part.mesh].bounds;
     part.object = movingObject(MovingThing::Particle, key);
     part.record = mesh->gfxObj;
-    part.reach = model.parts.front().reach;
+    part.levelRange = model.parts.front().reach;
     world_.movingParts.push_back(part);
     return static_cast<std::uint32_t>(world_.movingParts.size() - 1);
 }

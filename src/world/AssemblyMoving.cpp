@@ -88,7 +88,7 @@ MovingBody Assembly::addBody(dat::RecordId modelId, InstanceKind kind, std::uint
         instance.record = part.gfxObj;
         instance.firstMaterial = dressedMaterials(*mesh, part.part, dress);
         if (kind != InstanceKind::Filling)
-            instance.reach = part.reach;
+            instance.levelRange = part.reach;
         world_.movingParts.push_back(instance);
         posed.push_back({part.part, part.scale});
     }

@@ -142,7 +142,7 @@ void Assembly::addPart(const PlacedModel& object, const ModelPart& part) {
     instance.object = object.object;
     instance.record = part.gfxObj;
     instance.firstMaterial = partMaterials(*mesh);
-    instance.reach = part.reach;
+    instance.levelRange = part.reach;
     world_.instances.push_back(instance);
 }
 

@@ -43,7 +43,7 @@ private:
         std::size_t firstTriangle = 0, triangleCount = 0;
         bool filling = false;
         Vec3 origin{0.0}; ///< its instance's, global
-        world::LevelRange reach;
+        world::LevelRange levelRange;
     };
     /// Neighbouring bodies of one space, so that a ray need not ask each of thousands.
     struct Cluster {

@@ -98,7 +98,8 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
     if (options.omissions.membership)
         lessWorld_ = std::make_unique<world::World>(withoutMembership(world_));
     graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(drawnWorld())));
-    planner_ = std::make_unique<frame::Planner>(drawnWorld());
+    scene_ = std::make_unique<const frame::StaticScene>(drawnWorld());
+    planner_ = std::make_unique<frame::Planner>(*scene_);
 }
 
 const world::World& PictureWorld::drawnWorld() const {
@@ -124,8 +125,9 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
 
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_, visible);
-    planner_->plan(frame, drawnDynamics_, visible, plan);
+    require(visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_,
+                              visible));
+    planner_->plan(frame, dynamicScene_, visible, plan);
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
@@ -137,6 +139,7 @@ const NaiveTracer& PictureWorld::tracer() const {
 void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
     motion::DynamicStateBuilder(world_).at(input, dynamics_);
     drawnDynamics_ = without(options_.omissions, world_, dynamics_);
+    dynamicScene_.pack(*scene_, drawnDynamics_);
     tracer_.reset();
     if (traced_)
         traced_->setDynamics(dynamics_);
@@ -150,7 +153,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
                             const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>(options_);
-        require(drawing_->renderer->upload(frame::buildScene(drawnWorld())));
+        require(drawing_->renderer->upload(frame::buildScene(*scene_)));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||

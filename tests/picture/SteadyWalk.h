@@ -3,7 +3,6 @@
 #include "support/TemporaryDirectory.h"
 
 #include "dat/Archive.h"
-#include "worlds/Demo.h"
 #include "frame/Planner.h"
 #include "frame/SceneBuilder.h"
 #include "frame/WorldGraph.h"
@@ -13,6 +12,7 @@
 #include "visibility/Flood.h"
 #include "world/Loader.h"
 #include "world/Places.h"
+#include "worlds/Demo.h"
 
 #include <cmath>
 #include <optional>
@@ -46,8 +46,9 @@ public:
     /// Pictures of `width` × `height` pixels.
     SteadyWalk(world::World world, gpu::Device& device, std::uint32_t width, std::uint32_t height)
         : world_(std::move(world)), graph_(*frame::visibilityGraph(world_)), dynamicsBuilder_(world_),
-          planner_(world_), renderer_(device), target_(*gpu::RenderTarget::create(device, width, height)) {
-        EXPECT_TRUE(renderer_.upload(frame::buildScene(world_, planner_.pieces())));
+          scene_(world_), planner_(scene_), renderer_(device),
+          target_(*gpu::RenderTarget::create(device, width, height)) {
+        EXPECT_TRUE(renderer_.upload(frame::buildScene(scene_)));
     }
 
     /// Draws what is seen on the way while doors move, people walk, and it rains; each frame with ids and without.
@@ -80,8 +81,9 @@ private:
         input.up = view.view.up;
         input.forward = view.view.forward;
         dynamicsBuilder_.at(input, dynamics_);
-        visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_);
-        planner_.plan(view, dynamics_, visible_, plan_);
+        dynamicScene_.pack(scene_, dynamics_);
+        EXPECT_TRUE(visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_));
+        planner_.plan(view, dynamicScene_, visible_, plan_);
         for (const bool ids : {false, true})
             EXPECT_TRUE(renderer_.render(plan_, target_, {.wantIds = ids}));
     }
@@ -92,6 +94,8 @@ private:
     world::DynamicState dynamics_;
     visibility::FloodScratch scratch_;
     visibility::VisibleSet visible_;
+    const frame::StaticScene scene_;
+    frame::DynamicScene dynamicScene_;
     frame::Planner planner_;
     frame::FramePlan plan_;
     gpu::Renderer renderer_;
