@@ -1,5 +1,6 @@
-// The visibility library alone: no dat file, no OpenGL. Three rooms in an L and a yard, joined by three openings. Prints the
-// tree of visits with the region of each on the screen, for an eye given on the command line.
+// The visibility library alone: no dat file, no OpenGL. Three rooms in an L and a yard, joined by three
+// openings. Prints the tree of visits with the region of each on the screen, for an eye given on the command
+// line.
 //
 //     flood [x y yaw]        metres, and degrees clockwise from north (2 2 20: in the hall, looking north)
 

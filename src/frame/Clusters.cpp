@@ -10,8 +10,8 @@ namespace {
 using world::InstanceIndex;
 using Range = std::span<InstanceIndex>;
 
-/// Share of the extent of a cluster's centres. Instances with a larger radius become a child of their own. Otherwise the
-/// bounds of every child would be as large as theirs.
+/// Share of the extent of a cluster's centres. Instances with a larger radius become a child of their own.
+/// Otherwise the bounds of every child would be as large as theirs.
 constexpr double kLargePart = 0.5;
 
 class ClusterBuilder {
@@ -110,8 +110,8 @@ private:
         return around;
     }
 
-    // Half of the range goes to each side of a plane across its longest axis. Instance numbers break ties, so that every
-    // standard library gives the same partition.
+    // Half of the range goes to each side of a plane across its longest axis. Instance numbers break ties, so
+    // that every standard library gives the same partition.
     void halve(Range range) const {
         const Vec3 size = sizeOf(range);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

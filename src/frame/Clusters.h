@@ -14,20 +14,20 @@ struct PositionRange {
     std::uint32_t first = 0, end = 0;
 };
 
-/// Static instances near each other that are members of one space only: a range of Clusters::order, divided among the
-/// cluster's children.
+/// Static instances near each other that are members of one space only: a range of Clusters::order, divided
+/// among the cluster's children.
 struct Cluster {
     Sphere bounds;                                ///< global; contains the bounds of its instances
     std::uint32_t first = 0, end = 0;             ///< positions
     std::uint32_t firstChild = 0, childCount = 0; ///< a run of Clusters::clusters; 0: a leaf
 };
 
-/// The static instances in the order in which they are resident and drawn, and a tree over each space's share of that
-/// order. A property of the world: nothing here depends on a view.
+/// The static instances in the order in which they are resident and drawn, and a tree over each space's share
+/// of that order. A property of the world: nothing here depends on a view.
 struct Clusters {
     std::vector<Cluster> clusters;
-    /// By position: instances by space, near ones together; then the instances that several spaces list. Instances that
-    /// no space lists are absent.
+    /// By position: instances by space, near ones together; then the instances that several spaces list.
+    /// Instances that no space lists are absent.
     std::vector<world::InstanceIndex> order;
     std::vector<Sphere> bounds;          ///< by position, global
     std::vector<std::uint32_t> roots;    ///< by space: its tree; world::kNone if all its instances are shared
@@ -48,11 +48,13 @@ inline constexpr std::uint32_t kLeafInstances = 16;
 /// Deterministic. Cost: n log n.
 [[nodiscard]] Clusters buildClusters(const world::World& world);
 
-/// Whether all spaces that an instance is a member of are in one zone. `members`: the array that its run is in.
+/// Whether all spaces that an instance is a member of are in one zone. `members`: the array that its run is
+/// in.
 [[nodiscard]] bool isInOneZone(const world::World& world, const world::Instance& instance,
                                std::span<const world::SpaceIndex> members);
 
-/// The tree of Clusters in batches of sibling clusters, so that siblings are tested together (LevelSelection).
+/// The tree of Clusters in batches of sibling clusters, so that siblings are tested together
+/// (LevelSelection).
 struct ClusterBatches {
     static constexpr std::size_t kBatchSize = visibility::SphereQuad::kCount;
     /// The children of one cluster, contiguous in memory.

@@ -11,8 +11,8 @@
 
 namespace limen::frame {
 
-/// The pieces of a frame's visible dynamic instances, by class, in the order in which they are added. Reuse it: steady
-/// frames allocate nothing.
+/// The pieces of a frame's visible dynamic instances, by class, in the order in which they are added. Reuse
+/// it: steady frames allocate nothing.
 class DynamicPieces {
 public:
     /// `meshes` must outlive it.
@@ -33,7 +33,8 @@ public:
     /// Prefetches the data that `add` reads.
     void prefetchFor(std::uint32_t mesh) const { prefetch(meshes_.first[mesh]); }
 
-    /// Moves the pieces of one class into the plan, as runs of its last batch. Requires constants.staticPieces.
+    /// Moves the pieces of one class into the plan, as runs of its last batch. Requires
+    /// constants.staticPieces.
     void moveRuns(DrawClass drawn, FramePlan& plan);
     /// Moves the pieces of one class to the end of the plan's pieces, without runs; returns them there.
     std::span<const gpu::DrawPiece> movePieces(DrawClass drawn, FramePlan& plan);

@@ -5,8 +5,8 @@
 
 namespace limen::frame {
 
-/// One dynamic state with the device records of its instances. Packed once per state; any number of views can then be
-/// planned from it. A plan refers to the records, and drawing copies those of the visible instances.
+/// One dynamic state with the device records of its instances. Packed once per state; any number of views can
+/// then be planned from it. A plan refers to the records, and drawing copies those of the visible instances.
 ///
 /// Reuse it: steady frames allocate nothing.
 class DynamicScene {
@@ -14,8 +14,8 @@ public:
     /// A state without dynamic instances.
     DynamicScene();
 
-    /// Packs the records of all instances of `state`, a state of the scene's world. The state must outlive the next call
-    /// and stay unchanged until then; the records change with that call.
+    /// Packs the records of all instances of `state`, a state of the scene's world. The state must outlive
+    /// the next call and stay unchanged until then; the records change with that call.
     void pack(const StaticScene& scene, const world::DynamicState& state);
 
     [[nodiscard]] const world::DynamicState& state() const { return *state_; }

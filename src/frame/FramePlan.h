@@ -64,7 +64,8 @@ struct Stage {
     std::uint32_t firstBatch = 0, batchCount = 0;
 };
 
-/// Counts of one plan, for frame.json and the panel. They include draws and triangles that the device culls later.
+/// Counts of one plan, for frame.json and the panel. They include draws and triangles that the device culls
+/// later.
 struct PlanCounts {
     std::uint32_t visits = 0, cellsSeen = 0, ownershipTriangles = 0;
     std::uint32_t instancesTested = 0;                     ///< members of spaces that are seen, each once
@@ -73,10 +74,11 @@ struct PlanCounts {
     std::uint32_t boundsTested = 0; ///< tests of a bounding sphere against a visit, of clusters and instances
 };
 
-/// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates nothing.
+/// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates
+/// nothing.
 ///
-/// Numbers of instances, members and pieces beyond the scene's arrays are those of the plan's. The plan's instances are
-/// `dynamicInstances`, then `records`.
+/// Numbers of instances, members and pieces beyond the scene's arrays are those of the plan's. The plan's
+/// instances are `dynamicInstances`, then `records`.
 struct FramePlan {
     gpu::ViewConstants constants;
     std::vector<gpu::vec4>
@@ -86,9 +88,9 @@ struct FramePlan {
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::vec4> rects; ///< minimum x and y, maximum x and y; NDC
     std::vector<gpu::SkyInstance> skyInstances;
-    /// Records of all dynamic instances, visible or not. A view into the frame::DynamicScene, because fetching scattered
-    /// records is most of a frame in which everything moves: they are copied once, when the plan is drawn. They must
-    /// stay unchanged until then.
+    /// Records of all dynamic instances, visible or not. A view into the frame::DynamicScene, because
+    /// fetching scattered records is most of a frame in which everything moves: they are copied once, when
+    /// the plan is drawn. They must stay unchanged until then.
     std::span<const gpu::Instance> dynamicRecords;
     std::vector<std::uint32_t> dynamicInstances;     ///< the visible ones, indices into dynamicRecords
     std::vector<DynamicHighlight> dynamicHighlights; ///< ascending by instance
@@ -99,7 +101,8 @@ struct FramePlan {
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind
-    /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its occluders.
+    /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its
+    /// occluders.
     std::uint32_t firstHideable = 0;
     PlanCounts counts;
 

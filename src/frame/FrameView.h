@@ -1,6 +1,5 @@
 #pragma once
 
-#include "frame/Rules.h"
 #include "visibility/View.h"
 
 #include <cstdint>
@@ -17,7 +16,18 @@ struct Highlight {
         0; ///< bytes R, G, B and strength, R lowest; mixed with the lit colour by the strength
 };
 
-/// One frame to plan: the eye, and the conditions that are not the world's. Positions are global (world/World.h).
+/// Parts of the method that tests can switch off. Each part is necessary: without it some view is wrong
+/// (docs/proof.md), and a test shows that the check notices.
+struct Rules {
+    bool ownership = true;    ///< off: every pixel belongs to the root
+    bool ancestorClip = true; ///< off: openings are not clipped by the visits before them
+    bool growth = true;       ///< off: the visits before clip at their exact edges
+    bool nearOpening = true;  ///< off: openings within 5 cm of the eye are drawn like any other
+    bool viewcone = true;     ///< off: an instance is tested only against the first visit that lists it
+};
+
+/// One frame to plan: the eye, and the conditions that are not the world's. Positions are global
+/// (world/World.h).
 struct FrameView {
     visibility::View view;                   ///< eye in global metres; root is a world::SpaceIndex
     std::uint32_t width = 640, height = 360; ///< pixels
@@ -29,7 +39,8 @@ struct FrameView {
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole
     Rules rules;
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
-    /// Keep them few: for static instances the device searches the list for every draw. Read while the frame is planned.
+    /// Keep them few: for static instances the device searches the list for every draw. Read while the frame
+    /// is planned.
     std::span<const Highlight> highlights{};
 };
 

@@ -12,7 +12,8 @@
 
 namespace limen::frame::gpu {
 
-/// One vertex of the arena as the vertex fetch reads it. Three consecutive vertices are a triangle (world::Mesh).
+/// One vertex of the arena as the vertex fetch reads it. Three consecutive vertices are a triangle
+/// (world::Mesh).
 struct Vertex {
     glm::vec3 position{0.0f};
     std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
@@ -24,7 +25,8 @@ struct Vertex {
     glm::vec3 rest{0.0f}; ///< residual of `position` (world::MeshVertex)
 };
 
-/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index. Indices are of the arena, so `baseVertex` is 0.
+/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index. Indices are of the arena,
+/// so `baseVertex` is 0.
 struct DrawCommand {
     std::uint32_t indexCount = 0;
     std::uint32_t instanceCount = 1;

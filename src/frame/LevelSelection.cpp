@@ -39,8 +39,9 @@ std::span<const PositionRange> LevelSelection::select(world::SpaceIndex space,
         const ClusterBatches::Batch& batch = batches_.batches[leaves_[i].batch];
         const std::uint32_t number = leaves_[i].number;
         const Sphere bounds = batch.bounds(number);
-        // A leaf ahead of the near plane is drawn whole: testing its instances costs more than drawing those beyond the
-        // picture's edges. Not a leaf that extends behind the eye: its triangles are kept across the whole window.
+        // A leaf ahead of the near plane is drawn whole: testing its instances costs more than drawing those
+        // beyond the picture's edges. Not a leaf that extends behind the eye: its triangles are kept across
+        // the whole window.
         if (glm::dot(bounds.centre - eye, forward) > bounds.radius + nearPlane)
             mark(batch.positions[number]);
         else

@@ -4,17 +4,17 @@
 
 namespace limen::frame {
 
-/// Selects the static instances of a space in which a single visit has the whole picture. Tests clusters level by level,
-/// four at a time. No branch depends on a result: with unpredictable branches a frame of 10,000 objects took 1.5 times
-/// as long.
+/// Selects the static instances of a space in which a single visit has the whole picture. Tests clusters
+/// level by level, four at a time. No branch depends on a result: with unpredictable branches a frame of
+/// 10,000 objects took 1.5 times as long.
 ///
 /// Reuse it: steady frames allocate nothing. Clusters and batches must outlive it.
 class LevelSelection {
 public:
     LevelSelection(const Clusters& clusters, const ClusterBatches& batches);
 
-    /// The visible ranges of a space that has a tree, in order and disjoint; valid until the next call. `forward` is the
-    /// view's.
+    /// The visible ranges of a space that has a tree, in order and disjoint; valid until the next call.
+    /// `forward` is the view's.
     [[nodiscard]] std::span<const PositionRange> select(world::SpaceIndex space,
                                                         const visibility::Viewcones& cones, const Vec3& eye,
                                                         const Vec3& forward, double nearPlane);

@@ -10,17 +10,18 @@ namespace limen::frame {
 
 namespace {
 
-/// Metres. An opening nearer to the eye is drawn as a triangle around the whole window. The projected corners of so near
-/// a polygon, as floats, are so far off the screen that the rasteriser does not clip it exactly.
+/// Metres. An opening nearer to the eye is drawn as a triangle around the whole window. The projected corners
+/// of so near a polygon, as floats, are so far off the screen that the rasteriser does not clip it exactly.
 constexpr double kNearOpening = 0.05;
 
-/// Metres before a parent's entry plane that are kept. Otherwise float rounding would remove pixels of openings that touch
-/// the plane. Equal to the tolerance of the fragment test (shaders/include/gate.glsl).
+/// Metres before a parent's entry plane that are kept. Otherwise float rounding would remove pixels of
+/// openings that touch the plane. Equal to the tolerance of the fragment test (shaders/include/gate.glsl).
 constexpr double kEntryTolerance = 0.001;
 
-/// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with corners snapped
-/// to 1/256 of a pixel, and its child must not lose a pixel that the parent owns. With a larger value the child would take
-/// pixels beside a thin jamb that the parent does not own, and show surfaces behind the parent's plane there.
+/// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with
+/// corners snapped to 1/256 of a pixel, and its child must not lose a pixel that the parent owns. With a
+/// larger value the child would take pixels beside a thin jamb that the parent does not own, and show
+/// surfaces behind the parent's plane there.
 constexpr double kGrowth = 1.0 / 128.0;
 
 /// Edges of a clip set, whose last plane is the entry plane: GL guarantees eight clip distances.
@@ -61,9 +62,9 @@ private:
         gpu::vec4 plane{0, 0, 0, 1}; ///< and one more plane
     };
 
-    /// Whether the eye is in the opening's plane or so near it that floats may put it on the wrong side. Then the flood's
-    /// region, computed in double, decides alone. Its edges are not exactly the walls', but that is not visible: such a
-    /// region is half of all directions, or too thin to hold more than a few pixels.
+    /// Whether the eye is in the opening's plane or so near it that floats may put it on the wrong side. Then
+    /// the flood's region, computed in double, decides alone. Its edges are not exactly the walls', but that
+    /// is not visible: such a region is half of all directions, or too thin to hold more than a few pixels.
     [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
         return visit.inPlane || std::abs(visit.entryPlane.d) < visibility::kBeforePlane;
     }
@@ -86,8 +87,8 @@ private:
         return filling == world::kNone ? gpu::kShutByNothing : dynamics_.instances[filling].idBase;
     }
 
-    /// The plane that clips the visit's portal; one that clips nothing if the whole polygon is beyond it. That matters for
-    /// a polygon seen edge-on, whose depth is too inexact for a test that is not necessary.
+    /// The plane that clips the visit's portal; one that clips nothing if the whole polygon is beyond it.
+    /// That matters for a polygon seen edge-on, whose depth is too inexact for a test that is not necessary.
     [[nodiscard]] gpu::vec4 planeFor(std::uint32_t visit, const Plane& entry) const {
         const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
         const bool clips = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
@@ -121,8 +122,9 @@ private:
         return length > 0.0 ? gpu::vec4(Vec3f(n / length), 0.0f) : gpu::vec4(0, 0, 0, 1);
     }
 
-    /// A region with more edges than a clip set has is divided into fans around its first vertex, one draw each. The inner
-    /// edges of the fans are always moved outwards, so that the fans overlap and leave no gap.
+    /// A region with more edges than a clip set has is divided into fans around its first vertex, one draw
+    /// each. The inner edges of the fans are always moved outwards, so that the fans overlap and leave no
+    /// gap.
     void drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Clip& by) {
         for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
             const std::size_t last = std::min(first + kEdgesPerSet - 2, region.size() - 1);
@@ -153,8 +155,8 @@ private:
             {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow, Vec3f(0.0f), 0});
     }
 
-    /// The portal polygon as a fan around its middle. Every edge of its outline is kept, divided at the same vertices as
-    /// the edges of the walls.
+    /// The portal polygon as a fan around its middle. Every edge of its outline is kept, divided at the same
+    /// vertices as the edges of the walls.
     void drawPortal(std::uint32_t visit, std::uint32_t clipSet) {
         const world::Portal& portal = world_.portals[set_.visits[visit].portal];
         const Vec3 origin = world_.blocks[portal.block].origin();

@@ -9,8 +9,8 @@ namespace limen::frame {
 void beginStage(FramePlan& plan, StageKind kind);
 void endStage(FramePlan& plan);
 
-/// Begins a batch, which stays in the plan even if it remains empty: then a stage makes the same GL calls in every frame
-/// that has it.
+/// Begins a batch, which stays in the plan even if it remains empty: then a stage makes the same GL calls in
+/// every frame that has it.
 void beginBatch(Program program, bool gated, FramePlan& plan);
 
 /// Adds a run to the last batch. Consecutive runs are merged.

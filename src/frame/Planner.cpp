@@ -249,7 +249,8 @@ void Planner::planTransparent(const Vec3& eye, bool several, const world::Dynami
     std::sort(transparent_.begin(), transparent_.end(), [](const TransparentRun& a, const TransparentRun& b) {
         return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
     });
-    // With several visits every draw is gated: blended instances are few, and equal gating makes fewer, longer runs.
+    // With several visits every draw is gated: blended instances are few, and equal gating makes fewer,
+    // longer runs.
     beginBatch(Program::Blended, several, plan);
     for (const TransparentRun& transparent : transparent_)
         addRun(gatedIf(several, transparent.run), plan);

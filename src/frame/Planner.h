@@ -11,8 +11,9 @@
 
 namespace limen::frame {
 
-/// Plans the frames of one scene: selects the visible instances and writes them as stages, batches and runs. Holds the
-/// memory for that, so that a steady frame allocates nothing. One planner per thread; the scene can be shared.
+/// Plans the frames of one scene: selects the visible instances and writes them as stages, batches and runs.
+/// Holds the memory for that, so that a steady frame allocates nothing. One planner per thread; the scene can
+/// be shared.
 class Planner {
 public:
     /// `scene` must outlive the planner.
@@ -20,8 +21,8 @@ public:
     Planner(const Planner&) = delete;
     Planner& operator=(const Planner&) = delete;
 
-    /// Plans one frame; `plan` is overwritten and refers to the records of `dynamics`. `set` must be the flood of the
-    /// same world and dynamic state from `frame.view`.
+    /// Plans one frame; `plan` is overwritten and refers to the records of `dynamics`. `set` must be the
+    /// flood of the same world and dynamic state from `frame.view`.
     void plan(const FrameView& frame, const DynamicScene& dynamics, const visibility::VisibleSet& set,
               FramePlan& plan);
     /// Plans a frame without dynamic instances.
@@ -44,8 +45,8 @@ private:
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
-    /// Adds to `transparent_` from pieces of one class in which those of an instance are consecutive. `first`: number of
-    /// the first piece; `boundsOf(instance)`: its bounding sphere.
+    /// Adds to `transparent_` from pieces of one class in which those of an instance are consecutive.
+    /// `first`: number of the first piece; `boundsOf(instance)`: its bounding sphere.
     template <class BoundsOf>
     void gatherTransparent(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
                            const BoundsOf& boundsOf);

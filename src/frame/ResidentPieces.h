@@ -26,8 +26,8 @@ inline constexpr std::size_t kDrawClasses = 5;
     return kind == world::InstanceKind::Terrain ? DrawClass::Terrain
                                                 : (isBuilt ? DrawClass::Wall : DrawClass::Opaque);
 }
-/// Calls `draw(class, range)` for each class that can draw a part of an instance's mesh; ranges may be empty. Split
-/// surfaces are in two classes: cut-outs where they are nearly opaque, blended elsewhere.
+/// Calls `draw(class, range)` for each class that can draw a part of an instance's mesh; ranges may be empty.
+/// Split surfaces are in two classes: cut-outs where they are nearly opaque, blended elsewhere.
 template <class Draw>
 void eachRangeOf(const world::Mesh& mesh, world::InstanceKind kind, const Draw& draw) {
     draw(solidClassOf(kind), mesh.ranges[0]);
@@ -41,8 +41,8 @@ static_assert(static_cast<int>(world::SurfaceClass::Opaque) == 0 &&
               static_cast<int>(world::SurfaceClass::CutOut) == 1 &&
               static_cast<int>(world::SurfaceClass::Blended) == 2);
 
-/// Cuts a range of a mesh into pieces of at most gpu::kTrianglesPerPiece triangles. `indices`: total of all pieces
-/// before; advanced.
+/// Cuts a range of a mesh into pieces of at most gpu::kTrianglesPerPiece triangles. `indices`: total of all
+/// pieces before; advanced.
 inline void addPieces(const world::Mesh::Range& range, std::uint32_t instance, std::uint32_t& indices,
                       std::vector<gpu::DrawPiece>& pieces) {
     constexpr std::uint32_t kMost = 3 * gpu::kTrianglesPerPiece;
@@ -53,8 +53,8 @@ inline void addPieces(const world::Mesh::Range& range, std::uint32_t instance, s
     }
 }
 
-/// The pieces of all static instances, by class, and within a class in the order of the clusters. So a range of that
-/// order is one run of each class.
+/// The pieces of all static instances, by class, and within a class in the order of the clusters. So a range
+/// of that order is one run of each class.
 struct ResidentPieces {
     /// The first piece of a position, and the number of indices before it, by class.
     struct Start {
@@ -73,8 +73,8 @@ struct ResidentPieces {
 
 [[nodiscard]] ResidentPieces buildPieces(const world::World& world, const Clusters& clusters);
 
-/// The pieces of each mesh as a dynamic instance draws it, so that a frame only adds the instance's number. Shells,
-/// exteriors and terrain are never dynamic: the opaque part is of DrawClass::Opaque.
+/// The pieces of each mesh as a dynamic instance draws it, so that a frame only adds the instance's number.
+/// Shells, exteriors and terrain are never dynamic: the opaque part is of DrawClass::Opaque.
 struct MeshPieces {
     static constexpr std::uint32_t kNoMore = 0xFFFFFFFFu;
     /// Same size and first members as gpu::DrawPiece, so that one is made from it by a cast.

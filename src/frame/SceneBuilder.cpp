@@ -70,8 +70,8 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
     scene.materialRefs = world.materialRefs;
 }
 
-/// By texture: 1 if every use of it allows clamping to the edge (blend maps; textures with all coordinates within 0..1).
-/// If any use repeats a texture, all uses repeat it.
+/// By texture: 1 if every use of it allows clamping to the edge (blend maps; textures with all coordinates
+/// within 0..1). If any use repeats a texture, all uses repeat it.
 std::vector<std::uint8_t> clampedTextures(const world::World& world) {
     std::vector<std::uint8_t> clamped(world.textures.size(), 0);
     const auto mark = [&](std::uint32_t texture, bool clamp) {

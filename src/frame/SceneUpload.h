@@ -15,8 +15,8 @@ struct TextureUpload {
     std::uint64_t contentKey = 0; ///< textures with equal keys have equal content; 0: unknown
 };
 
-/// All static content in the GPU's layout, written once when it becomes resident. `textures` are views into the world
-/// that the upload was made from and must not outlive it; the other arrays are owned.
+/// All static content in the GPU's layout, written once when it becomes resident. `textures` are views into
+/// the world that the upload was made from and must not outlive it; the other arrays are owned.
 struct SceneUpload {
     std::vector<gpu::Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< into `vertices`, of every mesh

@@ -253,7 +253,8 @@ void Selection::finishListed(const world::DynamicState& dynamics) {
     for (const std::uint32_t number : sharedTested_) {
         if (const Containment seen = sharedResults_[number].seen; seen != Containment::Outside) {
             const std::uint32_t position = clusters_.firstShared + number;
-            // A member of several zones always takes the test, because the zone of each fragment also selects its light.
+            // A member of several zones always takes the test, because the zone of each fragment also selects
+            // its light.
             draw(position, position + 1,
                  seen == Containment::Inside && clusters_.sharedIsInOneZone[number] != 0);
         }

@@ -20,13 +20,14 @@ struct SelectedRange {
 /// A visible dynamic instance: its position in DynamicState::listed, and gpu::kGated.
 using SelectedDynamic = std::uint32_t;
 
-/// Selects the instances to draw in a frame: the members of spaces that are seen whose bounding sphere can be visible in
-/// a visit to that space, within the rectangle that the flood found for the space. An instance is gated unless it is
-/// wholly within one visit, in front of every surface that can hide it (Viewcones::classify), and a member of one zone.
-/// With a single visit nothing is gated.
+/// Selects the instances to draw in a frame: the members of spaces that are seen whose bounding sphere can be
+/// visible in a visit to that space, within the rectangle that the flood found for the space. An instance is
+/// gated unless it is wholly within one visit, in front of every surface that can hide it
+/// (Viewcones::classify), and a member of one zone. With a single visit nothing is gated.
 ///
-/// Instances of clusters wholly inside or outside are not tested one by one; the result is the same. There is one
-/// exception: with a single visit, a leaf cluster ahead of the eye that crosses the picture's edges is drawn whole.
+/// Instances of clusters wholly inside or outside are not tested one by one; the result is the same. There is
+/// one exception: with a single visit, a leaf cluster ahead of the eye that crosses the picture's edges is
+/// drawn whole.
 ///
 /// Reuse it: steady frames allocate nothing. The scene must outlive it.
 class Selection {

@@ -5,8 +5,9 @@
 
 namespace limen::frame {
 
-/// The static content of a world, prepared for planning and for upload: made once from a world, immutable afterwards.
-/// Threads may share it as `const`: a planner refers to one, frame/SceneBuilder.h makes the upload from it.
+/// The static content of a world, prepared for planning and for upload: made once from a world, immutable
+/// afterwards. Threads may share it as `const`: a planner refers to one, frame/SceneBuilder.h makes the
+/// upload from it.
 class StaticScene {
 public:
     /// `world` must outlive the scene and stay unchanged.

@@ -9,8 +9,9 @@ namespace limen::frame {
 
 namespace {
 
-/// Pixels by which a rectangle exceeds its region. Covers the difference between the region and the pixels that its
-/// visit owns, with a margin: a ray passes a hundredth of a pixel beside the pixel's centre, and floats are rounded.
+/// Pixels by which a rectangle exceeds its region. Covers the difference between the region and the pixels
+/// that its visit owns, with a margin: a ray passes a hundredth of a pixel beside the pixel's centre, and
+/// floats are rounded.
 constexpr double kMargin = 2.0;
 
 constexpr std::size_t kMaxFirst = std::numeric_limits<std::uint16_t>::max();

@@ -9,9 +9,9 @@
 
 namespace limen::frame {
 
-/// The screen rectangles in which each zone is visible: one around the region of each visit to it. The ownership test
-/// discards every fragment outside them of an instance that is a member of that zone only, so the device culls its
-/// triangles there. Reuse it: steady frames allocate nothing.
+/// The screen rectangles in which each zone is visible: one around the region of each visit to it. The
+/// ownership test discards every fragment outside them of an instance that is a member of that zone only, so
+/// the device culls its triangles there. Reuse it: steady frames allocate nothing.
 class ZoneScreenRects {
 public:
     /// `zoneCount`: of the world.
@@ -19,8 +19,8 @@ public:
 
     /// Writes the plan's rectangles. None if there is one visit: it has the whole picture.
     void find(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
-    /// The rectangles of a zone in the last call of `find`. None for kNone, for a zone without a visit, and for one that
-    /// has the whole picture.
+    /// The rectangles of a zone in the last call of `find`. None for kNone, for a zone without a visit, and
+    /// for one that has the whole picture.
     [[nodiscard]] RectRun of(world::ZoneIndex zone) const {
         return zone != world::kNone && zones_[zone].frame == frame_ ? zones_[zone].rects : RectRun();
     }

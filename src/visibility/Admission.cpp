@@ -10,8 +10,8 @@ namespace limen::visibility {
 
 namespace {
 
-/// Metres by which a portal must extend beyond its visit's entry plane. A ray that enters through a plane does not leave
-/// through the same plane (two openings in one wall).
+/// Metres by which a portal must extend beyond its visit's entry plane. A ray that enters through a plane
+/// does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
 
 /// Metres before the eye at which openings are clipped if Rules::eyePlaneClip is off.
@@ -121,14 +121,16 @@ void Admission::add(Candidate c, bool hole, CandidateList& children) const {
     children.add(c, s_.region);
 }
 
-/// True if the eye is in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for rays into it.
+/// True if the eye is in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for
+/// rays into it.
 bool Admission::holdsEye(const Graph::Portal& portal, double way) const {
     const double side = way * portal.plane.signedDistance(in_.view.eye);
     return side >= -kInPlane && side <= portal.inPlane &&
            containsProjection(in_.graph.polygon(portal), portal.plane.n, in_.view.eye, 0.0);
 }
 
-/// True if the reciprocal's polygon bounds the opening, too. An eye inside the reciprocal is already through it.
+/// True if the reciprocal's polygon bounds the opening, too. An eye inside the reciprocal is already through
+/// it.
 bool Admission::isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
     return !portal.exact && portal.reciprocal != kNone &&
            !(in_.rules.halfPlane && visit.inPlane && holdsEye(in_.graph.portals()[portal.reciprocal], -1.0));
@@ -138,8 +140,8 @@ bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {
     return visit.portal != kNone && in_.graph.portals()[visit.portal].reciprocal == portal;
 }
 
-/// A straight ray crosses a plane once. But a polygon that is not flat extends beyond its plane, and without this test rays
-/// could follow a ring of such openings for ever.
+/// A straight ray crosses a plane once. But a polygon that is not flat extends beyond its plane, and without
+/// this test rays could follow a ring of such openings for ever.
 bool Admission::isInChain(std::uint32_t visit, std::uint32_t portal) const {
     for (; visit != kNone; visit = set_.visits[visit].parent)
         if (set_.visits[visit].portal == portal)
@@ -168,8 +170,8 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
     if (farthest <= kBeyondEntry)
         return false;
-    // The part within the tolerance of the entry plane is kept: corners that two openings share are not exactly in the
-    // planes of both.
+    // The part within the tolerance of the entry plane is kept: corners that two openings share are not
+    // exactly in the planes of both.
     clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
         clipPolygon(s_.beyond, {in_.view.forward, -kTestNear}, 0.0, s_.swap);

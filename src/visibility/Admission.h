@@ -32,12 +32,14 @@ public:
     Admission(const FloodInput& input, double smallest, Scratch& scratch, VisibleSet& set)
         : in_(input), smallest_(smallest), s_(scratch), set_(set) {}
 
-    /// Appends the candidates for the rays that leave visit `index` through a portal of one of its spaces: none, one, or
-    /// for an inexact pair also the hole around it. A portal that is refused gets an entry in the trace.
+    /// Appends the candidates for the rays that leave visit `index` through a portal of one of its spaces:
+    /// none, one, or for an inexact pair also the hole around it. A portal that is refused gets an entry in
+    /// the trace.
     template <bool kTraced>
     void admit(std::uint32_t index, std::uint32_t portal, CandidateList& children);
 
-    /// The reason why no ray of the visit passes a portal of one of its spaces, as far as its position shows it.
+    /// The reason why no ray of the visit passes a portal of one of its spaces, as far as its position shows
+    /// it.
     [[nodiscard]] PortalFate whyUnseen(std::uint32_t visit, std::uint32_t portal) const;
 
 private:

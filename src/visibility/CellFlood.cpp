@@ -10,19 +10,20 @@ namespace limen::visibility {
 
 namespace {
 
-/// NDC by which rectangles are widened: an eighth of a pixel on a 4k screen. The rasteriser snaps vertices, and a cell seen
-/// through a gap narrower than that must not be lost.
+/// NDC by which rectangles are widened: an eighth of a pixel on a 4k screen. The rasteriser snaps vertices,
+/// and a cell seen through a gap narrower than that must not be lost.
 constexpr double kMargin = 1e-4;
 
-/// Metres. An eye this near to a portal between two cells of a zone can be in either cell, and sees through all of the
-/// portal.
+/// Metres. An eye this near to a portal between two cells of a zone can be in either cell, and sees through
+/// all of the portal.
 constexpr double kNear = 0.01;
 
 /// Metres. A point nearer to the eye plane is not projected: it is within kNear of the eye or off the screen.
 constexpr double kMinW = 1e-6;
 
-/// Waiting rectangles of one cell are merged if the union is at most this many times as large as both together. Neighbouring
-/// cells of a hall pass adjacent rectangles to the next cell, and following each alone costs more with every cell.
+/// Waiting rectangles of one cell are merged if the union is at most this many times as large as both
+/// together. Neighbouring cells of a hall pass adjacent rectangles to the next cell, and following each alone
+/// costs more with every cell.
 constexpr double kMostWaste = 1.5;
 
 void include(Rect& rect, double x, double y) {

@@ -10,13 +10,13 @@
 
 namespace limen::visibility {
 
-/// The flood inside one zone: from cell to cell, each with the screen rectangles in which rays enter it. It does not decide
-/// the picture (inside a zone depth does). It finds the cells to draw and the portals out of the zone to clip, so a rectangle
-/// may be too large, never too small.
+/// The flood inside one zone: from cell to cell, each with the screen rectangles in which rays enter it. It
+/// does not decide the picture (inside a zone depth does). It finds the cells to draw and the portals out of
+/// the zone to clip, so a rectangle may be too large, never too small.
 ///
-/// A cell with several rectangles keeps them apart, because their union would include everything between them on the screen.
-/// Adjacent rectangles are merged if neither has been followed yet. Beyond kRects the union is used, so that the work stays
-/// proportional to the cells seen.
+/// A cell with several rectangles keeps them apart, because their union would include everything between them
+/// on the screen. Adjacent rectangles are merged if neither has been followed yet. Beyond kRects the union is
+/// used, so that the work stays proportional to the cells seen.
 class CellFlood {
 public:
     /// The input for one zone.

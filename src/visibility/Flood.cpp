@@ -249,8 +249,8 @@ Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, con
         trace->clear();
         return VisitTraversal<true>(input, smallest, scratch.data(), out).run(most);
     };
-    // If the visits exceed the budget, the smallest openings are left out, with a growing limit until the rest fits.
-    // Regions shrink along a chain, so the rest is a tree, and has the largest regions.
+    // If the visits exceed the budget, the smallest openings are left out, with a growing limit until the
+    // rest fits. Regions shrink along a chain, so the rest is a tree, and has the largest regions.
     for (double smallest = 0.0; !isWhole(smallest);)
         smallest = smallest == 0.0 ? 1e-7 : smallest * 4.0;
     return {};

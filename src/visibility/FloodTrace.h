@@ -5,8 +5,8 @@
 
 namespace limen::visibility {
 
-/// The fate of a visit's rays at one portal of a space that it sees. In ascending order of importance: of several fates of
-/// one portal, the last in this list is the most informative.
+/// The fate of a visit's rays at one portal of a space that it sees. In ascending order of importance: of
+/// several fates of one portal, the last in this list is the most informative.
 enum class PortalFate : std::uint8_t {
     NoArea,        ///< the polygon has no area
     WayBack,       ///< the visit was entered through this opening
@@ -26,8 +26,8 @@ enum class PortalFate : std::uint8_t {
 };
 inline constexpr std::size_t kPortalFates = static_cast<std::size_t>(PortalFate::Admitted) + 1;
 
-/// The decisions of a flood at each portal that it tested, in order, for the panel. A portal may have several entries, also
-/// of one visit.
+/// The decisions of a flood at each portal that it tested, in order, for the panel. A portal may have several
+/// entries, also of one visit.
 struct FloodTrace {
     struct Entry {
         std::uint32_t visit =

@@ -9,7 +9,8 @@ namespace limen::visibility {
 
 namespace {
 
-/// Spaces with more portals than this get a tree of bounds. For fewer, testing each portal costs less than the tree.
+/// Spaces with more portals than this get a tree of bounds. For fewer, testing each portal costs less than
+/// the tree.
 constexpr std::uint32_t kPortalsWithoutTree = 12;
 
 /// Metres. A polygon whose vertices are within this distance of its plane is convex from every eye.

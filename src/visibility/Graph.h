@@ -13,9 +13,9 @@ namespace limen::visibility {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A space as the caller describes it: a run of portals, and its zone. The spaces of one zone must be connected, closed and
-/// pairwise disjoint, so that inside it depth alone decides which surface is in front. If the caller cannot guarantee that,
-/// every space needs a zone of its own.
+/// A space as the caller describes it: a run of portals, and its zone. The spaces of one zone must be
+/// connected, closed and pairwise disjoint, so that inside it depth alone decides which surface is in front.
+/// If the caller cannot guarantee that, every space needs a zone of its own.
 struct SpaceDesc {
     std::uint32_t firstPortal = 0, portalCount = 0;
     std::uint32_t zone = 0;
@@ -28,23 +28,24 @@ struct PortalDesc {
     std::uint32_t reciprocal = kNone; ///< the portal that leads back through the same opening; kNone: one-way
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< convex, counter-clockwise seen from inside `space`
     bool exact = true; ///< false: the reciprocal's polygon differs, and the opening is their intersection
-    /// The polygon with the vertices that walls have on, or nearly on, its edges (visibility/Outline.h); count 0: none.
+    /// The polygon with the vertices that walls have on, or nearly on, its edges (visibility/Outline.h);
+    /// count 0: none.
     std::uint32_t firstOutline = 0, outlineCount = 0;
 };
 
 /// Metres. An eye up to this far behind a portal's plane is in the plane (docs/ray-rule.md, "Tolerances").
 inline constexpr double kInPlane = 0.0002;
-/// Metres. An eye up to this far before a portal's plane is in the plane: the float error of the polygon's corners. The
-/// distance of uneven corners from the plane is added (Portal::inPlane).
+/// Metres. An eye up to this far before a portal's plane is in the plane: the float error of the polygon's
+/// corners. The distance of uneven corners from the plane is added (Portal::inPlane).
 inline constexpr double kBeforePlane = 0.00001;
 
-/// Spaces joined by portals, ready for the flood: the caller's arrays checked and copied, with planes and, for spaces with
-/// many portals, a tree of bounds. Immutable; may be shared by threads.
+/// Spaces joined by portals, ready for the flood: the caller's arrays checked and copied, with planes and,
+/// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
 class Graph {
 public:
-    /// Checks every index and copies. `vertices` are metres in one frame of the caller's choice. A portal without area, or
-    /// with fewer than three vertices, is kept but never admitted. Errors: BadArgument for an index out of range, a portal
-    /// outside the run of its space, a vertex that is not finite.
+    /// Checks every index and copies. `vertices` are metres in one frame of the caller's choice. A portal
+    /// without area, or with fewer than three vertices, is kept but never admitted. Errors: BadArgument for
+    /// an index out of range, a portal outside the run of its space, a vertex that is not finite.
     [[nodiscard]] static Result<Graph> build(std::span<const SpaceDesc> spaces,
                                              std::span<const PortalDesc> portals,
                                              std::span<const Vec3> vertices);

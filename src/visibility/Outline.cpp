@@ -8,7 +8,8 @@ namespace limen::visibility {
 
 namespace {
 
-/// True if `p` is outside the edge from `a` to `b` of a polygon that is counter-clockwise from the eye, the origin.
+/// True if `p` is outside the edge from `a` to `b` of a polygon that is counter-clockwise from the eye, the
+/// origin.
 bool isOutside(const Vec3& a, const Vec3& p, const Vec3& b) {
     return glm::dot(glm::cross(a, b), p) > 0.0;
 }

@@ -33,7 +33,8 @@ void tidyRegion(std::vector<Vec3>& region) {
         const double length = std::sqrt(glm::dot(v, v));
         v = length > 0.0 ? v / length : v;
     }
-    // Vertices closer than 10⁻¹² rad are equal but for rounding, and an edge between them would have no direction.
+    // Vertices closer than 10⁻¹² rad are equal but for rounding, and an edge between them would have no
+    // direction.
     const auto same = [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) < 1e-24; };
     region.erase(std::unique(region.begin(), region.end(), same), region.end());
     while (region.size() > 1 && same(region.front(), region.back()))
@@ -44,8 +45,8 @@ void tidyRegion(std::vector<Vec3>& region) {
 
 void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, std::vector<Vec3>& out,
                   std::vector<Vec3>& swap) {
-    // Each edge adds at most one vertex. The swaps may leave the result in either vector, so both get the full capacity:
-    // then the next equal frame allocates nothing.
+    // Each edge adds at most one vertex. The swaps may leave the result in either vector, so both get the
+    // full capacity: then the next equal frame allocates nothing.
     out.reserve(polygon.size() + region.size());
     swap.reserve(polygon.size() + region.size());
     out.assign(polygon.begin(), polygon.end());

@@ -12,8 +12,8 @@ namespace {
 /// Overlaps with a smaller coneSize result from rounding of a shared edge and contain no pixel.
 constexpr double kTouching = 1e-11;
 
-/// Maximum number of parts per opening when cycles are cut. Flat openings need few. For bent ones, whose regions may not be
-/// convex, cutting might never end.
+/// Maximum number of parts per opening when cycles are cut. Flat openings need few. For bent ones, whose
+/// regions may not be convex, cutting might never end.
 constexpr std::size_t kMostParts = 8;
 
 Vec3 centroid(std::span<const Vec3> region) {
@@ -23,8 +23,8 @@ Vec3 centroid(std::span<const Vec3> region) {
     return sum;
 }
 
-/// Distance along direction `d` (x, y, w; its length is the unit of the result) to the candidate's plane. 0 for an eye in the
-/// plane, also if it is a little before or behind it.
+/// Distance along direction `d` (x, y, w; its length is the unit of the result) to the candidate's plane. 0
+/// for an eye in the plane, also if it is a little before or behind it.
 double distanceAlong(const Candidate& c, const Vec3& d) {
     if (c.inPlane)
         return 0.0;

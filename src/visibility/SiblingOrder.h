@@ -4,11 +4,12 @@
 
 namespace limen::visibility {
 
-/// Sorts the children of one visit from far to near. Two openings that overlap on the screen are compared in the overlap: the
-/// farther one along a ray through both comes first. Any ray of the overlap decides, because openings of one zone do not
-/// intersect each other. The hole around an opening comes before it. An opening wholly covered by one nearer opening is
-/// dropped: no ray of this visit reaches it. If the overlaps have a cycle, an opening is cut along the edges of the one that
-/// must precede it, and its parts are sorted separately.
+/// Sorts the children of one visit from far to near. Two openings that overlap on the screen are compared in
+/// the overlap: the farther one along a ray through both comes first. Any ray of the overlap decides, because
+/// openings of one zone do not intersect each other. The hole around an opening comes before it. An opening
+/// wholly covered by one nearer opening is dropped: no ray of this visit reaches it. If the overlaps have a
+/// cycle, an opening is cut along the edges of the one that must precede it, and its parts are sorted
+/// separately.
 class SiblingOrder {
 public:
     /// Reorders `list`. Openings that do not overlap are sorted by distance, far first, then by portal.

@@ -6,9 +6,9 @@
 #include <immintrin.h>
 #endif
 
-// Loops of a fixed length over plain arrays, which compilers turn into vector instructions of the set that the calling
-// function is compiled for. Outputs are arrays of their own, so that compilers can exclude aliasing, and are not initialised
-// if every element is assigned.
+// Loops of a fixed length over plain arrays, which compilers turn into vector instructions of the set that
+// the calling function is compiled for. Outputs are arrays of their own, so that compilers can exclude
+// aliasing, and are not initialised if every element is assigned.
 namespace limen::visibility {
 
 namespace {
@@ -46,8 +46,8 @@ template <class Block, class Coordinate, std::size_t Count>
         spheres.y[i] = static_cast<float>(block.y[i] - eye[1]);
         spheres.z[i] = static_cast<float>(block.z[i] - eye[2]);
     }
-    // Values are loaded one by one. A copy of a whole array would be stored in pieces narrower than the vector loads that
-    // follow, which would then stall.
+    // Values are loaded one by one. A copy of a whole array would be stored in pieces narrower than the
+    // vector loads that follow, which would then stall.
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = spheres.x[i], y = spheres.y[i], z = spheres.z[i];
         const float radius = static_cast<float>(block.radius[i]);
@@ -87,9 +87,10 @@ template <std::size_t Count>
 
 /// Number of values that are nearer to 0 than the tolerance: float precision does not decide their sign.
 ///
-/// The tolerance covers the float error. A value has about fourteen roundings, each of 2^-24 of at most the sphere's
-/// distance and radius: less than half the tolerance. The coordinates of a SphereBatch are rounded by 0.2 mm along each axis
-/// for the sphere and as much for the eye, at most 0.7 mm in all; the other half of the tolerance is at least 2 mm.
+/// The tolerance covers the float error. A value has about fourteen roundings, each of 2^-24 of at most the
+/// sphere's distance and radius: less than half the tolerance. The coordinates of a SphereBatch are rounded
+/// by 0.2 mm along each axis for the sphere and as much for the eye, at most 0.7 mm in all; the other half of
+/// the tolerance is at least 2 mm.
 template <std::size_t Count>
 [[gnu::always_inline]] inline int countUndecided(const Values<Count>& values,
                                                  const Values<Count>& tolerance) {

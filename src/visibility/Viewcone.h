@@ -28,8 +28,9 @@ struct SphereQuad {
     const double* radius = nullptr;
 };
 
-/// Sixteen spheres that are tested together, in floats, relative to an origin (world::ListedInstances). No centre is farther
-/// from it along any axis than kMostOffset, so that rounding moves a centre by at most 0.2 mm along each axis.
+/// Sixteen spheres that are tested together, in floats, relative to an origin (world::ListedInstances). No
+/// centre is farther from it along any axis than kMostOffset, so that rounding moves a centre by at most 0.2
+/// mm along each axis.
 struct SphereBatch {
     static constexpr std::size_t kCount = 16;
     static constexpr double kMostOffset = 4096.0; ///< metres; also the largest radius
@@ -39,7 +40,8 @@ struct SphereBatch {
     const float* radius = nullptr;
 };
 
-/// Four planes through the eye: unit normals, positive inside. As arrays, because all four are evaluated together.
+/// Four planes through the eye: unit normals, positive inside. As arrays, because all four are evaluated
+/// together.
 class FourEdges {
 public:
     /// The planes in floats.
@@ -73,7 +75,8 @@ private:
     Floats floats_;
 };
 
-/// Vector instructions for testing batches of spheres (SphereBatch.cpp). The code is the same, compiled for each set.
+/// Vector instructions for testing batches of spheres (SphereBatch.cpp). The code is the same, compiled for
+/// each set.
 enum class Vectors : std::uint8_t {
     Any,   ///< instructions that every processor has
     Avx2,  ///< eight floats
@@ -82,17 +85,20 @@ enum class Vectors : std::uint8_t {
 /// The widest set that this processor supports.
 [[nodiscard]] Vectors widestVectors();
 
-/// The visits of one flood as planes, for frustum culling of spheres. Reuse it: steady frames allocate nothing.
+/// The visits of one flood as planes, for frustum culling of spheres. Reuse it: steady frames allocate
+/// nothing.
 class Viewcones {
 public:
     /// `vectors`: a set that the processor supports. The results do not depend on it.
     explicit Viewcones(Vectors vectors = widestVectors()) : vectors_(vectors) {}
-    /// `pixel`: the angle of one pixel in radians. A sphere within two pixels of a region counts as touching it.
+    /// `pixel`: the angle of one pixel in radians. A sphere within two pixels of a region counts as touching
+    /// it.
     void prepare(const View& view, const VisibleSet& set, double pixel);
 
-    /// Tests a sphere against a visit's region and entry plane. Inside means more than contained: the sphere is also in
-    /// front of the entry planes of all later visits that it touches on the screen, and those are all descendants of this
-    /// visit. Then every fragment inside the sphere passes the ownership test, and the test can be omitted.
+    /// Tests a sphere against a visit's region and entry plane. Inside means more than contained: the sphere
+    /// is also in front of the entry planes of all later visits that it touches on the screen, and those are
+    /// all descendants of this visit. Then every fragment inside the sphere passes the ownership test, and
+    /// the test can be omitted.
     [[nodiscard]] Containment classify(std::uint32_t visit, const SeenSphere& sphere) const {
         // The root only: it has no entry plane, and no visit is drawn later.
         if (cones_.size() == 1)
@@ -100,11 +106,12 @@ public:
         const Containment found = classifyInVisit(cones_[visit], sphere);
         return found == Containment::Inside && isCovered(visit, sphere) ? Containment::Partial : found;
     }
-    /// Lists the spheres of a batch that are not outside the root's region, nor outside a rectangle if there is one: the
-    /// same result as `classify` gives for each. Tests them together, in floats, without unpredictable branches. Writes
-    /// `first + i` for each sphere i found, in order; `out` has room for a whole batch. Returns their number, or kUndecided
-    /// if float precision does not suffice for one. `count`: spheres to test, 1..kCount; the arrays hold a whole batch.
-    /// `eye`: relative to the batch's origin. `rect`: null for none. Requires a single visit.
+    /// Lists the spheres of a batch that are not outside the root's region, nor outside a rectangle if there
+    /// is one: the same result as `classify` gives for each. Tests them together, in floats, without
+    /// unpredictable branches. Writes `first + i` for each sphere i found, in order; `out` has room for a
+    /// whole batch. Returns their number, or kUndecided if float precision does not suffice for one. `count`:
+    /// spheres to test, 1..kCount; the arrays hold a whole batch. `eye`: relative to the batch's origin.
+    /// `rect`: null for none. Requires a single visit.
     static constexpr std::uint32_t kUndecided = 0xFFFFFFFFu;
     [[nodiscard]] std::uint32_t listWithin(const SphereBatch& spheres, const Vec3& eye, const FourEdges* rect,
                                            std::uint32_t first, std::uint32_t count,
@@ -128,9 +135,9 @@ public:
     }
 
 private:
-    /// Tolerance of a test: metres per metre of distance, and metres. Covers that of the ownership test (1 mm and a share
-    /// of the distance) and float rounding on the GPU, with a margin. A sphere is inside only if it is so by more than
-    /// the tolerance, and outside only if by more than it.
+    /// Tolerance of a test: metres per metre of distance, and metres. Covers that of the ownership test (1 mm
+    /// and a share of the distance) and float rounding on the GPU, with a margin. A sphere is inside only if
+    /// it is so by more than the tolerance, and outside only if by more than it.
     static constexpr double kToleranceShare = 2e-6;
     static constexpr double kTolerance = 0.004;
     struct Cone {

@@ -57,8 +57,8 @@ struct FloodCounts {
 
 /// The result of one flood; see docs/ray-rule.md. Reuse it: `clear` keeps the capacity.
 struct VisibleSet {
-    /// Depth-first, the root first, parents before children, far siblings (with their subtrees) before near ones. Painting
-    /// the regions in this order leaves every pixel with its leaf visit.
+    /// Depth-first, the root first, parents before children, far siblings (with their subtrees) before near
+    /// ones. Painting the regions in this order leaves every pixel with its leaf visit.
     std::vector<Visit> visits;
     /// Regions: convex polygons, counter-clockwise, homogeneous (x, y, w) as in View, w >= 0.
     std::vector<Vec3> regionVertices;

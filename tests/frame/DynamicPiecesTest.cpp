@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint32_t kStaticPieces = 10;
 constexpr std::uint32_t kBox = 0, kLong = 1, kPainted = 2, kNothing = 3; // meshes
 
-/// A mesh of 12 triangles; one whose opaque part takes three pieces; one with a part of each class, of 2, 3 and 4
-/// triangles, with one split triangle; and one without triangles.
+/// A mesh of 12 triangles; one whose opaque part takes three pieces; one with a part of each class, of 2, 3
+/// and 4 triangles, with one split triangle; and one without triangles.
 world::World fourMeshes() {
     constexpr std::uint32_t kLongIndices = 3 * (2 * gpu::kTrianglesPerPiece + 5);
     world::World world;

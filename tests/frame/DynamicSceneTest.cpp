@@ -16,7 +16,8 @@ struct DynamicSceneTest : ::testing::Test {
     world::DynamicState state;
     frame::DynamicScene dynamics;
 
-    /// A copy of a table, in the given spaces; its bounds are ahead of the eye of planInFirst, behind the door.
+    /// A copy of a table, in the given spaces; its bounds are ahead of the eye of planInFirst, behind the
+    /// door.
     void addTable(const std::vector<world::SpaceIndex>& spaces) {
         const auto table =
             std::find_if(planned.world.instances.begin(), planned.world.instances.end(),

@@ -11,8 +11,8 @@
 
 namespace limen::test {
 
-/// Two rooms in a row along +y, 4 × 4 × 3 m, joined by a door in y = 4; a table in each; the second has an exit in y = 8
-/// into a flat landscape with a box in it.
+/// Two rooms in a row along +y, 4 × 4 × 3 m, joined by a door in y = 4; a table in each; the second has an
+/// exit in y = 8 into a flat landscape with a box in it.
 struct Rooms {
     TestWorld world;
     TestWorld::Cell first = world.addBox({90, 90, 0}, {94, 94, 3}, "brown");

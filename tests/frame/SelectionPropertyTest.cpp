@@ -1,5 +1,5 @@
-// Clusters save tests and change no result: compared with a test of each instance, over generated worlds with dynamic
-// instances.
+// Clusters save tests and change no result: compared with a test of each instance, over generated worlds with
+// dynamic instances.
 #include "NaiveSelection.h"
 #include "worlds/GeneratedWorlds.h"
 

@@ -1,5 +1,5 @@
-// Properties of the flood that hold for any world: over generated complexes of convex cells, loaded from dats.
-// LIMEN_TEST_WORLDS: number of worlds (200).
+// Properties of the flood that hold for any world: over generated complexes of convex cells, loaded from
+// dats. LIMEN_TEST_WORLDS: number of worlds (200).
 #include "worlds/GeneratedWorlds.h"
 
 #include "frame/FrameView.h"
@@ -92,7 +92,8 @@ bool meets(const world::World& world, const world::Portal& portal, const Vec3& e
     return containsProjection(cornersOf(world, portal), portal.plane.n, eye + direction * t, 0.0);
 }
 
-/// Whether a ray that meets the portal's polygon enters a space: an inexact pair is open inside both polygons.
+/// Whether a ray that meets the portal's polygon enters a space: an inexact pair is open inside both
+/// polygons.
 bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec3& eye,
                const Vec3& direction) {
     return portal.destination != world::kNone &&
@@ -100,8 +101,8 @@ bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec
             meets(world, world.portals[portal.reciprocal], eye, direction));
 }
 
-/// The spaces that a ray passes through, without optimization: by the nearest opening ahead, without regard to walls. kNone
-/// at the end is a hole.
+/// The spaces that a ray passes through, without optimization: by the nearest opening ahead, without regard
+/// to walls. kNone at the end is a hole.
 std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visibility::View& view,
                                           const Vec3& direction) {
     std::vector<world::SpaceIndex> chain{view.root};
@@ -150,8 +151,8 @@ std::vector<world::SpaceIndex> chainOfOwner(const VisibleSet& set, const Vec3& s
     return chain;
 }
 
-/// Whether a ray within 1/1250 of a pixel has the chain. Corners are stored as floats, some hundredths of a millimetre off their
-/// opening's plane, so a ray that near to an edge may pass on either side.
+/// Whether a ray within 1/1250 of a pixel has the chain. Corners are stored as floats, some hundredths of a
+/// millimetre off their opening's plane, so a ray that near to an edge may pass on either side.
 bool isChainNearby(const world::World& world, const visibility::View& view, const Vec3& screen,
                    const std::vector<world::SpaceIndex>& chain) {
     for (int i = 0; i < 8; ++i) {

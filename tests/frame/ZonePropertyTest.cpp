@@ -1,4 +1,5 @@
-// Zones are disjoint and closed: compared with a count of crossings that is independent of the code that makes zones.
+// Zones are disjoint and closed: compared with a count of crossings that is independent of the code that
+// makes zones.
 #include "worlds/GeneratedWorlds.h"
 
 #include <gtest/gtest.h>

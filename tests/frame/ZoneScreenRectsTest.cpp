@@ -78,8 +78,8 @@ TEST_F(ZoneScreenRectsTest, areForgottenWithTheFrame) {
     EXPECT_TRUE(plan.rects.empty());
 }
 
-// From the first room: the second is seen through the door, the landscape through the door and the exit, and the content of
-// the first room anywhere.
+// From the first room: the second is seen through the door, the landscape through the door and the exit, and
+// the content of the first room anywhere.
 TEST(PlannedRects, runsOfZonesSeenThroughOpeningsHaveTheirRects) {
     Rooms rooms;
     PlannedWorld planned{rooms.world};

@@ -65,8 +65,8 @@ private:
     bool flat_;   ///< no polygon is bent
 };
 
-/// At most nine openings between at most four spaces: into the same space, duplicated, one-way, with an arbitrary portal as
-/// reciprocal.
+/// At most nine openings between at most four spaces: into the same space, duplicated, one-way, with an
+/// arbitrary portal as reciprocal.
 Graph oddGraph(Odd& odd) {
     const std::uint32_t spaceCount = 1 + odd.below(4);
     std::vector<SpaceDesc> spaces(spaceCount);
@@ -170,7 +170,8 @@ RC_GTEST_PROP(FloodAnyGraph, regionsLieInTheirParentsFromAnEyeThatTouchesNothing
     const Graph graph = oddGraph(odd);
     for (int v = 0; v < 50; ++v) {
         View view = oddView(odd, graph);
-        // From an eye on the outline of an opening, or inside the hull of a bent one, parts of it have no direction.
+        // From an eye on the outline of an opening, or inside the hull of a bent one, parts of it have no
+        // direction.
         view.eye += Vec3(odd.number(0.5), odd.number(0.5), odd.number(0.5));
         const VisibleSet set = floodOnce(graph, view);
         for (std::uint32_t i = 1; i < set.visits.size(); ++i) {

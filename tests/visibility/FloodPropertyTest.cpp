@@ -12,8 +12,8 @@
 namespace limen::visibility {
 namespace {
 
-/// Whether a ray that passes the portal enters a space: it has a destination, and for an inexact pair the ray passes both
-/// polygons.
+/// Whether a ray that passes the portal enters a space: it has a destination, and for an inexact pair the ray
+/// passes both polygons.
 bool isOpenFor(const Graph& graph, const Graph::Portal& portal, const Vec3& eye, const Vec3& direction) {
     if (portal.destination == kNone || portal.exact || portal.reciprocal == kNone)
         return portal.destination != kNone;
@@ -22,8 +22,8 @@ bool isOpenFor(const Graph& graph, const Graph::Portal& portal, const Vec3& eye,
     return containsProjection(graph.polygon(back), back.plane.n, eye + direction * t, 0.0);
 }
 
-/// The ray rule for portals only, without optimization: from space to space through the nearest opening ahead; kNone at the
-/// end is a hole.
+/// The ray rule for portals only, without optimization: from space to space through the nearest opening
+/// ahead; kNone at the end is a hole.
 std::vector<std::uint32_t> chainOfRay(const Graph& graph, const View& view, const Vec3& direction) {
     std::vector<std::uint32_t> chain{view.root};
     double t0 = 0.0;
@@ -56,9 +56,9 @@ std::vector<std::uint32_t> chainOfRay(const Graph& graph, const View& view, cons
     }
 }
 
-/// A lattice of box cells 4 m wide, with openings of 3 to 12 corners in random places of random walls. Some walls have two
-/// openings; a few openings are inexact pairs or have no room behind. The lattice has loops, and one space (the "outside")
-/// surrounds everything.
+/// A lattice of box cells 4 m wide, with openings of 3 to 12 corners in random places of random walls. Some
+/// walls have two openings; a few openings are inexact pairs or have no room behind. The lattice has loops,
+/// and one space (the "outside") surrounds everything.
 Graph randomComplex(std::mt19937& random, int size) {
     GraphBuilder world;
     const auto cell = [&](int x, int y, int z) {
@@ -132,7 +132,8 @@ View randomView(std::mt19937& random, int size) {
     return viewFrom(eye, unit(random) * 360.0, unit(random) * 178.0 - 89.0, static_cast<std::uint32_t>(cell));
 }
 
-/// Whether the chain owns a direction within a ten-millionth of this one: a direction on an edge may have either owner.
+/// Whether the chain owns a direction within a ten-millionth of this one: a direction on an edge may have
+/// either owner.
 bool ownedNearby(const Graph& graph, const View& view, const Vec3& screen,
                  const std::vector<std::uint32_t>& owner) {
     for (int i = 0; i < 8; ++i) {
@@ -183,7 +184,8 @@ Shuffled shuffle(const Graph& graph, std::mt19937& random) {
     return result;
 }
 
-/// Every visit as its chain of portals, root first, with its region; sorted. `was` renames portals, unless empty.
+/// Every visit as its chain of portals, root first, with its region; sorted. `was` renames portals, unless
+/// empty.
 using ChainAndRegion = std::pair<std::vector<std::uint32_t>, std::vector<double>>;
 std::vector<ChainAndRegion> visitsByChain(const VisibleSet& set, const std::vector<std::uint32_t>& was) {
     std::vector<ChainAndRegion> all;

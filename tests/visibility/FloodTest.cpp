@@ -180,8 +180,8 @@ TEST(Flood, inThePlaneInsideTheOpeningTheFarHalfBelongsToTheSpaceBehind) {
 }
 
 TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
-    // To the north, 0.005 mm ahead, an opening whose plane counts as containing the eye; to the east, 0.003 mm ahead, one that
-    // begins beside the eye.
+    // To the north, 0.005 mm ahead, an opening whose plane counts as containing the eye; to the east, 0.003
+    // mm ahead, one that begins beside the eye.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -268,7 +268,8 @@ TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
                       uprightRectangle({0, 9.9996, 0}, {0, 1, 0}, 4, 2));
-    // 0.3 mm before the portal's plane, 0.1 mm behind the reciprocal's, whose edges are seen from the wrong side.
+    // 0.3 mm before the portal's plane, 0.1 mm behind the reciprocal's, whose edges are seen from the wrong
+    // side.
     const VisibleSet set = floodOnce(world.build(), viewFrom({1.9999, 9.9997, 0.5}, 0, 0, 0));
     ASSERT_EQ(set.visits.size(), 2u);
     EXPECT_EQ(set.visits[1].space, 1u);
@@ -277,7 +278,8 @@ TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
 }
 
 TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
-    // The hole is painted before its opening. A slanted third opening is behind the hole's middle and before the opening.
+    // The hole is painted before its opening. A slanted third opening is behind the hole's middle and before
+    // the opening.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -308,8 +310,8 @@ TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
 }
 
 TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
-    // From outside: a near house with a door, and behind it, on the same line of sight, a far house with two rooms in a row.
-    // The near opening is drawn last.
+    // From outside: a near house with a door, and behind it, on the same line of sight, a far house with two
+    // rooms in a row. The near opening is drawn last.
     GraphBuilder world;
     const std::uint32_t outside = world.addSpace();
     const std::uint32_t nearRoom = world.addSpace();

@@ -83,8 +83,8 @@ struct OwnBatch {
     std::array<float, SphereBatch::kCount> x{}, y{}, z{}, radius{};
 };
 
-/// A view from an eye whose coordinates are not floats, and random spheres around it. Every fourth sphere touches an edge of
-/// the rectangle, or misses it narrowly.
+/// A view from an eye whose coordinates are not floats, and random spheres around it. Every fourth sphere
+/// touches an edge of the rectangle, or misses it narrowly.
 struct SphereBatchTest : ::testing::Test {
     SphereBatchTest() {
         GraphBuilder world;
