@@ -28,7 +28,6 @@ Result<Round> roundOnNull(TwoWays& ways, Draw draw, ObjectField& field, std::spa
     Round round;
     for (std::uint32_t i = 0; i < views.size(); ++i) {
         field.moveTo(i);
-        ways.packDynamics();
         const std::uint64_t before = counter ? counter() : 0;
         const double start = threadSeconds();
         Result<void> drawn = (ways.*draw)(views[i]);
@@ -45,7 +44,6 @@ Result<Round> roundOnDriver(TwoWays& ways, Draw draw, ObjectField& field, std::s
     Round round;
     for (std::uint32_t i = 0; i < views.size(); ++i) {
         field.moveTo(i);
-        ways.packDynamics();
         glFinish();
         Result<void> drawn;
         const double start = threadSeconds();
@@ -66,7 +64,6 @@ Result<void> compareIds(TwoWays& ways, ObjectField& field, std::span<const Field
     Hash hash;
     for (std::uint32_t i = 0; i < views.size(); ++i) {
         field.moveTo(i);
-        ways.packDynamics();
         if (Result<void> drawn = ways.drawReal(views[i]); !drawn)
             return drawn;
         const std::vector<std::uint32_t> ids = ways.target().readIds();

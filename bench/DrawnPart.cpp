@@ -59,7 +59,6 @@ void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) 
     input.up = view.view.up;
     input.forward = view.view.forward;
     dynamicsBuilder_.at(input, dynamics_);
-    dynamicScene_.pack(scene_, dynamics_);
 }
 
 void DrawnPart::flood(const frame::FrameView& view) {

@@ -34,7 +34,7 @@ public:
     void flood(const frame::FrameView& view);
     /// What a renderer without visibility takes it to see: every space within the picture's edges, and nothing before another.
     void takeAll(const frame::FrameView& view);
-    void plan(const frame::FrameView& view) { planner_.plan(view, dynamicScene_, visible_, plan_); }
+    void plan(const frame::FrameView& view) { planner_.plan(view, dynamics_, visible_, plan_); }
     /// Makes the plan one whose fragments are kept wherever they are: no ownership, no tests for it.
     void leaveOutOwnership();
     [[nodiscard]] Result<void> submit(const gpu::RenderOptions& options = {}) {
@@ -57,7 +57,6 @@ private:
     visibility::FloodScratch scratch_;
     visibility::VisibleSet visible_;
     const frame::StaticScene scene_;
-    frame::DynamicScene dynamicScene_;
     frame::Planner planner_;
     frame::FramePlan plan_;
     gpu::Renderer renderer_;

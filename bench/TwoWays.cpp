@@ -20,7 +20,7 @@ Result<std::unique_ptr<TwoWays>> TwoWays::create(gpu::Device& device, const Obje
 }
 
 Result<void> TwoWays::drawReal(const FieldView& view) {
-    planner_.plan(view.frame, dynamicScene_, view.visible, plan_);
+    planner_.plan(view.frame, field_.dynamics, view.visible, plan_);
     return renderer_.render(plan_, target_);
 }
 

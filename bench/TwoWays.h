@@ -19,8 +19,6 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<TwoWays>>
     create(gpu::Device& device, const ObjectField& field, std::uint32_t width, std::uint32_t height);
 
-    /// Packs the records of the field's dynamic instances, where they are now. Call it when they have moved.
-    void packDynamics() { dynamicScene_.pack(scene_, field_.dynamics); }
     /// Plans and submits one frame the renderer's way. `view` is of the target's size.
     [[nodiscard]] Result<void> drawReal(const FieldView& view);
     [[nodiscard]] Result<void> drawClassic(const FieldView& view);
@@ -33,13 +31,10 @@ public:
 private:
     TwoWays(gpu::Device& device, const ObjectField& field, gpu::RenderTarget target)
         : field_(field), scene_(field.world), planner_(scene_), renderer_(device),
-          target_(std::move(target)) {
-        packDynamics();
-    }
+          target_(std::move(target)) {}
 
     const ObjectField& field_;
     const frame::StaticScene scene_;
-    frame::DynamicScene dynamicScene_;
     frame::Planner planner_;
     frame::FramePlan plan_;
     gpu::Renderer renderer_;

@@ -104,7 +104,7 @@ dat::File fileOf(const std::vector<Stored>& records, const dat::FileTraits& trai
 
 /// Looks around from an eye as a frame, a ray and a body would.
 void look(const world::World& world, const visibility::Graph& graph, frame::Planner& planner,
-          const reference::Scene& scene, const frame::DynamicScene& dynamics, const Vec3& eye,
+          const reference::Scene& scene, const world::DynamicState& dynamics, const Vec3& eye,
           world::SpaceIndex root) {
     if (!std::isfinite(eye.x + eye.y + eye.z))
         return;
@@ -113,8 +113,7 @@ void look(const world::World& world, const visibility::Graph& graph, frame::Plan
     frame::FramePlan plan;
     for (const double yaw : {0.0, 100.0, 230.0}) {
         const frame::FrameView view = frame::makeView(eye, yaw, -10.0, 80.0, 64, 48, root);
-        FUZZ_CHECK(
-            visibility::flood(graph, dynamics.state().closed, view.view, {}, scratch, set).has_value());
+        FUZZ_CHECK(visibility::flood(graph, dynamics.closed, view.view, {}, scratch, set).has_value());
         FUZZ_CHECK(!set.visits.empty());
         planner.plan(view, dynamics, set, plan);
         FUZZ_CHECK(plan.visits.size() == set.visits.size());
@@ -163,14 +162,12 @@ void check(const dat::Archive& archive, const test::MovingHut& hut) {
     dynamicsBuilder.at(input, dynamics);
     const frame::StaticScene staticScene(*world);
     static_cast<void>(frame::buildScene(staticScene));
-    frame::DynamicScene dynamicScene;
-    dynamicScene.pack(staticScene, dynamics);
     frame::Planner planner(staticScene);
     reference::Scene scene(*world);
     scene.setDynamics(dynamics);
-    look(*world, *graph, planner, scene, dynamicScene, hut.at({5, 11.5, 3.5}), world::kOutside);
+    look(*world, *graph, planner, scene, dynamics, hut.at({5, 11.5, 3.5}), world::kOutside);
     for (world::SpaceIndex space = 1; space < world->spaces.size(); ++space)
-        look(*world, *graph, planner, scene, dynamicScene, world->spaces[space].bounds.centre(), space);
+        look(*world, *graph, planner, scene, dynamics, world->spaces[space].bounds.centre(), space);
     walk(archive, *world, hut.at({5, 11.5, 3.0}));
 }
 

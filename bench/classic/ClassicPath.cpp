@@ -156,8 +156,12 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
             copy(object.packed);
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
         const world::Instance& instance = dynamics.instances[index];
-        if (sides.sees(instance.bounds))
-            copy(frame::packInstance(world_, instance, dynamics.members, {zones_, scene_->staticMembers()}));
+        if (sides.sees(instance.bounds)) {
+            const auto spaces =
+                std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
+            copy(frame::packInstance(instance,
+                                     frame::packMembers(world_, spaces, {zones_, scene_->staticMembers()})));
+        }
     }
     return static_cast<std::uint32_t>(static_cast<std::size_t>(to - begin) / sizeof(layout::Instance));
 }

@@ -345,7 +345,6 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
     shown_ = *target;
     const frame::FrameView view = frameView(eye, options);
     loaded_->dynamicsBuilder.at(dynamicsInput(loaded_->world, eye), dynamics_);
-    dynamicScene_.pack(loaded_->scene, dynamics_);
     const Stopwatch flooding;
     if (Result<void> flooded =
             visibility::flood(loaded_->graph, dynamics_.closed, view.view, {}, scratch_, visible_);
@@ -353,7 +352,7 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
         return flooded;
     floodMs_ = flooding.ms();
     const Stopwatch planning;
-    loaded_->planner.plan(view, dynamicScene_, visible_, plan_);
+    loaded_->planner.plan(view, dynamics_, visible_, plan_);
     planMs_ = planning.ms();
     Result<void> rendered = renderer_.render(
         plan_, **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});

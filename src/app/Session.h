@@ -177,7 +177,6 @@ private:
     std::shared_ptr<LoadedWorld> loaded_;
     visibility::FloodScratch scratch_;
     world::DynamicState dynamics_;
-    frame::DynamicScene dynamicScene_; ///< of dynamics_
     visibility::VisibleSet visible_;
     frame::FramePlan plan_;
     double floodMs_ = 0.0, planMs_ = 0.0;

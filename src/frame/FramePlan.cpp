@@ -12,7 +12,7 @@ void FramePlan::clear() {
     skyInstances.clear();
     dynamicRecords = {};
     dynamicInstances.clear();
-    dynamicHighlights.clear();
+    dynamicChanges.clear();
     records.clear();
     replacements.clear();
     members.clear();

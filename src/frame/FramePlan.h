@@ -53,10 +53,25 @@ struct Batch {
     std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
-/// A highlighted dynamic instance.
-struct DynamicHighlight {
+/// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic state, in
+/// the world's layout: each visible one is read once, and its record is written into the ring memory at once. Fetching
+/// scattered instances is most of a frame in which everything moves. They must stay unchanged until then.
+struct DynamicRecords {
+    const void* instances = nullptr; ///< of the dynamic state
+    /// Writes the records of the instances with these numbers; `records` has as many elements, at a multiple of 16 bytes.
+    void (*write)(const void* instances, std::span<const std::uint32_t> numbers,
+                  std::span<gpu::Instance> records) = nullptr;
+};
+
+/// The members and highlight of a dynamic instance whose record needs more than its own data.
+struct DynamicChange {
     std::uint32_t instance = 0; ///< index into FramePlan::dynamicInstances
-    std::uint32_t colour = 0;   ///< gpu::Instance::highlight
+    std::uint32_t firstMember = 0, membersAndKind = 0, highlight = 0; ///< of gpu::Instance
+    void applyTo(gpu::Instance& record) const {
+        record.firstMember = firstMember;
+        record.membersAndKind = membersAndKind;
+        record.highlight = highlight;
+    }
 };
 
 struct Stage {
@@ -88,13 +103,10 @@ struct FramePlan {
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::vec4> rects; ///< minimum x and y, maximum x and y; NDC
     std::vector<gpu::SkyInstance> skyInstances;
-    /// Records of all dynamic instances, visible or not. A view into the frame::DynamicScene, because
-    /// fetching scattered records is most of a frame in which everything moves: they are copied once, when
-    /// the plan is drawn. They must stay unchanged until then.
-    std::span<const gpu::Instance> dynamicRecords;
-    std::vector<std::uint32_t> dynamicInstances;     ///< the visible ones, indices into dynamicRecords
-    std::vector<DynamicHighlight> dynamicHighlights; ///< ascending by instance
-    std::vector<gpu::Instance> records;              ///< more instances of this frame
+    DynamicRecords dynamicRecords;
+    std::vector<std::uint32_t> dynamicInstances; ///< the visible ones, by their numbers in the dynamic state
+    std::vector<DynamicChange> dynamicChanges;   ///< members of several zones, and highlights; ascending
+    std::vector<gpu::Instance> records;          ///< more instances of this frame
     std::vector<gpu::Replacement> replacements; ///< instances of the scene that are drawn by one of `records`
     std::vector<gpu::Member> members;
     std::vector<gpu::DrawPiece> pieces; ///< of dynamic instances and of the sky

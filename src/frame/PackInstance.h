@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frame/GpuLayout.h"
+#include "frame/FramePlan.h"
 #include "world/World.h"
 
 #include <span>
@@ -20,10 +20,24 @@ struct OwnMembers {
     std::uint32_t first = 0;           ///< number of the first of `members` among all member records
 };
 
-/// The device record of an instance, without a highlight. Its members are the zones of its spaces, each once,
-/// the zone of the first space first, each with the light set of the first of its spaces in that zone.
-/// `members`: the array that the instance's member run is in.
-[[nodiscard]] gpu::Instance packInstance(const world::World& world, const world::Instance& in,
-                                         std::span<const world::SpaceIndex> members, const OwnMembers& own);
+/// Numbers of an instance's member records.
+struct MemberRun {
+    std::uint32_t first = 0, count = 0;
+};
+/// The member records of an instance in these spaces: their zones, each once, that of the first space first, each with
+/// the light set of the first space in that zone.
+[[nodiscard]] MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> spaces,
+                                    const OwnMembers& own);
+
+/// gpu::Instance::membersAndKind.
+[[nodiscard]] inline std::uint32_t membersAndKind(std::uint32_t members, world::InstanceKind kind) {
+    return members | static_cast<std::uint32_t>(kind) << 16;
+}
+
+/// The device record of an instance, without a highlight.
+[[nodiscard]] gpu::Instance packInstance(const world::Instance& in, const MemberRun& members);
+
+/// Makes records of the instances of a dynamic state, each as a member of the space that it is placed in.
+[[nodiscard]] DynamicRecords recordsOf(std::span<const world::Instance> instances);
 
 } // namespace limen::frame

@@ -4,6 +4,7 @@
 #include "core/Prefetch.h"
 #include "frame/Highlights.h"
 #include "frame/Ownership.h"
+#include "frame/PackInstance.h"
 #include "frame/PlanBatches.h"
 
 #include <algorithm>
@@ -66,15 +67,13 @@ Planner::Planner(const StaticScene& scene)
     : scene_(scene), world_(scene.world()), pieces_(scene.pieces()), selection_(scene),
       rects_(world_.zones.size()), dynamicPieces_(scene.meshPieces()) {}
 
-void Planner::plan(const FrameView& frame, const DynamicScene& dynamics, const visibility::VisibleSet& set,
-                   FramePlan& plan) {
+void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
+                   const visibility::VisibleSet& set, FramePlan& plan) {
     LIMEN_ASSERT(!set.visits.empty(), "a flood yields at least the root");
-    LIMEN_ASSERT(dynamics.records().size() == dynamics.state().instances.size(),
-                 "the dynamic state changed after it was packed");
     plan.clear();
     fillConstants(frame, set, plan);
     beginStage(plan, StageKind::Ownership);
-    planOwnership(world_, dynamics.state(), frame, set, plan);
+    planOwnership(world_, dynamics, frame, set, plan);
     const bool several = set.visits.size() > 1;
     if (several) {
         const auto vertices = static_cast<std::uint32_t>(plan.ownershipVertices.size());
@@ -82,7 +81,7 @@ void Planner::plan(const FrameView& frame, const DynamicScene& dynamics, const v
     }
     endStage(plan);
     rects_.find(frame, set, plan);
-    selection_.select(frame, dynamics.state(), set);
+    selection_.select(frame, dynamics, set);
     planDynamic(frame, dynamics, plan);
     replaceHighlighted(scene_, frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
@@ -92,7 +91,7 @@ void Planner::plan(const FrameView& frame, const DynamicScene& dynamics, const v
     planSky(frame, set, plan);
     endStage(plan);
     beginStage(plan, StageKind::Transparent);
-    planTransparent(frame.view.eye, several, dynamics.state(), plan);
+    planTransparent(frame.view.eye, several, dynamics, plan);
     endStage(plan);
     beginStage(plan, StageKind::Overlay);
     endStage(plan);
@@ -143,11 +142,10 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
 }
 
-void Planner::planDynamic(const FrameView& frame, const DynamicScene& dynamics, FramePlan& plan) {
+void Planner::planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan) {
     dynamicPieces_.begin(plan);
-    plan.dynamicRecords = dynamics.records();
-    plan.members.assign(dynamics.members().begin(), dynamics.members().end());
-    const world::ListedInstances& listed = dynamics.state().listed;
+    plan.dynamicRecords = recordsOf(dynamics.instances);
+    const world::ListedInstances& listed = dynamics.listed;
     const std::span<const SelectedDynamic> selected = selection_.dynamicInstances();
     plan.dynamicInstances.resize(selected.size());
     for (std::size_t i = 0; i < selected.size(); ++i) {
@@ -157,12 +155,18 @@ void Planner::planDynamic(const FrameView& frame, const DynamicScene& dynamics, 
         dynamicPieces_.add(listed.mesh[at], plan.constants.staticInstances + static_cast<std::uint32_t>(i),
                            (selected[i] & gpu::kGated) != 0);
         plan.dynamicInstances[i] = listed.instance[at];
+        if (listed.isListedAgain[at] != 0 || !frame.highlights.empty())
+            changeDynamic(frame, dynamics, static_cast<std::uint32_t>(i), plan);
     }
-    for (std::uint32_t i = 0; i < plan.dynamicInstances.size() && !frame.highlights.empty(); ++i) {
-        const world::Instance& instance = dynamics.state().instances[plan.dynamicInstances[i]];
-        if (const std::uint32_t colour = colourOf(frame.highlights, instance.object); colour != 0)
-            plan.dynamicHighlights.push_back({i, colour});
-    }
+}
+
+void Planner::changeDynamic(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t number,
+                            FramePlan& plan) const {
+    const world::Instance& instance = dynamics.instances[plan.dynamicInstances[number]];
+    const auto spaces = std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
+    const MemberRun members = packMembers(world_, spaces, {plan.members, plan.constants.staticMembers});
+    plan.dynamicChanges.push_back({number, members.first, membersAndKind(members.count, instance.kind),
+                                   colourOf(frame.highlights, instance.object)});
 }
 
 void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "frame/DynamicPieces.h"
-#include "frame/DynamicScene.h"
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
 #include "frame/Selection.h"
 #include "frame/StaticScene.h"
 #include "frame/ZoneScreenRects.h"
 #include "visibility/VisibleSet.h"
+#include "world/DynamicState.h"
 
 namespace limen::frame {
 
@@ -21,9 +21,9 @@ public:
     Planner(const Planner&) = delete;
     Planner& operator=(const Planner&) = delete;
 
-    /// Plans one frame; `plan` is overwritten and refers to the records of `dynamics`. `set` must be the
-    /// flood of the same world and dynamic state from `frame.view`.
-    void plan(const FrameView& frame, const DynamicScene& dynamics, const visibility::VisibleSet& set,
+    /// Plans one frame; `plan` is overwritten and refers to the instances of `dynamics`. `set` must be the flood of the
+    /// same world and dynamic state from `frame.view`.
+    void plan(const FrameView& frame, const world::DynamicState& dynamics, const visibility::VisibleSet& set,
               FramePlan& plan);
     /// Plans a frame without dynamic instances.
     void plan(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
@@ -40,7 +40,9 @@ private:
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
-    void planDynamic(const FrameView& frame, const DynamicScene& dynamics, FramePlan& plan);
+    void planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan);
+    void changeDynamic(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t instance,
+                       FramePlan& plan) const;
     void planSolid(bool several, FramePlan& plan);
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);

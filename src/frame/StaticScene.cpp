@@ -12,8 +12,10 @@ StaticScene::StaticScene(const world::World& world)
       pieces_(buildPieces(world, clusters_)), meshPieces_(world), members_(membersOfSpaces(world)),
       byObject_(world.instances.size()) {
     records_.reserve(world.instances.size());
-    for (const world::Instance& in : world.instances)
-        records_.push_back(packInstance(world, in, world.members, {members_, 0}));
+    for (const world::Instance& in : world.instances) {
+        const auto spaces = std::span(world.members).subspan(in.firstMember, in.memberCount);
+        records_.push_back(packInstance(in, packMembers(world, spaces, {members_, 0})));
+    }
     std::iota(byObject_.begin(), byObject_.end(), 0u);
     std::sort(byObject_.begin(), byObject_.end(), [&](world::InstanceIndex a, world::InstanceIndex b) {
         const std::uint64_t left = world.instances[a].object, right = world.instances[b].object;

@@ -1,38 +1,11 @@
 #include "gpu/FrameRing.h"
 
-#include "core/Assert.h"
-
 #include <algorithm>
 #include <cstring>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace limen::gpu {
 
 namespace layout = frame::gpu;
-
-namespace {
-
-/// Records prefetched ahead of the one that is copied: the visible records are scattered.
-constexpr std::size_t kRecordsAhead = 16;
-
-/// Bytes of records from which on they are written with stores that bypass the cache: half of a core's own cache.
-/// For a hundred thousand dynamic instances that saves 50 of 700 microseconds; for fewer it makes no difference.
-constexpr std::size_t kBypassCache = std::size_t{1} << 20;
-
-#ifdef __SSE2__
-void copyPastCache(const layout::Instance& record, layout::Instance& out) {
-    constexpr std::size_t kQuarters = sizeof out / sizeof(__m128i);
-    static_assert(sizeof out % sizeof(__m128i) == 0);
-    const auto* const from = reinterpret_cast<const __m128i*>(&record);
-    auto* const to = reinterpret_cast<__m128i*>(&out);
-    for (std::size_t i = 0; i < kQuarters; ++i)
-        _mm_stream_si128(to + i, _mm_load_si128(from + i));
-}
-#endif
-
-} // namespace
 
 FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment)
     : plan_(plan), slots_(slots) {
@@ -142,35 +115,13 @@ void FrameRing::write(const layout::DeviceConstants& constants, std::span<std::b
 }
 
 void FrameRing::writeInstances(std::span<layout::Instance> out) const {
-#ifdef __SSE2__
-    if (out.size_bytes() >= kBypassCache) {
-        LIMEN_ASSERT(reinterpret_cast<std::uintptr_t>(out.data()) % sizeof(__m128i) == 0,
-                     "an array of texels begins at a texel");
-        copyDynamic(out, copyPastCache);
-        _mm_sfence(); // before the frame is drawn
-    } else
-#endif
-    {
-        copyDynamic(out, [](const layout::Instance& record, layout::Instance& to) { to = record; });
-    }
-    for (const frame::DynamicHighlight& highlight : plan_.dynamicHighlights)
-        out[highlight.instance].highlight = highlight.colour;
-    std::copy(plan_.records.begin(), plan_.records.end(),
-              out.begin() + static_cast<std::ptrdiff_t>(plan_.dynamicInstances.size()));
-}
-
-template <class Copy>
-void FrameRing::copyDynamic(std::span<layout::Instance> out, const Copy& copy) const {
-    const std::vector<std::uint32_t>& drawn = plan_.dynamicInstances;
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        if (i + kRecordsAhead < drawn.size()) {
-            const auto* const next =
-                reinterpret_cast<const std::byte*>(&plan_.dynamicRecords[drawn[i + kRecordsAhead]]);
-            __builtin_prefetch(next);
-            __builtin_prefetch(next + sizeof(layout::Instance) - 1);
-        }
-        copy(plan_.dynamicRecords[drawn[i]], out[i]);
-    }
+    const std::size_t dynamic = plan_.dynamicInstances.size();
+    if (dynamic > 0)
+        plan_.dynamicRecords.write(plan_.dynamicRecords.instances, plan_.dynamicInstances,
+                                   out.first(dynamic));
+    for (const frame::DynamicChange& change : plan_.dynamicChanges)
+        change.applyTo(out[change.instance]);
+    std::copy(plan_.records.begin(), plan_.records.end(), out.begin() + static_cast<std::ptrdiff_t>(dynamic));
 }
 
 } // namespace limen::gpu

@@ -54,8 +54,6 @@ private:
     [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
     void writeInstances(std::span<frame::gpu::Instance> out) const;
-    template <class Copy>
-    void copyDynamic(std::span<frame::gpu::Instance> out, const Copy& copy) const;
     template <class T>
     [[nodiscard]] std::span<T> in(std::span<std::byte> memory, Array array) const;
 

@@ -29,16 +29,24 @@ bool areSame(const layout::Instance& a, const layout::Instance& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-/// Writes a plan in which every third record is visible, two of them highlighted, and there is one record more.
-void writeInstances(std::uint32_t count) {
+/// frame::DynamicRecords::write for an array of records.
+void copyRecords(const void* instances, std::span<const std::uint32_t> numbers,
+                 std::span<layout::Instance> out) {
+    const auto* const records = static_cast<const layout::Instance*>(instances);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        out[i] = records[numbers[i]];
+}
+
+TEST(FrameRing, writesVisibleDynamicInstances_theirChanges_andThePlansRecords) {
+    constexpr std::uint32_t kCount = 5;
     std::vector<layout::Instance> records;
     frame::FramePlan plan;
-    for (std::uint32_t i = 0; i < 3 * count; ++i)
+    for (std::uint32_t i = 0; i < 3 * kCount; ++i)
         records.push_back(recordOf(i));
-    plan.dynamicRecords = records;
-    for (std::uint32_t i = 0; i < count; ++i)
+    plan.dynamicRecords = {records.data(), copyRecords};
+    for (std::uint32_t i = 0; i < kCount; ++i)
         plan.dynamicInstances.push_back(3 * i + i % 2);
-    plan.dynamicHighlights = {{1, 300}, {count - 1, 500}};
+    plan.dynamicChanges = {{1, 100, 200, 300}, {kCount - 1, 400, 500, 0}};
     plan.records = {recordOf(12345)};
     const FrameRing ring(plan, 0, 256);
     struct alignas(256) Line {
@@ -48,25 +56,19 @@ void writeInstances(std::uint32_t count) {
     layout::DeviceConstants constants;
     ring.locate(constants);
     ring.write(constants, {memory.front().bytes.data(), ring.size()});
-    std::vector<layout::Instance> written(count + 1);
+    std::vector<layout::Instance> written(kCount + 1);
     std::memcpy(static_cast<void*>(written.data()),
                 memory.front().bytes.data() + std::size_t{constants.firstInstance} * 16,
                 written.size() * sizeof(layout::Instance));
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < kCount; ++i) {
         layout::Instance expected = recordOf(3 * i + i % 2);
-        expected.highlight = i == 1 ? 300 : i == count - 1 ? 500 : 0;
+        for (const frame::DynamicChange& change : plan.dynamicChanges)
+            if (change.instance == i)
+                change.applyTo(expected);
         ASSERT_TRUE(areSame(written[i], expected)) << i;
     }
-    EXPECT_TRUE(areSame(written[count], plan.records[0]));
-}
-
-TEST(FrameRing, copiesTheVisibleDynamicRecords) {
-    writeInstances(5);
-}
-
-TEST(FrameRing, writesTheSameWithStoresThatBypassTheCache) {
-    constexpr std::uint32_t kMany = (2u << 20) / sizeof(layout::Instance);
-    writeInstances(kMany);
+    EXPECT_EQ(written[1].highlight, 300u);
+    EXPECT_TRUE(areSame(written[kCount], plan.records[0]));
 }
 
 } // namespace

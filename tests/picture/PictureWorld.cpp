@@ -127,7 +127,7 @@ void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& v
                         frame::FramePlan& plan) {
     require(visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_,
                               visible));
-    planner_->plan(frame, dynamicScene_, visible, plan);
+    planner_->plan(frame, drawnDynamics_, visible, plan);
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
@@ -139,7 +139,6 @@ const NaiveTracer& PictureWorld::tracer() const {
 void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
     motion::DynamicStateBuilder(world_).at(input, dynamics_);
     drawnDynamics_ = without(options_.omissions, world_, dynamics_);
-    dynamicScene_.pack(*scene_, drawnDynamics_);
     tracer_.reset();
     if (traced_)
         traced_->setDynamics(dynamics_);

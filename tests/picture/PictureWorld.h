@@ -105,7 +105,6 @@ private:
     reference::Picture tracedPicture_;
     std::unique_ptr<visibility::Graph> graph_;
     std::unique_ptr<const frame::StaticScene> scene_;
-    frame::DynamicScene dynamicScene_; ///< of drawnDynamics_
     std::unique_ptr<frame::Planner> planner_;
     visibility::FloodScratch scratch_;
     struct Drawing;

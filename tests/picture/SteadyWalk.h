@@ -81,9 +81,8 @@ private:
         input.up = view.view.up;
         input.forward = view.view.forward;
         dynamicsBuilder_.at(input, dynamics_);
-        dynamicScene_.pack(scene_, dynamics_);
         EXPECT_TRUE(visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_));
-        planner_.plan(view, dynamicScene_, visible_, plan_);
+        planner_.plan(view, dynamics_, visible_, plan_);
         for (const bool ids : {false, true})
             EXPECT_TRUE(renderer_.render(plan_, target_, {.wantIds = ids}));
     }
@@ -95,7 +94,6 @@ private:
     visibility::FloodScratch scratch_;
     visibility::VisibleSet visible_;
     const frame::StaticScene scene_;
-    frame::DynamicScene dynamicScene_;
     frame::Planner planner_;
     frame::FramePlan plan_;
     gpu::Renderer renderer_;
