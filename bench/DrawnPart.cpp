@@ -1,5 +1,8 @@
 #include "DrawnPart.h"
 
+#include "core/Assert.h"
+#include "frame/SceneBuilder.h"
+#include "frame/WorldGraph.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -25,10 +28,10 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
     if (!target)
         return tl::unexpected(target.error());
-    std::unique_ptr<DrawnPart> part(new DrawnPart(device, std::move(*target)));
-    if (Result<void> shown = part->pipeline_.show(std::make_unique<engine::PartPlanner>(std::move(*loaded)));
-        !shown)
-        return tl::unexpected(shown.error());
+    std::unique_ptr<DrawnPart> part(
+        new DrawnPart(std::move(*world), std::move(*graph), device, std::move(*target)));
+    if (Result<void> uploaded = part->renderer_.upload(frame::buildScene(part->scene_)); !uploaded)
+        return tl::unexpected(uploaded.error());
     if (!part->holds(place))
         return fail(ErrorCode::NotFound, place.name, "is not where the world file says");
     return part;
@@ -53,7 +56,12 @@ void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) 
     input.right = view.view.right;
     input.up = view.view.up;
     input.forward = view.view.forward;
-    pipeline_.updateDynamics(input);
+    dynamicsBuilder_.at(input, dynamics_);
+}
+
+void DrawnPart::flood(const frame::FrameView& view) {
+    LIMEN_ASSERT(visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_),
+                 "the views of a bench are valid");
 }
 
 void DrawnPart::takeAll(const frame::FrameView& view) {

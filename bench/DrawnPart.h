@@ -40,10 +40,20 @@ public:
     [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
 
 private:
-    DrawnPart(gpu::Device& device, gpu::RenderTarget target)
-        : pipeline_(device), target_(std::move(target)) {}
+    DrawnPart(world::World world, visibility::Graph graph, gpu::Device& device, gpu::RenderTarget target)
+        : world_(std::move(world)), graph_(std::move(graph)), dynamicsBuilder_(world_), scene_(world_),
+          planner_(scene_), renderer_(device), target_(std::move(target)) {}
 
-    engine::Pipeline pipeline_;
+    const world::World world_;
+    const visibility::Graph graph_;
+    motion::DynamicStateBuilder dynamicsBuilder_;
+    world::DynamicState dynamics_;
+    visibility::FloodScratch scratch_;
+    visibility::VisibleSet visible_;
+    const frame::StaticScene scene_;
+    frame::Planner planner_;
+    frame::FramePlan plan_;
+    gpu::Renderer renderer_;
     gpu::RenderTarget target_;
 };
 

@@ -5,6 +5,7 @@
 #include "Stopwatch.h"
 #include "ViewTimes.h"
 #include "WorldFloodBench.h"
+#include "core/Assert.h"
 
 #include "visibility/Flood.h"
 
@@ -31,7 +32,8 @@ BenchRow rowFor(const char* name, const FloodScene& scene, const Known& known, A
     visibility::VisibleSet set;
     const Samples ours = measure(kRepeats, counter, [&] {
         for (const visibility::View& view : scene.views)
-            visibility::flood(scene.graph, {}, view, {}, scratch, set);
+            LIMEN_ASSERT(visibility::flood(scene.graph, {}, view, {}, scratch, set),
+                         "the views of a bench are valid");
     });
     PathFlood naive;
     const Samples plain = measure(kRepeats, nullptr, [&] {
@@ -47,7 +49,8 @@ BenchRow rowFor(const char* name, const FloodScene& scene, const Known& known, A
     row.hasTarget = true;
     row.allocations = ours.allocations;
     for (const visibility::View& view : scene.views) {
-        visibility::flood(scene.graph, {}, view, {}, scratch, set);
+        LIMEN_ASSERT(visibility::flood(scene.graph, {}, view, {}, scratch, set),
+                     "the views of a bench are valid");
         row.hash = hashOf(set, row.hash);
     }
     return row;

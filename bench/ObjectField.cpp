@@ -197,7 +197,8 @@ std::vector<FieldView> fieldViews(const ObjectField& field, std::uint32_t count,
     for (std::uint32_t i = 0; i < count; ++i) {
         views[i].frame =
             frame::makeView(field.eye, 360.0 * i / count, 0.0, 75.0, width, height, world::kOutside);
-        visibility::flood(*graph, {}, views[i].frame.view, {}, scratch, views[i].visible);
+        LIMEN_ASSERT(visibility::flood(*graph, {}, views[i].frame.view, {}, scratch, views[i].visible),
+                     "the views of a bench are valid");
     }
     return views;
 }

@@ -10,7 +10,7 @@ Result<std::unique_ptr<TwoWays>> TwoWays::create(gpu::Device& device, const Obje
     if (!target)
         return tl::unexpected(target.error());
     std::unique_ptr<TwoWays> ways(new TwoWays(device, field, std::move(*target)));
-    if (Result<void> uploaded = ways->renderer_.upload(frame::buildScene(field.world)); !uploaded)
+    if (Result<void> uploaded = ways->renderer_.upload(frame::buildScene(ways->scene_)); !uploaded)
         return tl::unexpected(uploaded.error());
     Result<std::unique_ptr<ClassicPath>> classic = ClassicPath::create(device, field.world, field.dynamics);
     if (!classic)

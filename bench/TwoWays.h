@@ -30,9 +30,11 @@ public:
 
 private:
     TwoWays(gpu::Device& device, const ObjectField& field, gpu::RenderTarget target)
-        : field_(field), planner_(field.world), renderer_(device), target_(std::move(target)) {}
+        : field_(field), scene_(field.world), planner_(scene_), renderer_(device),
+          target_(std::move(target)) {}
 
     const ObjectField& field_;
+    const frame::StaticScene scene_;
     frame::Planner planner_;
     frame::FramePlan plan_;
     gpu::Renderer renderer_;

@@ -1,5 +1,6 @@
 #include "ViewTimes.h"
 
+#include "core/Assert.h"
 #include "visibility/Flood.h"
 
 #include <numeric>
@@ -17,7 +18,8 @@ ViewTimes timeViews(const visibility::Graph& graph, std::span<const visibility::
     for (const visibility::View& view : views) {
         const Samples samples = measure(effort.repeats, nullptr, [&] {
             for (int i = 0; i < effort.floodsEach; ++i)
-                visibility::flood(graph, {}, view, {}, scratch, set);
+                LIMEN_ASSERT(visibility::flood(graph, {}, view, {}, scratch, set),
+                             "the views of a bench are valid");
         });
         out.median.push_back(samples.quantile(0.5) * 1e6 / effort.floodsEach);
         out.p95.push_back(samples.quantile(0.95) * 1e6 / effort.floodsEach);
@@ -31,7 +33,8 @@ ViewTimes timeViews(const visibility::Graph& graph, std::span<const visibility::
          ++pass) { // buffers that swap places take a pass more to be large enough, all of them
         const std::uint64_t before = counter ? counter() : 0;
         for (const visibility::View& view : views)
-            visibility::flood(graph, {}, view, {}, scratch, set);
+            LIMEN_ASSERT(visibility::flood(graph, {}, view, {}, scratch, set),
+                         "the views of a bench are valid");
         out.allocations = counter ? counter() - before : 0;
     }
     return out;

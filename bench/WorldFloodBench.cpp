@@ -86,7 +86,7 @@ void addFineRows(const FloodScene& scene, AllocationCounter counter, std::vector
 
 std::size_t seenFrom(const visibility::Graph& graph, const View& view, visibility::FloodScratch& scratch,
                      visibility::VisibleSet& set) {
-    visibility::flood(graph, {}, view, {}, scratch, set);
+    LIMEN_ASSERT(visibility::flood(graph, {}, view, {}, scratch, set), "the views of a bench are valid");
     return set.seen.size();
 }
 

@@ -1,8 +1,8 @@
 // The visibility library alone: no dat file, no OpenGL. Three rooms in an L and a yard, joined by three
-// openings; prints which space is visited where on the screen, from an eye given on the command line.
+// openings. Prints the tree of visits with the region of each on the screen, for an eye given on the command
+// line.
 //
-//     flood [x y yaw]        metres and degrees clockwise from north; the default stands in the hall looking
-//     north
+//     flood [x y yaw]        metres, and degrees clockwise from north (2 2 20: in the hall, looking north)
 
 #include "visibility/Flood.h"
 
@@ -24,8 +24,7 @@ struct House {
     std::vector<vis::PortalDesc> portals;
     std::vector<Vec3> vertices;
 
-    /// An opening out of `from`; a and b are its feet, a on the left hand of somebody in `from` who looks
-    /// through it.
+    /// An opening out of `from`; a and b are its lower corners, a on the left seen from inside `from`.
     void opening(std::uint32_t from, std::uint32_t to, std::uint32_t back, Vec3 a, Vec3 b) {
         const Vec3 up(0, 0, 2);
         portals.push_back({from, to, back, static_cast<std::uint32_t>(vertices.size()), 4, true});
@@ -35,7 +34,7 @@ struct House {
 
 House build() {
     House h;
-    // Portals lie space by space; each names the one that leads back. No two spaces share a zone.
+    // Portals are sorted by space; each names its reciprocal. Every space has a zone of its own.
     h.spaces = {{0, 1, 0}, {1, 2, 1}, {3, 2, 2}, {5, 1, 3}};
     h.opening(0, 1, 1, {1, 0, 0}, {3, 0, 0}); // yard → hall, through the front door in y = 0
     h.opening(1, 0, 0, {3, 0, 0}, {1, 0, 0});
@@ -70,7 +69,10 @@ int main(int argc, char** argv) {
         given ? look(std::atof(argv[1]), std::atof(argv[2]), std::atof(argv[3])) : look(2, 2, 20);
     vis::FloodScratch scratch;
     vis::VisibleSet seen;
-    vis::flood(*graph, {}, view, {}, scratch, seen);
+    if (const auto flooded = vis::flood(*graph, {}, view, {}, scratch, seen); !flooded) {
+        std::fprintf(stderr, "%s\n", flooded.error().message().c_str());
+        return 2;
+    }
     for (const vis::Visit& visit : seen.visits) {
         std::printf("%*s%s:", static_cast<int>(2 * visit.depth), "", kNames[visit.space]);
         for (const Vec3& corner : seen.region(visit))

@@ -113,7 +113,7 @@ void look(const world::World& world, const visibility::Graph& graph, frame::Plan
     frame::FramePlan plan;
     for (const double yaw : {0.0, 100.0, 230.0}) {
         const frame::FrameView view = frame::makeView(eye, yaw, -10.0, 80.0, 64, 48, root);
-        visibility::flood(graph, dynamics.closed, view.view, {}, scratch, set);
+        FUZZ_CHECK(visibility::flood(graph, dynamics.closed, view.view, {}, scratch, set).has_value());
         FUZZ_CHECK(!set.visits.empty());
         planner.plan(view, dynamics, set, plan);
         FUZZ_CHECK(plan.visits.size() == set.visits.size());
@@ -160,8 +160,9 @@ void check(const dat::Archive& archive, const test::MovingHut& hut) {
     if (!world->sky.weather.empty())
         input.weather = world::SkyHour{world->sky.weather.front().dayGroup, 0.5};
     dynamicsBuilder.at(input, dynamics);
-    frame::Planner planner(*world);
-    static_cast<void>(frame::buildScene(*world, planner.pieces()));
+    const frame::StaticScene staticScene(*world);
+    static_cast<void>(frame::buildScene(staticScene));
+    frame::Planner planner(staticScene);
     reference::Scene scene(*world);
     scene.setDynamics(dynamics);
     look(*world, *graph, planner, scene, dynamics, hut.at({5, 11.5, 3.5}), world::kOutside);

@@ -52,12 +52,12 @@ struct Pixels {
 // Pixels with centres in the rectangle around three corners on the screen. Up to 2 x 2 of them are tested against the
 // triangle itself.
 Pixels pixelsOf(vec3 first, vec3 second, vec3 third) {
-    vec2 most = frame.viewport.xy * 0.5;
+    vec2 most = device.viewport.xy * 0.5;
     vec2 a = first.xy / first.z + most;
     vec2 b = second.xy / second.z + most;
     vec2 c = third.xy / third.z + most;
     vec2 low = ceil(max(min(min(a, b), c) - kMargin, vec2(0.0)) - 0.5);
-    vec2 high = floor(min(max(max(a, b), c) + kMargin, frame.viewport.xy) - 0.5);
+    vec2 high = floor(min(max(max(a, b), c) + kMargin, device.viewport.xy) - 0.5);
     if (any(greaterThan(low, high))) {
         return Pixels(low, high, false);
     }
@@ -77,7 +77,7 @@ const float kNearer = 1.0e-4;
 
 // Tiles of kTileSize pixels per side, row by row from the bottom. The last of a row or column may be partial.
 uvec2 tilesOfPicture() {
-    return (uvec2(frame.viewport.xy) + kTileSize - 1u) / kTileSize;
+    return (uvec2(device.viewport.xy) + kTileSize - 1u) / kTileSize;
 }
 
 // Whether the depth tiles are nearer than a triangle at every pixel that it may cover. Stored depth (near plane / view
@@ -106,19 +106,19 @@ bool isBeside(vec3 a, vec3 b, vec3 c, vec4 rect) {
     vec3 depths = vec3(a.z, b.z, c.z);
     vec3 across = vec3(a.x, b.x, c.x);
     vec3 up = vec3(a.y, b.y, c.y);
-    vec3 spareAcross = kMargin * abs(depths) + kRounding * (abs(across) + frame.viewport.x * abs(depths));
-    vec3 spareUp = kMargin * abs(depths) + kRounding * (abs(up) + frame.viewport.y * abs(depths));
+    vec3 spareAcross = kMargin * abs(depths) + kRounding * (abs(across) + device.viewport.x * abs(depths));
+    vec3 spareUp = kMargin * abs(depths) + kRounding * (abs(up) + device.viewport.y * abs(depths));
     return all(lessThan(across - rect.x * depths, -spareAcross)) || all(lessThan(up - rect.y * depths, -spareUp)) ||
            all(greaterThan(across - rect.z * depths, spareAcross)) || all(greaterThan(up - rect.w * depths, spareUp));
 }
 
 // Whether a triangle may overlap one of its run's rectangles (DrawRun), or the window.
 bool isWithin(vec3 a, vec3 b, vec3 c, uint rects) {
-    vec4 most = frame.viewport.xyxy * 0.5;
+    vec4 most = device.viewport.xyxy * 0.5;
     uint count = rects >> 16;
     bool isIn = count == 0u && !isBeside(a, b, c, vec4(-1.0, -1.0, 1.0, 1.0) * (most + 2.0));
     for (uint i = 0u; i < count; ++i) {
-        vec4 rect = uintBitsToFloat(ringTexel(frame.firstRect + (rects & 0xFFFFu) + i));
+        vec4 rect = uintBitsToFloat(ringTexel(device.firstRect + (rects & 0xFFFFu) + i));
         isIn = isIn || !isBeside(a, b, c, rect * most);
     }
     return isIn;
@@ -150,15 +150,15 @@ uint squareOf(int steps) {
 
 // Whether the eye is within the instance's range; world/LevelRange.cpp computes the same in the same integers.
 bool isInLevelRange(Instance instance) {
-    if (instance.reach == kFromAnywhere) {
+    if (instance.levelRange == kFromAnywhere) {
         return true;
     }
     vec3 origin = originOf(instance);
     vec3 local = clamp(floor(origin * float(kRangeSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
     ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kRangeSteps)) - ivec3(frame.eyeSteps.xyz);
     uint away = squareOf(offset.x) + squareOf(offset.y) + squareOf(offset.z);
-    uint beyond = instance.reach & 0xFFFFu;
-    uint upTo = instance.reach >> 16;
+    uint beyond = instance.levelRange & 0xFFFFu;
+    uint upTo = instance.levelRange >> 16;
     return (beyond == 0u || away > beyond * beyond) && away <= upTo * upTo;
 }
 
@@ -169,7 +169,7 @@ shared uint keptBy[kCullThreads];
 void coverTile(uint number) {
     uvec2 tiles = tilesOfPicture();
     ivec2 begin = ivec2(number % tiles.x, number / tiles.x) * int(kTileSize);
-    ivec2 end = min(begin + int(kTileSize), ivec2(frame.viewport.xy));
+    ivec2 end = min(begin + int(kTileSize), ivec2(device.viewport.xy));
     float least = 1.0;
     for (int y = begin.y; y < end.y; ++y) {
         for (int x = begin.x; x < end.x; ++x) {
@@ -187,21 +187,19 @@ void main() {
         coverTile(group * kCullThreads + gl_LocalInvocationID.x);
         return;
     }
-    bool isFirst = cullMode == kCullOccluders;
-    uint begins = isFirst ? 0u : frame.firstOccludee;
-    uint ends = isFirst ? frame.firstOccludee : frame.slotCount;
-    // Rows have equal length, so there may be more groups than slots. The surplus repeats the last slot and writes the
-    // same values.
+    uint begins = groups.z == kCullFirst ? 0u : device.firstHideable;
+    uint ends = groups.z == kCullFirst ? device.firstHideable : device.slotCount;
+    // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
     uint slot = min(begins + group, ends - 1u);
     uint rects;
-    RunOffsets offsets = offsetsOf(slot, rects);
-    DrawPiece piece = pieceAt((slot + offsets.piece) & ~kGated);
-    bool drawsStaticIndices = (frame.flags & kFrameStaticIndices) != 0u;
-    bool neverCulled = (piece.triangles & kNeverCulled) != 0u;
-    uint triangles = piece.triangles & ~kNeverCulled;
-    Instance instance = instanceAt(neverCulled ? 0u : piece.instance);
-    bool isHere = neverCulled || isInLevelRange(instance);
-    uint toLookAt = drawsStaticIndices || !isHere ? 0u : triangles;
+    RunPlace place = placeOf(slot, rects);
+    DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
+    bool drawsAsIs = (device.flags & kFrameKeepsTriangles) != 0u;
+    bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
+    uint triangles = piece.triangles & ~kKeepsAll;
+    Instance instance = instanceAt(keepsAll ? 0u : piece.instance);
+    bool isHere = keepsAll || isInLevelRange(instance);
+    uint toLookAt = drawsAsIs || !isHere ? 0u : triangles;
     uint me = gl_LocalInvocationID.x;
     uint each = (toLookAt + kCullThreads - 1u) / kCullThreads;
     uint begin = min(me * each, toLookAt);

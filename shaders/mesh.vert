@@ -72,7 +72,7 @@ Growth growthOf(Around clip, bool all) {
 }
 
 vec2 aroundTriangle(vec4 first, vec4 second, vec4 third, uint corner) {
-    vec2 most = frame.viewport.xy * 0.5;
+    vec2 most = device.viewport.xy * 0.5;
     vec2 low = -most;
     vec2 high = most;
     if (min(min(first.w, second.w), third.w) >= frame.nearPlane) {
@@ -87,7 +87,7 @@ vec2 aroundTriangle(vec4 first, vec4 second, vec4 third, uint corner) {
 
 // One triangle around the whole triangle; fragments are tested one by one.
 void drawAround(vec2 pixelsFromMiddle) {
-    gl_Position = vec4(pixelsFromMiddle / (frame.viewport.xy * 0.5), 0.5, 1.0);
+    gl_Position = vec4(pixelsFromMiddle / (device.viewport.xy * 0.5), 0.5, 1.0);
 }
 
 float cross2(vec2 a, vec2 b) {
@@ -142,7 +142,7 @@ void drawLarger(uint own, vec3 before, vec3 after, Instance instance) {
     vEyeRelative = at;
     vUv.xy = inUv + growth.before * (inUv - uvBefore) + growth.after * (inUv - uvAfter);
     vec4 moved = clipFromEye(at);
-    moved.xy += growth.shift * moved.w / (frame.viewport.xy * 0.5);
+    moved.xy += growth.shift * moved.w / (device.viewport.xy * 0.5);
     gl_Position = moved;
 }
 #endif

@@ -63,7 +63,7 @@ vec4 grownCorner(uint own) {
     Growth growth = growthOf(own, before, at, after);
     at += growth.before * (at - before) + growth.after * (at - after);
     vec4 clip = clipFromEye(at);
-    clip.xy += growth.shift * clip.w / (frame.viewport.xy * 0.5);
+    clip.xy += growth.shift * clip.w / (device.viewport.xy * 0.5);
     return clip;
 }
 
@@ -72,7 +72,7 @@ void drawLarger(uint part) {
     uint role = part % 3u; // 0: the middle; 1: the corner with the triangle's number; 2: the next corner
     Thin thin = thinAt(opening.y, part < 3u ? role : 2u, kNearest); // one triangle of the whole fan remains
     if (thin.is) {
-        gl_Position = vec4(thin.at / (frame.viewport.xy * 0.5), 0.0, 1.0);
+        gl_Position = vec4(thin.at / (device.viewport.xy * 0.5), 0.0, 1.0);
     } else if (anyFails()) {
         gl_Position = everywhere(min(part, 3u));
     } else if (role != 0u) {

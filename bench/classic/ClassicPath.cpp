@@ -48,8 +48,8 @@ Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, co
 }
 
 ClassicPath::ClassicPath(gpu::Device& device, const world::World& world, std::unique_ptr<ClassicScene> scene)
-    : device_(device), world_(world), scene_(std::move(scene)), bare_(withoutContent(world)), planner_(bare_),
-      storage_(scene_->storage()), textures_(scene_->textures()) {}
+    : device_(device), world_(world), scene_(std::move(scene)), bare_(withoutContent(world)),
+      bareScene_(bare_), planner_(bareScene_), storage_(scene_->storage()), textures_(scene_->textures()) {}
 
 void ClassicPath::layOut(const world::DynamicState& dynamics) {
     const std::size_t alignment = std::max(device_.capabilities().storageAlignment, kBytesPerTexel);
@@ -108,14 +108,15 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Dyna
 void ClassicPath::begin(gpu::RenderTarget& target) {
     device_.setGeometry(scene_->vertices(), scene_->indices());
     memory_ = device_.beginFrame(target.handle());
-    layout::FrameConstants constants = base_.constants;
-    target.place(constants);
-    constants.staticInstances = 0; // all are in the frame's memory
-    constants.staticMembers = scene_->staticMembers();
-    constants.firstBlock = texelAt(places_.blocks);
-    constants.firstVisit = texelAt(places_.visit);
-    constants.firstMover = texelAt(places_.instances);
-    constants.firstMoverMember = texelAt(places_.members);
+    layout::FrameConstants constants;
+    constants.view = base_.constants;
+    constants.view.staticInstances = 0; // all are in the frame's memory
+    constants.view.staticMembers = scene_->staticMembers();
+    target.place(constants.view, constants.device);
+    constants.device.firstBlock = texelAt(places_.blocks);
+    constants.device.firstVisit = texelAt(places_.visit);
+    constants.device.firstInstance = texelAt(places_.instances);
+    constants.device.firstMember = texelAt(places_.members);
     write(places_.constants, std::span<const layout::FrameConstants>(&constants, 1));
     write(places_.blocks, std::span<const layout::vec4>(base_.blocks));
     write(places_.visit, std::span<const layout::Visit>(base_.visits));
@@ -123,7 +124,7 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
     device_.bindStorage(storage_);
     device_.bindTextures(textures_);
     device_.clear(gpu::TargetImage::Ownership, std::uint32_t{0});
-    device_.clear(gpu::TargetImage::Colour, constants.voidColour);
+    device_.clear(gpu::TargetImage::Colour, constants.view.voidColour);
     device_.clear(gpu::TargetImage::Id, std::uint32_t{layout::kVoidId});
     device_.clear(gpu::TargetImage::Depth, 0.0f);
     device_.beginPass(gpu::Pass::Solid);
@@ -155,8 +156,12 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
             copy(object.packed);
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
         const world::Instance& instance = dynamics.instances[index];
-        if (sides.sees(instance.bounds))
-            copy(frame::packInstance(world_, instance, dynamics.members, {zones_, scene_->staticMembers()}));
+        if (sides.sees(instance.bounds)) {
+            const auto spaces =
+                std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
+            copy(frame::packInstance(instance,
+                                     frame::packMembers(world_, spaces, {zones_, scene_->staticMembers()})));
+        }
     }
     return static_cast<std::uint32_t>(static_cast<std::size_t>(to - begin) / sizeof(layout::Instance));
 }

@@ -58,6 +58,7 @@ private:
     const world::World& world_;
     std::unique_ptr<ClassicScene> scene_;
     world::World bare_;                     ///< the world with nothing in it,
+    frame::StaticScene bareScene_;          ///< the same as a scene,
     frame::Planner planner_;                ///< and what yields its frame constants
     frame::FramePlan base_;                 ///< constants, blocks and the root visit; nothing else
     std::vector<frame::gpu::Member> zones_; ///< of what moves

@@ -83,7 +83,7 @@ ClassicScene::~ClassicScene() {
 }
 
 Result<void> ClassicScene::upload(const world::World& world) {
-    const frame::SceneUpload scene = frame::buildScene(world);
+    const frame::SceneUpload scene = frame::buildScene(frame::StaticScene(world));
     if (Result<void> added = addPages(scene.textures); !added)
         return added;
     std::vector<layout::TextureRef> refs;

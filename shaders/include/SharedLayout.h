@@ -43,9 +43,9 @@ LIMEN_CONST kStorageBindings = 14;
 // Texture units. Several are buffers read as texels of four words: software drivers read a storage buffer lane by lane,
 // and texels several times faster. Array pages are last (none in bindless mode).
 LIMEN_CONST kUnitOwnership = 0; // the ownership target
-LIMEN_CONST kUnitRing = 1;      // this frame's arrays; FrameConstants has the first texel of each
-LIMEN_CONST kUnitDepth = 2;     // the target's depth; sampled only between draws
-LIMEN_CONST kUnitVertices = 3;  // Vertex (static); the vertex fetch reads the same buffer
+LIMEN_CONST kUnitRing = 1;      // this frame's arrays; DeviceConstants has their first texels
+LIMEN_CONST kUnitDepth = 2;     // the target's depth; not sampled while anything is drawn
+LIMEN_CONST kUnitVertices = 3;  // Vertex: the arena that is also the vertex fetch (static)
 LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
@@ -105,11 +105,13 @@ LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
 LIMEN_CONST kSkyId = 1u;
 LIMEN_CONST kVoidId = 0u;
 
-// FrameConstants.flags
-LIMEN_CONST kFrameExactCutOuts = 1u;  // cut-outs are tested at mip level 0, nearest texel (for ids and depth)
-LIMEN_CONST kFrameStaticIndices = 2u; // draws use the static indices, uncompacted; set by gpu
+// ViewConstants.flags
+LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs tested at mip 0, nearest texel (ids and depth)
+
+// DeviceConstants.flags
+LIMEN_CONST kFrameKeepsTriangles = 2u; // draws read the static indices: no triangle is culled
 LIMEN_CONST kFrameSplits =
-    4u; // nearly opaque texels of kMaterialSplit surfaces are drawn as cut-outs; set by gpu
+    4u; // surfaces with kMaterialSplit are drawn as cut-outs where they are nearly opaque
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
@@ -118,10 +120,11 @@ LIMEN_CONST kMaterialInvAlpha = 4u;
 LIMEN_CONST kMaterialAlpha = 8u;
 LIMEN_CONST kMaterialSplit = 16u; // also drawn as a cut-out: see surface.glsl
 
-LIMEN_STRUCT(FrameConstants) {
+// Constants of a frame that follow from its view and its scene. Written by frame (frame/Planner.h).
+LIMEN_STRUCT(ViewConstants) {
     mat4 clipFromEye LIMEN_ZERO; // clip from eye-relative; reversed depth, infinite far plane
     vec4 eyeHigh LIMEN_ZERO;     // xyz: the eye relative to the eye's block, rounded to float
-    vec4 eyeLow LIMEN_ZERO;      // xyz: what the rounding left
+    vec4 eyeLow LIMEN_ZERO;      // xyz: the residual of that rounding
     vec4 eyeSteps
         LIMEN_ZERO; // xyz: the eye relative to the eye's block in steps of 1 / kRangeSteps, rounded down: whole numbers
     vec4 sunDirection LIMEN_ZERO; // xyz towards the sun
@@ -131,39 +134,47 @@ LIMEN_STRUCT(FrameConstants) {
     vec4 fogRange LIMEN_ZERO;  // near, far in metres
     vec4 voidColour LIMEN_ZERO;
     vec4 skyZenith LIMEN_ZERO; // rgb: plain sky overhead; the horizon is fogColour
-    vec4 viewport LIMEN_ZERO;  // width, height, 1/width, 1/height; this and the rays are filled in by gpu
+    uint rootZone LIMEN_ZERO;
+    uint visitCount LIMEN_ZERO;
+    uint flags LIMEN_ZERO; // kFrameExactCutOuts
+    float nearPlane LIMEN_ZERO;
+    uint staticInstances LIMEN_ZERO; // numbers from here on are the frame's instances
+    uint staticMembers LIMEN_ZERO;   // numbers from here on are the frame's members
+    uint staticPieces LIMEN_ZERO;    // numbers from here on are the frame's pieces
+    uint replacementCount LIMEN_ZERO;
+};
+
+// Constants of a frame that follow from its target, its place in the ring memory and its culling. Written by gpu.
+LIMEN_STRUCT(DeviceConstants) {
+    vec4 viewport LIMEN_ZERO; // width, height, 1/width, 1/height
     vec4 rayCorner
         LIMEN_ZERO; // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
     vec4 rayRight LIMEN_ZERO; // and the steps of one pixel
     vec4 rayUp LIMEN_ZERO;
-    uint rootZone LIMEN_ZERO;
-    uint visitCount LIMEN_ZERO;
-    uint flags LIMEN_ZERO;
-    float nearPlane LIMEN_ZERO;
-    uint staticInstances LIMEN_ZERO; // numbers from here on are movers
-    uint staticMembers LIMEN_ZERO;   // likewise
+    uint flags LIMEN_ZERO;  // kFrameKeepsTriangles, kFrameSplits
+    float pixel LIMEN_ZERO; // metres that a pixel covers at a view depth of one metre
     uint samplesX
-        LIMEN_ZERO; // of a multisampled target, filled in by gpu: where the samples lie, a byte each, from the
-    uint samplesY LIMEN_ZERO; // pixel's lower left corner in 1/256 of a pixel
-    float pixel LIMEN_ZERO;   // metres that a pixel covers at a view depth of one metre; likewise
-    uint firstBlock
-        LIMEN_ZERO; // texels of kUnitRing, filled in by gpu: vec4 per resident block: its origin from the eye's,
-    uint firstVisit LIMEN_ZERO;       // Visit,
-    uint firstMover LIMEN_ZERO;       // Instance: what moves,
-    uint firstMoverMember LIMEN_ZERO; // Member, likewise
-    uint firstMoverPiece LIMEN_ZERO;  // DrawPiece, of what moves and of the sky,
-    uint firstSlotGroup LIMEN_ZERO;   // SlotGroup,
+        LIMEN_ZERO; // sample positions of a multisampled target, a byte each: 1/256 of a pixel from the pixel's
+    uint samplesY LIMEN_ZERO; // lower left corner
+    // Texels of kUnitRing: the first of each array.
+    uint firstBlock LIMEN_ZERO;       // vec4 per resident block: its origin from the eye's block
+    uint firstVisit LIMEN_ZERO;       // Visit
+    uint firstInstance LIMEN_ZERO;    // Instance, the frame's
+    uint firstMember LIMEN_ZERO;      // Member, the frame's, two a texel
+    uint firstPiece LIMEN_ZERO;       // DrawPiece, the frame's
+    uint firstReplacement LIMEN_ZERO; // Replacement, two a texel
+    uint firstRect LIMEN_ZERO;        // vec4 per rectangle: minimum x and y, maximum x and y, NDC
+    uint firstSlotGroup LIMEN_ZERO;   // SlotGroup
     uint firstRun LIMEN_ZERO;         // DrawRun
-    uint slotCount LIMEN_ZERO;        // likewise filled in by gpu
-    uint staticPieces LIMEN_ZERO;     // pieces from here on are the frame's
-    uint firstReplacement LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: Replacement, two a texel
-    uint replacementCount LIMEN_ZERO;
-    uint firstOccludee
-        LIMEN_ZERO; // slots from here on are culled against what those before show; filled in by gpu
-    uint firstRect
-        LIMEN_ZERO; // texel of kUnitRing, filled in by gpu: vec4 per rectangle: least and most x and y, NDC
+    uint slotCount LIMEN_ZERO;
+    uint firstHideable LIMEN_ZERO; // slots from here on are culled against the draws of those before
     uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
+};
+
+// The two, one behind the other, so that each has one writer.
+LIMEN_STRUCT(FrameConstants) {
+    ViewConstants view LIMEN_ZERO;
+    DeviceConstants device LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(Visit) {
@@ -184,10 +195,10 @@ LIMEN_STRUCT(Instance) {
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
-    uint membersAndKind LIMEN_ZERO; // member count; the high half is the instance's kind
-    // level-of-detail range in steps: drawn if distance > low half (or that is 0) and distance <= high half; or
-    // kFromAnywhere
-    uint reach LIMEN_ZERO;
+    uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
+    uint levelRange
+        LIMEN_ZERO; // steps: drawn if the eye is farther than the low half, or that is 0, and not farther than the
+                    // high half, or that is kEndlessRange; kFromAnywhere
     uint highlight LIMEN_ZERO; // RGBA8, alpha = strength; 0 none
     float opacity LIMEN_ZERO;  // factor for the opacity of its blended surfaces
 };

@@ -7,10 +7,12 @@
 #define EXACT
 #endif
 
-layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants frameInBuffer; };
+// Read by every stage.
+layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants constantsInBuffer; };
 
-// Read once, before any branch: inside a branch software drivers read a storage buffer lane by lane.
-FrameConstants frame = frameInBuffer;
+// Read once, before any branch: software drivers read a storage buffer lane by lane within one.
+ViewConstants frame = constantsInBuffer.view;
+DeviceConstants device = constantsInBuffer.device;
 
 // Drivers count declared blocks. Some allow 16 per stage, and 8 in compute.
 #ifdef COMPUTE_STAGE
@@ -74,20 +76,20 @@ Instance instanceAt(uint index) {
                           texelFetch(instanceTexels, at + 2), texelFetch(instanceTexels, at + 3),
                           texelFetch(instanceTexels, at + 4));
     }
-    uint at = frame.firstMover + (index - frame.staticInstances) * kInstanceTexels;
+    uint at = device.firstInstance + (index - frame.staticInstances) * kInstanceTexels;
     return instanceOf(ringTexel(at), ringTexel(at + 1u), ringTexel(at + 2u), ringTexel(at + 3u), ringTexel(at + 4u));
 }
 
 #ifdef COMPUTE_STAGE
-// Offsets and rectangles of a slot's run.
-RunOffsets offsetsOf(uint slot, out uint rects) {
-    uvec4 group = ringTexel(frame.firstSlotGroup + slot / kSlotsPerGroup);
-    RunOffsets offsets = RunOffsets(group.x, group.y);
+// Of the run that a slot is of.
+RunPlace placeOf(uint slot, out uint rects) {
+    uvec4 group = ringTexel(device.firstSlotGroup + slot / kSlotsPerGroup);
+    RunPlace place = RunPlace(group.x, group.y);
     uint low = group.z;
     uint high = group.w;
     while (low < high) { // `offsets` belongs to `low`
         uint middle = (low + high + 1u) / 2u;
-        uvec4 run = ringTexel(frame.firstRun + middle);
+        uvec4 run = ringTexel(device.firstRun + middle);
         if (run.z <= slot) {
             low = middle;
             offsets = RunOffsets(run.x, run.y);
@@ -95,14 +97,14 @@ RunOffsets offsetsOf(uint slot, out uint rects) {
             high = middle - 1u;
         }
     }
-    rects = ringTexel(frame.firstRun + low).w;
-    return offsets;
+    rects = ringTexel(device.firstRun + low).w;
+    return place;
 }
 
 // The record that draws an instance in this frame.
 uint recordOf(uint instance) {
     for (uint i = 0u; i < frame.replacementCount; ++i) {
-        uvec4 pair = ringTexel(frame.firstReplacement + i / 2u);
+        uvec4 pair = ringTexel(device.firstReplacement + i / 2u);
         uvec2 replaced = i % 2u == 1u ? pair.zw : pair.xy;
         if (replaced.x == instance) {
             return replaced.y;
@@ -114,25 +116,25 @@ uint recordOf(uint instance) {
 // Static pieces and the frame's own have consecutive numbers.
 DrawPiece pieceAt(uint index) {
     uvec4 piece = index < frame.staticPieces ? texelFetch(pieceTexels, int(index))
-                                             : ringTexel(frame.firstMoverPiece + (index - frame.staticPieces));
+                                             : ringTexel(device.firstPiece + (index - frame.staticPieces));
     return DrawPiece(piece.x, piece.y, piece.z, piece.w);
 }
 #endif
 
 vec3 blockOrigin(uint block) {
-    return uintBitsToFloat(ringTexel(frame.firstBlock + block).xyz);
+    return uintBitsToFloat(ringTexel(device.firstBlock + block).xyz);
 }
 
 #if defined(FRAGMENT_STAGE) && !defined(OWNERSHIP)
 Member memberAt(uint index) {
     uvec4 pair = index < frame.staticMembers ? texelFetch(memberTexels, int(index / 2u))
-                                             : ringTexel(frame.firstMoverMember + (index - frame.staticMembers) / 2u);
+                                             : ringTexel(device.firstMember + (index - frame.staticMembers) / 2u);
     bool isSecond = (index < frame.staticMembers ? index : index - frame.staticMembers) % 2u == 1u;
     return isSecond ? Member(pair.z, pair.w) : Member(pair.x, pair.y);
 }
 
 Visit visitAt(uint index) {
-    uint at = frame.firstVisit + index * kVisitTexels;
+    uint at = device.firstVisit + index * kVisitTexels;
     uvec4 rest = ringTexel(at + 1u);
     return Visit(uintBitsToFloat(ringTexel(at)), rest.x, rest.y, rest.z, rest.w);
 }

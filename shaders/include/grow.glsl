@@ -31,7 +31,7 @@ Growth growthAt(vec4 before, vec4 here, vec4 after, bool front) {
     if (abs(here.w) < 1.0e-6) {
         return none;
     }
-    vec2 pixels = frame.viewport.xy * 0.5;
+    vec2 pixels = device.viewport.xy * 0.5;
     vec2 centre = here.xy * pixels / here.w;
     vec2 p = before.xy * pixels - centre * before.w;
     vec2 n = after.xy * pixels - centre * after.w;
@@ -74,7 +74,7 @@ bool mayBeThin(vec4 before, vec4 here, vec4 after) {
     if (min(min(before.w, here.w), after.w) < frame.nearPlane) {
         return true;
     }
-    vec2 pixels = frame.viewport.xy * 0.5;
+    vec2 pixels = device.viewport.xy * 0.5;
     vec2 p = (before.xy / before.w - here.xy / here.w) * pixels;
     vec2 n = (after.xy / after.w - here.xy / here.w) * pixels;
     vec2 opposite = p - n;
@@ -107,22 +107,22 @@ Thin thinAt(uint count, uint corner, float closest) {
     float size = length(sum);
     vec3 normal = size > 0.0 ? sum / size : vec3(0.0);
     float height = dot(normal, origin); // positive: seen from behind
-    vec2 middle = frame.viewport.xy * 0.5;
-    vec2 steps = vec2(dot(normal, frame.rayRight.xyz), dot(normal, frame.rayUp.xyz));
+    vec2 middle = device.viewport.xy * 0.5;
+    vec2 steps = vec2(dot(normal, device.rayRight.xyz), dot(normal, device.rayUp.xyz));
     float steepness = length(steps);
     float thickness = abs(height) * (1.0 / nearest - 1.0 / farthest) / max(steepness, 1.0e-30);
-    if (!(thickness < kThin) || steepness < 1.0e-3 * frame.pixel) {
+    if (!(thickness < kThin) || steepness < 1.0e-3 * device.pixel) {
         return Thin(false, vec2(0.0));
     }
     vec2 across = steps / steepness;
     vec2 along = vec2(across.y, -across.x);
-    float horizon = -(dot(normal, frame.rayCorner.xyz) + dot(steps, middle)) / steepness;
+    float horizon = -(dot(normal, device.rayCorner.xyz) + dot(steps, middle)) / steepness;
     vec2 low = vec2(3.0e38);
     vec2 high = vec2(-3.0e38);
     for (uint i = 0u; i < count; ++i) {
         vec3 p = outlineCorner(i);
         vec4 clip = clipFromEye(p);
-        float reach = frame.viewport.x + frame.viewport.y;
+        float reach = device.viewport.x + device.viewport.y;
         bool ahead = clip.w >= closest;
         float place = dot(along, clip.xy * middle) / clip.w;
         float side = horizon + dot(normal, p) / (max(clip.w, closest) * steepness);

@@ -48,7 +48,7 @@ vec2 stretchOver(bool isAsked, float pixels, vec3 normal, vec3 direction) {
     vec3 along = direction - normal * dot(normal, direction);
     along /= dot(along, along);
     vec3 across = normalize(cross(normal, direction));
-    float beside = pixels * frame.pixel;
+    float beside = pixels * device.pixel;
     vec2 stretch = vec2(3.0e38, -3.0e38);
     vec3 from = vCorners[2];
     vec3 to = vCorners[0];
@@ -108,19 +108,19 @@ struct InwardStep {
 };
 
 float inwardRadians() {
-    return min(kInward * frame.pixel, kInwardRadians);
+    return min(kInward * device.pixel, kInwardRadians);
 }
 
-// Two triangles that share an edge may both appear on the same side of it, one behind the other. Closer to the edge
-// than floats can separate their depths, either could show. So depth is sampled no closer to an edge than kInward or
-// kInwardRadians: both triangles are sampled at the same point, where their depths differ. Edges of a near and a far
-// triangle may also appear collinear, if the eye is in the plane of the surface that joins them. Each edge is computed
-// from different corners, and a ray can pass between the two. So triangles have a fringe that fills uncovered pixels:
-// kInward wide, plus the rounding error.
-InwardStep stepInwards(Shares shares) {
-    InwardStep inwards = InwardStep(vec2(0.0), true);
-    float most = inwardRadians() / frame.pixel;
-#ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show the effect of leaving this out (docs/proof.md)
+// Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
+// floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward, or kInwardRadians: there
+// both are asked at the same place, and they differ.
+// Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
+// them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
+// they fill what nothing covers: kInward wide, and as much as rounding may make of more.
+Step stepInwards(Shares shares) {
+    Step inwards = Step(vec2(0.0), true);
+    float most = inwardRadians() / device.pixel;
+#ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
     inwards.isSmall = false;
     return inwards;
 #endif
@@ -153,12 +153,12 @@ struct Intersection {
     bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than its fringe
 };
 
-// The depth from the plane has an error that grows as the plane is seen more edge-on. Within that error the depth
-// interpolated from the corners is used. Near a shared edge it is the same for both triangles.
-Intersection intersectPolygon(vec3 direction) {
-    Shares shares = sharesAt(windowPosition());
-    InwardStep inwards = stepInwards(shares);
-    vec3 nearby = direction + frame.rayRight.xyz * inwards.by.x + frame.rayUp.xyz * inwards.by.y;
+// From the plane the depth is off by the more the flatter the plane is seen; within that, what the corners' depths say
+// counts, which is the same for all triangles that share an edge, close to that.
+Meeting meetPolygon(vec3 direction) {
+    Shares shares = sharesAt(windowPlace());
+    Step inwards = stepInwards(shares);
+    vec3 nearby = direction + device.rayRight.xyz * inwards.by.x + device.rayUp.xyz * inwards.by.y;
     float facing = -dot(vFacet.xyz, nearby);
     float depth = depthOnPlane(nearby, facing);
     float off = kPlaneRounding * depth / max(facing, kGrazing);
@@ -242,10 +242,10 @@ bool findOnPolygon(uint kind, out SurfacePoint point) {
     vec3 direction = rayThrough(windowPosition());
     Intersection met = intersectPolygon(direction);
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
-    // Derivatives along the plane: the rasteriser's may be infinite beside a thin triangle.
-    point = SurfacePoint(direction * met.depth, met.depth * (frame.rayRight.xyz + direction * (dot(vFacet.xyz, frame.rayRight.xyz) / facing)),
-                  met.depth * (frame.rayUp.xyz + direction * (dot(vFacet.xyz, frame.rayUp.xyz) / facing)));
-    float tested = met.depth + behindNeighbours(kind == kKindShell, point.at, direction) - beforePlane(kind, direction) +
+    // Along the plane: what the rasteriser interpolates may be infinite beside a thin triangle.
+    place = Place(direction * met.depth, met.depth * (device.rayRight.xyz + direction * (dot(vFacet.xyz, device.rayRight.xyz) / facing)),
+                  met.depth * (device.rayUp.xyz + direction * (dot(vFacet.xyz, device.rayUp.xyz) / facing)));
+    float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
     bool isOver = met.isAhead && isOverOutline(3u, windowPosition());
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);

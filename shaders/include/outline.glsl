@@ -9,7 +9,7 @@
 
 // Coordinates perpendicular to the ray through a point of the window, in pixels times depth.
 vec2 acrossRay(vec3 onScreen, vec2 window) {
-    vec2 centre = window - frame.viewport.xy * 0.5;
+    vec2 centre = window - device.viewport.xy * 0.5;
     precise vec2 across = onScreen.xy - centre * onScreen.z;
     return across;
 }

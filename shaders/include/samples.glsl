@@ -18,7 +18,7 @@ const vec2 kBeside = vec2(kBesideX, kBesideY) / float(kPartsOfAPixel);
 
 vec2 windowPosition() {
 #ifdef MULTISAMPLED
-    uvec2 offset = uvec2(frame.samplesX, frame.samplesY) >> (8 * gl_SampleID) & 0xFFu;
+    uvec2 offset = uvec2(device.samplesX, device.samplesY) >> (8 * gl_SampleID) & 0xFFu;
     return floor(gl_FragCoord.xy) + vec2(offset) / 256.0;
 #else
     return gl_FragCoord.xy + kBeside;

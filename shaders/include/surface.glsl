@@ -25,7 +25,7 @@ const float kSolidAlpha = 0.95;
 const float kLeastAlpha = 0.05;
 
 bool isSplit(Material material) {
-    return (material.flags & kMaterialSplit) != 0u && (frame.flags & kFrameSplits) != 0u;
+    return (material.flags & kMaterialSplit) != 0u && (device.flags & kFrameSplits) != 0u;
 }
 
 // The interpolated values at this fragment.

@@ -35,6 +35,6 @@ vec4 clipFromEye(vec3 p) {
 // Screen position of an eye-relative point: pixels from the middle times depth, and depth.
 vec3 screenFromEye(vec3 p) {
     vec4 clip = clipFromEye(p);
-    precise vec3 result = vec3(clip.xy * (frame.viewport.xy * 0.5), clip.w);
+    precise vec3 result = vec3(clip.xy * (device.viewport.xy * 0.5), clip.w);
     return result;
 }

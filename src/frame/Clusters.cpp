@@ -10,13 +10,13 @@ namespace {
 using world::InstanceIndex;
 using Range = std::span<InstanceIndex>;
 
-/// Instances larger than this part of the room that a cluster's centres take up would make balls of all its parts as large as
-/// themselves, and become a part of their own.
+/// Share of the extent of a cluster's centres. Instances with a larger radius become a child of their own.
+/// Otherwise the bounds of every child would be as large as theirs.
 constexpr double kLargePart = 0.5;
 
-class Builder {
+class ClusterBuilder {
 public:
-    explicit Builder(const world::World& world) : world_(world) {}
+    explicit ClusterBuilder(const world::World& world) : world_(world) {}
 
     Clusters build() {
         countLists();
@@ -25,6 +25,10 @@ public:
         addShared();
         for (const InstanceIndex instance : out_.order)
             out_.bounds.push_back(world_.instances[instance].bounds);
+        for (std::size_t i = out_.firstShared; i < out_.order.size(); ++i) {
+            const world::Instance& instance = world_.instances[out_.order[i]];
+            out_.sharedIsInOneZone.push_back(isInOneZone(world_, instance, world_.members) ? 1 : 0);
+        }
         return std::move(out_);
     }
 
@@ -39,7 +43,7 @@ private:
             ++lists_[instance];
     }
 
-    // Alone in one list, and so a member of one zone.
+    // An instance that is not shared is in one list, and so a member of one zone.
     [[nodiscard]] bool isShared(InstanceIndex instance) const {
         return lists_[instance] > 1 || world_.instances[instance].memberCount > 1;
     }
@@ -57,7 +61,7 @@ private:
         }
     }
 
-    // Numbers those that several spaces list in the order of the first list; `lists_` becomes their positions.
+    // Adds the shared instances, in the order of the first list that each is in.
     void addShared() {
         out_.firstShared = static_cast<std::uint32_t>(out_.order.size());
         std::vector<std::uint32_t> position(world_.instances.size(), world::kNone);
@@ -106,8 +110,8 @@ private:
         return around;
     }
 
-    // Half of the range goes to each side of a plane across its longest axis. Instances' numbers settle what is equal, so that
-    // any library parts them alike.
+    // Half of the range goes to each side of a plane across its longest axis. Instance numbers break ties, so
+    // that every standard library gives the same partition.
     void halve(Range range) const {
         const Vec3 size = sizeOf(range);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -125,7 +129,7 @@ private:
         void add(std::size_t end) { ends[count++] = end; }
     };
 
-    // The large ones and the others, or none if it is all one kind.
+    // The large instances and the others; no parts if one of the two is empty.
     [[nodiscard]] Parts partBySize(Range range) const {
         const Vec3 size = sizeOf(range);
         const double large = kLargePart * std::max({size.x, size.y, size.z});
@@ -153,7 +157,7 @@ private:
         return parts;
     }
 
-    // Parts a cluster, and its parts in turn; its positions take the order of the parts.
+    // Divides a cluster, and its parts in turn. Its positions take the order of the parts.
     void divide(std::uint32_t index) {
         const Cluster whole = out_.clusters[index];
         const Range range = rangeOf(whole);
@@ -179,14 +183,45 @@ private:
     }
 
     const world::World& world_;
-    std::vector<std::uint32_t> lists_; ///< by instance: how many spaces list it
+    std::vector<std::uint32_t> lists_; ///< by instance: number of spaces that list it
     Clusters out_;
 };
 
 } // namespace
 
 Clusters buildClusters(const world::World& world) {
-    return Builder(world).build();
+    return ClusterBuilder(world).build();
+}
+
+bool isInOneZone(const world::World& world, const world::Instance& instance,
+                 std::span<const world::SpaceIndex> members) {
+    const auto own = members.subspan(instance.firstMember, instance.memberCount);
+    return std::all_of(own.begin(), own.end(), [&](world::SpaceIndex space) {
+        return world.spaces[space].zone == world.spaces[own.front()].zone;
+    });
+}
+
+ClusterBatches::ClusterBatches(const Clusters& clusters) {
+    for (const std::uint32_t root : clusters.roots)
+        roots.push_back(root == world::kNone ? root : add(clusters, root, 1));
+}
+
+std::uint32_t ClusterBatches::add(const Clusters& clusters, std::uint32_t first, std::uint32_t count) {
+    const auto index = static_cast<std::uint32_t>(batches.size());
+    batches.emplace_back().count = count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Cluster& cluster = clusters.clusters[first + i];
+        const std::uint32_t children =
+            cluster.childCount > 0 ? add(clusters, cluster.firstChild, cluster.childCount) : world::kNone;
+        Batch& batch = batches[index];
+        batch.x[i] = cluster.bounds.centre.x;
+        batch.y[i] = cluster.bounds.centre.y;
+        batch.z[i] = cluster.bounds.centre.z;
+        batch.radius[i] = cluster.bounds.radius;
+        batch.positions[i] = {cluster.first, cluster.end};
+        batch.children[i] = children;
+    }
+    return index;
 }
 
 } // namespace limen::frame

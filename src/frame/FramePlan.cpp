@@ -10,12 +10,12 @@ void FramePlan::clear() {
     clipSets.clear();
     rects.clear();
     skyInstances.clear();
-    moving = {};
-    movers.clear();
-    moverChanges.clear();
+    dynamicRecords = {};
+    dynamicInstances.clear();
+    dynamicChanges.clear();
     records.clear();
-    moverMembers.clear();
     replacements.clear();
+    members.clear();
     pieces.clear();
     runs.clear();
     batches.clear();

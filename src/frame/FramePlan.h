@@ -4,14 +4,13 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
+#include <span>
 #include <vector>
 
-// What a frame draws, as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null
-// device).
+// A frame's draws as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null device).
 namespace limen::frame {
 
-/// The stages of every frame, whatever the root (docs/architecture.md).
+/// The stages of every frame, for any root (docs/architecture.md).
 enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Transparent, Overlay };
 inline constexpr std::size_t kStageCount = 5;
 [[nodiscard]] constexpr const char* nameOf(StageKind kind) {
@@ -20,57 +19,54 @@ inline constexpr std::size_t kStageCount = 5;
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// Which program draws a batch.
+/// The shader program of a batch.
 enum class Program : std::uint8_t {
     Ownership,  ///< triangles of ownershipVertices, no indices
-    Opaque,     ///< meshes, no discard but the gate's
+    Opaque,     ///< meshes, no discard except the gate's
     CutOut,     ///< meshes, alpha tested
     Terrain,    ///< landblocks
     SkyPlain,   ///< one screen-filling triangle: the plain sky and its id
     SkyObjects, ///< sky meshes; baseInstance indexes skyInstances
-    Blended     ///< meshes of the late stage
+    Blended     ///< meshes of the transparent stage
 };
 
-/// Rectangles of FramePlan::rects; none: the whole window.
+/// A run of FramePlan::rects. Count 0: the whole window.
 struct RectRun {
     std::uint16_t first = 0, count = 0;
     friend bool operator==(const RectRun&, const RectRun&) = default;
 };
 
-/// Pieces that follow one another, each a draw command.
+/// Consecutive pieces; each is a draw command.
 struct PieceRun {
-    std::uint32_t firstPiece = 0, pieceCount = 0; ///< the scene's, and on from there the plan's
-    std::uint32_t indicesBefore = 0;              ///< of the first of them
-    std::uint32_t indexCount = 0;                 ///< of all of them
+    std::uint32_t firstPiece = 0, pieceCount = 0; ///< the scene's pieces; numbers beyond them are the plan's
+    std::uint32_t indicesBefore = 0;              ///< of the first piece
+    std::uint32_t indexCount = 0;                 ///< of all pieces
     bool gated = false;                           ///< their fragments take the ownership test
-    RectRun rects{};                              ///< nothing of them shows elsewhere
+    RectRun rects{};                              ///< no fragment outside these rectangles is visible
 };
 
-/// Runs of pieces that one program draws: one GL draw call.
+/// Runs of pieces of one program: one GL draw call.
 struct Batch {
     Program program = Program::Opaque;
-    bool gated = false; ///< the program's variant that has the ownership test: some of the runs may take it
+    bool gated = false; ///< the program variant with the ownership test, which some of the runs may take
     std::uint32_t first = 0, count = 0; ///< runs; for Ownership: vertices
     std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
-/// Things that move, as somebody else has them (world::DynamicState): each begins as the gpu::Instance of what is a member of the one space that
-/// it is placed in, but for the highlight. A view and not a copy, for they lie here and there in memory, and to fetch them once is most of
-/// what a frame costs in which all move. They must stay as they are until the plan has been drawn.
-struct RecordArray {
-    const std::byte* first = nullptr;
-    std::size_t stride = 0; ///< bytes from one to the next
-    [[nodiscard]] const std::byte* at(std::uint32_t i) const { return first + i * stride; }
-    void copyTo(gpu::Instance& out, std::uint32_t i) const {
-        std::memcpy(static_cast<void*>(&out), at(i), sizeof out);
-        out.highlight = 0;
-    }
+/// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic state, in
+/// the world's layout: each visible one is read once, and its record is written into the ring memory at once. Fetching
+/// scattered instances is most of a frame in which everything moves. They must stay unchanged until then.
+struct DynamicRecords {
+    const void* instances = nullptr; ///< of the dynamic state
+    /// Writes the records of the instances with these numbers; `records` has as many elements, at a multiple of 16 bytes.
+    void (*write)(const void* instances, std::span<const std::uint32_t> numbers,
+                  std::span<gpu::Instance> records) = nullptr;
 };
 
-/// What a mover has that its record does not say.
-struct MoverChange {
-    std::uint32_t mover = 0; ///< index into FramePlan::movers
-    std::uint32_t firstMember = 0, membersAndKind = 0, highlight = 0;
+/// The members and highlight of a dynamic instance whose record needs more than its own data.
+struct DynamicChange {
+    std::uint32_t instance = 0; ///< index into FramePlan::dynamicInstances
+    std::uint32_t firstMember = 0, membersAndKind = 0, highlight = 0; ///< of gpu::Instance
     void applyTo(gpu::Instance& record) const {
         record.firstMember = firstMember;
         record.membersAndKind = membersAndKind;
@@ -83,38 +79,43 @@ struct Stage {
     std::uint32_t firstBatch = 0, batchCount = 0;
 };
 
-/// What the planner saw and decided; goes to frame.json and the panel. What the device leaves out of it is not counted.
+/// Counts of one plan, for frame.json and the panel. They include draws and triangles that the device culls
+/// later.
 struct PlanCounts {
     std::uint32_t visits = 0, cellsSeen = 0, ownershipTriangles = 0;
     std::uint32_t instancesTested = 0;                     ///< members of spaces that are seen, each once
-    std::uint32_t instancesCulled = 0, instancesDrawn = 0; ///< of these
-    std::uint32_t drawsUngated = 0, triangles = 0;         ///< of what is drawn
-    std::uint32_t boundsTested = 0; ///< balls that were held against a visit, of clusters and of instances
+    std::uint32_t instancesCulled = 0, instancesDrawn = 0; ///< shares of instancesTested
+    std::uint32_t drawsUngated = 0, triangles = 0;         ///< of the drawn instances
+    std::uint32_t boundsTested = 0; ///< tests of a bounding sphere against a visit, of clusters and instances
 };
 
 /// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates
 /// nothing.
+///
+/// Numbers of instances, members and pieces beyond the scene's arrays are those of the plan's. The plan's
+/// instances are `dynamicInstances`, then `records`.
 struct FramePlan {
-    gpu::FrameConstants constants;
+    gpu::ViewConstants constants;
     std::vector<gpu::vec4>
-        blocks; ///< offset of each block from the eye's block, metres: whole multiples of 192
+        blocks; ///< origin of each block minus that of the eye's block, metres: whole multiples of 192
     std::vector<gpu::Visit> visits;
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
-    std::vector<gpu::vec4> rects; ///< least and most x and y, NDC
+    std::vector<gpu::vec4> rects; ///< minimum x and y, maximum x and y; NDC
     std::vector<gpu::SkyInstance> skyInstances;
-    RecordArray moving;                         ///< what `movers` are of
-    std::vector<std::uint32_t> movers;          ///< those drawn; numbered on from the scene's instances
-    std::vector<MoverChange> moverChanges;      ///< of few of them, in order
-    std::vector<gpu::Instance> records;         ///< others of the frame's own; numbered on from the movers
-    std::vector<gpu::Member> moverMembers;      ///< numbered on from the scene's members
-    std::vector<gpu::Replacement> replacements; ///< of the scene's instances by some of `records`
-    std::vector<gpu::DrawPiece> pieces; ///< of movers and of the sky; numbered on from the scene's pieces
+    DynamicRecords dynamicRecords;
+    std::vector<std::uint32_t> dynamicInstances; ///< the visible ones, by their numbers in the dynamic state
+    std::vector<DynamicChange> dynamicChanges;   ///< members of several zones, and highlights; ascending
+    std::vector<gpu::Instance> records;          ///< more instances of this frame
+    std::vector<gpu::Replacement> replacements; ///< instances of the scene that are drawn by one of `records`
+    std::vector<gpu::Member> members;
+    std::vector<gpu::DrawPiece> pieces; ///< of dynamic instances and of the sky
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages; ///< in order, one of each kind
-    std::uint32_t firstOccludee =
-        0; ///< batch: those before it are walls and ground, behind which those from it on may be hidden
+    /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its
+    /// occluders.
+    std::uint32_t firstHideable = 0;
     PlanCounts counts;
 
     void clear();

@@ -8,8 +8,8 @@ namespace limen::frame {
 
 FrameView makeView(const Vec3& eye, double yaw, double pitch, double fovY, std::uint32_t width,
                    std::uint32_t height, std::uint32_t root) {
-    LIMEN_ASSERT(width > 0 && height > 0, "a picture has pixels");
-    LIMEN_ASSERT(fovY > 0.0 && fovY < 180.0, "the field of view is an angle below 180 degrees");
+    LIMEN_ASSERT(width > 0 && height > 0, "a picture needs at least one pixel in each direction");
+    LIMEN_ASSERT(fovY > 0.0 && fovY < 180.0, "the field of view must be between 0 and 180 degrees");
     constexpr double kRadians = std::numbers::pi / 180.0;
     const double a = yaw * kRadians;
     const double b = pitch * kRadians;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "frame/Rules.h"
 #include "visibility/View.h"
 
 #include <cstdint>
@@ -10,25 +9,38 @@ namespace limen::frame {
 
 enum class Weather : std::uint8_t { Clear, Rain };
 
-/// An object in another colour: one that is selected, say.
+/// Draws an object in another colour, e.g. because it is selected.
 struct Highlight {
     std::uint64_t object = 0; ///< world::Instance::object; all its parts
-    std::uint32_t colour = 0; ///< bytes R, G, B and strength, R lowest: what the lit colour is mixed with
+    std::uint32_t colour =
+        0; ///< bytes R, G, B and strength, R lowest; mixed with the lit colour by the strength
 };
 
-/// One frame to plan: the eye and what is not the world's. Positions are global (world/World.h).
+/// Parts of the method that tests can switch off. Each part is necessary: without it some view is wrong
+/// (docs/proof.md), and a test shows that the check notices.
+struct Rules {
+    bool ownership = true;    ///< off: every pixel belongs to the root
+    bool ancestorClip = true; ///< off: openings are not clipped by the visits before them
+    bool growth = true;       ///< off: the visits before clip at their exact edges
+    bool nearOpening = true;  ///< off: openings within 5 cm of the eye are drawn like any other
+    bool viewcone = true;     ///< off: an instance is tested only against the first visit that lists it
+};
+
+/// One frame to plan: the eye, and the conditions that are not the world's. Positions are global
+/// (world/World.h).
 struct FrameView {
     visibility::View view;                   ///< eye in global metres; root is a world::SpaceIndex
     std::uint32_t width = 640, height = 360; ///< pixels
-    double nearPlane = 0.02; ///< metres; portals are met at any distance, surfaces only beyond it
+    double nearPlane = 0.02; ///< metres; clips surfaces only. Portals are followed at any distance
     double timeOfDay = 0.5;  ///< fraction of the day
-    double seconds = 0.0;    ///< for what moves by itself
+    double seconds = 0.0;    ///< since the world began; the sky's animations follow it
     std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
-    Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shows where the world has a hole
+    Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole
     Rules rules;
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
-    /// A few: what stands still is looked up in them on the device, for every draw. Read while the frame is planned.
+    /// Keep them few: for static instances the device searches the list for every draw. Read while the frame
+    /// is planned.
     std::span<const Highlight> highlights{};
 };
 

@@ -12,7 +12,8 @@
 
 namespace limen::frame::gpu {
 
-/// One vertex of the arena as the vertex fetch reads it; 64 bytes. They come in threes (world::Mesh).
+/// One vertex of the arena as the vertex fetch reads it. Three consecutive vertices are a triangle
+/// (world::Mesh).
 struct Vertex {
     glm::vec3 position{0.0f};
     std::uint32_t normal = 0; ///< signed normalised 10-10-10-2
@@ -21,10 +22,11 @@ struct Vertex {
     glm::vec3 facet{0.0f};            ///< model-space unit normal of its triangle; zero if that has no area
     glm::vec3 neighbour{
         0.0f};            ///< of a shell: the wall beyond the edge to the next corner (world::MeshVertex)
-    glm::vec3 rest{0.0f}; ///< what `position` is short of the corner (world::MeshVertex)
+    glm::vec3 rest{0.0f}; ///< residual of `position` (world::MeshVertex)
 };
 
-/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index. Indices are of the arena, so `baseVertex` is 0.
+/// glMultiDrawElementsIndirect's command. `baseInstance` is the instance's index. Indices are of the arena,
+/// so `baseVertex` is 0.
 struct DrawCommand {
     std::uint32_t indexCount = 0;
     std::uint32_t instanceCount = 1;
@@ -37,13 +39,12 @@ struct DrawCommand {
     return instance.membersAndKind & kMostMembers;
 }
 
-/// Where in a pixel with one sample its ray passes: pixels from the centre, y downwards.
+/// The point of a pixel with one sample that its ray passes through: pixels from the centre, y downwards.
 inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
                                         -double{kBesideY} / kPartsOfAPixel};
 
 // Offsets of members: GpuLayoutOffsets.cpp.
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
-static_assert(sizeof(FrameConstants) == 64 + 14 * 16 + 96);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
@@ -52,5 +53,32 @@ static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(Dra
               sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
               kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
+
+// Offsets in bytes, as std430 gives them.
+static_assert(offsetof(ViewConstants, clipFromEye) == 0 && offsetof(ViewConstants, eyeHigh) == 64 &&
+              offsetof(ViewConstants, eyeLow) == 80 && offsetof(ViewConstants, eyeSteps) == 96 &&
+              offsetof(ViewConstants, sunDirection) == 112 && offsetof(ViewConstants, sunColour) == 128 &&
+              offsetof(ViewConstants, skyAmbient) == 144 && offsetof(ViewConstants, fogColour) == 160 &&
+              offsetof(ViewConstants, fogRange) == 176 && offsetof(ViewConstants, voidColour) == 192 &&
+              offsetof(ViewConstants, skyZenith) == 208 && offsetof(ViewConstants, rootZone) == 224 &&
+              offsetof(ViewConstants, visitCount) == 228 && offsetof(ViewConstants, flags) == 232 &&
+              offsetof(ViewConstants, nearPlane) == 236 && offsetof(ViewConstants, staticInstances) == 240 &&
+              offsetof(ViewConstants, staticMembers) == 244 && offsetof(ViewConstants, staticPieces) == 248 &&
+              offsetof(ViewConstants, replacementCount) == 252 && sizeof(ViewConstants) == 256);
+static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstants, rayCorner) == 16 &&
+              offsetof(DeviceConstants, rayRight) == 32 && offsetof(DeviceConstants, rayUp) == 48 &&
+              offsetof(DeviceConstants, flags) == 64 && offsetof(DeviceConstants, pixel) == 68 &&
+              offsetof(DeviceConstants, samplesX) == 72 && offsetof(DeviceConstants, samplesY) == 76 &&
+              offsetof(DeviceConstants, firstBlock) == 80 && offsetof(DeviceConstants, firstVisit) == 84 &&
+              offsetof(DeviceConstants, firstInstance) == 88 &&
+              offsetof(DeviceConstants, firstMember) == 92 && offsetof(DeviceConstants, firstPiece) == 96 &&
+              offsetof(DeviceConstants, firstReplacement) == 100 &&
+              offsetof(DeviceConstants, firstRect) == 104 &&
+              offsetof(DeviceConstants, firstSlotGroup) == 108 &&
+              offsetof(DeviceConstants, firstRun) == 112 && offsetof(DeviceConstants, slotCount) == 116 &&
+              offsetof(DeviceConstants, firstHideable) == 120 &&
+              offsetof(DeviceConstants, reserved0) == 124 && sizeof(DeviceConstants) == 128);
+static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 256 &&
+              sizeof(FrameConstants) == 384);
 
 } // namespace limen::frame::gpu

@@ -5,9 +5,9 @@
 
 namespace limen::frame {
 
-/// The colour that stands for an id in a frame shaded flat (gpu::Shading): R,G,B, 0..255, spread so that neighbouring
-/// ids look nothing alike. Ids may share a colour: there are 2³² of the ones and 2²⁴ of the others. The shader
-/// shaders/include/idcolour.glsl computes the same.
+/// The colour that stands for an id in a frame shaded flat (gpu::Shading): R,G,B, 0..255. Neighbouring ids
+/// get very different colours. Ids may share a colour: there are 2³² ids and 2²⁴ colours. Same function as in
+/// shaders/include/idcolour.glsl.
 [[nodiscard]] constexpr std::array<std::uint8_t, 3> colourOfId(std::uint32_t id) {
     std::uint32_t mixed = (id + 1u) * 2654435761u;
     mixed = (mixed ^ (mixed >> 15)) * 2246822519u;

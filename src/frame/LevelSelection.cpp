@@ -1,6 +1,6 @@
 #include "frame/LevelSelection.h"
 
-#include "core/Fetch.h"
+#include "core/Prefetch.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,38 +10,20 @@ namespace limen::frame {
 namespace {
 
 using visibility::Containment;
-/// Clusters on their way to the cache while one is asked about.
-constexpr std::size_t kPartsAhead = 4;
+/// Batches prefetched ahead of the one that is tested.
+constexpr std::size_t kBatchesAhead = 4;
 constexpr std::uint32_t kBits = 64;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
 } // namespace
 
-LevelSelection::LevelSelection(const Clusters& clusters) : clusters_(clusters) {
-    for (const std::uint32_t root : clusters.roots)
-        roots_.push_back(root == world::kNone ? root : addParts(root, 1));
-    open_.resize(parts_.size() + 1); // the last is written, and does not count
+LevelSelection::LevelSelection(const Clusters& clusters, const ClusterBatches& batches)
+    : clusters_(clusters), batches_(batches) {
+    // One more of each: `descend` writes an element before it knows whether to count it.
+    open_.resize(batches.batches.size() + 1);
     whole_.resize(clusters.clusters.size() + 1);
     leaves_.resize(clusters.clusters.size() + 1);
     marked_.resize(clusters.order.size() / kBits + 1);
-}
-
-std::uint32_t LevelSelection::addParts(std::uint32_t first, std::uint32_t count) {
-    const auto index = static_cast<std::uint32_t>(parts_.size());
-    parts_.emplace_back().count = count;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Cluster& cluster = clusters_.clusters[first + i];
-        const std::uint32_t own =
-            cluster.childCount > 0 ? addParts(cluster.firstChild, cluster.childCount) : world::kNone;
-        Parts& parts = parts_[index];
-        parts.x[i] = cluster.bounds.centre.x;
-        parts.y[i] = cluster.bounds.centre.y;
-        parts.z[i] = cluster.bounds.centre.z;
-        parts.radius[i] = cluster.bounds.radius;
-        parts.positions[i] = {cluster.first, cluster.end};
-        parts.parts[i] = own;
-    }
-    return index;
 }
 
 std::span<const PositionRange> LevelSelection::select(world::SpaceIndex space,
@@ -49,22 +31,24 @@ std::span<const PositionRange> LevelSelection::select(world::SpaceIndex space,
                                                       const Vec3& forward, double nearPlane) {
     ranges_.clear();
     boundsTested_ = 0;
-    descend(roots_[space], cones, eye);
+    const std::uint32_t root = batches_.roots[space];
+    descend(root, cones, eye);
     for (std::size_t i = 0; i < wholeCount_; ++i)
         mark(whole_[i]);
     for (std::size_t i = 0; i < leafCount_; ++i) {
-        const Parts& parts = parts_[leaves_[i].parts];
+        const ClusterBatches::Batch& batch = batches_.batches[leaves_[i].batch];
         const std::uint32_t number = leaves_[i].number;
-        const Sphere bounds = parts.bounds(number);
-        // What lies beyond the picture's edges shows nothing, and to ask costs more than to draw. But for what reaches behind the eye:
-        // of that triangles are kept and drawn around the whole window.
+        const Sphere bounds = batch.bounds(number);
+        // A leaf ahead of the near plane is drawn whole: testing its instances costs more than drawing those
+        // beyond the picture's edges. Not a leaf that extends behind the eye: its triangles are kept across
+        // the whole window.
         if (glm::dot(bounds.centre - eye, forward) > bounds.radius + nearPlane)
-            mark(parts.positions[number]);
+            mark(batch.positions[number]);
         else
-            markLeaf(parts.positions[number], cones, eye);
+            markLeaf(batch.positions[number], cones, eye);
     }
     if (wholeCount_ + leafCount_ > 0)
-        gather(parts_[roots_[space]].positions[0]);
+        gather(batches_.batches[root].positions[0]);
     return ranges_;
 }
 
@@ -74,23 +58,23 @@ void LevelSelection::descend(std::uint32_t root, const visibility::Viewcones& co
     wholeCount_ = leafCount_ = 0;
     for (std::size_t next = 0; next < openCount; ++next) {
         const std::uint32_t index = open_[next];
-        const Parts& parts = parts_[index];
+        const ClusterBatches::Batch& batch = batches_.batches[index];
         const auto found =
-            cones.classifyFew({parts.x.data(), parts.y.data(), parts.z.data(), parts.radius.data()}, eye);
-        boundsTested_ += parts.count;
-        for (std::uint32_t i = 0; i < parts.count; ++i) {
-            // What is found is written either way, and counts or does not.
-            const bool isLeaf = parts.parts[i] == world::kNone;
+            cones.classifyQuad({batch.x.data(), batch.y.data(), batch.z.data(), batch.radius.data()}, eye);
+        boundsTested_ += batch.count;
+        for (std::uint32_t i = 0; i < batch.count; ++i) {
+            // Every list is written; only the counts depend on the result.
+            const bool isLeaf = batch.children[i] == world::kNone;
             const bool isPartial = found[i] == Containment::Partial;
-            open_[openCount] = parts.parts[i];
+            open_[openCount] = batch.children[i];
             leaves_[leafCount_] = {index, i};
-            whole_[wholeCount_] = parts.positions[i];
+            whole_[wholeCount_] = batch.positions[i];
             openCount += static_cast<std::size_t>(isPartial & !isLeaf);
             leafCount_ += static_cast<std::size_t>(isPartial & isLeaf);
             wholeCount_ += static_cast<std::size_t>(found[i] == Containment::Inside);
         }
-        if (next + kPartsAhead < openCount)
-            fetch(parts_[open_[next + kPartsAhead]]);
+        if (next + kBatchesAhead < openCount)
+            prefetch(batches_.batches[open_[next + kBatchesAhead]]);
     }
 }
 
@@ -126,7 +110,7 @@ void LevelSelection::gather(const PositionRange& within) {
         marked_[word] = 0;
         std::uint32_t at = word * kBits;
         for (std::uint32_t left = kBits; left > 0;) {
-            // So many that are all marked, or all are not.
+            // Length of the run of equal bits: all marked, or none.
             const std::uint64_t others = isOpen ? ~bits : bits;
             const auto alike =
                 std::min<std::uint32_t>(static_cast<std::uint32_t>(std::countr_zero(others)), left);

@@ -10,20 +10,21 @@ namespace limen::frame {
 
 namespace {
 
-/// Openings nearer to the eye than this, in metres, are looked for in the whole window: in float, the corners of a polygon
-/// that close lie so far off the screen that the rasteriser's own cuts are no longer exact.
+/// Metres. An opening nearer to the eye is drawn as a triangle around the whole window. The projected corners
+/// of so near a polygon, as floats, are so far off the screen that the rasteriser does not clip it exactly.
 constexpr double kNearOpening = 0.05;
 
-/// What is kept before a parent's entry plane, in metres: openings that touch the plane must not be nibbled
-/// at by float rounding. Equal to the fragment test's own tolerance (shaders/include/gate.glsl).
+/// Metres before a parent's entry plane that are kept. Otherwise float rounding would remove pixels of
+/// openings that touch the plane. Equal to the tolerance of the fragment test (shaders/include/gate.glsl).
 constexpr double kEntryTolerance = 0.001;
 
-/// Pixels by which a parent's edges are moved outwards. They are exact, while the parent itself was drawn with corners
-/// snapped to 1/256 of a pixel: a pixel it owns must not be lost to its child. No more than that, or the child takes
-/// pixels beside a thin jamb whose parent does not own them, and with them what lies behind the parent's plane there.
+/// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with
+/// corners snapped to 1/256 of a pixel, and its child must not lose a pixel that the parent owns. With a
+/// larger value the child would take pixels beside a thin jamb that the parent does not own, and show
+/// surfaces behind the parent's plane there.
 constexpr double kGrowth = 1.0 / 128.0;
 
-/// Edges that fit a clip set beside the entry plane: GL guarantees eight clip distances.
+/// Edges of a clip set, whose last plane is the entry plane: GL guarantees eight clip distances.
 constexpr std::size_t kEdgesPerSet = 7;
 
 class OwnershipPlanner {
@@ -40,14 +41,14 @@ public:
             addVisit(visit);
             if (visit.depth == 0 || !frame_.rules.ownership)
                 continue;
-            // The flood's region of these is not what their outline and their parent's region leave of it.
+            // The region of these is smaller than the part of their outline within their parent's region.
             const bool byRegion = visit.split || isEdgeOn(visit) || visit.narrowed;
             if (byRegion) {
-                drawWithin(i, set_.region(visit), Cut{0.0, {0, 0, 0, 1}});
+                drawWithin(i, set_.region(visit), Clip{0.0, {0, 0, 0, 1}});
             } else if (set_.visits[visit.parent].depth > 0 && frame_.rules.ancestorClip) {
                 const visibility::Visit& parent = set_.visits[visit.parent];
                 drawWithin(i, set_.region(parent),
-                           Cut{frame_.rules.growth ? kGrowth : 0.0, planeFor(i, parent.entryPlane)});
+                           Clip{frame_.rules.growth ? kGrowth : 0.0, planeFor(i, parent.entryPlane)});
             } else {
                 draw(i, 0);
             }
@@ -55,15 +56,15 @@ public:
     }
 
 private:
-    /// How an opening is cut to a region: its edges moved outwards by so many pixels, and behind a plane.
-    struct Cut {
-        double growth = 0.0;
-        gpu::vec4 plane{0, 0, 0, 1};
+    /// How an opening is clipped to a region.
+    struct Clip {
+        double growth = 0.0;         ///< pixels by which the region's edges are moved outwards
+        gpu::vec4 plane{0, 0, 0, 1}; ///< and one more plane
     };
 
-    /// Whether floats may put the eye on the wrong side of the opening, though it is in its plane or before it: the flood's
-    /// region, of doubles, is then all there is to go by. Nobody sees by how much less it shares its edges with the walls': it
-    /// is half of all directions, or so thin that it holds few pixels if any.
+    /// Whether the eye is in the opening's plane or so near it that floats may put it on the wrong side. Then
+    /// the flood's region, computed in double, decides alone. Its edges are not exactly the walls', but that
+    /// is not visible: such a region is half of all directions, or too thin to hold more than a few pixels.
     [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
         return visit.inPlane || std::abs(visit.entryPlane.d) < visibility::kBeforePlane;
     }
@@ -79,21 +80,21 @@ private:
         plan_.visits.push_back(out);
     }
 
-    /// gpu::Visit::shutBy of a shut portal.
+    /// gpu::Visit::shutBy of a closed portal.
     [[nodiscard]] std::uint32_t shutBy(std::uint32_t portal) const {
         const world::InstanceIndex filling =
             dynamics_.fillings.empty() ? world::kNone : dynamics_.fillings[portal];
         return filling == world::kNone ? gpu::kShutByNothing : dynamics_.instances[filling].idBase;
     }
 
-    /// A plane to cut the visit's portal by; open where it does not reach: of a polygon seen edge-on the depth in the
-    /// plane is told too roughly to be asked about for nothing.
+    /// The plane that clips the visit's portal; one that clips nothing if the whole polygon is beyond it.
+    /// That matters for a polygon seen edge-on, whose depth is too inexact for a test that is not necessary.
     [[nodiscard]] gpu::vec4 planeFor(std::uint32_t visit, const Plane& entry) const {
         const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
-        const bool cuts = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+        const bool clips = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
             return entry.signedDistance(corner - frame_.view.eye) < -kEntryTolerance;
         });
-        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryTolerance) : gpu::vec4(0, 0, 0, 1);
+        return clips ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryTolerance) : gpu::vec4(0, 0, 0, 1);
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {
@@ -112,7 +113,7 @@ private:
         return open;
     }
 
-    /// The plane through the eye and one edge of a region, moved outwards by some pixels, eye-relative.
+    /// The plane through the eye and one edge of a region, moved outwards by `growth` pixels, eye-relative.
     [[nodiscard]] gpu::vec4 edgePlane(const Vec3& a, const Vec3& b, double growth) const {
         Vec3 edge = glm::cross(a, b);
         edge.z += growth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
@@ -121,19 +122,20 @@ private:
         return length > 0.0 ? gpu::vec4(Vec3f(n / length), 0.0f) : gpu::vec4(0, 0, 0, 1);
     }
 
-    /// A region with more edges than fit is cut into fans around its first vertex, each drawn for itself; the fans' inner
-    /// edges are always moved, so that they overlap rather than gape.
-    void drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Cut& cut) {
+    /// A region with more edges than a clip set has is divided into fans around its first vertex, one draw
+    /// each. The inner edges of the fans are always moved outwards, so that the fans overlap and leave no
+    /// gap.
+    void drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Clip& by) {
         for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
             const std::size_t last = std::min(first + kEdgesPerSet - 2, region.size() - 1);
             gpu::ClipSet clip = openClipSet();
             std::size_t slot = 0;
-            clip.planes[slot++] = edgePlane(region[0], region[first], first == 1 ? cut.growth : kGrowth);
+            clip.planes[slot++] = edgePlane(region[0], region[first], first == 1 ? by.growth : kGrowth);
             for (std::size_t i = first; i < last; ++i)
-                clip.planes[slot++] = edgePlane(region[i], region[i + 1], cut.growth);
+                clip.planes[slot++] = edgePlane(region[i], region[i + 1], by.growth);
             clip.planes[slot++] =
-                edgePlane(region[last], region[0], last + 1 == region.size() ? cut.growth : kGrowth);
-            clip.planes[kEdgesPerSet] = cut.plane;
+                edgePlane(region[last], region[0], last + 1 == region.size() ? by.growth : kGrowth);
+            clip.planes[kEdgesPerSet] = by.plane;
             plan_.clipSets.push_back(clip);
             draw(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
         }
@@ -153,8 +155,8 @@ private:
             {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow, Vec3f(0.0f), 0});
     }
 
-    /// The portal polygon as a fan around its middle: every edge of its outline stays as it is, divided
-    /// exactly where the walls' are.
+    /// The portal polygon as a fan around its middle. Every edge of its outline is kept, divided at the same
+    /// vertices as the edges of the walls.
     void drawPortal(std::uint32_t visit, std::uint32_t clipSet) {
         const world::Portal& portal = world_.portals[set_.visits[visit].portal];
         const Vec3 origin = world_.blocks[portal.block].origin();
@@ -165,7 +167,7 @@ private:
         const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
         const std::uint32_t count = portal.vertexCount | (isNear(portal) ? gpu::kCoverWindow : 0u);
         const auto corner = [&](const Vec3& local) {
-            const TwoFloats parts = inTwoFloats(local); // the same as the walls'
+            const TwoFloats parts = inTwoFloats(local); // the same split as in the walls' vertices
             plan_.ownershipVertices.push_back(
                 {parts.nearest, portal.block, visit, clipSet, first, count, parts.rest, 0});
         };

@@ -6,36 +6,38 @@
 #include <span>
 #include <vector>
 
+// Device records of the world's instances, static and dynamic alike.
 namespace limen::frame {
 
-/// What every scene's members begin with: one for each space, by number, its zone and its light. An instance whose spaces all lie in one
-/// zone, as nearly all do, names one of these, and has none of its own.
+/// One member record per space, by its number: its zone and its light set. Every scene's members begin with
+/// these. An instance whose spaces are all in one zone, as nearly all are, refers to one of them and has no
+/// records of its own.
 [[nodiscard]] std::vector<gpu::Member> membersOfSpaces(const world::World& world);
 
-/// Where the zones of instances that are members of several zones go.
+/// Receives the member records of instances that are members of several zones.
 struct OwnMembers {
-    std::vector<gpu::Member>& zones; ///< appended to
-    std::uint32_t first = 0;         ///< number of the first of `zones` among all members
+    std::vector<gpu::Member>& members; ///< appended to
+    std::uint32_t first = 0;           ///< number of the first of `members` among all member records
 };
 
-/// Number of the first member of an instance of these spaces, and how many there are: the zones of its spaces, each once, that of the first
-/// space first, with the light of the first of its spaces that lies in that zone.
+/// Numbers of an instance's member records.
 struct MemberRun {
     std::uint32_t first = 0, count = 0;
 };
-[[nodiscard]] MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> members,
+/// The member records of an instance in these spaces: their zones, each once, that of the first space first, each with
+/// the light set of the first space in that zone.
+[[nodiscard]] MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> spaces,
                                     const OwnMembers& own);
 
-/// As the device has it: its members, and in the high half its kind.
+/// gpu::Instance::membersAndKind.
 [[nodiscard]] inline std::uint32_t membersAndKind(std::uint32_t members, world::InstanceKind kind) {
     return members | static_cast<std::uint32_t>(kind) << 16;
 }
 
-/// What of a moment's instances is drawn is copied from them.
-[[nodiscard]] RecordArray recordsOf(std::span<const world::Instance> instances);
+/// The device record of an instance, without a highlight.
+[[nodiscard]] gpu::Instance packInstance(const world::Instance& in, const MemberRun& members);
 
-/// `members` is the array that the instance's member run is in (the world's or a moment's).
-[[nodiscard]] gpu::Instance packInstance(const world::World& world, const world::Instance& in,
-                                         std::span<const world::SpaceIndex> members, const OwnMembers& own);
+/// Makes records of the instances of a dynamic state, each as a member of the space that it is placed in.
+[[nodiscard]] DynamicRecords recordsOf(std::span<const world::Instance> instances);
 
 } // namespace limen::frame

@@ -1,9 +1,11 @@
 #include "frame/Planner.h"
 
 #include "core/Assert.h"
-#include "core/Fetch.h"
+#include "core/Prefetch.h"
+#include "frame/Highlights.h"
 #include "frame/Ownership.h"
 #include "frame/PackInstance.h"
+#include "frame/PlanBatches.h"
 
 #include <algorithm>
 
@@ -27,7 +29,7 @@ bool seesOutside(const visibility::VisibleSet& set) {
                        [](const visibility::Visit& v) { return v.zone == world::kOutsideZone; });
 }
 
-/// From the eye to the nearest point of a ball, metres; negative within it.
+/// From the eye to the nearest point of a sphere, metres; negative inside it.
 double nearestOf(const Sphere& sphere, const Vec3& eye) {
     const Vec3 offset = sphere.centre - eye;
     return std::sqrt(glm::dot(offset, offset)) - sphere.radius;
@@ -53,22 +55,17 @@ PieceRun gatedIf(bool gated, PieceRun run) {
     return run;
 }
 
-/// Meshes on their way to the cache while a mover is planned.
-constexpr std::size_t kMoversAhead = 8;
+/// Dynamic instances whose mesh is prefetched ahead of the one that is planned.
+constexpr std::size_t kMeshesAhead = 8;
 
-/// Straight up the plain sky is this much of the horizon's colour: bluer and darker.
+/// The plain sky's colour straight up, as a factor of the horizon's: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
 } // namespace
 
-Planner::Planner(const world::World& world)
-    : world_(world), clusters_(buildClusters(world)), pieces_(buildPieces(world, clusters_)),
-      highlights_(world), selection_(world, clusters_), rects_(world.zones.size()), moverPieces_(world) {
-    std::vector<gpu::Member> members = membersOfSpaces(world);
-    for (const world::Instance& in : world.instances)
-        (void)packInstance(world, in, world.members, {members, 0});
-    staticMembers_ = static_cast<std::uint32_t>(members.size());
-}
+Planner::Planner(const StaticScene& scene)
+    : scene_(scene), world_(scene.world()), pieces_(scene.pieces()), selection_(scene),
+      rects_(world_.zones.size()), dynamicPieces_(scene.meshPieces()) {}
 
 void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
                    const visibility::VisibleSet& set, FramePlan& plan) {
@@ -85,8 +82,8 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
     endStage(plan);
     rects_.find(frame, set, plan);
     selection_.select(frame, dynamics, set);
-    planMovers(frame, dynamics, plan);
-    highlights_.replace(frame.highlights, plan);
+    planDynamic(frame, dynamics, plan);
+    replaceHighlighted(scene_, frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
     planSolid(several, plan);
     endStage(plan);
@@ -105,9 +102,9 @@ void Planner::fillCounts(const visibility::VisibleSet& set, FramePlan& plan) con
     const Selection::Counts& selected = selection_.counts();
     plan.counts.visits = static_cast<std::uint32_t>(set.visits.size());
     plan.counts.cellsSeen = static_cast<std::uint32_t>(set.seen.size());
-    plan.counts.instancesTested = selected.met;
+    plan.counts.instancesTested = selected.tested;
     plan.counts.instancesDrawn = selected.drawn;
-    plan.counts.instancesCulled = selected.met - selected.drawn;
+    plan.counts.instancesCulled = selected.tested - selected.drawn;
     plan.counts.drawsUngated = selected.ungated;
     plan.counts.boundsTested = selected.boundsTested;
 }
@@ -118,7 +115,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     const Vec3 eyeBlock(std::floor(eye.x / world::kBlockSize), std::floor(eye.y / world::kBlockSize), 0.0);
     const Vec3 local = eye - eyeBlock * world::kBlockSize;
     const Vec3f high(local);
-    gpu::FrameConstants& c = plan.constants;
+    gpu::ViewConstants& c = plan.constants;
     c.clipFromEye = clipFromEye(frame);
     c.eyeHigh = {high, 0.0f};
     c.eyeLow = {Vec3f(local - Vec3(high)), 0.0f};
@@ -140,38 +137,36 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.visitCount = static_cast<std::uint32_t>(set.visits.size());
     c.flags = frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0;
     c.nearPlane = static_cast<float>(frame.nearPlane);
+    c.staticInstances = static_cast<std::uint32_t>(scene_.records().size());
+    c.staticMembers = static_cast<std::uint32_t>(scene_.members().size());
+    c.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
 }
 
-void Planner::planMovers(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan) {
-    moverPieces_.begin(plan);
-    const auto standing = static_cast<std::uint32_t>(world_.instances.size());
-    plan.constants.staticInstances = standing;
-    plan.constants.staticMembers = staticMembers_;
-    plan.constants.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
-    plan.moving = recordsOf(dynamics.instances);
+void Planner::planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan) {
+    dynamicPieces_.begin(plan);
+    plan.dynamicRecords = recordsOf(dynamics.instances);
     const world::ListedInstances& listed = dynamics.listed;
-    const std::span<const SelectedMover> movers = selection_.movers();
-    plan.movers.resize(movers.size());
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        if (i + kMoversAhead < movers.size())
-            moverPieces_.fetchFor(listed.mesh[movers[i + kMoversAhead] & ~gpu::kGated]);
-        const std::uint32_t at = movers[i] & ~gpu::kGated;
-        moverPieces_.add(listed.mesh[at], standing + static_cast<std::uint32_t>(i),
-                         (movers[i] & gpu::kGated) != 0);
-        plan.movers[i] = listed.instance[at];
+    const std::span<const SelectedDynamic> selected = selection_.dynamicInstances();
+    plan.dynamicInstances.resize(selected.size());
+    for (std::size_t i = 0; i < selected.size(); ++i) {
+        if (i + kMeshesAhead < selected.size())
+            dynamicPieces_.prefetchFor(listed.mesh[selected[i + kMeshesAhead] & ~gpu::kGated]);
+        const std::uint32_t at = selected[i] & ~gpu::kGated;
+        dynamicPieces_.add(listed.mesh[at], plan.constants.staticInstances + static_cast<std::uint32_t>(i),
+                           (selected[i] & gpu::kGated) != 0);
+        plan.dynamicInstances[i] = listed.instance[at];
         if (listed.isListedAgain[at] != 0 || !frame.highlights.empty())
-            changeMover(frame, dynamics, static_cast<std::uint32_t>(i), plan);
+            changeDynamic(frame, dynamics, static_cast<std::uint32_t>(i), plan);
     }
 }
 
-void Planner::changeMover(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t mover,
-                          FramePlan& plan) const {
-    const world::Instance& instance = dynamics.instances[plan.movers[mover]];
-    const MemberRun run =
-        packMembers(world_, std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount),
-                    {plan.moverMembers, staticMembers_});
-    plan.moverChanges.push_back({mover, run.first, membersAndKind(run.count, instance.kind),
-                                 colourOf(frame.highlights, instance.object)});
+void Planner::changeDynamic(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t number,
+                            FramePlan& plan) const {
+    const world::Instance& instance = dynamics.instances[plan.dynamicInstances[number]];
+    const auto spaces = std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
+    const MemberRun members = packMembers(world_, spaces, {plan.members, plan.constants.staticMembers});
+    plan.dynamicChanges.push_back({number, members.first, membersAndKind(members.count, instance.kind),
+                                   colourOf(frame.highlights, instance.object)});
 }
 
 void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
@@ -181,15 +176,15 @@ void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
         run.rects = rects_.of(range.zone);
         addRun(run, plan);
     }
-    moverPieces_.moveRuns(drawn, plan);
+    dynamicPieces_.moveRuns(drawn, plan);
     countTriangles(plan);
 }
 
 void Planner::planSolid(bool several, FramePlan& plan) {
-    // What runs are made from lies here and there, and to wait for one after the other took a tenth of planning.
+    // The starts are scattered in memory. Without the prefetch, cache misses took a tenth of planning.
     for (const SelectedRange& range : selection_.ranges()) {
-        fetch(pieces_.starts[range.first]);
-        fetch(pieces_.starts[range.end]);
+        prefetch(pieces_.starts[range.first]);
+        prefetch(pieces_.starts[range.end]);
     }
     addSolid(DrawClass::Wall, several, plan);
     addSolid(DrawClass::Terrain, several, plan);
@@ -249,15 +244,17 @@ void Planner::planTransparent(const Vec3& eye, bool several, const world::Dynami
                           all.firstPiece,
                           [&](std::uint32_t instance) { return world_.instances[instance].bounds; });
     }
-    const auto firstMoving = plan.constants.staticPieces + static_cast<std::uint32_t>(plan.pieces.size());
+    const auto firstDynamic = plan.constants.staticPieces + static_cast<std::uint32_t>(plan.pieces.size());
     gatherTransparent(
-        eye, moverPieces_.movePieces(DrawClass::Blended, plan), firstMoving, [&](std::uint32_t instance) {
-            return dynamics.instances[plan.movers[instance - plan.constants.staticInstances]].bounds;
+        eye, dynamicPieces_.movePieces(DrawClass::Blended, plan), firstDynamic, [&](std::uint32_t instance) {
+            return dynamics.instances[plan.dynamicInstances[instance - plan.constants.staticInstances]]
+                .bounds;
         });
     std::sort(transparent_.begin(), transparent_.end(), [](const TransparentRun& a, const TransparentRun& b) {
         return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
     });
-    // Gated for every draw as soon as a frame has several visits: few are drawn, and longer runs are fewer.
+    // With several visits every draw is gated: blended instances are few, and equal gating makes fewer,
+    // longer runs.
     beginBatch(Program::Blended, several, plan);
     for (const TransparentRun& transparent : transparent_)
         addRun(gatedIf(several, transparent.run), plan);

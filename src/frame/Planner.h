@@ -1,38 +1,34 @@
 #pragma once
 
+#include "frame/DynamicPieces.h"
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
-#include "frame/Highlights.h"
-#include "frame/MoverPieces.h"
-#include "frame/PlanBatches.h"
-#include "frame/ResidentPieces.h"
 #include "frame/Selection.h"
-#include "frame/VisitRects.h"
+#include "frame/StaticScene.h"
+#include "frame/ZoneScreenRects.h"
 #include "visibility/VisibleSet.h"
 #include "world/DynamicState.h"
-#include "world/World.h"
 
 namespace limen::frame {
 
-/// Turns what is visible into what is drawn. Holds memory for one world, so that a steady frame allocates
-/// nothing; the world must outlive it and stay as it is.
+/// Plans the frames of one scene: selects the visible instances and writes them as stages, batches and runs.
+/// Holds the memory for that, so that a steady frame allocates nothing. One planner per thread; the scene can
+/// be shared.
 class Planner {
 public:
-    explicit Planner(const world::World& world);
+    /// `scene` must outlive the planner.
+    explicit Planner(const StaticScene& scene);
     Planner(const Planner&) = delete;
     Planner& operator=(const Planner&) = delete;
 
-    /// Plans one frame; `plan` is overwritten. `set` must be the flood of the same world and moment from
-    /// `frame.view`.
+    /// Plans one frame; `plan` is overwritten and refers to the instances of `dynamics`. `set` must be the flood of the
+    /// same world and dynamic state from `frame.view`.
     void plan(const FrameView& frame, const world::DynamicState& dynamics, const visibility::VisibleSet& set,
               FramePlan& plan);
-    /// The same where nothing moves.
+    /// Plans a frame without dynamic instances.
     void plan(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
         this->plan(frame, {}, set, plan);
     }
-
-    /// The resident pieces that its plans' runs are of: what SceneBuilder uploads.
-    [[nodiscard]] const ResidentPieces& pieces() const { return pieces_; }
 
 private:
     /// The blended pieces of one instance.
@@ -44,27 +40,25 @@ private:
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
-    void planMovers(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan);
-    /// For what its record does not say.
-    void changeMover(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t mover,
-                     FramePlan& plan) const;
+    void planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan);
+    void changeDynamic(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t instance,
+                       FramePlan& plan) const;
     void planSolid(bool several, FramePlan& plan);
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
-    /// From pieces of one class, each instance's together. `first`: number of the first; `boundsOf(instance)`: its ball.
+    /// Adds to `transparent_` from pieces of one class in which those of an instance are consecutive.
+    /// `first`: number of the first piece; `boundsOf(instance)`: its bounding sphere.
     template <class BoundsOf>
     void gatherTransparent(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
                            const BoundsOf& boundsOf);
 
+    const StaticScene& scene_;
     const world::World& world_;
-    const Clusters clusters_;
-    const ResidentPieces pieces_;
-    const Highlights highlights_;
+    const ResidentPieces& pieces_;
     Selection selection_;
-    VisitRects rects_;
-    std::uint32_t staticMembers_ = 0; ///< zones that the scene lists for static instances
-    MoverPieces moverPieces_;         ///< of the frame
+    ZoneScreenRects rects_;
+    DynamicPieces dynamicPieces_; ///< of the frame
     std::vector<TransparentRun> transparent_;
     std::vector<world::SkyPlacement> sky_;
 };

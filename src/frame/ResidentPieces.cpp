@@ -25,4 +25,30 @@ ResidentPieces buildPieces(const world::World& world, const Clusters& clusters) 
     return out;
 }
 
+MeshPieces::MeshPieces(const world::World& world) {
+    first.reserve(world.meshes.size());
+    std::vector<gpu::DrawPiece> cut;
+    for (const world::Mesh& mesh : world.meshes) {
+        Piece* last = nullptr;
+        const auto append = [&](const Piece& piece) {
+            if (last == nullptr) {
+                last = &first.emplace_back(piece);
+            } else {
+                last->next = static_cast<std::uint32_t>(more.size());
+                last = &more.emplace_back(piece);
+            }
+        };
+        eachRangeOf(
+            mesh, world::InstanceKind::Dynamic, [&](DrawClass drawn, const world::Mesh::Range& range) {
+                std::uint32_t indices = 0;
+                cut.clear();
+                addPieces(range, 0, indices, cut);
+                for (const gpu::DrawPiece& piece : cut)
+                    append({piece.firstIndex, piece.triangles, static_cast<std::uint32_t>(drawn), kNoMore});
+            });
+        if (last == nullptr)
+            first.emplace_back();
+    }
+}
+
 } // namespace limen::frame

@@ -1,7 +1,5 @@
 #include "frame/SceneBuilder.h"
 
-#include "frame/PackInstance.h"
-
 #include <algorithm>
 #include <bit>
 
@@ -32,7 +30,7 @@ gpu::TerrainCell packTerrain(const world::TerrainCell& in) {
     return out;
 }
 
-/// The resident block whose frame a light is stored in: the one it stands in, else any.
+/// The resident block that a light is stored relative to: the block that contains it, else any.
 std::uint32_t blockFor(const world::World& world, const Vec3& position) {
     for (std::uint32_t b = 0; b < world.blocks.size(); ++b) {
         const Vec3 local = position - world.blocks[b].origin();
@@ -48,7 +46,7 @@ gpu::Light packLight(const world::World& world, const world::Light& in) {
     return {{local, in.range}, {in.colour, std::bit_cast<float>(block)}};
 }
 
-/// Those of meshes are relative to their first vertices.
+/// Indices into the arena. World::indices are relative to the first vertex of their mesh.
 std::vector<std::uint32_t> indicesOfArena(const world::World& world) {
     std::vector<std::uint32_t> indices = world.indices;
     for (const world::Mesh& mesh : world.meshes) {
@@ -72,8 +70,8 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
     scene.materialRefs = world.materialRefs;
 }
 
-/// By texture: it is sampled only where clamping to the edge is right (blend maps, pictures whose coordinates all lie
-/// within 0..1). One that anything repeats is repeated for all.
+/// By texture: 1 if every use of it allows clamping to the edge (blend maps; textures with all coordinates
+/// within 0..1). If any use repeats a texture, all uses repeat it.
 std::vector<std::uint8_t> clampedTextures(const world::World& world) {
     std::vector<std::uint8_t> clamped(world.textures.size(), 0);
     const auto mark = [&](std::uint32_t texture, bool clamp) {
@@ -103,31 +101,27 @@ void addTextures(const world::World& world, SceneUpload& scene) {
 
 } // namespace
 
-SceneUpload buildScene(const world::World& world) {
-    return buildScene(world, buildPieces(world, buildClusters(world)));
-}
-
-SceneUpload buildScene(const world::World& world, const ResidentPieces& pieces) {
-    SceneUpload scene;
-    scene.vertices.reserve(world.vertices.size());
+SceneUpload buildScene(const StaticScene& scene) {
+    const world::World& world = scene.world();
+    SceneUpload upload;
+    upload.vertices.reserve(world.vertices.size());
     for (const world::MeshVertex& v : world.vertices) {
-        scene.vertices.push_back({v.position, packNormal(v.normal), v.uv,
-                                  v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour, v.rest});
+        upload.vertices.push_back({v.position, packNormal(v.normal), v.uv,
+                                   v.polygon | std::uint32_t{v.surface} << 16, v.facet, v.neighbour, v.rest});
     }
-    scene.indices = indicesOfArena(world);
-    scene.members = membersOfSpaces(world);
-    for (const world::Instance& in : world.instances)
-        scene.instances.push_back(packInstance(world, in, world.members, {scene.members, 0}));
-    scene.pieces = pieces.pieces;
-    addMaterials(world, scene);
-    addTextures(world, scene);
+    upload.indices = indicesOfArena(world);
+    upload.members.assign(scene.members().begin(), scene.members().end());
+    upload.instances.assign(scene.records().begin(), scene.records().end());
+    upload.pieces = scene.pieces().pieces;
+    addMaterials(world, upload);
+    addTextures(world, upload);
     for (const world::TerrainCell& cell : world.terrainCells)
-        scene.terrainCells.push_back(packTerrain(cell));
+        upload.terrainCells.push_back(packTerrain(cell));
     for (const world::LightSet& set : world.lightSets)
-        scene.lightSets.push_back({{set.ambient, set.sky}, set.sun, set.firstLight, set.lightCount, 0});
+        upload.lightSets.push_back({{set.ambient, set.sky}, set.sun, set.firstLight, set.lightCount, 0});
     for (const world::Light& light : world.lights)
-        scene.lights.push_back(packLight(world, light));
-    return scene;
+        upload.lights.push_back(packLight(world, light));
+    return upload;
 }
 
 } // namespace limen::frame

@@ -7,21 +7,21 @@
 
 namespace limen::frame {
 
-/// A picture to upload: R,G,B,A bytes, top row first.
+/// A texture to upload: R,G,B,A bytes, top row first.
 struct TextureUpload {
     std::uint32_t width = 0, height = 0;
     std::span<const std::uint8_t> rgba;
     bool clamp = false;           ///< sampled with clamp-to-edge, else repeat
-    std::uint64_t contentKey = 0; ///< pictures of one key are the same; 0: not known to be
+    std::uint64_t contentKey = 0; ///< textures with equal keys have equal content; 0: unknown
 };
 
-/// Everything static, in the GPU's own layout, written once when it becomes resident. `textures` are views
-/// into the world that it was made from and must not outlive it; the rest is owned.
+/// All static content in the GPU's layout, written once when it becomes resident. `textures` are views into
+/// the world that the upload was made from and must not outlive it; the other arrays are owned.
 struct SceneUpload {
     std::vector<gpu::Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< into `vertices`, of every mesh
     std::vector<gpu::Instance> instances;
-    std::vector<gpu::Member> members;   ///< begin with those of the spaces (frame/PackInstance.h)
+    std::vector<gpu::Member> members;   ///< those of the spaces first (frame/PackInstance.h)
     std::vector<gpu::DrawPiece> pieces; ///< of the instances (frame/ResidentPieces.h)
     std::vector<gpu::Material> materials;
     std::vector<std::uint32_t> materialRefs;

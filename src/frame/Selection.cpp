@@ -1,6 +1,6 @@
 #include "frame/Selection.h"
 
-#include "core/Fetch.h"
+#include "core/Prefetch.h"
 
 #include <algorithm>
 
@@ -12,17 +12,9 @@ using visibility::Containment;
 using visibility::FourEdges;
 using visibility::SeenSphere;
 
-constexpr std::uint32_t kAtOnce = visibility::SphereBatch::kCount;
-static_assert(kAtOnce <= world::ListedInstances::kSpare, "every block of what is listed can be read");
+constexpr std::uint32_t kSpheresAtOnce = visibility::SphereBatch::kCount;
+static_assert(kSpheresAtOnce <= world::ListedInstances::kSpare, "a batch may begin at any listed instance");
 static_assert(world::ListedInstances::kMostOffset <= visibility::SphereBatch::kMostOffset);
-
-bool isInOneZone(const world::World& world, const world::Instance& instance,
-                 std::span<const world::SpaceIndex> members) {
-    const auto own = members.subspan(instance.firstMember, instance.memberCount);
-    return std::all_of(own.begin(), own.end(), [&](world::SpaceIndex space) {
-        return world.spaces[space].zone == world.spaces[own.front()].zone;
-    });
-}
 
 bool isWholeScreen(const visibility::Rect& rect) {
     return rect.minX <= -1.0 && rect.minY <= -1.0 && rect.maxX >= 1.0 && rect.maxY >= 1.0;
@@ -30,95 +22,91 @@ bool isWholeScreen(const visibility::Rect& rect) {
 
 } // namespace
 
-Selection::Selection(const world::World& world, const Clusters& clusters)
-    : world_(world), clusters_(clusters), levels_(clusters), askedFrame_(world.spaces.size()),
-      lastAsk_(world.spaces.size()) {
-    for (std::size_t i = clusters.firstShared; i < clusters.order.size(); ++i) {
-        sharedInOneZone_.push_back(isInOneZone(world, world.instances[clusters.order[i]], world.members) ? 1
-                                                                                                         : 0);
-    }
-    sharedMarks_.resize(sharedInOneZone_.size());
-}
+Selection::Selection(const StaticScene& scene)
+    : world_(scene.world()), clusters_(scene.clusters()), levels_(clusters_, scene.clusterBatches()),
+      testedFrame_(world_.spaces.size()), lastTest_(world_.spaces.size()),
+      sharedResults_(clusters_.sharedIsInOneZone.size()) {}
 
 void Selection::select(const FrameView& frame, const world::DynamicState& dynamics,
                        const visibility::VisibleSet& set) {
     ++frameNumber_;
     counts_ = {};
     ranges_.clear();
-    moverCount_ = 0;
-    movers_.resize(std::max(movers_.size(), dynamics.instances.size() + kAtOnce));
-    sharedMet_.clear();
-    moversMet_.clear();
+    dynamicCount_ = 0;
+    dynamic_.resize(std::max(dynamic_.size(), dynamics.instances.size() + kSpheresAtOnce));
+    sharedTested_.clear();
+    dynamicTested_.clear();
     eye_ = frame.view.eye;
     forward_ = frame.view.forward;
     nearPlane_ = frame.nearPlane;
-    several_ = set.visits.size() > 1;
-    everyAsk_ = frame.rules.viewcone;
-    moverMarks_.resize(dynamics.instances.size());
+    hasSeveralVisits_ = set.visits.size() > 1;
+    testsEveryVisit_ = frame.rules.viewcone;
+    dynamicResults_.resize(dynamics.instances.size());
     const double pixel =
         2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height);
     cones_.prepare(frame.view, set, pixel);
-    gatherAsks(set);
-    for (const Asked& asked : asked_) {
-        zone_ = several_ ? world_.spaces[asked.space].zone : world::kNone;
-        if (const std::uint32_t root = clusters_.roots[asked.space]; root != world::kNone)
-            selectStanding(asked, root);
+    gatherTests(set);
+    for (const TestedSpace& tested : testedSpaces_) {
+        zone_ = hasSeveralVisits_ ? world_.spaces[tested.space].zone : world::kNone;
+        if (const std::uint32_t root = clusters_.roots[tested.space]; root != world::kNone)
+            selectStatic(tested, root);
     }
     zone_ = world::kNone;
-    for (const Ask& ask : asks_)
-        selectListed(ask, dynamics);
+    for (const SpaceTest& test : tests_)
+        selectListed(test, dynamics);
     finishListed(dynamics);
 }
 
-void Selection::selectStanding(const Asked& asked, std::uint32_t root) {
-    counts_.met += clusters_.clusters[root].end - clusters_.clusters[root].first;
-    if (!several_ && !asks_[asked.firstAsk].narrow) {
-        for (const PositionRange& range : levels_.select(asked.space, cones_, eye_, forward_, nearPlane_))
+void Selection::gatherTests(const visibility::VisibleSet& set) {
+    tests_.clear();
+    testedSpaces_.clear();
+    for (const visibility::SeenSpace& seen : set.seen) {
+        const auto number = static_cast<std::uint32_t>(tests_.size());
+        const bool isFirst = testedFrame_[seen.space] != frameNumber_;
+        testedFrame_[seen.space] = frameNumber_;
+        // The root's region is the screen, so a rectangle of the whole screen excludes nothing there.
+        const bool isNarrow = set.visits[seen.visit].depth > 0 || !isWholeScreen(seen.rect);
+        tests_.push_back({seen.space, seen.visit, world::kNone, isFirst, isNarrow,
+                          isNarrow ? cones_.edgesOf(seen.rect) : FourEdges()});
+        if (isFirst)
+            testedSpaces_.push_back({seen.space, number});
+        else if (testsEveryVisit_)
+            tests_[lastTest_[seen.space]].next = number;
+        lastTest_[seen.space] = number;
+    }
+    // The order of draws must not depend on the view.
+    std::sort(testedSpaces_.begin(), testedSpaces_.end(),
+              [](const TestedSpace& a, const TestedSpace& b) { return a.space < b.space; });
+}
+
+void Selection::selectStatic(const TestedSpace& tested, std::uint32_t root) {
+    counts_.tested += clusters_.clusters[root].end - clusters_.clusters[root].first;
+    if (!hasSeveralVisits_ && !tests_[tested.firstTest].isNarrow) {
+        for (const PositionRange& range : levels_.select(tested.space, cones_, eye_, forward_, nearPlane_))
             draw(range.first, range.end, true);
         counts_.boundsTested += levels_.boundsTested();
         return;
     }
     active_.clear();
-    for (std::uint32_t ask = asked.firstAsk; ask != world::kNone; ask = asks_[ask].next)
-        active_.push_back(ask);
+    for (std::uint32_t test = tested.firstTest; test != world::kNone; test = tests_[test].next)
+        active_.push_back(test);
     descend(clusters_.clusters[root], 0);
 }
 
-void Selection::gatherAsks(const visibility::VisibleSet& set) {
-    asks_.clear();
-    asked_.clear();
-    for (const visibility::SeenSpace& seen : set.seen) {
-        const auto number = static_cast<std::uint32_t>(asks_.size());
-        const bool first = askedFrame_[seen.space] != frameNumber_;
-        askedFrame_[seen.space] = frameNumber_;
-        // The root's region is the screen: it need not be asked for twice.
-        const bool narrow = set.visits[seen.visit].depth > 0 || !isWholeScreen(seen.rect);
-        asks_.push_back({seen.space, seen.visit, world::kNone, first, narrow,
-                         narrow ? cones_.edgesOf(seen.rect) : visibility::FourEdges()});
-        if (first)
-            asked_.push_back({seen.space, number});
-        else if (everyAsk_)
-            asks_[lastAsk_[seen.space]].next = number;
-        lastAsk_[seen.space] = number;
-    }
-    // So that what is drawn is in the same order from everywhere.
-    std::sort(asked_.begin(), asked_.end(), [](const Asked& a, const Asked& b) { return a.space < b.space; });
-}
-
-Containment Selection::askCluster(const Ask& ask, const SeenSphere& sphere) {
+Containment Selection::testCluster(const SpaceTest& test, const SeenSphere& sphere) {
     ++counts_.boundsTested;
-    const Containment inVisit = cones_.classify(ask.visit, sphere);
-    if (inVisit == Containment::Outside || !ask.narrow)
+    const Containment inVisit = cones_.classify(test.visit, sphere);
+    if (inVisit == Containment::Outside || !test.isNarrow)
         return inVisit;
-    const Containment inRect = visibility::Viewcones::classify(ask.rect, sphere);
+    const Containment inRect = visibility::Viewcones::classify(test.rect, sphere);
     return inRect == Containment::Inside ? inVisit : inRect;
 }
 
-Containment Selection::askInstance(const Ask& ask, const SeenSphere& sphere) {
+Containment Selection::testInstance(const SpaceTest& test, const SeenSphere& sphere) {
     ++counts_.boundsTested;
-    const Containment inVisit = cones_.classify(ask.visit, sphere);
-    if (inVisit == Containment::Outside || !ask.narrow ||
-        visibility::Viewcones::classify(ask.rect, sphere) != Containment::Outside)
+    const Containment inVisit = cones_.classify(test.visit, sphere);
+    if (inVisit == Containment::Outside || !test.isNarrow ||
+        visibility::Viewcones::classify(test.rect, sphere) != Containment::Outside)
         return inVisit;
     return Containment::Outside;
 }
@@ -127,7 +115,7 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
     const SeenSphere sphere = sphereOf(cluster.bounds);
     const std::size_t endActive = active_.size();
     for (std::size_t i = firstActive; i < endActive; ++i) {
-        const Containment here = askCluster(asks_[active_[i]], sphere);
+        const Containment here = testCluster(tests_[active_[i]], sphere);
         if (here == Containment::Inside) {
             draw(cluster.first, cluster.end, true);
             active_.resize(endActive);
@@ -139,11 +127,11 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
     if (active_.size() > endActive) {
         if (cluster.childCount == 0)
             selectLeaf(cluster, endActive);
-        // What the parts are made of comes from memory while the parts are asked.
+        // Prefetch the grandchildren while the children are tested.
         for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
-            const Cluster& part = clusters_.clusters[cluster.firstChild + i];
-            for (std::uint32_t j = 0; j < part.childCount; ++j)
-                fetch(clusters_.clusters[part.firstChild + j]);
+            const Cluster& child = clusters_.clusters[cluster.firstChild + i];
+            for (std::uint32_t j = 0; j < child.childCount; ++j)
+                prefetch(clusters_.clusters[child.firstChild + j]);
         }
         for (std::uint32_t i = 0; i < cluster.childCount; ++i)
             descend(clusters_.clusters[cluster.firstChild + i], endActive);
@@ -156,14 +144,14 @@ void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
         const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;
         for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i)
-            best = std::max(best, askInstance(asks_[active_[i]], sphere));
+            best = std::max(best, testInstance(tests_[active_[i]], sphere));
         if (best != Containment::Outside)
             draw(position, position + 1, best == Containment::Inside);
     }
 }
 
 void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside) {
-    const bool gated = several_ && !inside;
+    const bool gated = hasSeveralVisits_ && !inside;
     counts_.drawn += end - first;
     counts_.ungated += gated ? 0 : end - first;
     SelectedRange* const last = ranges_.empty() ? nullptr : &ranges_.back();
@@ -173,114 +161,119 @@ void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside) {
         ranges_.push_back({first, end, gated, zone_});
 }
 
-bool Selection::meet(const Ask& ask, const Sphere& bounds, Mark& mark) {
-    const bool isFirst = mark.frame != frameNumber_;
+bool Selection::testShared(const SpaceTest& test, const Sphere& bounds, SharedResult& result) {
+    const bool isFirst = result.frame != frameNumber_;
     if (isFirst)
-        mark = {frameNumber_, Containment::Outside};
-    if (mark.seen != Containment::Inside && (isFirst || everyAsk_))
-        mark.seen = std::max(mark.seen, askInstance(ask, sphereOf(bounds)));
+        result = {frameNumber_, Containment::Outside};
+    if (result.seen != Containment::Inside && (isFirst || testsEveryVisit_))
+        result.seen = std::max(result.seen, testInstance(test, sphereOf(bounds)));
     return isFirst;
 }
 
-void Selection::selectListed(const Ask& ask, const world::DynamicState& dynamics) {
-    for (const std::uint32_t position : clusters_.sharedIn(ask.space)) {
+void Selection::selectListed(const SpaceTest& test, const world::DynamicState& dynamics) {
+    for (const std::uint32_t position : clusters_.sharedIn(test.space)) {
         const std::uint32_t number = position - clusters_.firstShared;
-        if (meet(ask, clusters_.bounds[position], sharedMarks_[number]))
-            sharedMet_.push_back(number);
+        if (testShared(test, clusters_.bounds[position], sharedResults_[number]))
+            sharedTested_.push_back(number);
     }
-    if (!several_) {
-        selectMoversOf(ask, dynamics);
+    if (!hasSeveralVisits_) {
+        selectBatches(test, dynamics);
         return;
     }
-    const world::DynamicState::Run run = dynamics.listedIn(ask.space);
-    selectOneByOne(ask, dynamics, run.first, run.end);
+    const world::DynamicState::Run run = dynamics.listedIn(test.space);
+    selectOneByOne(test, dynamics, run.first, run.end);
 }
 
-void Selection::selectOneByOne(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t first,
-                               std::uint32_t end) {
+void Selection::selectOneByOne(const SpaceTest& test, const world::DynamicState& dynamics,
+                               std::uint32_t first, std::uint32_t end) {
     const world::ListedInstances& listed = dynamics.listed;
     for (std::uint32_t at = first; at < end; ++at) {
         if (listed.isListedAgain[at] != 0) {
-            meetListed(ask, dynamics, at);
-        } else if (ask.first) {
-            ++counts_.met;
+            testSharedDynamic(test, dynamics, at);
+        } else if (test.isFirst) {
+            ++counts_.tested;
             const SeenSphere sphere = sphereOf(dynamics.instances[listed.instance[at]].bounds);
-            Containment best = askInstance(ask, sphere);
-            for (std::uint32_t i = ask.next; i != world::kNone && best != Containment::Inside;
-                 i = asks_[i].next)
-                best = std::max(best, askInstance(asks_[i], sphere));
+            Containment best = testInstance(test, sphere);
+            for (std::uint32_t i = test.next; i != world::kNone && best != Containment::Inside;
+                 i = tests_[i].next)
+                best = std::max(best, testInstance(tests_[i], sphere));
             if (best != Containment::Outside)
-                drawMover(at, best == Containment::Inside);
+                drawDynamic(at, best == Containment::Inside);
         }
     }
 }
 
-// With a single visit a space is asked about once.
-void Selection::selectMoversOf(const Ask& ask, const world::DynamicState& dynamics) {
+// With a single visit a space has one test.
+void Selection::selectBatches(const SpaceTest& test, const world::DynamicState& dynamics) {
     const world::ListedInstances& listed = dynamics.listed;
-    const auto [first, end] = dynamics.listedIn(ask.space);
+    const auto [first, end] = dynamics.listedIn(test.space);
     const Vec3 eye = eye_ - listed.origin;
     const bool areFar = listed.areFar || glm::length(eye) > visibility::SphereBatch::kMostOffset;
-    for (std::uint32_t at = first; at < end; at += kAtOnce) {
-        const std::uint32_t next = std::min(at + kAtOnce, end);
-        const bool areAlone =
+    for (std::uint32_t at = first; at < end; at += kSpheresAtOnce) {
+        const std::uint32_t next = std::min(at + kSpheresAtOnce, end);
+        const bool areListedOnce =
             !listed.anyListedAgain ||
             std::none_of(listed.isListedAgain.begin() + at, listed.isListedAgain.begin() + next,
                          [](std::uint8_t again) { return again != 0; });
         const std::uint32_t found =
-            areFar || !areAlone
-                ? visibility::Viewcones::kCannotTell
+            areFar || !areListedOnce
+                ? visibility::Viewcones::kUndecided
                 : cones_.listWithin({&listed.x[at], &listed.y[at], &listed.z[at], &listed.radius[at]}, eye,
-                                    ask.narrow ? &ask.rect : nullptr, at, next - at, &movers_[moverCount_]);
-        if (found == visibility::Viewcones::kCannotTell) {
-            selectOneByOne(ask, dynamics, at, next);
+                                    test.isNarrow ? &test.rect : nullptr, at, next - at,
+                                    &dynamic_[dynamicCount_]);
+        if (found == visibility::Viewcones::kUndecided) {
+            selectOneByOne(test, dynamics, at, next);
         } else {
-            moverCount_ += found;
-            counts_.met += next - at;
+            dynamicCount_ += found;
+            counts_.tested += next - at;
             counts_.boundsTested += next - at;
             counts_.drawn += found;
             counts_.ungated += found;
         }
     }
 }
-void Selection::meetListed(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t at) {
+
+void Selection::testSharedDynamic(const SpaceTest& test, const world::DynamicState& dynamics,
+                                  std::uint32_t at) {
     const world::InstanceIndex number = dynamics.listed.instance[at];
-    if (meet(ask, dynamics.instances[number].bounds, moverMarks_[number]))
-        moversMet_.push_back(at);
+    if (testShared(test, dynamics.instances[number].bounds, dynamicResults_[number]))
+        dynamicTested_.push_back(at);
 }
 
-void Selection::drawMover(std::uint32_t at, bool inside) {
-    const bool gated = several_ && !inside;
+void Selection::drawDynamic(std::uint32_t at, bool inside) {
+    const bool gated = hasSeveralVisits_ && !inside;
     ++counts_.drawn;
     counts_.ungated += gated ? 0 : 1;
-    movers_[moverCount_++] = at | (gated ? gpu::kGated : 0);
+    dynamic_[dynamicCount_++] = at | (gated ? gpu::kGated : 0);
 }
 
 void Selection::finishListed(const world::DynamicState& dynamics) {
-    counts_.met += static_cast<std::uint32_t>(sharedMet_.size() + moversMet_.size());
-    std::sort(sharedMet_.begin(), sharedMet_.end());
-    for (const std::uint32_t number : sharedMet_) {
-        if (const Containment seen = sharedMarks_[number].seen; seen != Containment::Outside) {
+    counts_.tested += static_cast<std::uint32_t>(sharedTested_.size() + dynamicTested_.size());
+    std::sort(sharedTested_.begin(), sharedTested_.end());
+    for (const std::uint32_t number : sharedTested_) {
+        if (const Containment seen = sharedResults_[number].seen; seen != Containment::Outside) {
             const std::uint32_t position = clusters_.firstShared + number;
-            // A member of several zones is lit by the zone that keeps each fragment, so it always takes the test.
-            draw(position, position + 1, seen == Containment::Inside && sharedInOneZone_[number] != 0);
+            // A member of several zones always takes the test, because the zone of each fragment also selects
+            // its light.
+            draw(position, position + 1,
+                 seen == Containment::Inside && clusters_.sharedIsInOneZone[number] != 0);
         }
     }
     const std::vector<world::InstanceIndex>& instance = dynamics.listed.instance;
-    for (const std::uint32_t at : moversMet_) {
+    for (const std::uint32_t at : dynamicTested_) {
         const world::InstanceIndex number = instance[at];
-        if (const Containment seen = moverMarks_[number].seen; seen != Containment::Outside) {
-            drawMover(at, seen == Containment::Inside &&
-                              isInOneZone(world_, dynamics.instances[number], dynamics.members));
+        if (const Containment seen = dynamicResults_[number].seen; seen != Containment::Outside) {
+            drawDynamic(at, seen == Containment::Inside &&
+                                isInOneZone(world_, dynamics.instances[number], dynamics.members));
         }
     }
-    const auto before = [&instance](SelectedMover a, SelectedMover b) {
+    const auto isBefore = [&instance](SelectedDynamic a, SelectedDynamic b) {
         return instance[a & ~gpu::kGated] < instance[b & ~gpu::kGated];
     };
-    const auto drawn = std::span(movers_).first(moverCount_);
-    const bool areOfOneRun = asks_.size() == 1 && moversMet_.empty();
-    if (!areOfOneRun && !std::is_sorted(drawn.begin(), drawn.end(), before))
-        std::sort(drawn.begin(), drawn.end(), before);
+    const auto drawn = std::span(dynamic_).first(dynamicCount_);
+    const bool areOfOneRun = tests_.size() == 1 && dynamicTested_.empty();
+    if (!areOfOneRun && !std::is_sorted(drawn.begin(), drawn.end(), isBefore))
+        std::sort(drawn.begin(), drawn.end(), isBefore);
 }
 
 } // namespace limen::frame

@@ -1,118 +1,121 @@
 #pragma once
 
-#include "frame/Clusters.h"
 #include "frame/FrameView.h"
-#include "frame/GpuLayout.h"
 #include "frame/LevelSelection.h"
+#include "frame/StaticScene.h"
 #include "visibility/Viewcone.h"
 #include "visibility/VisibleSet.h"
 #include "world/DynamicState.h"
 
 namespace limen::frame {
 
-/// What stands still and is drawn: positions of Clusters::order.
+/// Visible static instances: positions of Clusters::order.
 struct SelectedRange {
     std::uint32_t first = 0, end = 0;
     bool gated = false;
-    world::ZoneIndex zone =
-        world::kNone; ///< where there are several visits: all are members of this one alone
+    /// With several visits: the only zone that all of them are members of. Else kNone.
+    world::ZoneIndex zone = world::kNone;
 };
 
-/// What moves and is drawn: a place of Moment::listed; and gpu::kGated.
-using SelectedMover = std::uint32_t;
+/// A visible dynamic instance: its position in DynamicState::listed, and gpu::kGated.
+using SelectedDynamic = std::uint32_t;
 
-/// Chooses what of a world is drawn in a frame: each member of a space that is seen, if its ball may show in a visit to that
-/// space, within the part of the screen that the flood tells. One is gated unless it lies wholly within one visit, before all that
-/// may hide it (Viewcones::classify), and is a member of one zone; with a single visit none is. Instances of clusters that lie wholly
-/// within, or outside, are not asked one by one: the answer is the same. Only where the picture's edges alone cut a cluster ahead, with
-/// a single visit, are those of its instances drawn, too, that lie beyond: they show nothing.
+/// Selects the instances to draw in a frame: the members of spaces that are seen whose bounding sphere can be
+/// visible in a visit to that space, within the rectangle that the flood found for the space. An instance is
+/// gated unless it is wholly within one visit, in front of every surface that can hide it
+/// (Viewcones::classify), and a member of one zone. With a single visit nothing is gated.
 ///
-/// Reuse it: steady frames allocate nothing. World and clusters must outlive it.
+/// Instances of clusters wholly inside or outside are not tested one by one; the result is the same. There is
+/// one exception: with a single visit, a leaf cluster ahead of the eye that crosses the picture's edges is
+/// drawn whole.
+///
+/// Reuse it: steady frames allocate nothing. The scene must outlive it.
 class Selection {
 public:
-    Selection(const world::World& world, const Clusters& clusters);
+    explicit Selection(const StaticScene& scene);
 
     void select(const FrameView& frame, const world::DynamicState& dynamics,
                 const visibility::VisibleSet& set);
 
-    [[nodiscard]] std::span<const SelectedRange> ranges() const { return ranges_; } ///< in order, apart
-    [[nodiscard]] std::span<const SelectedMover> movers() const {
-        return std::span(movers_).first(moverCount_);
-    } ///< in the order of Moment::instances
+    [[nodiscard]] std::span<const SelectedRange> ranges() const { return ranges_; } ///< in order, disjoint
+    /// In the order of DynamicState::instances.
+    [[nodiscard]] std::span<const SelectedDynamic> dynamicInstances() const {
+        return std::span(dynamic_).first(dynamicCount_);
+    }
 
     /// Of the members of spaces that are seen, each once.
     struct Counts {
-        std::uint32_t met = 0, drawn = 0, ungated = 0;
-        std::uint32_t boundsTested = 0; ///< balls that were held against a visit
+        std::uint32_t tested = 0, drawn = 0, ungated = 0;
+        std::uint32_t boundsTested = 0; ///< tests of a bounding sphere against a visit
     };
     [[nodiscard]] const Counts& counts() const { return counts_; }
 
 private:
     using Containment = visibility::Containment;
-    /// A SeenSpace as a question.
-    struct Ask {
+    /// The test for one SeenSpace: a visit and a rectangle.
+    struct SpaceTest {
         std::uint32_t space = 0, visit = 0;
-        std::uint32_t next = world::kNone; ///< the next about the same space
-        bool first = false;                ///< about its space
-        bool narrow = false;               ///< `rect` may leave out part of the visit's region
+        std::uint32_t next = world::kNone; ///< the next test of the same space
+        bool isFirst = false;              ///< of its space
+        bool isNarrow = false;             ///< `rect` may exclude part of the visit's region
         visibility::FourEdges rect;
     };
-    /// The asks about one space.
-    struct Asked {
+    struct TestedSpace {
         world::SpaceIndex space = 0;
-        std::uint32_t firstAsk = 0;
+        std::uint32_t firstTest = 0;
     };
-    /// What was found out about an instance that several spaces list.
-    struct Mark {
-        std::uint32_t frame = 0; ///< the last frame that met it
+    /// The result so far for an instance that several spaces list.
+    struct SharedResult {
+        std::uint32_t frame = 0; ///< the last frame that tested it
         Containment seen = Containment::Outside;
     };
 
-    void selectStanding(const Asked& asked, std::uint32_t root);
-    void gatherAsks(const visibility::VisibleSet& set);
+    void gatherTests(const visibility::VisibleSet& set);
+    void selectStatic(const TestedSpace& tested, std::uint32_t root);
     [[nodiscard]] visibility::SeenSphere sphereOf(const Sphere& global) const {
         return cones_.sphereOf({global.centre - eye_, global.radius});
     }
-    /// Inside: so are all balls within this one.
-    [[nodiscard]] Containment askCluster(const Ask& ask, const visibility::SeenSphere& sphere);
-    /// Of a single instance, which may reach out of the rectangle.
-    [[nodiscard]] Containment askInstance(const Ask& ask, const visibility::SeenSphere& sphere);
+    /// Inside means that every sphere within this one is inside, too.
+    [[nodiscard]] Containment testCluster(const SpaceTest& test, const visibility::SeenSphere& sphere);
+    /// For a single instance: it may be Inside although it extends beyond the rectangle.
+    [[nodiscard]] Containment testInstance(const SpaceTest& test, const visibility::SeenSphere& sphere);
     void descend(const Cluster& cluster, std::size_t firstActive);
     void selectLeaf(const Cluster& leaf, std::size_t firstActive);
-    /// What moves, and what several spaces list.
-    void selectListed(const Ask& ask, const world::DynamicState& dynamics);
-    void selectMoversOf(const Ask& ask, const world::DynamicState& dynamics);
-    /// Yields whether it is the first time in this frame.
-    bool meet(const Ask& ask, const Sphere& bounds, Mark& mark);
-    void selectOneByOne(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t first,
+    /// Selects the dynamic instances, and the static ones that several spaces list.
+    void selectListed(const SpaceTest& test, const world::DynamicState& dynamics);
+    /// Requires a single visit.
+    void selectBatches(const SpaceTest& test, const world::DynamicState& dynamics);
+    void selectOneByOne(const SpaceTest& test, const world::DynamicState& dynamics, std::uint32_t first,
                         std::uint32_t end);
-    void meetListed(const Ask& ask, const world::DynamicState& dynamics, std::uint32_t at);
+    /// Returns whether this is the instance's first test in this frame.
+    bool testShared(const SpaceTest& test, const Sphere& bounds, SharedResult& result);
+    void testSharedDynamic(const SpaceTest& test, const world::DynamicState& dynamics, std::uint32_t at);
     void finishListed(const world::DynamicState& dynamics);
     void draw(std::uint32_t first, std::uint32_t end, bool inside);
-    void drawMover(std::uint32_t at, bool inside);
+    void drawDynamic(std::uint32_t at, bool inside);
 
     const world::World& world_;
     const Clusters& clusters_;
-    std::vector<std::uint8_t> sharedInOneZone_; ///< by position from Clusters::firstShared on
     LevelSelection levels_;
     visibility::Viewcones cones_;
     Vec3 eye_{0.0}, forward_{0.0};
     double nearPlane_ = 0.0;
-    bool several_ = false;                 ///< visits
-    world::ZoneIndex zone_ = world::kNone; ///< of what is drawn next (SelectedRange)
-    bool everyAsk_ = false;                ///< Rules::viewcone
+    bool hasSeveralVisits_ = false;
+    world::ZoneIndex zone_ = world::kNone; ///< SelectedRange::zone of the next ranges
+    bool testsEveryVisit_ = false;         ///< Rules::viewcone
     std::uint32_t frameNumber_ = 0;
-    std::vector<Ask> asks_; ///< by VisibleSet::seen
-    std::vector<Asked> asked_;
-    std::vector<std::uint32_t> askedFrame_; ///< by space: the last frame that asked about it
-    std::vector<std::uint32_t> lastAsk_;    ///< by space
+    std::vector<SpaceTest> tests_; ///< by VisibleSet::seen
+    std::vector<TestedSpace> testedSpaces_;
+    std::vector<std::uint32_t> testedFrame_; ///< by space: the last frame that tested it
+    std::vector<std::uint32_t> lastTest_;    ///< by space
     std::vector<std::uint32_t>
-        active_; ///< a stack of asks that a cluster, and those around it, did not settle
-    std::vector<Mark> sharedMarks_, moverMarks_;
-    std::vector<std::uint32_t> sharedMet_, moversMet_;
+        active_; ///< a stack of tests that were partial for a cluster and its ancestors
+    std::vector<SharedResult> sharedResults_, dynamicResults_;
+    std::vector<std::uint32_t> sharedTested_,
+        dynamicTested_; ///< numbers of shared instances; positions of listed
     std::vector<SelectedRange> ranges_;
-    std::vector<SelectedMover> movers_; ///< the first moverCount_: it stays as long as it has to be
-    std::size_t moverCount_ = 0;
+    std::vector<SelectedDynamic> dynamic_; ///< the first dynamicCount_ are in use
+    std::size_t dynamicCount_ = 0;
     Counts counts_;
 };
 

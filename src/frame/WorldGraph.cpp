@@ -9,7 +9,7 @@ Result<visibility::Graph> visibilityGraph(const world::World& world) {
     for (const world::Space& s : world.spaces)
         spaces.push_back({s.firstPortal, s.portalCount, s.zone});
     std::vector<visibility::PortalDesc> portals;
-    std::vector<Vec3> vertices = world.portalCorners; // with the outlines behind
+    std::vector<Vec3> vertices = world.portalCorners; // outlines are appended
     portals.reserve(world.portals.size());
     for (const world::Portal& p : world.portals) {
         visibility::PortalDesc& desc = portals.emplace_back();

@@ -139,7 +139,7 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
     LIMEN_ASSERT(slot == slotCount_, "a batch's draws are the pieces of its runs");
 }
 
-void DrawCulling::describe(layout::FrameConstants& constants) const {
+void DrawCulling::describe(layout::DeviceConstants& constants) const {
     constants.slotCount = slotCount_;
     constants.firstOccludee = firstOccludee_;
     constants.flags |= drawsStaticIndices_ ? layout::kFrameStaticIndices : 0;

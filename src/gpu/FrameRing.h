@@ -20,12 +20,12 @@ public:
     [[nodiscard]] std::span<frame::gpu::SlotGroup> slotGroups(std::span<std::byte> memory) const;
     [[nodiscard]] std::span<frame::gpu::DrawRun> runs(std::span<std::byte> memory) const;
 
-    /// Sets the first texel of each array that shaders read as texels.
-    void locate(frame::gpu::FrameConstants& constants) const;
-    /// Sets the bindings of the arrays that shaders read as storage.
+    /// Tells the shaders where the arrays are that they read as texels.
+    void locate(frame::gpu::DeviceConstants& constants) const;
+    /// Binds the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays except runs, slot groups and draw commands.
-    void write(const frame::gpu::FrameConstants& constants, std::span<std::byte> memory) const;
+    /// Writes all arrays but runs, their groups and draw commands.
+    void write(const frame::gpu::DeviceConstants& constants, std::span<std::byte> memory) const;
 
 private:
     // In the order of writing.
@@ -37,8 +37,8 @@ private:
         kOwnership,
         kClipSets,
         kSky,
-        kMovers, // dynamic instances, then FramePlan::records
-        kMoverMembers,
+        kInstances,
+        kMembers,
         kReplacements,
         kPieces,
         kSlotGroups, // written by DrawCulling
@@ -46,13 +46,10 @@ private:
         kCommands,   // written on the GPU
         kArrays
     };
-    [[nodiscard]] std::span<const std::byte> bytes(Array array,
-                                                   const frame::gpu::FrameConstants& constants) const;
+    [[nodiscard]] std::span<const std::byte> bytes(Array array) const;
     [[nodiscard]] std::size_t sizeOf(Array array) const;
     [[nodiscard]] std::uint32_t texel(Array array) const;
-    void writeMovers(std::span<frame::gpu::Instance> out) const;
-    template <class Copy>
-    void copyMovers(std::span<frame::gpu::Instance> out, const Copy& copy) const;
+    void writeInstances(std::span<frame::gpu::Instance> out) const;
     template <class T>
     [[nodiscard]] std::span<T> in(std::span<std::byte> memory, Array array) const;
 

@@ -75,22 +75,21 @@ std::vector<glm::vec2> RenderTarget::samplePositions() const {
     return positions;
 }
 
-void RenderTarget::place(frame::gpu::FrameConstants& constants) const {
+void RenderTarget::place(const frame::gpu::ViewConstants& view, frame::gpu::DeviceConstants& device) const {
     const double width = width_, height = height_;
-    constants.viewport = {width, height, 1.0 / width, 1.0 / height};
-    // Rows for x, y and w of the clip position. The direction of view depth 1 through (x, y) of the window
-    // solves rows * direction = (x, y, 1).
-    const glm::dmat4 clip(constants.clipFromEye);
+    device.viewport = {width, height, 1.0 / width, 1.0 / height};
+    // Rows: what x, y and w of the clip position are made of. A direction of view depth 1 at (x, y) of the window solves
+    // rows * direction = (x, y, 1).
+    const glm::dmat4 clip(view.clipFromEye);
     const glm::dmat3 eyeFromWindow = glm::inverse(glm::dmat3(
         clip[0].x, clip[0].y, clip[0].w, clip[1].x, clip[1].y, clip[1].w, clip[2].x, clip[2].y, clip[2].w));
-    constants.rayCorner = glm::vec4(eyeFromWindow * glm::dvec3(-1.0, -1.0, 1.0), 0.0);
-    constants.rayRight = glm::vec4(eyeFromWindow[0] * (2.0 / width), 0.0);
-    constants.rayUp = glm::vec4(eyeFromWindow[1] * (2.0 / height), 0.0);
-    constants.pixel =
-        std::max(glm::length(glm::vec3(constants.rayRight)), glm::length(glm::vec3(constants.rayUp)));
+    device.rayCorner = glm::vec4(eyeFromWindow * glm::dvec3(-1.0, -1.0, 1.0), 0.0);
+    device.rayRight = glm::vec4(eyeFromWindow[0] * (2.0 / width), 0.0);
+    device.rayUp = glm::vec4(eyeFromWindow[1] * (2.0 / height), 0.0);
+    device.pixel = std::max(glm::length(glm::vec3(device.rayRight)), glm::length(glm::vec3(device.rayUp)));
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-        constants.samplesX |= static_cast<std::uint32_t>(samples_[i].x * 256.0f) << (8 * i);
-        constants.samplesY |= static_cast<std::uint32_t>(samples_[i].y * 256.0f) << (8 * i);
+        device.samplesX |= static_cast<std::uint32_t>(samples_[i].x * 256.0f) << (8 * i);
+        device.samplesY |= static_cast<std::uint32_t>(samples_[i].y * 256.0f) << (8 * i);
     }
 }
 
@@ -120,9 +119,9 @@ std::vector<LayerSum> RenderTarget::readLayers() const {
     return layers;
 }
 
-std::vector<float> RenderTarget::readDistances(const frame::gpu::FrameConstants& constants) const {
+std::vector<float> RenderTarget::readDistances(const frame::gpu::ViewConstants& view) const {
     std::vector<float> values = readDepth();
-    const glm::dmat4 eyeFromClip = glm::inverse(glm::dmat4(constants.clipFromEye));
+    const glm::dmat4 eyeFromClip = glm::inverse(glm::dmat4(view.clipFromEye));
     for (std::uint32_t y = 0; y < height_; ++y) {
         for (std::uint32_t x = 0; x < width_; ++x) {
             float& value = values[std::size_t{y} * width_ + x];

@@ -299,8 +299,8 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     device_->setGeometry(scene_->vertices(),
                          culling.drawsStaticIndices() ? scene_->indices() : culling.keptIndices());
     const std::span<std::byte> memory = device_->beginFrame(target.handle());
-    layout::FrameConstants constants = plan.constants;
-    target.place(constants);
+    layout::DeviceConstants constants;
+    target.place(plan.constants, constants);
     ring.locate(constants);
     culling.describe(constants);
     constants.flags |= splitsSurfaces(options) ? layout::kFrameSplits : 0;

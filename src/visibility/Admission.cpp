@@ -10,14 +10,14 @@ namespace limen::visibility {
 
 namespace {
 
-/// A portal must reach this far beyond the plane its visit was entered by, in metres: a ray that enters
-/// through a plane does not leave through the same plane (two openings in one wall).
+/// Metres by which a portal must extend beyond its visit's entry plane. A ray that enters through a plane
+/// does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
 
-/// Where openings are cut with Rules::eyePlaneClip off, metres.
-constexpr double kPretendedNear = 0.02;
+/// Metres before the eye at which openings are clipped if Rules::eyePlaneClip is off.
+constexpr double kTestNear = 0.02;
 
-/// True if clipping has taken nothing away but rounding.
+/// True if the regions differ by rounding only.
 bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
     constexpr double kRounding = 1e-12; // radians
     return std::equal(
@@ -39,7 +39,7 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
     if (isWayBack(visit, portalIndex))
         return refuse(PortalFate::WayBack);
     if (!isEnd && in_.graph.spaces()[portal.destination].zone == visit.zone) {
-        if (portal.destination == portal.space) // the others are CellFlood's
+        if (portal.destination == portal.space) // CellFlood traces the others
             refuse(PortalFate::WithinZone);
         return;
     }
@@ -49,7 +49,7 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
     ++set_.counts.portalsTested;
     const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
     if (inPlane ? isShut : side <= 0.0)
-        return refuse(PortalFate::EdgeOn); // or from behind: no ray of this visit passes
+        return refuse(PortalFate::EdgeOn); // or seen from behind: no ray of this visit passes
     if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
         if constexpr (kTraced)
             refuse(whyUnseen(index, portalIndex));
@@ -59,7 +59,7 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
         ++set_.counts.visitsCut;
         return refuse(PortalFate::Budget);
     }
-    if (isInChain(index, portalIndex)) // asked last: few get this far
+    if (isInChain(index, portalIndex)) // last, because few openings get this far
         return refuse(PortalFate::InChain);
     ++set_.counts.portalsAdmitted;
     Candidate c;
@@ -97,7 +97,7 @@ PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) 
 template void Admission::admit<false>(std::uint32_t, std::uint32_t, CandidateList&);
 template void Admission::admit<true>(std::uint32_t, std::uint32_t, CandidateList&);
 
-/// The opening, and the hole that an inexact pair leaves around it.
+/// Adds the opening, and the hole that an inexact pair leaves around it.
 void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children) {
     const Graph::Portal& portal = in_.graph.portals()[c.portal];
     if (isCutByReciprocal(visit, portal)) {
@@ -114,21 +114,23 @@ void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children
         add(c, false, children);
 }
 
-/// A child with the region in s_.region.
+/// Adds a child with the region in s_.region.
 void Admission::add(Candidate c, bool hole, CandidateList& children) const {
     c.hole = hole;
     c.rect = boundsOf(s_.region);
     children.add(c, s_.region);
 }
 
-/// True if the eye lies in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for those into it.
+/// True if the eye is in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for
+/// rays into it.
 bool Admission::holdsEye(const Graph::Portal& portal, double way) const {
     const double side = way * portal.plane.signedDistance(in_.view.eye);
     return side >= -kInPlane && side <= portal.inPlane &&
            containsProjection(in_.graph.polygon(portal), portal.plane.n, in_.view.eye, 0.0);
 }
 
-/// True if the way back's polygon bounds the opening too. An eye inside that one is through it already.
+/// True if the reciprocal's polygon bounds the opening, too. An eye inside the reciprocal is already through
+/// it.
 bool Admission::isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
     return !portal.exact && portal.reciprocal != kNone &&
            !(in_.rules.halfPlane && visit.inPlane && holdsEye(in_.graph.portals()[portal.reciprocal], -1.0));
@@ -138,8 +140,8 @@ bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {
     return visit.portal != kNone && in_.graph.portals()[visit.portal].reciprocal == portal;
 }
 
-/// A straight ray crosses a plane once; but a polygon that is not flat reaches beyond its own plane, and rays could
-/// go round in a ring of such openings for ever.
+/// A straight ray crosses a plane once. But a polygon that is not flat extends beyond its plane, and without
+/// this test rays could follow a ring of such openings for ever.
 bool Admission::isInChain(std::uint32_t visit, std::uint32_t portal) const {
     for (; visit != kNone; visit = set_.visits[visit].parent)
         if (set_.visits[visit].portal == portal)
@@ -168,11 +170,11 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
     if (farthest <= kBeyondEntry)
         return false;
-    // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
-    // not quite in the planes of both.
+    // The part within the tolerance of the entry plane is kept: corners that two openings share are not
+    // exactly in the planes of both.
     clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
-        clipPolygon(s_.beyond, {in_.view.forward, -kPretendedNear}, 0.0, s_.swap);
+        clipPolygon(s_.beyond, {in_.view.forward, -kTestNear}, 0.0, s_.swap);
         s_.beyond.swap(s_.swap);
     }
     for (Vec3& v : s_.beyond)
@@ -190,8 +192,7 @@ void Admission::clipByReciprocal(const Graph::Portal& reciprocal) {
     }
     for (const Vec3& v : in_.graph.polygon(reciprocal))
         s_.relative.push_back(in_.screen * (v - in_.view.eye));
-    // Its winding is counter-clockwise from the other side; seen from here it must run the other way
-    // round.
+    // Its winding is counter-clockwise from the other side, so it is reversed.
     std::reverse(s_.relative.begin(), s_.relative.end());
     s_.beyond.assign(s_.region.begin(), s_.region.end());
     clipByRegion(s_.beyond, s_.relative, s_.region, s_.swap);

@@ -9,7 +9,7 @@
 
 namespace limen::visibility {
 
-/// What one flood works on.
+/// The input of one flood.
 struct FloodInput {
     const Graph& graph;
     std::span<const std::uint8_t> closed; ///< by portal; empty: all open
@@ -17,28 +17,29 @@ struct FloodInput {
     const Rules& rules;
     Mat3 screen;                  ///< View::screenFromEye
     Mat3 eyeFromScreenTransposed; ///< takes a plane's normal from eye-relative to (x, y, w)
-    FloodTrace* trace = nullptr;  ///< null: nobody wants to know why
+    FloodTrace* trace = nullptr;  ///< null: no trace
 };
 
-/// Decides by which openings the rays of a visit leave, and which of its rays.
+/// Decides through which openings the rays of a visit leave, and which of its rays.
 class Admission {
 public:
-    /// Polygons on their way through the clips, kept for their capacity.
+    /// Buffers for clipping, kept for their capacity.
     struct Scratch {
         std::vector<Vec3> relative, beyond, region, whole, swap;
     };
 
-    /// Openings narrower than `smallest` (coneSize) are left out, and counted. Reads the visits of `set`.
+    /// Openings narrower than `smallest` (coneSize) are left out and counted. Reads the visits of `set`.
     Admission(const FloodInput& input, double smallest, Scratch& scratch, VisibleSet& set)
         : in_(input), smallest_(smallest), s_(scratch), set_(set) {}
 
-    /// Appends the visits that lead out of visit `index` by a portal of one of its spaces: none, one, or for an inexact
-    /// pair the hole around it as well.
-    /// Tells `trace` of those that it refuses.
+    /// Appends the candidates for the rays that leave visit `index` through a portal of one of its spaces:
+    /// none, one, or for an inexact pair also the hole around it. A portal that is refused gets an entry in
+    /// the trace.
     template <bool kTraced>
     void admit(std::uint32_t index, std::uint32_t portal, CandidateList& children);
 
-    /// Why no ray of the visit passes a portal of one of its spaces, as far as its place alone tells.
+    /// The reason why no ray of the visit passes a portal of one of its spaces, as far as its position shows
+    /// it.
     [[nodiscard]] PortalFate whyUnseen(std::uint32_t visit, std::uint32_t portal) const;
 
 private:
@@ -54,7 +55,7 @@ private:
 
     const FloodInput& in_;
     double smallest_;
-    Scratch& s_; ///< `region`: of the opening at hand
+    Scratch& s_; ///< `region`: of the current opening
     VisibleSet& set_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace limen::visibility {
 
-/// A visit to be: an opening admitted from its parent, not yet placed in the tree.
+/// An opening that its parent has admitted and that is not yet a visit of the tree.
 struct Candidate {
     std::uint32_t portal = 0;
     std::uint32_t parent = 0;
@@ -16,13 +16,13 @@ struct Candidate {
     Rect rect;                                      ///< bounds of the region
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< region, in the owner's vertex array
     bool inPlane = false;
-    bool hole = false; ///< rays that pass the portal's polygon and end there
-    bool shut = false; ///< a hole that is filled
+    bool hole = false; ///< rays pass the portal's polygon and end there
+    bool shut = false; ///< a hole with a filling
     bool narrowed = false;
-    bool split = false; ///< one of the parts of an opening cut to break a circle of overlaps
+    bool split = false; ///< a part of an opening that was cut to break a cycle of overlaps
 };
 
-/// Candidates with their regions side by side.
+/// Candidates, and their regions in one array.
 struct CandidateList {
     std::vector<Candidate> items;
     std::vector<Vec3> vertices;

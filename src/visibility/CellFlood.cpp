@@ -10,20 +10,20 @@ namespace limen::visibility {
 
 namespace {
 
-/// Rectangles are widened by this much NDC, an eighth of a pixel on a 4k screen: the rasteriser snaps
-/// vertices, and a cell seen through a crack narrower than that must not drop out.
+/// NDC by which rectangles are widened: an eighth of a pixel on a 4k screen. The rasteriser snaps vertices,
+/// and a cell seen through a gap narrower than that must not be lost.
 constexpr double kMargin = 1e-4;
 
-/// An eye this near to a portal between two cells of a zone may be said to be in either: it sees through all
-/// of it.
+/// Metres. An eye this near to a portal between two cells of a zone can be in either cell, and sees through
+/// all of the portal.
 constexpr double kNear = 0.01;
 
-/// Nearer to the eye plane than this, in metres, a point's place on the screen is not worth computing: what
-/// is so near lies within kNear of the eye or off the screen.
+/// Metres. A point nearer to the eye plane is not projected: it is within kNear of the eye or off the screen.
 constexpr double kMinW = 1e-6;
 
-/// Rectangles that wait for the same cell become one if it is no larger than this many times both. Neighbouring cells of a
-/// hall let rays into the next one side by side, and following each by itself costs more with every cell passed.
+/// Waiting rectangles of one cell are merged if the union is at most this many times as large as both
+/// together. Neighbouring cells of a hall pass adjacent rectangles to the next cell, and following each alone
+/// costs more with every cell.
 constexpr double kMostWaste = 1.5;
 
 void include(Rect& rect, double x, double y) {
@@ -52,14 +52,14 @@ double areaOf(const Rect& r) {
 void CellFlood::run(const Input& input, std::vector<SeenSpace>& seen, FloodCounts& counts) {
     marks_.resize(input.graph->spaces().size());
     ++stamp_;
-    if (stamp_ == 0) { // wrapped around: forget all marks
+    if (stamp_ == 0) { // wrapped around: clear all marks
         std::fill(marks_.begin(), marks_.end(), Mark{});
         stamp_ = 1;
     }
     visit_ = input.visit;
     queue_.clear();
     head_ = 0;
-    reach(input.entrySpace, input.entryRect, seen, counts);
+    enter(input.entrySpace, input.entryRect, seen, counts);
     while (head_ < queue_.size()) {
         const Arrival next = queue_[head_++]; // by value: the queue grows
         if (input.trace != nullptr)
@@ -69,7 +69,7 @@ void CellFlood::run(const Input& input, std::vector<SeenSpace>& seen, FloodCount
     }
 }
 
-void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpace>& seen,
+void CellFlood::enter(std::uint32_t space, const Rect& rect, std::vector<SeenSpace>& seen,
                       FloodCounts& counts) {
     Mark& mark = marks_[space];
     if (mark.stamp != stamp_) {
@@ -86,20 +86,20 @@ void CellFlood::reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpa
         if (holds(mark.rects[i], rect))
             return;
     include(seen[mark.slot].rect, rect);
-    if (joinWaiting(mark, rect))
+    if (mergeWaiting(mark, rect))
         return;
     ++counts.revisits;
-    const Rect let = mark.count < kRects ? rect : seen[mark.slot].rect;
+    const Rect entered = mark.count < kRects ? rect : seen[mark.slot].rect;
     mark.count = std::min(mark.count + 1, kRects);
-    mark.rects[mark.count - 1] = let;
+    mark.rects[mark.count - 1] = entered;
     mark.arrivals[mark.count - 1] = static_cast<std::uint32_t>(queue_.size());
-    queue_.push_back({space, let});
+    queue_.push_back({space, entered});
 }
 
-bool CellFlood::joinWaiting(Mark& mark, const Rect& rect) {
+bool CellFlood::mergeWaiting(Mark& mark, const Rect& rect) {
     for (std::uint32_t i = 0; i < mark.count; ++i) {
         if (mark.arrivals[i] < head_)
-            continue; // has been followed already
+            continue; // already followed
         Rect both = mark.rects[i];
         include(both, rect);
         if (areaOf(both) <= kMostWaste * (areaOf(mark.rects[i]) + areaOf(rect))) {
@@ -127,14 +127,14 @@ void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& r
     if (portal.destination == kNone || portal.destination == portal.space ||
         input.graph->spaces()[portal.destination].zone != input.graph->spaces()[portal.space].zone)
         return;
-    const auto tell = [&](PortalFate fate) { note<kTraced>(input.trace, visit_, index, fate); };
+    const auto trace = [&](PortalFate fate) { note<kTraced>(input.trace, visit_, index, fate); };
     const double side = portal.plane.signedDistance(input.eye);
     const auto isEnd = [&] {
         return (!input.closed.empty() && input.closed[index] != 0) || portal.plane.n == Vec3(0.0);
     };
     if (side < -kNear || isEnd()) {
-        if (kTraced && !isEnd()) // else Admission tells
-            tell(PortalFate::WrongSide);
+        if (kTraced && !isEnd()) // Admission traces the others
+            trace(PortalFate::WrongSide);
         return;
     }
     ++counts.portalsTested;
@@ -144,16 +144,16 @@ void CellFlood::tryPortal(const Input& input, std::uint32_t index, const Rect& r
     if (!inside) {
         Rect opening;
         if (side <= 0.0)
-            return tell(PortalFate::EdgeOn);
+            return trace(PortalFate::EdgeOn);
         if (!screenRect(input, portal, opening))
-            return tell(PortalFate::BehindEye);
+            return trace(PortalFate::BehindEye);
         through = intersection(rect, opening);
         if (through.empty())
-            return tell(PortalFate::OutsideRegion);
+            return trace(PortalFate::OutsideRegion);
     }
     ++counts.portalsAdmitted;
-    tell(PortalFate::WithinZone);
-    reach(portal.destination, through, seen, counts);
+    trace(PortalFate::WithinZone);
+    enter(portal.destination, through, seen, counts);
 }
 
 bool CellFlood::screenRect(const Input& input, const Graph::Portal& portal, Rect& rect) {

@@ -10,15 +10,16 @@
 
 namespace limen::visibility {
 
-/// The flood inside one zone: from cell to cell, each with rectangles of the screen in which it is reached.
-/// It decides nothing about the picture (inside a zone depth does); it finds the cells worth drawing and the
-/// portals out of the zone worth clipping. So a rectangle may be too large, never too small. A cell reached
-/// in several places keeps the rectangles apart, since their union would let in everything that lies between
-/// them on the screen, unless they lie side by side and none has been followed yet; beyond kRects of them it
-/// falls back to the union, which bounds the work by the cells seen.
+/// The flood inside one zone: from cell to cell, each with the screen rectangles in which rays enter it. It
+/// does not decide the picture (inside a zone depth does). It finds the cells to draw and the portals out of
+/// the zone to clip, so a rectangle may be too large, never too small.
+///
+/// A cell with several rectangles keeps them apart, because their union would include everything between them
+/// on the screen. Adjacent rectangles are merged if neither has been followed yet. Beyond kRects the union is
+/// used, so that the work stays proportional to the cells seen.
 class CellFlood {
 public:
-    /// What one flood of a zone works on.
+    /// The input for one zone.
     struct Input {
         const Graph* graph = nullptr;
         std::span<const std::uint8_t> closed; ///< by portal; empty: all open
@@ -28,7 +29,7 @@ public:
         std::uint32_t entrySpace = 0;
         std::uint32_t entryPortal = kNone;
         Rect entryRect;
-        FloodTrace* trace = nullptr; ///< null: nobody wants to know why
+        FloodTrace* trace = nullptr; ///< null: no trace
     };
 
     /// Appends the spaces of the zone that may be seen to `seen`.
@@ -38,16 +39,16 @@ private:
     static constexpr std::uint32_t kRects = 6;
     struct Mark {
         std::uint32_t stamp = 0, slot = 0, count = 0;
-        std::array<Rect, kRects> rects;             ///< those let in so far
-        std::array<std::uint32_t, kRects> arrivals; ///< and where they are in the queue
+        std::array<Rect, kRects> rects;             ///< entered so far
+        std::array<std::uint32_t, kRects> arrivals; ///< their positions in the queue
     };
     struct Arrival {
         std::uint32_t space = 0;
         Rect rect;
     };
-    void reach(std::uint32_t space, const Rect& rect, std::vector<SeenSpace>& seen, FloodCounts& counts);
-    /// True if the rectangle has gone into one that waits to be followed.
-    [[nodiscard]] bool joinWaiting(Mark& mark, const Rect& rect);
+    void enter(std::uint32_t space, const Rect& rect, std::vector<SeenSpace>& seen, FloodCounts& counts);
+    /// Merges the rectangle with one that has not been followed yet; returns whether there was one.
+    [[nodiscard]] bool mergeWaiting(Mark& mark, const Rect& rect);
     template <bool kTraced>
     void leave(const Input& input, const Arrival& from, std::vector<SeenSpace>& seen, FloodCounts& counts);
     template <bool kTraced>

@@ -1,21 +1,21 @@
 #include "visibility/Flood.h"
 
-#include "core/Assert.h"
 #include "visibility/Admission.h"
 #include "visibility/CellFlood.h"
 #include "visibility/Region.h"
 #include "visibility/SiblingOrder.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace limen::visibility {
 
-/// Everything a flood works in, kept between floods for its capacity.
+/// Buffers, kept between floods for their capacity.
 struct FloodScratch::Data {
     CellFlood cells;
     SiblingOrder order;
     CandidateList pending;  ///< a stack: the top is the next visit in drawing order
-    CandidateList children; ///< of the visit at hand
+    CandidateList children; ///< of the current visit
     Admission::Scratch admission;
     std::vector<std::uint32_t> nodes;
 };
@@ -27,11 +27,11 @@ FloodScratch& FloodScratch::operator=(FloodScratch&&) noexcept = default;
 
 namespace {
 
-/// One flood: the depth-first walk over visits.
+/// The depth-first traversal over the visits of one flood.
 template <bool kTraced>
-class Walk {
+class VisitTraversal {
 public:
-    Walk(const FloodInput& input, double smallest, FloodScratch::Data& scratch, VisibleSet& out)
+    VisitTraversal(const FloodInput& input, double smallest, FloodScratch::Data& scratch, VisibleSet& out)
         : in_(input), admission_(input, smallest, scratch.admission, out), s_(scratch), out_(out) {}
 
     /// False if more than `maxVisits` visits are needed; `out` is then incomplete.
@@ -54,7 +54,8 @@ private:
         root.zone = in_.graph.spaces()[in_.view.root].zone;
         root.space = in_.view.root;
         root.vertexCount = 4;
-        root.inPlane = true; // the ray has not moved yet: the in-plane rule applies to what leads out of here
+        root.inPlane =
+            true; // all rays begin at the eye: the in-plane rule applies to the portals out of this space
         out_.visits.push_back(root);
         out_.regionVertices.insert(out_.regionVertices.end(),
                                    {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
@@ -86,7 +87,7 @@ private:
         return static_cast<std::uint32_t>(out_.visits.size() - 1);
     }
 
-    /// Of one that has become a visit, or a hole.
+    /// The fate of a portal whose candidate has become a visit or a hole.
     static PortalFate fateOf(const Candidate& c, const Graph::Portal& portal) {
         if (!c.hole)
             return PortalFate::Admitted;
@@ -95,7 +96,7 @@ private:
         return portal.destination == kNone ? PortalFate::LeadsNowhere : PortalFate::PairMissed;
     }
 
-    /// Floods the visit's zone, collects the openings out of it and stacks them, far first on top.
+    /// Floods the visit's zone and pushes the openings out of it, so that the farthest is on top.
     void visitSpaces(std::uint32_t index) {
         const Visit visit = out_.visits[index];
         const std::size_t firstSeen = out_.seen.size();
@@ -120,15 +121,15 @@ private:
         } else {
             const std::vector<Candidate> before = s_.children.items;
             s_.order.sort(s_.children, out_.counts);
-            const std::vector<Candidate>& left = s_.children.items;
+            const std::vector<Candidate>& kept = s_.children.items;
             for (const Candidate& c : before)
-                if (std::none_of(left.begin(), left.end(),
-                                 [&](const auto& l) { return l.portal == c.portal; }))
+                if (std::none_of(kept.begin(), kept.end(),
+                                 [&](const auto& k) { return k.portal == c.portal; }))
                     note<kTraced>(in_.trace, visit, c.portal, PortalFate::Covered);
         }
     }
 
-    /// What is below a node that no ray of the visit meets.
+    /// Traces the portals below a node that no ray of the visit meets.
     void noteUnseen(std::uint32_t visit, const Graph::BoundsNode& node) {
         if (node.child == kNone) {
             note<kTraced>(in_.trace, visit, node.portal, admission_.whyUnseen(visit, node.portal));
@@ -163,7 +164,7 @@ private:
         }
     }
 
-    /// False only if the box lies outside one edge of the visit's region, or before its entry plane.
+    /// False only if the box is outside one edge of the visit's region, or before its entry plane.
     [[nodiscard]] bool mayBeSeen(std::uint32_t index, const Aabb& box) const {
         const Visit& visit = out_.visits[index];
         const Vec3 centre = box.centre() - in_.view.eye;
@@ -189,13 +190,53 @@ private:
     VisibleSet& out_;
 };
 
+/// Deviation of a view's axes from orthonormal that counts as rounding.
+constexpr double kAxisTolerance = 1e-6;
+
+bool isOrthonormal(const View& view) {
+    const Mat3 axes(view.right, view.up, view.forward);
+    const Mat3 products = glm::transpose(axes) * axes;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (!(std::abs(products[column][row] - (column == row ? 1.0 : 0.0)) <=
+                  kAxisTolerance)) // NaN, too
+                return false;
+    return true;
+}
+
+bool isTangent(double value) {
+    return value > 0.0 && std::isfinite(value);
+}
+
+Result<void> checkInput(const Graph& graph, std::span<const std::uint8_t> closed, const View& view) {
+    const auto refuse = [](std::string why) {
+        return fail(ErrorCode::BadArgument, "view of a flood", std::move(why));
+    };
+    if (view.root >= graph.spaces().size())
+        return refuse(fmt::format("root {} is not one of the {} spaces", view.root, graph.spaces().size()));
+    if (!isFinite(view.eye))
+        return refuse("the eye is not finite");
+    if (!isOrthonormal(view))
+        return refuse("right, up and forward are not orthonormal");
+    if (!isTangent(view.tanHalfX) || !isTangent(view.tanHalfY)) {
+        return refuse(fmt::format("tangents of half the field of view must be positive and finite: {}, {}",
+                                  view.tanHalfX, view.tanHalfY));
+    }
+    if (!closed.empty() && closed.size() != graph.portals().size()) {
+        return refuse(
+            fmt::format("there are {} states for {} portals", closed.size(), graph.portals().size()));
+    }
+    return {};
+}
+
 } // namespace
 
-void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view, const Limits& limits,
-           FloodScratch& scratch, VisibleSet& out, FloodTrace* trace) {
-    LIMEN_ASSERT(view.root < graph.spaces().size(), "the root is not a space of the graph");
-    LIMEN_ASSERT(isFinite(view.eye), "the eye is not finite");
-    LIMEN_ASSERT(closed.empty() || closed.size() == graph.portals().size(), "one state for each portal");
+Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view,
+                   const Limits& limits, FloodScratch& scratch, VisibleSet& out, FloodTrace* trace) {
+    if (Result<void> checked = checkInput(graph, closed, view); !checked) {
+        out.clear();
+        return checked;
+    }
     const Mat3 screen = view.screenFromEye();
     const FloodInput input{graph, closed, view, limits.rules, screen, glm::inverse(glm::transpose(screen)),
                            trace};
@@ -204,14 +245,15 @@ void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View&
         out.clear();
         scratch.data().pending.clear();
         if (trace == nullptr)
-            return Walk<false>(input, smallest, scratch.data(), out).run(most);
+            return VisitTraversal<false>(input, smallest, scratch.data(), out).run(most);
         trace->clear();
-        return Walk<true>(input, smallest, scratch.data(), out).run(most);
+        return VisitTraversal<true>(input, smallest, scratch.data(), out).run(most);
     };
-    // Too many: leave out the smallest openings, ever larger ones until the budget holds. Regions shrink
-    // along a chain, so what is left is a tree, and the largest.
+    // If the visits exceed the budget, the smallest openings are left out, with a growing limit until the
+    // rest fits. Regions shrink along a chain, so the rest is a tree, and has the largest regions.
     for (double smallest = 0.0; !isWhole(smallest);)
         smallest = smallest == 0.0 ? 1e-7 : smallest * 4.0;
+    return {};
 }
 
 } // namespace limen::visibility

@@ -9,7 +9,7 @@
 
 namespace limen::visibility {
 
-/// Memory that a flood works in; give each thread its own and reuse it, so that a steady frame allocates
+/// Working memory of a flood. Give each thread its own and reuse it, so that a steady frame allocates
 /// nothing.
 class FloodScratch {
 public:
@@ -25,14 +25,16 @@ private:
     std::unique_ptr<Data> data_;
 };
 
-/// Follows every ray of the view through the graph's portals and yields the tree of visits
-/// (docs/ray-rule.md#why-one-pass-over-the-scene-is-enough). A pure function: the same input gives the same
-/// bits. `closed[p] != 0` shuts portal p; an
-/// empty span means all are open. `out` is overwritten. Requires view.root < spaces, finite eye. Cost:
-/// portals tested times a convex clip. Ref: portal floods after Luebke, Georges, "Portals and Mirrors"
-/// (1995); the tree of visits: docs/ray-rule.md. With a `trace`, which is overwritten, every portal of the spaces that are seen gets an
-/// entry; it changes nothing else, and costs allocations.
-void flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view, const Limits& limits,
-           FloodScratch& scratch, VisibleSet& out, FloodTrace* trace = nullptr);
+/// Follows every ray of the view through the graph's portals and finds the tree of visits (docs/ray-rule.md).
+/// A pure function: the same input gives the same bits. `closed[p] != 0` closes portal p; an empty span means
+/// that all are open. `out` is overwritten. With a `trace`, which is overwritten, every portal of the spaces
+/// that are seen gets an entry; the trace changes nothing else, but allocates. Cost: portals tested times a
+/// convex clip. Errors: BadArgument for a root that is not a space of the graph, for a view whose eye is not
+/// finite, whose axes are not orthonormal or whose tangents are not positive and finite, and for a wrong
+/// length of `closed`. `out` is then empty. Ref: Luebke, Georges, "Portals and Mirrors" (1995), for portal
+/// floods.
+[[nodiscard]] Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view,
+                                 const Limits& limits, FloodScratch& scratch, VisibleSet& out,
+                                 FloodTrace* trace = nullptr);
 
 } // namespace limen::visibility

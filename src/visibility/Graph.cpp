@@ -9,11 +9,11 @@ namespace limen::visibility {
 
 namespace {
 
-/// Spaces with more portals than this get a tree of bounds: below it, testing each portal costs less than the
-/// walk.
+/// Spaces with more portals than this get a tree of bounds. For fewer, testing each portal costs less than
+/// the tree.
 constexpr std::uint32_t kPortalsWithoutTree = 12;
 
-/// Metres: a polygon whose vertices lie no farther off its plane looks convex from wherever it is seen.
+/// Metres. A polygon whose vertices are within this distance of its plane is convex from every eye.
 constexpr double kFlat = 1e-9;
 
 Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<const SpaceDesc> spaces,
@@ -80,7 +80,7 @@ private:
     std::span<const Aabb> boxes_;
 };
 
-/// How far the farthest corner lies off the plane.
+/// The largest distance of a corner from the plane.
 double unevenness(const Plane& plane, std::span<const Vec3> polygon, std::span<const Vec3> outline) {
     double most = 0.0;
     for (const std::span<const Vec3> corners : {polygon, outline})
@@ -130,7 +130,7 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
         if (s.portalCount > kPortalsWithoutTree) {
             order.resize(s.portalCount);
             std::iota(order.begin(), order.end(), s.firstPortal);
-            // A portal without a vertex has no box and is never admitted: leave it out of the tree.
+            // A portal without vertices has no box and is never admitted.
             std::erase_if(order, [&](std::uint32_t p) { return boxes[p].empty(); });
             if (!order.empty())
                 space.root = BoundsTree(graph.nodes_, boxes).build(order);

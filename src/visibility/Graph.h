@@ -13,9 +13,9 @@ namespace limen::visibility {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A space as the caller describes it: a run of portals, and the zone it belongs to. Spaces of one zone are
-/// connected, closed and pairwise disjoint, so that inside it depth alone decides what is in front; a caller
-/// that cannot promise that gives every space a zone of its own.
+/// A space as the caller describes it: a run of portals, and its zone. The spaces of one zone must be
+/// connected, closed and pairwise disjoint, so that inside it depth alone decides which surface is in front.
+/// If the caller cannot guarantee that, every space needs a zone of its own.
 struct SpaceDesc {
     std::uint32_t firstPortal = 0, portalCount = 0;
     std::uint32_t zone = 0;
@@ -27,29 +27,30 @@ struct PortalDesc {
     std::uint32_t destination = kNone; ///< kNone: leads nowhere
     std::uint32_t reciprocal = kNone; ///< the portal that leads back through the same opening; kNone: one-way
     std::uint32_t firstVertex = 0, vertexCount = 0; ///< convex, counter-clockwise seen from inside `space`
-    bool exact = true; ///< false: the reciprocal's polygon differs, and the opening is what both leave open
-    /// The polygon with vertices that walls have on its edges, and not quite on them (visibility/Outline.h); 0: none.
+    bool exact = true; ///< false: the reciprocal's polygon differs, and the opening is their intersection
+    /// The polygon with the vertices that walls have on, or nearly on, its edges (visibility/Outline.h);
+    /// count 0: none.
     std::uint32_t firstOutline = 0, outlineCount = 0;
 };
 
-/// An eye as far as this behind a portal's plane, in metres, is in it (docs/ray-rule.md#tolerances).
+/// Metres. An eye up to this far behind a portal's plane is in the plane (docs/ray-rule.md, "Tolerances").
 inline constexpr double kInPlane = 0.0002;
-/// An eye before it is in it only as far as corners may be off it: by this, what floats make of them, and by what they are.
+/// Metres. An eye up to this far before a portal's plane is in the plane: the float error of the polygon's
+/// corners. The distance of uneven corners from the plane is added (Portal::inPlane).
 inline constexpr double kBeforePlane = 0.00001;
 
-/// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
+/// Spaces joined by portals, ready for the flood: the caller's arrays checked and copied, with planes and,
 /// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
 class Graph {
 public:
-    /// Checks every index and copies. `vertices` are metres in any one frame. A portal without area, or with
-    /// fewer than three vertices, is kept but never admitted. Errors: an index out of range, a portal listed
-    /// under a space that is not its own, a vertex that is not finite.
+    /// Checks every index and copies. `vertices` are metres in one frame of the caller's choice. A portal
+    /// without area, or with fewer than three vertices, is kept but never admitted. Errors: BadArgument for
+    /// an index out of range, a portal outside the run of its space, a vertex that is not finite.
     [[nodiscard]] static Result<Graph> build(std::span<const SpaceDesc> spaces,
                                              std::span<const PortalDesc> portals,
                                              std::span<const Vec3> vertices);
 
-    /// A node of a space's tree of portal bounds; leaves hold one portal. Children are neighbours: first,
-    /// first + 1.
+    /// A node of a space's tree of portal bounds; a leaf has one portal. The second child follows the first.
     struct BoundsNode {
         Aabb box;
         std::uint32_t child = kNone;  ///< kNone: a leaf
@@ -57,15 +58,15 @@ public:
     };
     struct Space {
         std::uint32_t firstPortal = 0, portalCount = 0, zone = 0;
-        std::uint32_t root = kNone; ///< into `boundsNodes`; kNone: few portals, look at each
+        std::uint32_t root = kNone; ///< into `boundsNodes`; kNone: few portals, no tree
     };
     struct Portal {
-        Plane plane; ///< `space` lies on the positive side; n = 0 for a polygon without area
+        Plane plane; ///< `space` is on the positive side; n = 0 for a polygon without area
         std::uint32_t space = 0, destination = kNone, reciprocal = kNone;
         std::uint32_t firstVertex = 0, vertexCount = 0;
         bool exact = true;
-        std::uint32_t firstOutline = 0, outlineCount = 0; ///< 0: the polygon is flat and all there is
-        double inPlane = 0.0; ///< metres before its plane up to which an eye is in it (Flood.h)
+        std::uint32_t firstOutline = 0, outlineCount = 0; ///< count 0: the polygon is flat and has no outline
+        double inPlane = 0.0; ///< metres before its plane up to which an eye is in it
     };
 
     [[nodiscard]] std::span<const Space> spaces() const { return spaces_; }

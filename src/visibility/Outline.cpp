@@ -8,12 +8,13 @@ namespace limen::visibility {
 
 namespace {
 
-/// True if `p` lies outside the edge from `a` to `b` of a polygon that is counter-clockwise from the eye, the origin.
+/// True if `p` is outside the edge from `a` to `b` of a polygon that is counter-clockwise from the eye, the
+/// origin.
 bool isOutside(const Vec3& a, const Vec3& p, const Vec3& b) {
     return glm::dot(glm::cross(a, b), p) > 0.0;
 }
 
-/// The place of a vertex that its neighbours leave inside, or the polygon's size.
+/// The index of a vertex inside the edge between its neighbours, or the polygon's size.
 std::size_t findDent(std::span<const Vec3> polygon) {
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i)

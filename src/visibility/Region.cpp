@@ -33,7 +33,8 @@ void tidyRegion(std::vector<Vec3>& region) {
         const double length = std::sqrt(glm::dot(v, v));
         v = length > 0.0 ? v / length : v;
     }
-    // Vertices closer than 10⁻¹² rad say nothing more and would make edges without a direction.
+    // Vertices closer than 10⁻¹² rad are equal but for rounding, and an edge between them would have no
+    // direction.
     const auto same = [](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) < 1e-24; };
     region.erase(std::unique(region.begin(), region.end(), same), region.end());
     while (region.size() > 1 && same(region.front(), region.back()))
@@ -44,7 +45,8 @@ void tidyRegion(std::vector<Vec3>& region) {
 
 void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, std::vector<Vec3>& out,
                   std::vector<Vec3>& swap) {
-    // Each edge adds a vertex at most. Either may end up with the result: both must have grown when the same is asked again.
+    // Each edge adds at most one vertex. The swaps may leave the result in either vector, so both get the
+    // full capacity: then the next equal frame allocates nothing.
     out.reserve(polygon.size() + region.size());
     swap.reserve(polygon.size() + region.size());
     out.assign(polygon.begin(), polygon.end());
@@ -58,7 +60,7 @@ void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, s
 Rect boundsOf(std::span<const Vec3> region) {
     Rect rect;
     for (const Vec3& v : region) {
-        // On the eye plane only the sign of x and y is known: the screen's edge stands for it.
+        // On the eye plane only the signs of x and y are known, so the screen's edge is used.
         const double x = v.z > 0.0 ? std::clamp(v.x / v.z, -1.0, 1.0) : (v.x > 0.0 ? 1.0 : -1.0);
         const double y = v.z > 0.0 ? std::clamp(v.y / v.z, -1.0, 1.0) : (v.y > 0.0 ? 1.0 : -1.0);
         rect.minX = std::min(rect.minX, x);

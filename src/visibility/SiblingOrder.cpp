@@ -9,11 +9,11 @@ namespace limen::visibility {
 
 namespace {
 
-/// Overlaps narrower than this are what rounding makes of a shared edge; no pixel lies in them.
+/// Overlaps with a smaller coneSize result from rounding of a shared edge and contain no pixel.
 constexpr double kTouching = 1e-11;
 
-/// Circles are cut until there are this many parts for each opening. Flat openings need hardly any; bent ones, whose regions
-/// need not be convex, could go on for ever.
+/// Maximum number of parts per opening when cycles are cut. Flat openings need few. For bent ones, whose
+/// regions may not be convex, cutting might never end.
 constexpr std::size_t kMostParts = 8;
 
 Vec3 centroid(std::span<const Vec3> region) {
@@ -23,8 +23,8 @@ Vec3 centroid(std::span<const Vec3> region) {
     return sum;
 }
 
-/// How far along direction `d` (x, y, w; any length, the unit of the result) the candidate's plane is met. An eye in the
-/// plane leaves through it at once, also where it lies a little before or behind.
+/// Distance along direction `d` (x, y, w; its length is the unit of the result) to the candidate's plane. 0
+/// for an eye in the plane, also if it is a little before or behind it.
 double distanceAlong(const Candidate& c, const Vec3& d) {
     if (c.inPlane)
         return 0.0;
@@ -54,12 +54,14 @@ SiblingOrder::Relation SiblingOrder::compare(const CandidateList& list, const Ca
     const auto before = [&] {
         return contains(list.region(b), list.region(a)) ? Relation::Covered : Relation::Before;
     };
-    if (a.portal == b.portal && a.hole != b.hole) // in one plane: where the pair is open, the hole is not
+    if (a.portal == b.portal &&
+        a.hole != b.hole) // the pair and its hole are in one plane: the pair is drawn over the hole
         return a.hole ? before() : Relation::After;
     const Vec3 direction = centroid(overlap_);
     const double da = distanceAlong(a, direction);
     const double db = distanceAlong(b, direction);
-    const bool isFarther = da != db ? da > db : a.portal > b.portal; // of equals the rays take the first
+    const bool isFarther =
+        da != db ? da > db : a.portal > b.portal; // at equal distance the rays take the first portal
     return isFarther ? before() : Relation::After;
 }
 
@@ -182,7 +184,7 @@ void SiblingOrder::sort(CandidateList& list, FloodCounts& counts) {
         relate(list);
         if (place(list))
             break;
-        if (list.items.size() > most || !split(list)) { // bent, pierced, or alike but for rounding
+        if (list.items.size() > most || !split(list)) { // bent, intersecting, or equal but for rounding
             ++counts.cyclesLeft;
             placeRest();
             break;

@@ -4,14 +4,15 @@
 
 namespace limen::visibility {
 
-/// Puts the children of one visit far to near. Two openings that overlap on the screen are compared where
-/// they do: the farther one along a ray through both comes first (openings of one zone do not pierce each
-/// other, so any ray of the overlap tells). The hole around an opening comes before it. An opening wholly covered by one nearer opening is dropped: no
-/// ray of this visit reaches it. Should overlaps run in a circle, an opening is cut along the edges of the
-/// one that must precede it, and its parts are ordered each for itself.
+/// Sorts the children of one visit from far to near. Two openings that overlap on the screen are compared in
+/// the overlap: the farther one along a ray through both comes first. Any ray of the overlap decides, because
+/// openings of one zone do not intersect each other. The hole around an opening comes before it. An opening
+/// wholly covered by one nearer opening is dropped: no ray of this visit reaches it. If the overlaps have a
+/// cycle, an opening is cut along the edges of the one that must precede it, and its parts are sorted
+/// separately.
 class SiblingOrder {
 public:
-    /// Reorders `list`; the order of openings that do not overlap is by distance, far first, then by portal.
+    /// Reorders `list`. Openings that do not overlap are sorted by distance, far first, then by portal.
     void sort(CandidateList& list, FloodCounts& counts);
 
 private:
@@ -19,9 +20,9 @@ private:
     [[nodiscard]] Relation compare(const CandidateList& list, const Candidate& a, const Candidate& b);
     void relate(const CandidateList& list);
     [[nodiscard]] bool place(const CandidateList& list);
-    /// Cuts one of those that wait for each other; false if no cut would part anything.
+    /// Cuts one opening of a cycle; false if no cut divides any.
     [[nodiscard]] bool split(CandidateList& list);
-    /// The list with `cut` parted along the edges of `by`, in next_; false if that leaves it whole.
+    /// Writes the list with `cut` divided along the edges of `by` to next_; false if `cut` stays whole.
     [[nodiscard]] bool cutInto(const CandidateList& list, std::uint32_t cut, std::uint32_t by);
     void placeRest();
 

@@ -6,9 +6,9 @@
 #include <immintrin.h>
 #endif
 
-// Loops of a fixed length over plain arrays: compilers make vectors of them, as wide as the function that they are put into is told
-// that it may have. Arrays are of their own wherever something is written, so that compilers need not ask whether it lies in the same
-// place as what is read, and not initialised where each is about to be.
+// Loops of a fixed length over plain arrays, which compilers turn into vector instructions of the set that
+// the calling function is compiled for. Outputs are arrays of their own, so that compilers can exclude
+// aliasing, and are not initialised if every element is assigned.
 namespace limen::visibility {
 
 namespace {
@@ -16,29 +16,29 @@ namespace {
 template <std::size_t Count>
 using Values = std::array<float, Count>;
 
-/// What balls are asked.
-struct Question {
-    float slack, slackShare, pixels; ///< as SeenSphere's slack and reach are made
-    const FourEdges* edges;          ///< of the root's region
+/// The planes to test spheres against, and the tolerances.
+struct BatchTest {
+    float tolerance, toleranceShare, pixels; ///< as in Viewcones::sphereOf; pixels: radians
+    const FourEdges* edges;                  ///< of the root's region
     std::uint32_t edgesCount;
     const FourEdges* rect; ///< null: none
 };
 
-/// Where those that are found are listed.
+/// Output of listWithin.
 struct Listing {
-    std::uint32_t first, count; ///< of the block, at least one
+    std::uint32_t first, count; ///< count: at least 1
     std::uint32_t* out;
 };
 
-/// Of SeenSphere; `far` is the radius and the reach.
+/// SeenSpheres; `far` is the radius and the edge tolerance.
 template <std::size_t Count>
 struct Spheres {
-    Values<Count> x, y, z, slack, far;
+    Values<Count> x, y, z, tolerance, far;
 };
 
-/// `Block`: FewSpheres or SphereBatch. `eye`: from where the balls are told from.
+/// `Block`: SphereQuad or SphereBatch. `eye`: relative to the block's origin.
 template <class Block, class Coordinate, std::size_t Count>
-[[gnu::always_inline]] inline void readSpheres(const Question& asked, const Block& block,
+[[gnu::always_inline]] inline void readSpheres(const BatchTest& test, const Block& block,
                                                const std::array<Coordinate, 3>& eye,
                                                Spheres<Count>& spheres) {
     for (std::size_t i = 0; i < Count; ++i) {
@@ -46,21 +46,22 @@ template <class Block, class Coordinate, std::size_t Count>
         spheres.y[i] = static_cast<float>(block.y[i] - eye[1]);
         spheres.z[i] = static_cast<float>(block.z[i] - eye[2]);
     }
-    // No array is copied as it is: that is done in other pieces than vectors, which then wait for it.
+    // Values are loaded one by one. A copy of a whole array would be stored in pieces narrower than the
+    // vector loads that follow, which would then stall.
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = spheres.x[i], y = spheres.y[i], z = spheres.z[i];
         const float radius = static_cast<float>(block.radius[i]);
         const float distance = std::sqrt(x * x + y * y + z * z) + radius;
-        const float slack = asked.slack + asked.slackShare * distance;
-        spheres.slack[i] = slack;
-        spheres.far[i] = radius + (slack + asked.pixels * distance);
+        const float tolerance = test.tolerance + test.toleranceShare * distance;
+        spheres.tolerance[i] = tolerance;
+        spheres.far[i] = radius + (tolerance + test.pixels * distance);
     }
 }
 
-/// From each centre to the plane that it lies farthest outside of, or least far inside: what is less than it was.
+/// Lowers `least` to the least of each centre's signed distances to four planes.
 template <std::size_t Count>
-[[gnu::always_inline]] inline void lessen(Values<Count>& least, const FourEdges::Floats& edges,
-                                          const Spheres<Count>& spheres) {
+[[gnu::always_inline]] inline void lowerToLeast(Values<Count>& least, const FourEdges::Floats& edges,
+                                                const Spheres<Count>& spheres) {
     for (std::size_t i = 0; i < Count; ++i) {
         const float x = spheres.x[i], y = spheres.y[i], z = spheres.z[i];
         const float a = edges.x[0] * x + edges.y[0] * y + edges.z[0] * z;
@@ -74,74 +75,77 @@ template <std::size_t Count>
 }
 
 template <std::size_t Count>
-[[gnu::always_inline]] inline void leastOf(const Question& asked, const Spheres<Count>& spheres,
+[[gnu::always_inline]] inline void leastOf(const BatchTest& test, const Spheres<Count>& spheres,
                                            Values<Count>& least) {
     for (std::size_t i = 0; i < Count; ++i)
         least[i] = std::numeric_limits<float>::infinity();
-    for (std::uint32_t e = 0; e < asked.edgesCount; ++e)
-        lessen(least, asked.edges[e].floats(), spheres);
-    if (asked.rect != nullptr)
-        lessen(least, asked.rect->floats(), spheres);
+    for (std::uint32_t e = 0; e < test.edgesCount; ++e)
+        lowerToLeast(least, test.edges[e].floats(), spheres);
+    if (test.rect != nullptr)
+        lowerToLeast(least, test.rect->floats(), spheres);
 }
 
-/// Of a number that comes of a ball some fourteen roundings, each of 2^-24 of what is no more than its distance and reach, make less
-/// than half of its slack. What a SphereBatch rounds before makes 0.2 mm along each axis for the ball and as much for the eye: no more than 0.7 mm,
-/// of the other half, 2 mm and more. What is nearer to 0 than its slack floats cannot tell from it.
+/// Number of values that are nearer to 0 than the tolerance: float precision does not decide their sign.
+///
+/// The tolerance covers the float error. A value has about fourteen roundings, each of 2^-24 of at most the
+/// sphere's distance and radius: less than half the tolerance. The coordinates of a SphereBatch are rounded
+/// by 0.2 mm along each axis for the sphere and as much for the eye, at most 0.7 mm in all; the other half of
+/// the tolerance is at least 2 mm.
 template <std::size_t Count>
-[[gnu::always_inline]] inline int countDoubtful(const Values<Count>& values, const Values<Count>& slack) {
-    int doubtful = 0;
+[[gnu::always_inline]] inline int countUndecided(const Values<Count>& values,
+                                                 const Values<Count>& tolerance) {
+    int undecided = 0;
     for (std::size_t i = 0; i < Count; ++i)
-        doubtful += std::abs(values[i]) < slack[i] ? 1 : 0;
-    return doubtful;
+        undecided += std::abs(values[i]) < tolerance[i] ? 1 : 0;
+    return undecided;
 }
 
-/// A bit for each ball of a block.
+/// A bit for each sphere of a batch.
 using Bits = std::uint32_t;
 
-/// How balls lie: one is within unless that is below 0, and floats cannot tell of one if its doubt is above 0.
+/// A sphere is outside if `within` is negative, and undecided if `doubt` is positive.
 template <std::size_t Count>
 struct Sides {
     Values<Count> within, doubt;
 };
 
-/// Of so many of a block, from one on. As many as a vector has, so that nothing need be put down in between.
+/// Tests `Count` spheres of a batch from `at` on. With as many as a vector has, all values stay in registers.
 template <std::size_t Count>
-[[gnu::always_inline]] inline void tellSides(const Question& asked, const SphereBatch& block, std::size_t at,
+[[gnu::always_inline]] inline void findSides(const BatchTest& test, const SphereBatch& block, std::size_t at,
                                              const std::array<float, 3>& eye, Sides<Count>& sides) {
     Spheres<Count> spheres;
     Values<Count> least;
-    readSpheres(asked, SphereBatch{block.x + at, block.y + at, block.z + at, block.radius + at}, eye,
-                spheres);
-    leastOf(asked, spheres, least);
+    readSpheres(test, SphereBatch{block.x + at, block.y + at, block.z + at, block.radius + at}, eye, spheres);
+    leastOf(test, spheres, least);
     for (std::size_t i = 0; i < Count; ++i) {
         const float within = least[i] + spheres.far[i];
         sides.within[i] = within;
-        sides.doubt[i] = spheres.slack[i] - std::abs(within);
+        sides.doubt[i] = spheres.tolerance[i] - std::abs(within);
     }
 }
 
-Bits bitsOfThoseListed(const Listing& listing) {
+Bits bitsOfCount(const Listing& listing) {
     return ~Bits{0} >> (32 - listing.count);
 }
 
-std::uint32_t listByAny(const Question& asked, const SphereBatch& block, const std::array<float, 3>& eye,
+std::uint32_t listByAny(const BatchTest& test, const SphereBatch& block, const std::array<float, 3>& eye,
                         const Listing& listing) {
     Sides<SphereBatch::kCount> sides;
-    tellSides(asked, block, 0, eye, sides);
-    int doubtful = 0;
+    findSides(test, block, 0, eye, sides);
+    int undecided = 0;
     for (std::uint32_t i = 0; i < SphereBatch::kCount; ++i)
-        doubtful += sides.doubt[i] > 0.0f && i < listing.count ? 1 : 0;
-    // What is found is written either way, and counts or does not: nobody can foretell.
+        undecided += sides.doubt[i] > 0.0f && i < listing.count ? 1 : 0;
+    // Every number is written; only the count depends on the result. A branch here would be unpredictable.
     std::uint32_t found = 0;
     for (std::uint32_t i = 0; i < listing.count; ++i) {
         listing.out[found] = listing.first + i;
         found += static_cast<std::uint32_t>(sides.within[i] >= 0.0f);
     }
-    return doubtful > 0 ? Viewcones::kCannotTell : found;
+    return undecided > 0 ? Viewcones::kUndecided : found;
 }
 
 #ifdef __x86_64__
-/// By eight bits: the numbers of those that are set, in order, a byte each; what follows them does not count.
+/// By a value of eight bits: the numbers of the set bits, in order, a byte each; the rest is 0.
 constexpr std::array<std::uint64_t, 256> numbersOfBits() {
     std::array<std::uint64_t, 256> numbers{};
     for (std::size_t bits = 0; bits < numbers.size(); ++bits) {
@@ -154,23 +158,23 @@ constexpr std::array<std::uint64_t, 256> numbersOfBits() {
 }
 constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
 
-[[gnu::target("avx2,popcnt")]] std::uint32_t listByAvx2(const Question& asked, const SphereBatch& block,
+[[gnu::target("avx2,popcnt")]] std::uint32_t listByAvx2(const BatchTest& test, const SphereBatch& block,
                                                         const std::array<float, 3>& eye,
                                                         const Listing& listing) {
     constexpr std::uint32_t kLanes = 8;
-    Bits doubtful = 0, outside = 0;
+    Bits undecided = 0, outside = 0;
     for (std::uint32_t at = 0; at < SphereBatch::kCount; at += kLanes) {
         Sides<kLanes> sides;
-        tellSides(asked, block, at, eye, sides);
-        const __m256 isDoubtful =
+        findSides(test, block, at, eye, sides);
+        const __m256 isUndecided =
             _mm256_cmp_ps(_mm256_loadu_ps(sides.doubt.data()), _mm256_setzero_ps(), _CMP_GT_OQ);
-        doubtful |= static_cast<Bits>(_mm256_movemask_ps(isDoubtful)) << at;
-        // The signs: none of these is nearly 0.
+        undecided |= static_cast<Bits>(_mm256_movemask_ps(isUndecided)) << at;
+        // The signs suffice: no decided value is near 0.
         outside |= static_cast<Bits>(_mm256_movemask_ps(_mm256_loadu_ps(sides.within.data()))) << at;
     }
-    const Bits listed = bitsOfThoseListed(listing);
-    if ((doubtful & listed) != 0)
-        return Viewcones::kCannotTell;
+    const Bits listed = bitsOfCount(listing);
+    if ((undecided & listed) != 0)
+        return Viewcones::kUndecided;
     const Bits inside = ~outside & listed;
     std::uint32_t found = 0;
     for (std::uint32_t at = 0; at < SphereBatch::kCount; at += kLanes) {
@@ -185,15 +189,15 @@ constexpr std::array<std::uint64_t, 256> kNumbersOfBits = numbersOfBits();
 }
 
 [[gnu::target("avx512f,avx512vl,avx512dq,popcnt")]] std::uint32_t
-listByAvx512(const Question& asked, const SphereBatch& block, const std::array<float, 3>& eye,
+listByAvx512(const BatchTest& test, const SphereBatch& block, const std::array<float, 3>& eye,
              const Listing& listing) {
     Sides<SphereBatch::kCount> sides;
-    tellSides(asked, block, 0, eye, sides);
-    const auto listed = static_cast<__mmask16>(bitsOfThoseListed(listing));
+    findSides(test, block, 0, eye, sides);
+    const auto listed = static_cast<__mmask16>(bitsOfCount(listing));
     const __m512 within = _mm512_loadu_ps(sides.within.data());
     if (_mm512_mask_cmp_ps_mask(listed, _mm512_loadu_ps(sides.doubt.data()), _mm512_setzero_ps(),
                                 _CMP_GT_OQ) != 0)
-        return Viewcones::kCannotTell;
+        return Viewcones::kUndecided;
     const __mmask16 inside = _mm512_mask_cmp_ps_mask(listed, within, _mm512_setzero_ps(), _CMP_GE_OQ);
     const __m512i numbers =
         _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(listing.first)),
@@ -218,7 +222,7 @@ Vectors widestVectors() {
 
 std::uint32_t Viewcones::listWithin(const SphereBatch& block, const Vec3& eye, const FourEdges* rect,
                                     std::uint32_t first, std::uint32_t count, std::uint32_t* out) const {
-    const Question asked{static_cast<float>(kSlack),       static_cast<float>(kSlackShare),
+    const BatchTest test{static_cast<float>(kTolerance),   static_cast<float>(kToleranceShare),
                          static_cast<float>(2.0 * pixel_), edges_.data() + cones_.front().firstEdges,
                          cones_.front().edgesCount,        rect};
     const std::array<float, 3> from{static_cast<float>(eye.x), static_cast<float>(eye.y),
@@ -227,40 +231,39 @@ std::uint32_t Viewcones::listWithin(const SphereBatch& block, const Vec3& eye, c
     switch (vectors_) {
 #ifdef __x86_64__
     case Vectors::Avx512:
-        return listByAvx512(asked, block, from, listing);
+        return listByAvx512(test, block, from, listing);
     case Vectors::Avx2:
-        return listByAvx2(asked, block, from, listing);
+        return listByAvx2(test, block, from, listing);
 #endif
     default:
-        return listByAny(asked, block, from, listing);
+        return listByAny(test, block, from, listing);
     }
 }
 
-std::array<Containment, Viewcones::kFew> Viewcones::classifyFew(const FewSpheres& block,
-                                                                const Vec3& eye) const {
-    const Question asked{static_cast<float>(kSlack),       static_cast<float>(kSlackShare),
+Viewcones::QuadContainment Viewcones::classifyQuad(const SphereQuad& block, const Vec3& eye) const {
+    constexpr std::size_t kCount = SphereQuad::kCount;
+    const BatchTest test{static_cast<float>(kTolerance),   static_cast<float>(kToleranceShare),
                          static_cast<float>(2.0 * pixel_), edges_.data() + cones_.front().firstEdges,
                          cones_.front().edgesCount,        nullptr};
-    Spheres<kFew> spheres;
-    Values<kFew> least, within, beyond;
-    readSpheres(asked, block, std::array{eye.x, eye.y, eye.z}, spheres);
-    leastOf(asked, spheres, least);
-    for (std::size_t i = 0; i < kFew; ++i) {
+    Spheres<kCount> spheres;
+    Values<kCount> least, within, beyond;
+    readSpheres(test, block, std::array{eye.x, eye.y, eye.z}, spheres);
+    leastOf(test, spheres, least);
+    for (std::size_t i = 0; i < SphereQuad::kCount; ++i) {
         within[i] = least[i] + spheres.far[i];
         beyond[i] = least[i] - spheres.far[i];
     }
-    if (countDoubtful(within, spheres.slack) + countDoubtful(beyond, spheres.slack) > 0)
+    if (countUndecided(within, spheres.tolerance) + countUndecided(beyond, spheres.tolerance) > 0)
         return classifyOneByOne(block, eye);
-    std::array<Containment, kFew> found;
-    for (std::size_t i = 0; i < kFew; ++i)
+    QuadContainment found;
+    for (std::size_t i = 0; i < SphereQuad::kCount; ++i)
         found[i] = static_cast<Containment>((within[i] >= 0.0f ? 1 : 0) + (beyond[i] > 0.0f ? 1 : 0));
     return found;
 }
 
-std::array<Containment, Viewcones::kFew> Viewcones::classifyOneByOne(const FewSpheres& block,
-                                                                     const Vec3& eye) const {
-    std::array<Containment, kFew> found;
-    for (std::size_t i = 0; i < kFew; ++i) {
+Viewcones::QuadContainment Viewcones::classifyOneByOne(const SphereQuad& block, const Vec3& eye) const {
+    QuadContainment found;
+    for (std::size_t i = 0; i < SphereQuad::kCount; ++i) {
         const SeenSphere sphere = sphereOf({Vec3(block.x[i], block.y[i], block.z[i]) - eye, block.radius[i]});
         found[i] = classifyOnScreen(cones_.front(), sphere);
     }

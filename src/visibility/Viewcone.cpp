@@ -14,7 +14,7 @@ void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
         Cone cone{visit.entryPlane, static_cast<std::uint32_t>(edges_.size()), (visit.vertexCount + 3) / 4,
                   visit.parent};
         if (visit.depth == 0)
-            cone.entry = {Vec3(0.0), 1e30}; // everything is beyond where the eye is
+            cone.entry = {Vec3(0.0), 1e30}; // the root has no entry plane
         const auto region = set.region(visit);
         edges_.resize(edges_.size() + cone.edgesCount);
         for (std::size_t i = 0; i < std::size_t{4} * cone.edgesCount; ++i) {
@@ -33,12 +33,12 @@ bool Viewcones::descends(std::uint32_t visit, std::uint32_t ancestor) const {
     return visit == ancestor;
 }
 
-bool Viewcones::isHidden(std::uint32_t visit, const SeenSphere& sphere) const {
+bool Viewcones::isCovered(std::uint32_t visit, const SeenSphere& sphere) const {
     for (std::uint32_t later = visit + 1; later < cones_.size(); ++later) {
         const Cone& cone = cones_[later];
         if (classifyOnScreen(cone, sphere) == Containment::Outside)
             continue;
-        const bool before = cone.entry.signedDistance(sphere.centre) < -sphere.radius - sphere.slack;
+        const bool before = cone.entry.signedDistance(sphere.centre) < -sphere.radius - sphere.tolerance;
         if (!before || !descends(later, visit))
             return true;
     }

@@ -11,16 +11,16 @@ namespace limen::visibility {
 
 enum class Containment : std::uint8_t { Outside, Partial, Inside };
 
-/// A ball, eye-relative, with how far it is taken to reach beyond its surface; made by Viewcones::ballOf.
+/// A sphere, eye-relative, with the tolerances of its tests, in metres; made by Viewcones::sphereOf.
 struct SeenSphere {
     Vec3 centre{0.0};
     double radius = 0.0;
-    double slack = 0.0; ///< metres, at entry planes
-    double reach = 0.0; ///< metres, at planes through the eye: two pixels more
+    double tolerance = 0.0;     ///< at entry planes
+    double edgeTolerance = 0.0; ///< at planes through the eye: two pixels more
 };
 
-/// So many balls side by side, global: where they begin in arrays.
-struct FewSpheres {
+/// Four spheres that are tested together: pointers to the first element of each array. Global.
+struct SphereQuad {
     static constexpr std::size_t kCount = 4;
     const double* x = nullptr;
     const double* y = nullptr;
@@ -28,21 +28,23 @@ struct FewSpheres {
     const double* radius = nullptr;
 };
 
-/// More, in floats, each no farther along any axis than kMostOffset from a place that they are told from (world::ListedInstances): to the
-/// nearest float, so that centres are off by 0.2 mm at most along each axis.
+/// Sixteen spheres that are tested together, in floats, relative to an origin (world::ListedInstances). No
+/// centre is farther from it along any axis than kMostOffset, so that rounding moves a centre by at most 0.2
+/// mm along each axis.
 struct SphereBatch {
     static constexpr std::size_t kCount = 16;
-    static constexpr double kMostOffset = 4096.0; ///< metres; of radii, too
+    static constexpr double kMostOffset = 4096.0; ///< metres; also the largest radius
     const float* x = nullptr;
     const float* y = nullptr;
     const float* z = nullptr;
     const float* radius = nullptr;
 };
 
-/// Four planes through the eye: unit normals, positive inside. Side by side, for they are all asked at once.
+/// Four planes through the eye: unit normals, positive inside. As arrays, because all four are evaluated
+/// together.
 class FourEdges {
 public:
-    /// The same in floats.
+    /// The planes in floats.
     struct Floats {
         std::array<float, 4> x{}, y{}, z{};
     };
@@ -55,7 +57,7 @@ public:
         floats_.y[i] = nearest.y;
         floats_.z[i] = nearest.z;
     }
-    /// From a point to the plane that it lies farthest outside of, or least far inside.
+    /// The least of a point's signed distances to the four planes.
     [[nodiscard]] double least(const Vec3& point) const {
         const double a = side(0, point), b = side(1, point), c = side(2, point), d = side(3, point);
         const double ab = a < b ? a : b, cd = c < d ? c : d; // values, not references: no branches
@@ -73,73 +75,76 @@ private:
     Floats floats_;
 };
 
-/// What balls are asked about side by side are for (SphereBatch.cpp): each is the same code, told that processors have it.
+/// Vector instructions for testing batches of spheres (SphereBatch.cpp). The code is the same, compiled for
+/// each set.
 enum class Vectors : std::uint8_t {
-    Any,   ///< what every processor has
+    Any,   ///< instructions that every processor has
     Avx2,  ///< eight floats
-    Avx512 ///< sixteen
+    Avx512 ///< sixteen floats
 };
-/// The widest that this processor has.
+/// The widest set that this processor supports.
 [[nodiscard]] Vectors widestVectors();
 
-/// The visits of one flood as planes, for asking what of a ball can be seen in them. Reuse it: steady frames
-/// allocate nothing.
+/// The visits of one flood as planes, for frustum culling of spheres. Reuse it: steady frames allocate
+/// nothing.
 class Viewcones {
 public:
-    /// `vectors`: no wider than the processor has; the answers are the same.
+    /// `vectors`: a set that the processor supports. The results do not depend on it.
     explicit Viewcones(Vectors vectors = widestVectors()) : vectors_(vectors) {}
-    /// `pixel` is the angle of one pixel in radians: balls are counted as touching a region when they come
-    /// that near.
+    /// `pixel`: the angle of one pixel in radians. A sphere within two pixels of a region counts as touching
+    /// it.
     void prepare(const View& view, const VisibleSet& set, double pixel);
 
-    /// How the ball, eye-relative, lies to a visit's region and entry plane. Inside means more: no part of it
-    /// shows in a pixel of another owner in front of it, i.e. it lies wholly within the visit, before the
-    /// entry planes of all visits drawn later that it touches on the screen, and those are all below this
-    /// visit. Then every fragment of it passes the ownership test, and the test may be left out.
+    /// Tests a sphere against a visit's region and entry plane. Inside means more than contained: the sphere
+    /// is also in front of the entry planes of all later visits that it touches on the screen, and those are
+    /// all descendants of this visit. Then every fragment inside the sphere passes the ownership test, and
+    /// the test can be omitted.
     [[nodiscard]] Containment classify(std::uint32_t visit, const SeenSphere& sphere) const {
-        // The root's alone: everything is beyond where the eye is, and nothing is drawn later.
+        // The root only: it has no entry plane, and no visit is drawn later.
         if (cones_.size() == 1)
             return classifyOnScreen(cones_.front(), sphere);
-        const Containment alone = classifyAlone(cones_[visit], sphere);
-        return alone == Containment::Inside && isHidden(visit, sphere) ? Containment::Partial : alone;
+        const Containment found = classifyInVisit(cones_[visit], sphere);
+        return found == Containment::Inside && isCovered(visit, sphere) ? Containment::Partial : found;
     }
-    /// Which of a block's balls do not lie outside of the root's region, nor of a rectangle if there is one: just what `classify` tells of each.
-    /// For many balls, of which nobody can foretell how they lie: they are asked side by side, in floats. Writes `first + i` for each of
-    /// them, in order; `out` has room for a whole block. Yields how many they are, or kCannotTell where floats cannot. `count`: of balls,
-    /// though as many as a block has are read. `eye`: from where the balls are told from. Requires a single visit.
-    static constexpr std::uint32_t kCannotTell = 0xFFFFFFFFu;
+    /// Lists the spheres of a batch that are not outside the root's region, nor outside a rectangle if there
+    /// is one: the same result as `classify` gives for each. Tests them together, in floats, without
+    /// unpredictable branches. Writes `first + i` for each sphere i found, in order; `out` has room for a
+    /// whole batch. Returns their number, or kUndecided if float precision does not suffice for one. `count`:
+    /// spheres to test, 1..kCount; the arrays hold a whole batch. `eye`: relative to the batch's origin.
+    /// `rect`: null for none. Requires a single visit.
+    static constexpr std::uint32_t kUndecided = 0xFFFFFFFFu;
     [[nodiscard]] std::uint32_t listWithin(const SphereBatch& spheres, const Vec3& eye, const FourEdges* rect,
                                            std::uint32_t first, std::uint32_t count,
                                            std::uint32_t* out) const;
-    /// Of so many, and whether they lie inside. Requires a single visit.
-    static constexpr std::size_t kFew = FewSpheres::kCount;
-    [[nodiscard]] std::array<Containment, kFew> classifyFew(const FewSpheres& spheres, const Vec3& eye) const;
-    /// Of a ball, eye-relative.
+    /// The result of `classify` for each of four spheres. Requires a single visit.
+    using QuadContainment = std::array<Containment, SphereQuad::kCount>;
+    [[nodiscard]] QuadContainment classifyQuad(const SphereQuad& spheres, const Vec3& eye) const;
+    /// `sphere`: eye-relative.
     [[nodiscard]] SeenSphere sphereOf(const Sphere& sphere) const {
         const double distance = std::sqrt(glm::dot(sphere.centre, sphere.centre)) + sphere.radius;
-        const double slack = kSlack + kSlackShare * distance;
-        return {sphere.centre, sphere.radius, slack, slack + 2.0 * pixel_ * distance};
+        const double tolerance = kTolerance + kToleranceShare * distance;
+        return {sphere.centre, sphere.radius, tolerance, tolerance + 2.0 * pixel_ * distance};
     }
 
-    /// A rectangle (a SeenSpace's) of the screen.
+    /// The edges of a rectangle on the screen (a SeenSpace's).
     [[nodiscard]] FourEdges edgesOf(const Rect& rect) const;
-    /// How the ball lies to it. Outside: nothing of the ball shows within the rectangle.
+    /// Tests a sphere against a rectangle. Outside: no part of the sphere is visible within it.
     [[nodiscard]] static Containment classify(const FourEdges& rect, const SeenSphere& sphere) {
-        const double far = sphere.radius + sphere.reach, least = rect.least(sphere.centre);
+        const double far = sphere.radius + sphere.edgeTolerance, least = rect.least(sphere.centre);
         return least < -far ? Containment::Outside : least > far ? Containment::Inside : Containment::Partial;
     }
 
 private:
-    /// The ownership test's own tolerance (1 mm and a share of the distance) and float rounding on the GPU, with
-    /// room to spare, in metres per metre of distance and in metres: "inside" must hold under it, "outside"
-    /// beyond it.
-    static constexpr double kSlackShare = 2e-6;
-    static constexpr double kSlack = 0.004;
+    /// Tolerance of a test: metres per metre of distance, and metres. Covers that of the ownership test (1 mm
+    /// and a share of the distance) and float rounding on the GPU, with a margin. A sphere is inside only if
+    /// it is so by more than the tolerance, and outside only if by more than it.
+    static constexpr double kToleranceShare = 2e-6;
+    static constexpr double kTolerance = 0.004;
     struct Cone {
         Plane entry;
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;
     };
-    /// Where on the screen, however far.
+    /// Tests the visit's region only.
     [[nodiscard]] Containment classifyOnScreen(const Cone& cone, const SeenSphere& sphere) const {
         Containment found = Containment::Inside;
         for (std::uint32_t e = cone.firstEdges; e < cone.firstEdges + cone.edgesCount; ++e) {
@@ -149,22 +154,21 @@ private:
         }
         return found;
     }
-    [[nodiscard]] Containment classifyAlone(const Cone& cone, const SeenSphere& sphere) const {
+    [[nodiscard]] Containment classifyInVisit(const Cone& cone, const SeenSphere& sphere) const {
         const double beyond = cone.entry.signedDistance(sphere.centre);
-        if (beyond < -sphere.radius - sphere.slack)
+        if (beyond < -sphere.radius - sphere.tolerance)
             return Containment::Outside;
         const Containment onScreen = classifyOnScreen(cone, sphere);
-        return onScreen == Containment::Inside && beyond <= sphere.radius + sphere.slack
+        return onScreen == Containment::Inside && beyond <= sphere.radius + sphere.tolerance
                    ? Containment::Partial
                    : onScreen;
     }
-    [[nodiscard]] std::array<Containment, kFew> classifyOneByOne(const FewSpheres& spheres,
-                                                                 const Vec3& eye) const;
-    /// Of a ball that lies within a visit: whether a part of it may show in another's pixels.
-    [[nodiscard]] bool isHidden(std::uint32_t visit, const SeenSphere& sphere) const;
+    [[nodiscard]] QuadContainment classifyOneByOne(const SphereQuad& spheres, const Vec3& eye) const;
+    /// Whether a later visit may own a pixel of a sphere that is inside `visit`.
+    [[nodiscard]] bool isCovered(std::uint32_t visit, const SeenSphere& sphere) const;
     [[nodiscard]] bool descends(std::uint32_t visit, std::uint32_t ancestor) const;
     std::vector<Cone> cones_;
-    std::vector<FourEdges> edges_; ///< of regions; what is left of the last four repeats the last edge
+    std::vector<FourEdges> edges_; ///< of regions; the last edge is repeated to fill up four
     View view_;
     double pixel_ = 0.0;
     Vectors vectors_;

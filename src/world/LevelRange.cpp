@@ -38,14 +38,14 @@ RangeSteps rangeStepsOf(const Vec3& global) {
 }
 
 bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye) {
-    if (instance.reach.isEndless())
+    if (instance.levelRange.isEndless())
         return true;
     LIMEN_ASSERT(instance.block < world.blocks.size(), "the origin is local to a block");
     const Vec3 block = world.blocks[instance.block].origin(); // whole metres
     const std::uint32_t away = squareOf(stepsOf(block.x) + localSteps(instance.origin.x) - eye.x) +
                                squareOf(stepsOf(block.y) + localSteps(instance.origin.y) - eye.y) +
                                squareOf(stepsOf(block.z) + localSteps(instance.origin.z) - eye.z);
-    const std::uint32_t beyond = instance.reach.beyond, upTo = instance.reach.upTo;
+    const std::uint32_t beyond = instance.levelRange.beyond, upTo = instance.levelRange.upTo;
     return (beyond == 0 || away > beyond * beyond) && away <= upTo * upTo;
 }
 

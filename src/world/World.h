@@ -100,7 +100,7 @@ struct Zone {
     friend bool operator==(const Zone&, const Zone&) = default;
 };
 
-enum class InstanceKind : std::uint16_t { Shell, Terrain, Exterior, Scenery, Static, Dynamic, Filling, Sky };
+enum class InstanceKind : std::uint8_t { Shell, Terrain, Exterior, Scenery, Static, Dynamic, Filling, Sky };
 
 enum class SurfaceClass : std::uint8_t { Opaque, CutOut, Blended };
 
@@ -153,37 +153,34 @@ struct Mesh {
     friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
-/// Something drawn: a shell, a building exterior, a block's terrain, or one part of an object.
+/// A placement of a mesh: a shell, a building exterior, a block's terrain, or one part of an object.
 struct Instance {
     static constexpr std::size_t kMostMembers = 0xFFFF;
-    // Ordered as the device's records are, so that what moves has only to be copied to it
-    // (frame/PackInstance.h).
+    InstanceKind kind = InstanceKind::Static;
+    std::uint16_t memberCount = 0;
+    std::uint32_t firstMember = 0; ///< World::members: the memberCount spaces it belongs to, placedIn first
+    SpaceIndex placedIn = kNone;
+    dat::RecordId record = 0; ///< GfxObj, EnvCell (shell) or LandBlock (terrain) id
+    std::uint64_t object = 0; ///< identity: parts of one object share it; unique across landblocks
+    std::uint32_t idBase = 0; ///< its polygons have ids idBase .. idBase + polygonCount - 1; never 0 or 1
+    std::uint32_t mesh = kNone;
+    std::uint32_t firstMaterial =
+        0;                 ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
+    float opacity = 1.0f;  ///< multiplies that of its blended surfaces
+    LevelRange levelRange; ///< distances at which it is drawn: one level of detail of several
+    std::uint32_t block = kNone; ///< the block that its placement is relative to
     glm::mat3 linear{1.0f};      ///< block-local from model: rotation and scale
     Vec3f origin{0.0f};          ///< block-local
-    std::uint32_t block = kNone; ///< the block its frame is local to
-    std::uint32_t idBase = 0; ///< its polygons show as ids idBase .. idBase + polygonCount - 1; never 0 or 1
-    std::uint32_t firstMaterial =
-        0; ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
-    SpaceIndex placedIn = kNone;
-    std::uint16_t memberCount = 0;
-    InstanceKind kind = InstanceKind::Static;
-    LevelRange reach; ///< from where it is drawn: one level of detail of several
-    std::uint32_t mesh = kNone;
-    float opacity = 1.0f; ///< times its blended surfaces' own
-    // What follows is of no interest to the device.
-    std::uint32_t firstMember = 0; ///< World::members: the memberCount spaces it belongs to, placedIn first
-    dat::RecordId record = 0;      ///< GfxObj, EnvCell (shell) or LandBlock (terrain) id
-    std::uint64_t object = 0;      ///< identity: parts of one object share it; unique across landblocks
-    Sphere bounds;                 ///< global
+    Sphere bounds;               ///< global
 
-    /// Those beyond kMostMembers are left out.
+    /// Members beyond kMostMembers are dropped.
     void setMembers(std::uint32_t first, std::size_t count) {
         firstMember = first;
         memberCount = static_cast<std::uint16_t>(std::min(count, kMostMembers));
     }
     friend bool operator==(const Instance&, const Instance&) = default;
 };
-static_assert(sizeof(Instance) == 128, "two lines of a cache");
+static_assert(sizeof(Instance) == 128, "two cache lines");
 
 /// The appearance of a surface.
 struct Material {

@@ -13,7 +13,7 @@ namespace {
 using frame::Cluster;
 using frame::Clusters;
 
-TEST(Clusters, listEachInstanceOfASpaceOnceAndInItsPlace) {
+TEST(Clusters, listEachInstanceOfASpaceOnce) {
     for (const std::uint32_t count : {0u, 1u, 16u, 17u, 40u, 3000u}) {
         SCOPED_TRACE(count);
         const world::World world = spheresInTwoSpaces(count, count + 1);
@@ -45,7 +45,7 @@ TEST(Clusters, listEachInstanceOfASpaceOnceAndInItsPlace) {
     }
 }
 
-TEST(Clusters, holdTheBallsOfTheirInstances_andChildrenPartThem) {
+TEST(Clusters, containTheSpheresOfTheirInstances_andAreDividedAmongChildren) {
     const world::World world = spheresInTwoSpaces(5000, 4);
     const Clusters clusters = frame::buildClusters(world);
     std::size_t leaves = 0;
@@ -70,7 +70,7 @@ TEST(Clusters, holdTheBallsOfTheirInstances_andChildrenPartThem) {
     EXPECT_LT(leaves, 1800u) << "a leaf holds several";
 }
 
-// However the world lists them: what is drawn later hides what is equally deep.
+// The order of draws decides between equal depths, so it must not depend on the lists.
 TEST(Clusters, doNotDependOnTheOrderOfTheLists) {
     world::World world = spheresInTwoSpaces(3000, 9);
     const Clusters before = frame::buildClusters(world);

@@ -43,14 +43,14 @@ TEST_F(HighlightsTest, replacesARecordByTheSameInAnotherColour) {
     ASSERT_EQ(plan.replacements.size(), 1u);
     EXPECT_EQ(plan.constants.replacementCount, 1u);
     EXPECT_EQ(plan.replacements[0].instance, table);
-    EXPECT_EQ(plan.replacements[0].by, planned.world.instances.size()) << "the first of the frame's own";
+    EXPECT_EQ(plan.replacements[0].by, planned.world.instances.size()) << "the first instance of the frame";
     ASSERT_EQ(plan.records.size(), 1u);
     const frame::gpu::Instance& record = plan.records[0];
     EXPECT_EQ(record.highlight, kRed);
     EXPECT_EQ(record.idBase, planned.world.instances[table].idBase);
     EXPECT_EQ(frame::gpu::memberCountOf(record), 1u);
-    EXPECT_EQ(record.firstMember, first) << "its zone is the resident one of its space";
-    EXPECT_TRUE(plan.moverMembers.empty());
+    EXPECT_EQ(record.firstMember, first) << "the resident member of its space";
+    EXPECT_TRUE(plan.members.empty());
 }
 
 TEST_F(HighlightsTest, ofOneObjectTheLastCounts) {
@@ -62,7 +62,7 @@ TEST_F(HighlightsTest, ofOneObjectTheLastCounts) {
     }
 }
 
-TEST_F(HighlightsTest, passesOverWhatItDoesNotKnow) {
+TEST_F(HighlightsTest, ignoresUnknownObjects) {
     EXPECT_TRUE(planWith({{0xDEADBEEFu, kRed}}).records.empty());
 }
 

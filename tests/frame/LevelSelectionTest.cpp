@@ -15,7 +15,7 @@ using visibility::Containment;
 
 constexpr double kNearPlane = 0.1;
 
-/// A view that is one visit, over the whole picture.
+/// A view with one visit, which has the whole picture.
 struct OneVisit {
     OneVisit(const Vec3& from, double yaw, double pitch) : eye(from) {
         visibility::GraphBuilder world;
@@ -31,7 +31,7 @@ struct OneVisit {
     visibility::Viewcones cones;
 };
 
-/// What LevelSelection must choose, the obvious way: one cluster after the other.
+/// The expected selection, without optimization: one cluster after the other.
 void choose(const Clusters& clusters, const Cluster& cluster, const OneVisit& from,
             std::vector<bool>& chosen) {
     const Containment lies = from.lies(cluster.bounds);
@@ -47,7 +47,7 @@ void choose(const Clusters& clusters, const Cluster& cluster, const OneVisit& fr
             choose(clusters, clusters.clusters[cluster.firstChild + i], from, chosen);
 }
 
-TEST(LevelSelection, choosesWhatGoingDownTheTreeChooses) {
+TEST(LevelSelection, selectsTheSameAsARecursiveDescent) {
     std::mt19937 random(3);
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution(low, high)(random);
@@ -56,7 +56,8 @@ TEST(LevelSelection, choosesWhatGoingDownTheTreeChooses) {
     for (const std::uint32_t count : {1u, 16u, 17u, 64u, 130u, 700u, 3000u}) {
         const world::World world = spheresInTwoSpaces(count, count);
         const Clusters clusters = frame::buildClusters(world);
-        frame::LevelSelection levels(clusters);
+        const frame::ClusterBatches batches(clusters);
+        frame::LevelSelection levels(clusters, batches);
         for (int i = 0; i < 200; ++i) {
             const OneVisit from({between(-50, 450), between(-50, 450), between(0, 60)}, between(0, 360),
                                 between(-80, 80));
@@ -68,13 +69,13 @@ TEST(LevelSelection, choosesWhatGoingDownTheTreeChooses) {
                 std::uint32_t end = 0;
                 for (const auto& range :
                      levels.select(space, from.cones, from.eye, from.view.forward, kNearPlane)) {
-                    ASSERT_TRUE(range.first > end || range.first == 0) << "in order and apart";
+                    ASSERT_TRUE(range.first > end || range.first == 0) << "in order and disjoint";
                     ASSERT_LT(range.first, range.end);
                     end = range.end;
                     std::fill(chosen.begin() + range.first, chosen.begin() + range.end, true);
                     ++ranges;
                 }
-                ASSERT_EQ(chosen, expected) << count << " balls, view " << i << ", space " << space;
+                ASSERT_EQ(chosen, expected) << count << " spheres, view " << i << ", space " << space;
                 const auto shown = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
                 drawn += shown;
                 left += chosen.size() - shown;

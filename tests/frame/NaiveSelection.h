@@ -9,8 +9,9 @@
 
 namespace limen::test {
 
-/// Instances that are drawn, by number (a moment's are numbered on), and whether they are gated: each asked for by itself in every
-/// visit that lists one of its spaces. What frame::Selection must choose, the obvious way.
+/// The visible instances and whether they are gated, each tested in every visit that lists one of its spaces:
+/// the expected result of frame::Selection, without optimization. By number; those of the dynamic state
+/// follow the world's.
 inline std::map<std::uint32_t, bool> selectOneByOne(const world::World& world,
                                                     const world::DynamicState& dynamics,
                                                     const frame::FrameView& frame,

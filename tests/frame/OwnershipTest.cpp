@@ -51,11 +51,11 @@ TEST_F(OwnershipTest, clipsByTheParentsEdgesAndNeverByTheRoots) {
         const auto& visit = planned.visible.visits[vertex.visit];
         EXPECT_EQ(vertex.clipSet == 0, visit.depth == 1) << "the screen's edges need no clipping";
     }
-    // A point in the middle of the grandchild's opening is kept; one beside the parent's opening is cut.
+    // A point in the middle of the grandchild's opening is kept; one beside the parent's opening is clipped.
     const auto& clip = plan.clipSets[1];
     EXPECT_TRUE(keeps(clip, {0, 7, -0.5f}));
     EXPECT_FALSE(keeps(clip, {4, 7, -0.5f}));
-    EXPECT_TRUE(keeps(clip, {0, 2, -0.5f})) << "the opening lies beyond the entry plane, which is not asked";
+    EXPECT_TRUE(keeps(clip, {0, 2, -0.5f})) << "the opening is beyond the entry plane, so that does not clip";
 }
 
 TEST(Ownership, clipsByTheParentsEntryPlaneWhatReachesBeforeIt) {
@@ -101,7 +101,7 @@ TEST(Ownership, cutsAnInexactPairByTheOtherPolygonAndDrawsItsHoleWhole) {
     }
     EXPECT_TRUE(keeps(plan.clipSets[1], {0.4f, 3, -0.5f}));
     EXPECT_FALSE(keeps(plan.clipSets[1], {0.6f, 3, -0.5f}))
-        << "the way back ends half a metre right of the eye";
+        << "the reciprocal ends half a metre right of the eye";
 }
 
 TEST(Ownership, cutsARegionOfManyEdgesIntoSeveralDraws) {

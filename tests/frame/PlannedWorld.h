@@ -4,14 +4,15 @@
 #include "support/TestWorld.h"
 
 #include "frame/Planner.h"
-#include "frame/ResidentPieces.h"
 #include "frame/WorldGraph.h"
 #include "visibility/Flood.h"
 
+#include <gtest/gtest.h>
+
 namespace limen::test {
 
-/// Two rooms in a row along +y, 4 × 4 × 3 m, joined by a door in y = 4; a table in each; the second has an exit in y = 8
-/// into a flat landscape with a box in it.
+/// Two rooms in a row along +y, 4 × 4 × 3 m, joined by a door in y = 4; a table in each; the second has an
+/// exit in y = 8 into a flat landscape with a box in it.
 struct Rooms {
     TestWorld world;
     TestWorld::Cell first = world.addBox({90, 90, 0}, {94, 94, 3}, "brown");
@@ -29,16 +30,15 @@ struct Rooms {
     }
 };
 
-/// A loaded world with what it takes to plan its frames.
+/// A loaded world, its scene and a planner.
 struct PlannedWorld {
     explicit PlannedWorld(TestWorld& source, bool mergeZones = false)
-        : world(loadTestWorld(source, {1, mergeZones})), graph(*frame::visibilityGraph(world)),
-          planner(world), pieces(frame::buildPieces(world, frame::buildClusters(world)).pieces),
-          origin(toGlobal(source, Vec3(0.0))) {}
+        : world(loadTestWorld(source, {1, mergeZones})), graph(*frame::visibilityGraph(world)), scene(world),
+          planner(scene), pieces(scene.pieces().pieces), origin(toGlobal(source, Vec3(0.0))) {}
 
     const frame::FramePlan& planFrom(const Vec3& local, double yaw, world::SpaceIndex root) {
         view = frame::makeView(origin + local, yaw, 0.0, 75.0, 320, 200, root);
-        visibility::flood(graph, {}, view.view, {}, scratch, visible);
+        EXPECT_TRUE(visibility::flood(graph, {}, view.view, {}, scratch, visible));
         planner.plan(view, visible, plan);
         return plan;
     }
@@ -61,6 +61,7 @@ struct PlannedWorld {
 
     world::World world;
     visibility::Graph graph;
+    const frame::StaticScene scene;
     frame::Planner planner;
     std::vector<frame::gpu::DrawPiece> pieces; ///< resident
     Vec3 origin;

@@ -16,7 +16,7 @@ struct PlannerTest : ::testing::Test {
     world::SpaceIndex first = world::findCell(planned.world, rooms.world.id(rooms.first));
     world::SpaceIndex second = world::findCell(planned.world, rooms.world.id(rooms.second));
 
-    /// How often each instance is drawn by the batches of one program.
+    /// Number of draws of each instance by the batches of one program.
     [[nodiscard]] std::map<std::uint32_t, int> drawsOf(const frame::FramePlan& plan, Program program) const {
         std::map<std::uint32_t, int> draws;
         for (const frame::Batch& batch : plan.batches) {
@@ -44,14 +44,13 @@ TEST_F(PlannerTest, drawsTheShellOfEveryCellSeenAndEachInstanceOnce) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
     const auto draws = drawsOf(plan, Program::Opaque);
     for (const visibility::SeenSpace& seen : planned.visible.seen)
-        if (seen.space != world::kOutside)
-            EXPECT_TRUE(draws.contains(planned.world.spaces[seen.space].shell));
+        EXPECT_TRUE(seen.space == world::kOutside || draws.contains(planned.world.spaces[seen.space].shell));
     for (const auto& [instance, count] : draws)
         EXPECT_EQ(count, 1) << instance;
     EXPECT_EQ(planned.visible.visits.size(), 3u) << "room, room, outside";
 }
 
-TEST_F(PlannerTest, leavesOutWhatNoVisitSees) {
+TEST_F(PlannerTest, leavesOutSpacesThatNoVisitSees) {
     const auto& plan = planned.planFrom({92, 93, 1.5}, 180, first); // back to the door
     EXPECT_EQ(planned.visible.visits.size(), 1u);
     const auto draws = drawsOf(plan, Program::Opaque);
@@ -59,7 +58,7 @@ TEST_F(PlannerTest, leavesOutWhatNoVisitSees) {
     EXPECT_TRUE(drawsOf(plan, Program::Terrain).empty()) << "no outside region: no terrain";
     EXPECT_EQ(plan.stages[static_cast<std::size_t>(StageKind::Sky)].batchCount, 0u) << "and no sky";
     EXPECT_EQ(plan.stages[static_cast<std::size_t>(StageKind::Ownership)].batchCount, 0u)
-        << "one owner: nothing to say";
+        << "one owner: the target needs no writes";
     for (const frame::Batch& batch : plan.batches)
         EXPECT_FALSE(batch.gated);
 }
@@ -70,7 +69,7 @@ TEST_F(PlannerTest, gatesMembersOfSeveralZonesWhereThereAreSeveralVisits) {
     for (const frame::Batch& batch : plan.batches) {
         for (std::uint32_t r = batch.first; batch.program == Program::Opaque && r < batch.first + batch.count;
              ++r) {
-            EXPECT_TRUE(batch.gated) << "the variant that can";
+            EXPECT_TRUE(batch.gated) << "the variant with the ownership test";
             for (const frame::gpu::DrawPiece& piece : planned.piecesOf(plan.runs[r])) {
                 const bool isOfOne = planned.world.instances[piece.instance].memberCount == 1;
                 EXPECT_TRUE(isOfOne || plan.runs[r].gated);
@@ -82,7 +81,7 @@ TEST_F(PlannerTest, gatesMembersOfSeveralZonesWhereThereAreSeveralVisits) {
     EXPECT_GT(gated, 0u);
 }
 
-// What may hide other things comes first, so that these can be held against it.
+// The occluders come first.
 TEST_F(PlannerTest, wallsAndGroundComeBeforeAllElse) {
     const auto& plan = planned.planFrom({92, 104, 1.5}, 180, world::kOutside);
     std::size_t walls = 0;
@@ -134,7 +133,7 @@ TEST_F(PlannerTest, visitsMirrorTheTree) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
     ASSERT_EQ(plan.visits.size(), planned.visible.visits.size());
     EXPECT_EQ(plan.visits[0].parent, frame::gpu::kNoVisit);
-    EXPECT_EQ(plan.visits[0].entryPlane, frame::gpu::vec4(0, 0, 0, 1)) << "everything is beyond the root's";
+    EXPECT_EQ(plan.visits[0].entryPlane, frame::gpu::vec4(0, 0, 0, 1)) << "all points are beyond the root's";
     for (std::uint32_t i = 1; i < plan.visits.size(); ++i) {
         EXPECT_LT(plan.visits[i].parent, i);
         EXPECT_EQ(plan.visits[i].zone, planned.visible.visits[i].zone);

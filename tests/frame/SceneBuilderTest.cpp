@@ -10,7 +10,7 @@ namespace {
 struct SceneBuilderTest : ::testing::Test {
     Rooms rooms;
     world::World world = loadTestWorld(rooms.world, {1, false});
-    frame::SceneUpload scene = frame::buildScene(world);
+    frame::SceneUpload scene = frame::buildScene(frame::StaticScene(world));
 };
 
 TEST_F(SceneBuilderTest, keepsTheWorldsNumbers) {

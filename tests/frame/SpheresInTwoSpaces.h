@@ -8,7 +8,7 @@
 
 namespace limen::test {
 
-/// Two spaces with balls of all sizes; every ninth is in both, every eleventh in none.
+/// Two spaces with spheres of all sizes; every ninth is in both spaces, every eleventh in none.
 inline world::World spheresInTwoSpaces(std::uint32_t count, std::uint32_t seed) {
     world::World world;
     std::mt19937 random(seed);

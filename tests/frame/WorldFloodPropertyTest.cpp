@@ -1,5 +1,5 @@
-// What must hold of the flood for any world: over generated complexes of convex cells, loaded from dats.
-// LIMEN_TEST_WORLDS: how many worlds are tried (200).
+// Properties of the flood that hold for any world: over generated complexes of convex cells, loaded from
+// dats. LIMEN_TEST_WORLDS: number of worlds (200).
 #include "worlds/GeneratedWorlds.h"
 
 #include "frame/FrameView.h"
@@ -65,7 +65,7 @@ frame::FrameView randomView(const world::World& world, std::mt19937& random) {
                            40.0 + unit(random) * 80.0, kSide, kSide, space);
 }
 
-/// Where ray (x, y) of a view lies on the screen, in (x, y, w), and in the world.
+/// The direction of ray (x, y) of a view on the screen, in (x, y, w), and in the world.
 Vec3 screenOf(int x, int y) {
     return {(x + 0.5) * 2.0 / kSide - 1.0, (y + 0.5) * 2.0 / kSide - 1.0, 1.0};
 }
@@ -76,9 +76,9 @@ Vec3 directionOf(const visibility::View& view, const Vec3& screen) {
 VisibleSet floodOf(const Complex& complex, const visibility::View& view) {
     visibility::FloodScratch scratch;
     VisibleSet set;
-    visibility::flood(complex.graph, {}, view, {}, scratch, set);
+    EXPECT_TRUE(visibility::flood(complex.graph, {}, view, {}, scratch, set));
     EXPECT_EQ(set.counts.visitsCut, 0u) << "the cap on visits was reached";
-    EXPECT_EQ(set.counts.cyclesLeft, 0u) << "openings that overlap in a circle were left so";
+    EXPECT_EQ(set.counts.cyclesLeft, 0u) << "a cycle of overlapping openings was not broken";
     for (const Vec3& v : set.regionVertices)
         EXPECT_TRUE(isFinite(v));
     for (const visibility::Visit& visit : set.visits)
@@ -92,7 +92,8 @@ bool meets(const world::World& world, const world::Portal& portal, const Vec3& e
     return containsProjection(cornersOf(world, portal), portal.plane.n, eye + direction * t, 0.0);
 }
 
-/// Whether a ray that meets the portal's polygon goes on: an inexact pair is open where both polygons are.
+/// Whether a ray that meets the portal's polygon enters a space: an inexact pair is open inside both
+/// polygons.
 bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec3& eye,
                const Vec3& direction) {
     return portal.destination != world::kNone &&
@@ -100,8 +101,8 @@ bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec
             meets(world, world.portals[portal.reciprocal], eye, direction));
 }
 
-/// The spaces a ray passes through, found the slow way: by the nearest opening ahead, without regard to walls. kNone at
-/// the end is a hole.
+/// The spaces that a ray passes through, without optimization: by the nearest opening ahead, without regard
+/// to walls. kNone at the end is a hole.
 std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visibility::View& view,
                                           const Vec3& direction) {
     std::vector<world::SpaceIndex> chain{view.root};
@@ -134,7 +135,7 @@ std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visib
     }
 }
 
-/// The chain of the last visit in drawing order whose region holds the direction: what painting leaves.
+/// The chain of the last visit in drawing order whose region contains the direction: the result of painting.
 std::vector<world::SpaceIndex> chainOfOwner(const VisibleSet& set, const Vec3& screen) {
     std::uint32_t owner = 0;
     for (std::uint32_t i = 0; i < set.visits.size(); ++i) {
@@ -150,8 +151,8 @@ std::vector<world::SpaceIndex> chainOfOwner(const VisibleSet& set, const Vec3& s
     return chain;
 }
 
-/// Whether a ray within 1/1250 of a pixel has the chain: corners are stored as floats, so they lie some hundredths of a
-/// millimetre off their opening's plane, and a ray that near to an edge may go either way.
+/// Whether a ray within 1/1250 of a pixel has the chain. Corners are stored as floats, some hundredths of a
+/// millimetre off their opening's plane, so a ray that near to an edge may pass on either side.
 bool isChainNearby(const world::World& world, const visibility::View& view, const Vec3& screen,
                    const std::vector<world::SpaceIndex>& chain) {
     for (int i = 0; i < 8; ++i) {
@@ -184,8 +185,7 @@ TEST(WorldFloodProperty, theVisibleSetHoldsEverySpaceThatARayOfTheReferenceEndsI
             }
         }
     }
-    EXPECT_GT(farther, worldCount())
-        << "hardly a ray went through two openings, so hardly anything was tried";
+    EXPECT_GT(farther, worldCount()) << "too few rays passed two openings for a meaningful test";
 }
 
 TEST(WorldFloodProperty, theOwnerOfAPixelIsTheLeafOfTheChainThatItsRayFinds) {
@@ -207,8 +207,7 @@ TEST(WorldFloodProperty, theOwnerOfAPixelIsTheLeafOfTheChainThatItsRayFinds) {
             }
         }
     }
-    EXPECT_GT(farther, worldCount())
-        << "hardly a ray went through two openings, so hardly anything was tried";
+    EXPECT_GT(farther, worldCount()) << "too few rays passed two openings for a meaningful test";
 }
 
 } // namespace

@@ -1,4 +1,5 @@
-// Zones are disjoint and closed: held against a count of crossings that knows nothing of how zones are made.
+// Zones are disjoint and closed: compared with a count of crossings that is independent of the code that
+// makes zones.
 #include "worlds/GeneratedWorlds.h"
 
 #include <gtest/gtest.h>
@@ -36,12 +37,12 @@ std::vector<Face> facesOf(const world::World& world, const world::Space& space) 
     return faces;
 }
 
-/// How often the ray leaves through the faces, less how often it enters.
+/// Number of times the ray leaves through the faces minus the number of times it enters.
 int crossings(const std::vector<Face>& faces, const Vec3& from, const Vec3& direction) {
     int sum = 0;
     for (const Face& f : faces) {
         const Vec3 a = f.a - from, b = f.b - from, c = f.c - from;
-        // Signs of the ray against the edges; all alike: it meets the triangle's plane inside.
+        // Signs of the ray relative to the edges. If all are equal, it meets the triangle.
         const double ab = glm::dot(direction, glm::cross(a, b)), bc = glm::dot(direction, glm::cross(b, c)),
                      ca = glm::dot(direction, glm::cross(c, a));
         const bool front = ab < 0 && bc < 0 && ca<0, back = ab> 0 && bc > 0 && ca > 0;
@@ -53,7 +54,7 @@ int crossings(const std::vector<Face>& faces, const Vec3& from, const Vec3& dire
     return sum;
 }
 
-/// Points at which a zone is not what it must be, and those inside one cell, as they should.
+/// Numbers of points where a zone is open or its cells overlap, and of points inside one cell.
 struct Faults {
     std::size_t open = 0, shared = 0, inside = 0;
 };
@@ -102,7 +103,7 @@ TEST(ZoneProperty, cellsOfOneZoneAreClosedAndDisjoint) {
             }
         }
     }
-    EXPECT_GT(inside, 1000u) << "hardly a point lay in a cell, so hardly anything was tried";
+    EXPECT_GT(inside, 1000u) << "too few points were in a cell for a meaningful test";
 }
 
 } // namespace

@@ -16,7 +16,7 @@ layout::ClipSet keepAll() {
 } // namespace
 
 SceneBuilder::SceneBuilder() {
-    layout::FrameConstants& c = plan.constants;
+    layout::ViewConstants& c = plan.constants;
     c.clipFromEye = glm::mat4(1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, kNear, 0);
     c.nearPlane = kNear;
     c.sunDirection = {0, -1, 0, 0};
@@ -61,7 +61,7 @@ std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::arra
     instance.block = options.block;
     instance.idBase = id;
     instance.highlight = options.highlight;
-    instance.reach = layout::kFromAnywhere;
+    instance.levelRange = layout::kFromAnywhere;
     instance.opacity = 1.0f;
     instance.firstMember = static_cast<std::uint32_t>(upload.members.size());
     instance.membersAndKind = static_cast<std::uint32_t>(options.members.size());

@@ -135,7 +135,7 @@ TEST(Effects, spritesOfTheNearestLevelFaceTheEyeAndFadingOnesAreBlended) {
     expectAt(Vec3(flakes[0].linear[2]), {0, 0, 2});
     const Sphere& bounds = loaded.mesh(flakes[0]).bounds;
     EXPECT_NEAR(bounds.radius, std::hypot(0.1, 0.2), 1e-5) << "as wide and high as the mesh";
-    EXPECT_EQ(flakes[0].reach.upTo, 500 * world::kRangeSteps) << "of its levels of detail";
+    EXPECT_EQ(flakes[0].levelRange.upTo, 500 * world::kRangeSteps) << "of its levels of detail";
 }
 
 TEST(Effects, particlesStayBehindOrComeAlong) {

@@ -185,7 +185,7 @@ TEST(Gaits, moveTheLevelsOfDetailOfAPartAlike) {
         stage.at(seconds);
         EXPECT_EQ(stage.part(puppet.leg).linear, stage.part(coarse).linear);
         EXPECT_EQ(stage.part(puppet.leg).origin, stage.part(coarse).origin);
-        EXPECT_GT(stage.part(coarse).reach.beyond, 0);
+        EXPECT_GT(stage.part(coarse).levelRange.beyond, 0);
     }
 }
 

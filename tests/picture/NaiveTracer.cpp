@@ -59,10 +59,10 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
 
 bool NaiveTracer::isInLevelRange(const Body& body, const Vec3& eye) {
     const Vec3 steps = glm::floor(body.origin * 16.0) - glm::floor(eye * 16.0);
-    const double away = glm::dot(steps, steps); // complete and exact
-    const double beyond = body.reach.beyond, upTo = body.reach.upTo;
+    const double away = glm::dot(steps, steps); // whole, and exact
+    const double beyond = body.levelRange.beyond, upTo = body.levelRange.upTo;
     return (beyond == 0.0 || away > beyond * beyond) &&
-           (body.reach.upTo == world::LevelRange::kEndless || away <= upTo * upTo);
+           (body.levelRange.upTo == world::LevelRange::kEndless || away <= upTo * upTo);
 }
 
 bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
@@ -79,7 +79,7 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
               0,
               instance.kind == world::InstanceKind::Filling,
               world_.blocks[instance.block].origin() + Vec3(instance.origin),
-              instance.reach};
+              instance.levelRange};
     const Vec3 origin = body.origin;
     const auto place = [&](const world::MeshVertex& v) {
         return origin + Mat3(instance.linear) * v.corner();

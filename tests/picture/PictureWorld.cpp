@@ -100,12 +100,15 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
         valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
     options_ = options;
-    if (!options.omissions.membership) {
-        part_ = valueOf(engine::partOf(std::move(world)));
-        return;
-    }
-    part_ = valueOf(engine::partOf(withoutMembership(world)));
-    whole_ = std::make_unique<world::World>(std::move(world));
+    if (options.omissions.membership)
+        lessWorld_ = std::make_unique<world::World>(withoutMembership(world_));
+    graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(drawnWorld())));
+    scene_ = std::make_unique<const frame::StaticScene>(drawnWorld());
+    planner_ = std::make_unique<frame::Planner>(*scene_);
+}
+
+const world::World& PictureWorld::drawnWorld() const {
+    return lessWorld_ ? *lessWorld_ : world_;
 }
 
 std::string PictureWorld::driverVersion() const {
@@ -133,13 +136,9 @@ void PictureWorld::floodAndPlan(const frame::FrameView& frame, engine::Pipeline&
 
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    if (!planning_) {
-        planning_ = std::make_unique<Planning>();
-        require(planning_->pipeline.show(std::make_unique<engine::PartPlanner>(part_)));
-    }
-    floodAndPlan(frame, planning_->pipeline);
-    visible = planning_->pipeline.state().visible;
-    plan = planning_->pipeline.state().plan;
+    require(visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_,
+                              visible));
+    planner_->plan(frame, drawnDynamics_, visible, plan);
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
@@ -164,7 +163,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
                             const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>(options_);
-        require(drawing_->pipeline->show(std::make_unique<engine::PartPlanner>(part_)));
+        require(drawing_->renderer->upload(frame::buildScene(*scene_)));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||

@@ -1,4 +1,4 @@
-// The flood of graphs that no world should have: it ends, and what it yields is finite, and a tree.
+// The flood of graphs that no world should have: it ends, and its result is finite and a tree.
 #include "visibility/GraphBuilder.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace limen::visibility {
 namespace {
 
-/// Draws the oddest of values more often than chance would.
+/// Draws extreme values more often than a uniform distribution.
 class Odd {
 public:
     explicit Odd(unsigned seed, bool flat = false) : random_(seed), inARow_(oneIn(2)), flat_(flat) {}
@@ -65,8 +65,8 @@ private:
     bool flat_;   ///< no polygon is bent
 };
 
-/// At most nine openings between at most four spaces: into themselves, the same twice, one-way, with a "way back" that is
-/// any portal at all.
+/// At most nine openings between at most four spaces: into the same space, duplicated, one-way, with an
+/// arbitrary portal as reciprocal.
 Graph oddGraph(Odd& odd) {
     const std::uint32_t spaceCount = 1 + odd.below(4);
     std::vector<SpaceDesc> spaces(spaceCount);
@@ -102,7 +102,7 @@ Graph oddGraph(Odd& odd) {
     return std::move(*graph);
 }
 
-/// An eye anywhere, often in an opening's plane, on its edge or in its corner.
+/// A random eye, often in an opening's plane, on its edge or in its corner.
 View oddView(Odd& odd, const Graph& graph) {
     View view = viewFrom(odd.point(), odd.oneIn(3) ? 90.0 * odd.below(4) : odd.number(180.0),
                          odd.oneIn(3) ? 0.0 : odd.number(89.0),
@@ -120,12 +120,12 @@ View oddView(Odd& odd, const Graph& graph) {
     return view;
 }
 
-/// How far a point may lie outside an edge by rounding.
+/// The distance outside an edge that rounding can cause.
 double slack(const Vec3& edge, const Vec3& v) {
     return 1e-9 * (1.0 + glm::length(edge) * glm::length(v));
 }
 
-/// Whether the inner region lies within every edge of the outer one.
+/// Whether the inner region is inside every edge of the outer one.
 bool liesIn(std::span<const Vec3> inner, std::span<const Vec3> outer) {
     for (std::size_t e = 0; e < outer.size(); ++e) {
         const Vec3 edge = glm::cross(outer[e], outer[(e + 1) % outer.size()]);
@@ -170,7 +170,8 @@ RC_GTEST_PROP(FloodAnyGraph, regionsLieInTheirParentsFromAnEyeThatTouchesNothing
     const Graph graph = oddGraph(odd);
     for (int v = 0; v < 50; ++v) {
         View view = oddView(odd, graph);
-        // An eye on the outline of an opening, or within the hull of a bent one, sees parts of it in no direction.
+        // From an eye on the outline of an opening, or inside the hull of a bent one, parts of it have no
+        // direction.
         view.eye += Vec3(odd.number(0.5), odd.number(0.5), odd.number(0.5));
         const VisibleSet set = floodOnce(graph, view);
         for (std::uint32_t i = 1; i < set.visits.size(); ++i) {

@@ -12,7 +12,8 @@
 namespace limen::visibility {
 namespace {
 
-/// Whether a ray that passes the portal goes on: it leads somewhere, and of an inexact pair both polygons are open.
+/// Whether a ray that passes the portal enters a space: it has a destination, and for an inexact pair the ray
+/// passes both polygons.
 bool isOpenFor(const Graph& graph, const Graph::Portal& portal, const Vec3& eye, const Vec3& direction) {
     if (portal.destination == kNone || portal.exact || portal.reciprocal == kNone)
         return portal.destination != kNone;
@@ -21,8 +22,8 @@ bool isOpenFor(const Graph& graph, const Graph::Portal& portal, const Vec3& eye,
     return containsProjection(graph.polygon(back), back.plane.n, eye + direction * t, 0.0);
 }
 
-/// The ray rule for portals alone, done the slow way: from space to space through the nearest opening ahead; kNone at
-/// the end is a hole.
+/// The ray rule for portals only, without optimization: from space to space through the nearest opening
+/// ahead; kNone at the end is a hole.
 std::vector<std::uint32_t> chainOfRay(const Graph& graph, const View& view, const Vec3& direction) {
     std::vector<std::uint32_t> chain{view.root};
     double t0 = 0.0;
@@ -55,9 +56,9 @@ std::vector<std::uint32_t> chainOfRay(const Graph& graph, const View& view, cons
     }
 }
 
-/// A lattice of box cells 4 m wide with openings of 3 to 12 corners in random places of random walls, some
-/// walls with two, a few of inexact pairs or without a room behind; spaces are given out so that the lattice visits some of them more than once (loops), and
-/// one of them (the "outside") surrounds everything.
+/// A lattice of box cells 4 m wide, with openings of 3 to 12 corners in random places of random walls. Some
+/// walls have two openings; a few openings are inexact pairs or have no room behind. The lattice has loops,
+/// and one space (the "outside") surrounds everything.
 Graph randomComplex(std::mt19937& random, int size) {
     GraphBuilder world;
     const auto cell = [&](int x, int y, int z) {
@@ -78,7 +79,7 @@ Graph randomComplex(std::mt19937& random, int size) {
             const double phase = unit(random);
             std::vector<Vec3> polygon;
             for (int i = 0; i < corners; ++i) {
-                // Seen from a, which lies on the lower side of the axis, the corners run counter-clockwise.
+                // Seen from a, on the lower side of the axis, the corners are counter-clockwise.
                 const double angle = -2.0 * 3.14159265358979 * (i + phase) / corners;
                 Vec3 p = middle;
                 p[(axis + 1) % 3] += radius * std::cos(angle);
@@ -131,8 +132,8 @@ View randomView(std::mt19937& random, int size) {
     return viewFrom(eye, unit(random) * 360.0, unit(random) * 178.0 - 89.0, static_cast<std::uint32_t>(cell));
 }
 
-/// Whether some direction within a ten-millionth of this one is owned by the chain: pixels on an edge may go
-/// either way.
+/// Whether the chain owns a direction within a ten-millionth of this one: a direction on an edge may have
+/// either owner.
 bool ownedNearby(const Graph& graph, const View& view, const Vec3& screen,
                  const std::vector<std::uint32_t>& owner) {
     for (int i = 0; i < 8; ++i) {
@@ -144,7 +145,7 @@ bool ownedNearby(const Graph& graph, const View& view, const Vec3& screen,
     return false;
 }
 
-/// Where a visit hangs in the tree, and what it is.
+/// A visit's position in the tree, and its properties.
 auto linkOf(const Visit& v) {
     return std::tuple(v.zone, v.space, v.parent, v.portal, v.firstVertex, v.vertexCount, v.depth, v.inPlane,
                       v.hole, v.narrowed, v.split);
@@ -183,7 +184,8 @@ Shuffled shuffle(const Graph& graph, std::mt19937& random) {
     return result;
 }
 
-/// Every visit as its chain of portals, root first, with its region; sorted. `was` renames portals, if it is given.
+/// Every visit as its chain of portals, root first, with its region; sorted. `was` renames portals, unless
+/// empty.
 using ChainAndRegion = std::pair<std::vector<std::uint32_t>, std::vector<double>>;
 std::vector<ChainAndRegion> visitsByChain(const VisibleSet& set, const std::vector<std::uint32_t>& was) {
     std::vector<ChainAndRegion> all;
@@ -235,14 +237,14 @@ RC_GTEST_PROP(FloodProperty, aChildLiesInItsParentAndNoPortalRepeatsInAChain, (u
     }
 }
 
-RC_GTEST_PROP(FloodProperty, beingToldWhyChangesNothingAndEveryPortalOfWhatIsSeenIsToldOf, (unsigned seed)) {
+RC_GTEST_PROP(FloodProperty, aTraceChangesNothingAndHasEveryPortalOfTheSeenSpaces, (unsigned seed)) {
     std::mt19937 random(seed);
     const Graph graph = randomComplex(random, 3);
     const View view = randomView(random, 3);
     FloodScratch scratch;
     VisibleSet watched;
     FloodTrace trace;
-    flood(graph, {}, view, {}, scratch, watched, &trace);
+    RC_ASSERT(flood(graph, {}, view, {}, scratch, watched, &trace).has_value());
     const VisibleSet alone = floodOnce(graph, view);
     RC_ASSERT(watched.regionVertices == alone.regionVertices);
     RC_ASSERT(watched.visits.size() == alone.visits.size());
@@ -250,16 +252,16 @@ RC_GTEST_PROP(FloodProperty, beingToldWhyChangesNothingAndEveryPortalOfWhatIsSee
     std::size_t openings = 0, admitted = 0;
     for (const Visit& visit : watched.visits)
         openings += visit.parent != kNone && !visit.hole ? 1u : 0u;
-    std::vector<std::uint8_t> told(watched.visits.size() * graph.portals().size(), 0);
+    std::vector<std::uint8_t> traced(watched.visits.size() * graph.portals().size(), 0);
     for (const FloodTrace::Entry& entry : trace.entries) {
         admitted += entry.fate == PortalFate::Admitted ? 1u : 0u;
-        told[entry.visit * graph.portals().size() + entry.portal] = 1;
+        traced[entry.visit * graph.portals().size() + entry.portal] = 1;
     }
     RC_ASSERT(admitted == openings);
     for (const SeenSpace& seen : watched.seen) {
         const Graph::Space& space = graph.spaces()[seen.space];
         for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
-            RC_ASSERT(told[seen.visit * graph.portals().size() + p] == 1);
+            RC_ASSERT(traced[seen.visit * graph.portals().size() + p] == 1);
     }
 }
 
@@ -269,8 +271,8 @@ RC_GTEST_PROP(FloodProperty, theSameInputGivesTheSameBits, (unsigned seed)) {
     FloodScratch scratch;
     VisibleSet warm;
     const View view = randomView(random, 3);
-    flood(graph, {}, randomView(random, 3), {}, scratch, warm);
-    flood(graph, {}, view, {}, scratch, warm);
+    RC_ASSERT(flood(graph, {}, randomView(random, 3), {}, scratch, warm).has_value());
+    RC_ASSERT(flood(graph, {}, view, {}, scratch, warm).has_value());
     const VisibleSet fresh = floodOnce(graph, view);
     RC_ASSERT(warm.regionVertices == fresh.regionVertices);
     RC_ASSERT(warm.visits.size() == fresh.visits.size());
@@ -297,7 +299,7 @@ RC_GTEST_PROP(FloodProperty, theOrderInWhichPortalsAreListedChangesNothingButThe
     for (int v = 0; v < 4; ++v) {
         const View view = randomView(random, size);
         const VisibleSet set = floodOnce(graph, view), other = floodOnce(shuffled.graph, view);
-        // A circle of overlaps may be cut at any of its members; what shows is the same.
+        // A cycle of overlaps may be cut at any of its members; the painted picture is the same.
         if (set.counts.cyclesSplit == 0) {
             RC_ASSERT(other.counts.cyclesSplit == 0u);
             RC_ASSERT(visitsByChain(set, {}) == visitsByChain(other, shuffled.was));
@@ -313,7 +315,7 @@ RC_GTEST_PROP(FloodProperty, theOrderInWhichPortalsAreListedChangesNothingButThe
 RC_GTEST_PROP(FloodProperty, mergingZonesLosesNoSpaceThatARayReaches, (unsigned seed)) {
     std::mt19937 random(seed);
     const Graph apart = randomComplex(random, 3);
-    // The same world with all cells in one zone, the outside in its own.
+    // The same world with all cells in one zone, and the outside in a zone of its own.
     std::vector<SpaceDesc> spaces;
     std::vector<PortalDesc> portals;
     std::vector<Vec3> vertices;

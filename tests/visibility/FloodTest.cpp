@@ -9,7 +9,7 @@ namespace {
 using Chain = std::vector<std::uint32_t>;
 
 /// Rooms in a row along +y, 10 m deep, a 2 m × 2 m door in every wall: room i spans y in [10 i, 10 i + 10].
-/// Each is a zone of its own, or all are one.
+/// Each room is a zone of its own, or all are one zone.
 GraphBuilder rowOfRooms(int count, bool oneZone = false) {
     GraphBuilder world;
     for (int i = 0; i < count; ++i)
@@ -71,7 +71,7 @@ TEST(Flood, aShutOpeningWithinAZoneIsAVisitToo) {
     const VisibleSet set = floodOnce(graph, viewFrom({0, 5, 0}, 0, 0, 0), {}, closed);
     ASSERT_EQ(set.visits.size(), 2u);
     EXPECT_TRUE(set.visits[1].shut);
-    EXPECT_EQ(set.seen.size(), 2u) << "what lies behind it is not seen";
+    EXPECT_EQ(set.seen.size(), 2u) << "the space behind it is not seen";
 }
 
 TEST(Flood, hasNoDistanceCutOff) {
@@ -83,7 +83,7 @@ TEST(Flood, hasNoDistanceCutOff) {
 }
 
 TEST(Flood, takesOnlyOnePathRoundALoop) {
-    // Two rooms joined by two doors side by side: each door shows the other room once, none leads back.
+    // Two rooms joined by two adjacent doors: each door shows the other room once, none leads back.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -93,7 +93,7 @@ TEST(Flood, takesOnlyOnePathRoundALoop) {
     EXPECT_EQ(set.visits.size(), 3u);
 }
 
-/// Two rooms of one zone joined by two doors 2 m wide, their middles `apart` metres from each other.
+/// Two rooms of one zone joined by two doors 2 m wide, with `apart` metres between their centres.
 FloodCounts countsOfTwoDoors(double apart) {
     GraphBuilder world;
     world.addSpace(0);
@@ -119,14 +119,15 @@ TEST(Flood, inThePlaneInsideTheOpeningTheFarHalfBelongsToTheSpaceBehind) {
         const VisibleSet set = floodOnce(graph, viewFrom({0.2, 10 + offset, 0.1}, 90, 0, 0));
         ASSERT_EQ(set.visits.size(), 2u) << offset;
         EXPECT_EQ(set.visits[1].inPlane, offset > -0.00001)
-            << "before the plane rays leave where they cross it";
+            << "from before the plane, rays leave where they cross it";
         EXPECT_EQ(chainOf(set, ownerOf(set, {-0.1, 0.3, 1})), (Chain{0, 1})) << "left of the view is north";
         EXPECT_EQ(chainOf(set, ownerOf(set, {0.1, 0.3, 1})), (Chain{0}));
     }
 }
 
 TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
-    // North 0.005 mm ahead an opening that counts as met at the eye; east 0.003 mm ahead one that begins beside the eye.
+    // To the north, 0.005 mm ahead, an opening whose plane counts as containing the eye; to the east, 0.003
+    // mm ahead, one that begins beside the eye.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -172,7 +173,7 @@ TEST(Flood, opensInexactPairsWhereBothPolygonsAre) {
     const Rect rect = boundsOf(set.region(set.visits[2]));
     EXPECT_NEAR(rect.minX, -0.1, 1e-12);
     EXPECT_NEAR(rect.maxX, 0.2, 1e-12);
-    // Around it, and painted before: the hole that the portal's own polygon leaves.
+    // The hole around it, within the portal's own polygon, is painted before.
     const Visit& hole = set.visits[1];
     EXPECT_TRUE(hole.hole);
     EXPECT_EQ(hole.zone, kNoZone);
@@ -213,7 +214,8 @@ TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
                       uprightRectangle({0, 9.9996, 0}, {0, 1, 0}, 4, 2));
-    // 0.3 mm before its own plane, 0.1 mm behind the other, whose edges are seen from the wrong side.
+    // 0.3 mm before the portal's plane, 0.1 mm behind the reciprocal's, whose edges are seen from the wrong
+    // side.
     const VisibleSet set = floodOnce(world.build(), viewFrom({1.9999, 9.9997, 0.5}, 0, 0, 0));
     ASSERT_EQ(set.visits.size(), 2u);
     EXPECT_EQ(set.visits[1].space, 1u);
@@ -222,7 +224,8 @@ TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
 }
 
 TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
-    // The hole comes before its opening; a slanting third lies behind the hole's middle and before the opening.
+    // The hole is painted before its opening. A slanted third opening is behind the hole's middle and before
+    // the opening.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -253,8 +256,8 @@ TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
 }
 
 TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
-    // From outside: a near house with a door, and behind it, through the same line of sight, a far house with
-    // a room behind its room. The near opening is drawn last.
+    // From outside: a near house with a door, and behind it, on the same line of sight, a far house with two
+    // rooms in a row. The near opening is drawn last.
     GraphBuilder world;
     const std::uint32_t outside = world.addSpace();
     const std::uint32_t nearRoom = world.addSpace();
@@ -284,7 +287,7 @@ TEST(Flood, dropsASiblingWhollyCoveredByANearerOne) {
 }
 
 TEST(Flood, cutsACircleOfOverlaps) {
-    // Three long strips, each passing in front of the next: no order of whole strips is right.
+    // Three long strips, each in front of the next: no order of whole strips is right.
     GraphBuilder world;
     const std::uint32_t outside = world.addSpace();
     const double turn = 2.0 * 3.14159265358979 / 3.0;
@@ -328,7 +331,7 @@ TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
     EXPECT_EQ(ahead.visits.size(), 1u);
     EXPECT_EQ(ahead.seen.size(), 4u);
     const VisibleSet away = floodOnce(graph, viewFrom({0, 5, 0}, 180, 0, 0));
-    EXPECT_EQ(away.seen.size(), 1u) << "cells out of sight are culled inside a zone too";
+    EXPECT_EQ(away.seen.size(), 1u) << "cells out of sight are culled inside a zone, too";
 }
 
 TEST(Flood, doesNotLeakThroughTheScreensEdgeInsideAZone) {

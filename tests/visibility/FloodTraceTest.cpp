@@ -1,4 +1,4 @@
-// For each fate of a portal a small scene that yields it.
+// For each fate of a portal, a small scene that produces it.
 #include "visibility/GraphBuilder.h"
 
 #include <algorithm>
@@ -25,13 +25,13 @@ Traced traced(const Graph& graph, const View& view, const Limits& limits = {},
     Traced result;
     FloodScratch scratch;
     result.trace.entries.resize(3); // of an earlier flood
-    flood(graph, closed, view, limits, scratch, result.set, &result.trace);
+    EXPECT_TRUE(flood(graph, closed, view, limits, scratch, result.set, &result.trace));
     return result;
 }
 
 using Fates = std::vector<PortalFate>;
 
-/// What the first portal comes to, of a room at the origin with one opening to another, 10 m to the north.
+/// The fates of the first portal of a room at the origin with one opening to another room, 10 m to the north.
 Fates fatesOfOneDoor(const View& view, std::span<const std::uint8_t> closed = {}) {
     GraphBuilder world;
     world.addSpace();
@@ -40,7 +40,7 @@ Fates fatesOfOneDoor(const View& view, std::span<const std::uint8_t> closed = {}
     return traced(world.build(), view, {}, closed).fatesOf(0);
 }
 
-TEST(FloodTrace, tellsOfRaysThatGoOnAndOfTheWayBack) {
+TEST(FloodTrace, hasAdmittedRaysAndTheWayBack) {
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -62,7 +62,7 @@ TEST(FloodTrace, tellsOfOpeningsThatAreShutOrLeadNowhere) {
     const std::vector<std::uint8_t> shut{1, 1};
     EXPECT_EQ(fatesOfOneDoor(viewFrom({0, 0, 0}, 0, 0, 0), shut), Fates{PortalFate::Shut});
     EXPECT_EQ(fatesOfOneDoor(viewFrom({0, 10, 0}, 0, 0, 0), shut), Fates{PortalFate::EdgeOn})
-        << "in the plane of what fills it";
+        << "in the plane of the filling";
     GraphBuilder world;
     world.addSpace();
     world.linkOneWay(0, kNone, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -96,7 +96,7 @@ TEST(FloodTrace, tellsOfInexactPairsThatMissEachOther) {
 }
 
 TEST(FloodTrace, tellsOfOpeningsBeforeThePlaneThatTheRaysCameInBy) {
-    // An inner opening that lies on this side of the door it is behind.
+    // An opening of the second room that is on this side of the door to that room.
     GraphBuilder world;
     for (int i = 0; i < 3; ++i)
         world.addSpace();
@@ -147,14 +147,14 @@ TEST(FloodTrace, tellsWhatBecomesOfOpeningsWithinAZone) {
     EXPECT_EQ(flood.fatesOf(1), Fates{PortalFate::BehindEye});
     EXPECT_EQ(flood.fatesOf(2), Fates{PortalFate::OutsideRegion});
     EXPECT_EQ(flood.fatesOf(3), Fates{PortalFate::WrongSide});
-    EXPECT_EQ(flood.fatesOf(4), Fates{PortalFate::WithinZone}) << "leads to where it is";
+    EXPECT_EQ(flood.fatesOf(4), Fates{PortalFate::WithinZone}) << "it leads into its own space";
     const std::vector<std::uint8_t> shut{1, 0, 0, 0, 0};
     EXPECT_EQ(traced(world.build(), viewFrom({0, 0, 0}, 0, 0, 0), {}, shut).fatesOf(0),
               Fates{PortalFate::Shut});
 }
 
 TEST(FloodTrace, tellsOfRingsOfBentOpenings) {
-    // A bent polygon reaches beyond its own plane, so that rays come to it again.
+    // A bent polygon extends beyond its own plane, so that rays meet it again.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
@@ -186,9 +186,9 @@ TEST(FloodTrace, everyPortalOfASpaceThatIsSeenIsToldOfAlsoWhenThereAreMany) {
         admitted += flood.fatesOf(p).front() == PortalFate::Admitted ? 1u : 0u;
     }
     EXPECT_EQ(admitted, flood.set.visits.size() - 1);
-    const VisibleSet untold = floodOnce(graph, view);
-    EXPECT_EQ(untold.regionVertices, flood.set.regionVertices) << "being watched changes nothing";
-    EXPECT_EQ(untold.counts.portalsTested, flood.set.counts.portalsTested);
+    const VisibleSet untraced = floodOnce(graph, view);
+    EXPECT_EQ(untraced.regionVertices, flood.set.regionVertices) << "a trace changes nothing";
+    EXPECT_EQ(untraced.counts.portalsTested, flood.set.counts.portalsTested);
 }
 
 } // namespace

@@ -108,7 +108,10 @@ VisibleSet floodOnce(const Graph& graph, const View& view, const Limits& limits,
                      std::span<const std::uint8_t> closed) {
     FloodScratch scratch;
     VisibleSet set;
-    flood(graph, closed, view, limits, scratch, set);
+    if (const Result<void> flooded = flood(graph, closed, view, limits, scratch, set); !flooded) {
+        std::cerr << flooded.error().message() << '\n';
+        std::abort();
+    }
     return set;
 }
 

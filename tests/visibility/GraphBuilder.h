@@ -12,12 +12,10 @@ public:
     std::uint32_t addSpace(std::uint32_t zone);
     /// A space in a zone of its own.
     std::uint32_t addSpace();
-    /// An opening from `from` to `to` and back. `polygon` runs counter-clockwise seen from inside `from`.
-    /// Returns the number of the portal that leads from `from` to `to`, as it will be in the graph if nothing
-    /// is added later.
+    /// An opening from `from` to `to` and back. `polygon` is counter-clockwise seen from inside `from`.
     void link(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon);
     void linkOneWay(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon);
-    /// A pair whose two polygons differ; `back` runs counter-clockwise seen from inside `to`.
+    /// A pair whose two polygons differ; `back` is counter-clockwise seen from inside `to`.
     void linkInexact(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon,
                      const std::vector<Vec3>& back);
     [[nodiscard]] Graph build() const;
@@ -42,13 +40,13 @@ private:
 /// high.
 [[nodiscard]] View viewFrom(const Vec3& eye, double yaw, double pitch, std::uint32_t root);
 
-/// The last visit in drawing order whose region holds the direction given in (x, y, w).
+/// The last visit in drawing order whose region contains the direction, in (x, y, w).
 [[nodiscard]] std::uint32_t ownerOf(const VisibleSet& set, const Vec3& direction);
 
 /// The spaces of a visit's chain, root first.
 [[nodiscard]] std::vector<std::uint32_t> chainOf(const VisibleSet& set, std::uint32_t visit);
 
-/// One flood with everything fresh.
+/// One flood with new buffers. Aborts if the flood refuses the view.
 [[nodiscard]] VisibleSet floodOnce(const Graph& graph, const View& view, const Limits& limits = {},
                                    std::span<const std::uint8_t> closed = {});
 

@@ -41,14 +41,14 @@ TEST(Outline, keepsTheHullOfSeveralOnOneEdge) {
 }
 
 TEST(Outline, bulgesAreSeenWhereTheyAppear) {
-    // Pushed off the plane towards the eye it appears farther out; away from it, farther in.
+    // A vertex moved off the plane towards the eye appears farther out; moved away from the eye, farther in.
     const Vec3 before(0, 9.9998, -1), behind(0, 10.0002, -1);
     EXPECT_EQ(hullOf({kSquare[0], before, kSquare[1], kSquare[2], kSquare[3]}).size(), 5u);
     EXPECT_EQ(hullOf({kSquare[0], behind, kSquare[1], kSquare[2], kSquare[3]}).size(), 4u);
 }
 
 TEST(Outline, aCornerOffThePlaneLeavesNoDent) {
-    // Nearly in line with its neighbours; behind the plane it appears within the line between them.
+    // Nearly collinear with its neighbours. Behind the plane it appears inside the line between them.
     const Vec3 corner(-1.00001, 10.0005, 0);
     EXPECT_EQ(hullOf({kSquare[0], kSquare[1], kSquare[2], kSquare[3], corner}), kSquare);
 }

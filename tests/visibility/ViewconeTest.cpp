@@ -51,7 +51,7 @@ TEST_F(DoorView, ABallBehindTheDoorIsInsideTheSecondVisitOnlyIfWhollyFramed) {
     EXPECT_EQ(classify(1, {{0, 20, 0}, 0.5}), Containment::Inside);
     EXPECT_EQ(classify(1, {{2, 20, 0}, 0.5}), Containment::Partial);
     EXPECT_EQ(classify(1, {{4, 20, 0}, 0.5}), Containment::Outside);
-    EXPECT_EQ(classify(1, {{0, 9, 0}, 0.5}), Containment::Outside) << "it lies before the entry plane";
+    EXPECT_EQ(classify(1, {{0, 9, 0}, 0.5}), Containment::Outside) << "it is before the entry plane";
 }
 
 TEST_F(DoorView, ABallLiesToARectangleAsToARegion) {
@@ -66,9 +66,9 @@ TEST_F(DoorView, ABallLiesToARectangleAsToARegion) {
     EXPECT_EQ(at({-4, -10, 0}), Containment::Outside);
 }
 
-/// Balls in arrays, as many as a block has, told from `origin`.
-struct Block {
-    explicit Block(const Vec3& from) : origin(from) {}
+/// A sphere batch relative to `origin`.
+struct OwnBatch {
+    explicit OwnBatch(const Vec3& from) : origin(from) {}
     void set(std::size_t i, const Sphere& sphere) {
         spheres[i] = sphere;
         const Vec3f offset(sphere.centre - origin);
@@ -83,10 +83,10 @@ struct Block {
     std::array<float, SphereBatch::kCount> x{}, y{}, z{}, radius{};
 };
 
-/// Looking somewhere from a place whose coordinates floats would round, at balls all around: every fourth just touches an edge
-/// of the picture or of the rectangle, or just does not.
-struct Crowd : ::testing::Test {
-    Crowd() {
+/// A view from an eye whose coordinates are not floats, and random spheres around it. Every fourth sphere
+/// touches an edge of the rectangle, or misses it narrowly.
+struct SphereBatchTest : ::testing::Test {
+    SphereBatchTest() {
         GraphBuilder world;
         world.addSpace();
         view = viewFrom(eye, 40, -10, 0);
@@ -96,12 +96,12 @@ struct Crowd : ::testing::Test {
     }
     double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
     Sphere sphere() { return {{between(-1, 1), between(-1, 1), between(-1, 1)}, between(0.0, 2.0)}; }
-    /// Moves it so that, up to roundings, it reaches one of the rectangle's edges and no farther.
+    /// Moves the sphere so that, but for rounding, it touches one of the rectangle's edges from outside.
     Sphere atAnEdge(Sphere sphere) {
         const Vec3 edge = rect.edge(std::uniform_int_distribution<std::size_t>(0, 3)(random));
         for (int i = 0; i < 20; ++i) {
             const SeenSphere seen = cones.sphereOf(sphere);
-            sphere.centre -= edge * (glm::dot(edge, sphere.centre) + seen.radius + seen.reach);
+            sphere.centre -= edge * (glm::dot(edge, sphere.centre) + seen.radius + seen.edgeTolerance);
         }
         sphere.centre += edge * between(-1e-9, 1e-9);
         return sphere;
@@ -114,15 +114,15 @@ struct Crowd : ::testing::Test {
     FourEdges rect;
 };
 
-TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
+TEST_F(SphereBatchTest, givesTheResultsOfSingleTests) {
     const Vec3 origin = glm::floor(eye) + Vec3(1800.0, -900.0, 40.0);
     std::vector<Viewcones> widths;
     for (const Vectors vectors : {Vectors::Any, Vectors::Avx2, Vectors::Avx512})
         if (vectors <= widestVectors())
             widths.emplace_back(vectors).prepare(view, set, kPixel);
-    std::size_t seen = 0, within = 0, told = 0, notTold = 0;
+    std::size_t seen = 0, within = 0, decided = 0, undecided = 0;
     for (std::uint32_t round = 0; round < 5000; ++round) {
-        Block block(origin);
+        OwnBatch block(origin);
         for (std::size_t i = 0; i < SphereBatch::kCount; ++i) {
             Sphere one = sphere();
             one.centre *= std::pow(10.0, between(0.0, 3.3));
@@ -147,11 +147,11 @@ TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
                 std::array<std::uint32_t, SphereBatch::kCount> found{};
                 const std::uint32_t foundCount =
                     wide.listWithin(block.view(), eye - origin, edges, first, count, found.data());
-                if (foundCount == Viewcones::kCannotTell) {
-                    ++notTold;
+                if (foundCount == Viewcones::kUndecided) {
+                    ++undecided;
                     continue;
                 }
-                ++told;
+                ++decided;
                 ASSERT_EQ(std::vector(found.begin(), found.begin() + foundCount),
                           edges == nullptr ? expected : expectedWithin)
                     << round;
@@ -160,8 +160,8 @@ TEST_F(Crowd, IsToldApartSideBySideAsOneByOne) {
     }
     EXPECT_GT(within, 1000u);
     EXPECT_GT(seen, within);
-    EXPECT_GT(told, 5000u * widths.size());
-    EXPECT_GT(notTold, 1000u * widths.size()) << "what just touches an edge is left to doubles";
+    EXPECT_GT(decided, 5000u * widths.size());
+    EXPECT_GT(undecided, 1000u * widths.size()) << "spheres near an edge need doubles";
 }
 
 } // namespace

@@ -32,11 +32,11 @@ TEST_F(LevelRangeTest, upToALimitAndFromTheNextStepOn) {
     EXPECT_EQ(limit, 80);
     const double step = 1.0 / kRangeSteps, less = 1e-9;
     for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.6, 0.8, 0)}) {
-        instance.reach = {0, limit};
+        instance.levelRange = {0, limit};
         EXPECT_TRUE(isSeenFrom({0, 0, 0}));
         EXPECT_TRUE(isSeenFrom(along * 5.0 + less)) << "within the limit's own step";
         EXPECT_FALSE(isSeenFrom(along * (5.0 + 1.5 * step)));
-        instance.reach = {limit, LevelRange::kEndless};
+        instance.levelRange = {limit, LevelRange::kEndless};
         EXPECT_FALSE(isSeenFrom({0, 0, 0}));
         EXPECT_FALSE(isSeenFrom(along * 5.0 + less));
         EXPECT_TRUE(isSeenFrom(along * (5.0 + 1.5 * step)));
@@ -50,7 +50,7 @@ TEST_F(LevelRangeTest, exactlyOneOfTheLevelsFromEverywhere) {
         const Vec3 offset(std::fmod(i * 7.13, 61.0) - 30, std::fmod(i * 3.77, 53.0) - 26, i * 0.003 - 6);
         int seen = 0;
         for (const LevelRange& reach : levels) {
-            instance.reach = reach;
+            instance.levelRange = reach;
             seen += isSeenFrom(offset) ? 1 : 0;
         }
         ASSERT_EQ(seen, 1) << i;
@@ -58,12 +58,12 @@ TEST_F(LevelRangeTest, exactlyOneOfTheLevelsFromEverywhere) {
 }
 
 TEST_F(LevelRangeTest, fartherThanNumbersGo) {
-    instance.reach = {levelRangeLimit(2000.0), LevelRange::kEndless};
+    instance.levelRange = {levelRangeLimit(2000.0), LevelRange::kEndless};
     EXPECT_TRUE(isSeenFrom({1e6, 1e6, 1e6})) << "squares do not overflow";
     EXPECT_TRUE(isSeenFrom({-3000, 0, 0}));
     EXPECT_FALSE(isSeenFrom({1999, 0, 0}));
-    instance.reach = {0, levelRangeLimit(2312.5)};
-    EXPECT_EQ(instance.reach.upTo, kMostRangeSteps);
+    instance.levelRange = {0, levelRangeLimit(2312.5)};
+    EXPECT_EQ(instance.levelRange.upTo, kMostRangeSteps);
     EXPECT_FALSE(isSeenFrom({0, 2300, 2300}));
     EXPECT_EQ(levelRangeLimit(2313.0), LevelRange::kEndless);
     EXPECT_EQ(levelRangeLimit(std::nan("")), LevelRange::kEndless);

@@ -1,6 +1,6 @@
 #include "PlannedWorld.h"
 
-#include "frame/VisitRects.h"
+#include "frame/ZoneScreenRects.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@ namespace {
 constexpr std::uint32_t kSize = 100; // pixels, each way: two are 0.04 of NDC
 constexpr world::ZoneIndex kOut = 0, kRoom = 1, kOther = 2;
 
-/// Visits by hand: the root has the whole screen.
-struct VisitRectsTest : ::testing::Test {
-    VisitRectsTest() {
+/// Hand-made visits; the root has the whole screen.
+struct ZoneScreenRectsTest : ::testing::Test {
+    ZoneScreenRectsTest() {
         frame.width = frame.height = kSize;
         add(kRoom, {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
     }
@@ -31,10 +31,10 @@ struct VisitRectsTest : ::testing::Test {
     frame::FrameView frame;
     visibility::VisibleSet set;
     frame::FramePlan plan;
-    frame::VisitRects rects{3};
+    frame::ZoneScreenRects rects{3};
 };
 
-TEST_F(VisitRectsTest, lieAroundTheRegionWithTwoPixelsToSpare) {
+TEST_F(ZoneScreenRectsTest, exceedTheRegionByTwoPixels) {
     add(kOut, {{0, -1, 2}, {1, 0, 2}, {0.5, 2, 4}}); // (x, y, w): 0 .. 0.5 and -0.5 .. 0.5
     rects.find(frame, set, plan);
     ASSERT_EQ(rects.of(kOut), (frame::RectRun{0, 1}));
@@ -45,7 +45,7 @@ TEST_F(VisitRectsTest, lieAroundTheRegionWithTwoPixelsToSpare) {
     EXPECT_FLOAT_EQ(rect.w, 0.54f);
 }
 
-TEST_F(VisitRectsTest, theRootsZoneHasNone_norHasOneThatIsNotVisited) {
+TEST_F(ZoneScreenRectsTest, theRootsZoneHasNone_norHasOneThatIsNotVisited) {
     addAt(kOut, 0.0);
     addAt(kRoom, 0.5); // seen again, through the outside
     rects.find(frame, set, plan);
@@ -55,12 +55,12 @@ TEST_F(VisitRectsTest, theRootsZoneHasNone_norHasOneThatIsNotVisited) {
     EXPECT_EQ(plan.rects.size(), 1u);
 }
 
-TEST_F(VisitRectsTest, eachVisitHasItsOwn_ofMoreThanEightTheLastHoldsAll) {
+TEST_F(ZoneScreenRectsTest, eachVisitHasItsOwn_ofMoreThanEightTheLastHoldsAll) {
     addAt(kOther, 0.9);
     for (int i = 0; i < 10; ++i)
         addAt(kOut, -0.9 + 0.1 * i);
     rects.find(frame, set, plan);
-    ASSERT_EQ(rects.of(kOut), (frame::RectRun{0, frame::VisitRects::kMostRects}));
+    ASSERT_EQ(rects.of(kOut), (frame::RectRun{0, frame::ZoneScreenRects::kMostRects}));
     EXPECT_EQ(rects.of(kOther), (frame::RectRun{8, 1}));
     EXPECT_FLOAT_EQ(plan.rects[1].x, -0.84f);
     EXPECT_FLOAT_EQ(plan.rects[1].z, -0.71f);
@@ -68,7 +68,7 @@ TEST_F(VisitRectsTest, eachVisitHasItsOwn_ofMoreThanEightTheLastHoldsAll) {
     EXPECT_FLOAT_EQ(plan.rects[7].z, 0.09f);
 }
 
-TEST_F(VisitRectsTest, areForgottenWithTheFrame) {
+TEST_F(ZoneScreenRectsTest, areForgottenWithTheFrame) {
     addAt(kOut, 0.0);
     rects.find(frame, set, plan);
     set.visits.pop_back();
@@ -78,8 +78,9 @@ TEST_F(VisitRectsTest, areForgottenWithTheFrame) {
     EXPECT_TRUE(plan.rects.empty());
 }
 
-// From the first room: the second is seen through the door, the landscape through that and the exit, and what is in the first anywhere.
-TEST(PlannedRects, whatIsSeenThroughOpeningsIsLookedForThereAlone) {
+// From the first room: the second is seen through the door, the landscape through the door and the exit, and
+// the content of the first room anywhere.
+TEST(PlannedRects, runsOfZonesSeenThroughOpeningsHaveTheirRects) {
     Rooms rooms;
     PlannedWorld planned{rooms.world};
     const auto first = world::findCell(planned.world, rooms.world.id(rooms.first));

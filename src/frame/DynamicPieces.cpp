@@ -1,36 +1,9 @@
-#include "frame/MoverPieces.h"
+#include "frame/DynamicPieces.h"
 
 namespace limen::frame {
 
-MoverPieces::MoverPieces(const world::World& world) {
-    meshes_.reserve(world.meshes.size());
-    std::vector<gpu::DrawPiece> cut;
-    for (const world::Mesh& mesh : world.meshes) {
-        MeshPiece* last = nullptr;
-        const auto append = [&](const MeshPiece& piece) {
-            if (last == nullptr) {
-                last = &meshes_.emplace_back(piece);
-            } else {
-                last->next = static_cast<std::uint32_t>(more_.size());
-                last = &more_.emplace_back(piece);
-            }
-        };
-        eachRangeOf(
-            mesh, world::InstanceKind::Dynamic, [&](DrawClass drawn, const world::Mesh::Range& range) {
-                std::uint32_t indices = 0;
-                cut.clear();
-                addPieces(range, 0, indices, cut);
-                for (const gpu::DrawPiece& piece : cut) {
-                    append({piece.firstIndex, piece.triangles, static_cast<std::uint32_t>(drawn), kNoMore});
-                }
-            });
-        if (last == nullptr)
-            meshes_.emplace_back();
-    }
-}
-
-void MoverPieces::begin(const FramePlan& plan) {
-    // The two change places (movePieces), and a steady frame allocates nothing whichever it has.
+void DynamicPieces::begin(const FramePlan& plan) {
+    // movePieces swaps these two vectors. Equal capacities keep a steady frame free of allocations.
     classes_[static_cast<std::size_t>(DrawClass::Opaque)].pieces.reserve(plan.pieces.capacity());
     for (OfClass& of : classes_) {
         of.pieces.clear();
@@ -40,15 +13,15 @@ void MoverPieces::begin(const FramePlan& plan) {
     }
 }
 
-void MoverPieces::beginRun(OfClass& of, bool gated) {
+void DynamicPieces::beginRun(OfClass& of, bool gated) {
     of.runs.push_back({static_cast<std::uint32_t>(of.pieces.size()), of.indices, gated});
     of.gated = gated ? 1 : 0;
 }
 
-std::span<const gpu::DrawPiece> MoverPieces::movePieces(DrawClass drawn, FramePlan& plan) {
+std::span<const gpu::DrawPiece> DynamicPieces::movePieces(DrawClass drawn, FramePlan& plan) {
     std::vector<gpu::DrawPiece>& pieces = classes_[static_cast<std::size_t>(drawn)].pieces;
     const std::size_t first = plan.pieces.size(), count = pieces.size();
-    if (first == 0 && drawn == DrawClass::Opaque) // mostly all there are: they are not copied
+    if (first == 0 && drawn == DrawClass::Opaque) // most pieces are opaque: they are not copied
         plan.pieces.swap(pieces);
     else
         plan.pieces.insert(plan.pieces.end(), pieces.begin(), pieces.end());
@@ -56,7 +29,7 @@ std::span<const gpu::DrawPiece> MoverPieces::movePieces(DrawClass drawn, FramePl
     return std::span(plan.pieces).subspan(first, count);
 }
 
-void MoverPieces::moveRuns(DrawClass drawn, FramePlan& plan) {
+void DynamicPieces::moveRuns(DrawClass drawn, FramePlan& plan) {
     const OfClass& of = classes_[static_cast<std::size_t>(drawn)];
     const std::uint32_t first = plan.constants.staticPieces + static_cast<std::uint32_t>(plan.pieces.size());
     const auto count = static_cast<std::uint32_t>(movePieces(drawn, plan).size());

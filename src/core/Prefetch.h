@@ -4,11 +4,10 @@
 
 namespace limen {
 
-/// Begins to load an object that lies anywhere in memory, so that what is done until it is read need not be waited for. Changes
-/// nothing but time.
+/// Begins to load an object into the cache before it is read. Changes nothing but time.
 template <class T>
-void fetch(const T& object) {
-    constexpr std::size_t kLine = 64; // bytes, of a cache
+void prefetch(const T& object) {
+    constexpr std::size_t kLine = 64; // bytes of a cache line
     const auto* const bytes = reinterpret_cast<const std::byte*>(&object);
     for (std::size_t at = 0; at < sizeof(T); at += kLine)
         __builtin_prefetch(bytes + at);

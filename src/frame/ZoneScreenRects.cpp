@@ -1,4 +1,4 @@
-#include "frame/VisitRects.h"
+#include "frame/ZoneScreenRects.h"
 
 #include "visibility/Region.h"
 
@@ -9,18 +9,19 @@ namespace limen::frame {
 
 namespace {
 
-/// Pixels that a region may be off from where its visit owns pixels, with room to spare: a pixel's ray passes a hundredth of one beside its
-/// centre, and what lies in between are roundings of floats.
-constexpr double kBeside = 2.0;
+/// Pixels by which a rectangle exceeds its region. Covers the difference between the region and the pixels
+/// that its visit owns, with a margin: a ray passes a hundredth of a pixel beside the pixel's centre, and
+/// floats are rounded.
+constexpr double kMargin = 2.0;
 
-constexpr std::size_t kMostNumber = std::numeric_limits<std::uint16_t>::max();
+constexpr std::size_t kMaxFirst = std::numeric_limits<std::uint16_t>::max();
 
-/// Around a visit's region, NDC.
+/// The rectangle around a visit's region, NDC.
 gpu::vec4 rectOf(const FrameView& frame, const visibility::VisibleSet& set, const visibility::Visit& visit) {
     const visibility::Rect rect = visibility::boundsOf(set.region(visit));
-    const double besideX = 2.0 * kBeside / frame.width, besideY = 2.0 * kBeside / frame.height;
-    return {static_cast<float>(rect.minX - besideX), static_cast<float>(rect.minY - besideY),
-            static_cast<float>(rect.maxX + besideX), static_cast<float>(rect.maxY + besideY)};
+    const double marginX = 2.0 * kMargin / frame.width, marginY = 2.0 * kMargin / frame.height;
+    return {static_cast<float>(rect.minX - marginX), static_cast<float>(rect.minY - marginY),
+            static_cast<float>(rect.maxX + marginX), static_cast<float>(rect.maxY + marginY)};
 }
 
 gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
@@ -29,21 +30,21 @@ gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
 
 } // namespace
 
-void VisitRects::find(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+void ZoneScreenRects::find(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     ++frame_;
     entries_.clear();
     for (std::uint32_t i = 0; i < set.visits.size() && set.visits.size() > 1; ++i)
-        if (set.visits[i].zone < ofZone_.size()) // rays that end in an opening have none
+        if (set.visits[i].zone < zones_.size()) // holes have no zone
             entries_.push_back({set.visits[i].zone, i});
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
         return a.zone != b.zone ? a.zone < b.zone : a.visit < b.visit;
     });
     for (const Entry& entry : entries_) {
-        OfZone& of = ofZone_[entry.zone];
+        OfZone& of = zones_[entry.zone];
         const visibility::Visit& visit = set.visits[entry.visit];
         if (of.frame != frame_) {
             of = {frame_, {static_cast<std::uint16_t>(plan.rects.size()), 0}};
-            if (visit.depth == 0 || plan.rects.size() > kMostNumber) {
+            if (visit.depth == 0 || plan.rects.size() > kMaxFirst) {
                 of.rects = {};
                 continue;
             }

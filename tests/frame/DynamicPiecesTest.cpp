@@ -1,4 +1,4 @@
-#include "frame/MoverPieces.h"
+#include "frame/DynamicPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint32_t kStaticPieces = 10;
 constexpr std::uint32_t kBox = 0, kLong = 1, kPainted = 2, kNothing = 3; // meshes
 
-/// A mesh of 12 triangles; one whose opaque part takes three pieces; one with a part of each class, of 2, 3 and 4 triangles, one of the
-/// last three split; and one without any.
+/// A mesh of 12 triangles; one whose opaque part takes three pieces; one with a part of each class, of 2, 3
+/// and 4 triangles, with one split triangle; and one without triangles.
 world::World fourMeshes() {
     constexpr std::uint32_t kLongIndices = 3 * (2 * gpu::kTrianglesPerPiece + 5);
     world::World world;
@@ -23,11 +23,11 @@ world::World fourMeshes() {
     return world;
 }
 
-/// What a piece draws, for which instance.
+/// First index, triangles and instance of a piece.
 using Drawn = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
-struct MoverPiecesTest : ::testing::Test {
-    MoverPiecesTest() { begin(); }
+struct DynamicPiecesTest : ::testing::Test {
+    DynamicPiecesTest() { begin(); }
     void begin() {
         plan.clear();
         pieces.begin(plan);
@@ -35,7 +35,7 @@ struct MoverPiecesTest : ::testing::Test {
         beginStage(plan, StageKind::Solid);
         beginBatch(Program::Opaque, true, plan);
     }
-    /// What a run draws; its counts and the indices before each of its pieces agree.
+    /// The pieces of a run. Checks its counts and the indices before each piece.
     [[nodiscard]] std::vector<Drawn> drawnBy(const PieceRun& run) const {
         std::vector<Drawn> drawn;
         std::uint32_t indices = run.indicesBefore;
@@ -49,11 +49,12 @@ struct MoverPiecesTest : ::testing::Test {
         return drawn;
     }
     const world::World world = fourMeshes();
-    MoverPieces pieces{world};
+    const MeshPieces meshes{world};
+    DynamicPieces pieces{meshes};
     FramePlan plan;
 };
 
-TEST_F(MoverPiecesTest, ofOneClassAreARunInTheOrderTheyAreAdded) {
+TEST_F(DynamicPiecesTest, ofOneClassAreARunInTheOrderTheyAreAdded) {
     pieces.add(kBox, 7, false);
     pieces.add(kNothing, 8, false);
     pieces.add(kPainted, 9, false);
@@ -65,7 +66,7 @@ TEST_F(MoverPiecesTest, ofOneClassAreARunInTheOrderTheyAreAdded) {
     EXPECT_EQ(plan.batches.back().draws, 3u);
 }
 
-TEST_F(MoverPiecesTest, areCutAsWhatStandsStillIs) {
+TEST_F(DynamicPiecesTest, areCutAsThoseOfStaticInstances) {
     pieces.add(kLong, 7, false);
     pieces.moveRuns(DrawClass::Opaque, plan);
     ASSERT_EQ(plan.runs.size(), 1u);
@@ -75,7 +76,7 @@ TEST_F(MoverPiecesTest, areCutAsWhatStandsStillIs) {
                                   {36 + 6 * gpu::kTrianglesPerPiece, 5, 7}}));
 }
 
-TEST_F(MoverPiecesTest, aRunEndsWhereTheTestBeginsOrEnds) {
+TEST_F(DynamicPiecesTest, aRunEndsWhereTheTestBeginsOrEnds) {
     pieces.add(kBox, 1, true);
     pieces.add(kBox, 2, true);
     pieces.add(kBox, 3, false);
@@ -88,7 +89,7 @@ TEST_F(MoverPiecesTest, aRunEndsWhereTheTestBeginsOrEnds) {
     EXPECT_TRUE(plan.runs[0].gated && !plan.runs[1].gated && plan.runs[2].gated);
 }
 
-TEST_F(MoverPiecesTest, whatIsSplitIsCutOutAndBlended) {
+TEST_F(DynamicPiecesTest, splitSurfacesAreCutOutAndBlended) {
     pieces.add(kPainted, 7, false);
     for (const DrawClass drawn : {DrawClass::Wall, DrawClass::Terrain, DrawClass::Opaque, DrawClass::CutOut})
         pieces.moveRuns(drawn, plan);
@@ -105,7 +106,7 @@ TEST_F(MoverPiecesTest, whatIsSplitIsCutOutAndBlended) {
     EXPECT_EQ(blended.data(), plan.pieces.data() + 2) << "behind those before";
 }
 
-TEST_F(MoverPiecesTest, areGoneInTheNextFrame) {
+TEST_F(DynamicPiecesTest, areGoneInTheNextFrame) {
     pieces.add(kBox, 1, true);
     pieces.add(kPainted, 1, true);
     pieces.moveRuns(DrawClass::Opaque, plan);

@@ -1,0 +1,36 @@
+#include "frame/StaticScene.h"
+
+#include "frame/PackInstance.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace limen::frame {
+
+StaticScene::StaticScene(const world::World& world)
+    : world_(world), clusters_(buildClusters(world)), clusterBatches_(clusters_),
+      pieces_(buildPieces(world, clusters_)), meshPieces_(world), members_(membersOfSpaces(world)),
+      byObject_(world.instances.size()) {
+    records_.reserve(world.instances.size());
+    for (const world::Instance& in : world.instances) {
+        const auto spaces = std::span(world.members).subspan(in.firstMember, in.memberCount);
+        records_.push_back(packInstance(in, packMembers(world, spaces, {members_, 0})));
+    }
+    std::iota(byObject_.begin(), byObject_.end(), 0u);
+    std::sort(byObject_.begin(), byObject_.end(), [&](world::InstanceIndex a, world::InstanceIndex b) {
+        const std::uint64_t left = world.instances[a].object, right = world.instances[b].object;
+        return left != right ? left < right : a < b;
+    });
+}
+
+std::span<const world::InstanceIndex> StaticScene::instancesOf(std::uint64_t object) const {
+    const auto objectOf = [&](world::InstanceIndex i) { return world_.instances[i].object; };
+    const auto first =
+        std::lower_bound(byObject_.begin(), byObject_.end(), object,
+                         [&](world::InstanceIndex i, std::uint64_t wanted) { return objectOf(i) < wanted; });
+    const auto end =
+        std::find_if(first, byObject_.end(), [&](world::InstanceIndex i) { return objectOf(i) != object; });
+    return {first, end};
+}
+
+} // namespace limen::frame
