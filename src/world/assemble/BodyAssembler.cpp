@@ -30,7 +30,7 @@ MovingBody BodyAssembler::add(dat::RecordId modelId, InstanceKind kind, std::uin
         instance.record = part.gfxObj;
         instance.firstMaterial = materials_.ofDressedPart(*mesh, part.part, dress);
         if (kind != InstanceKind::Filling)
-            instance.reach = part.levelRange;
+            instance.levelRange = part.levelRange;
         world_.movingParts.push_back(instance);
         posed.push_back({part.part, part.scale});
     }

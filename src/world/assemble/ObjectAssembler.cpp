@@ -64,7 +64,7 @@ void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, 
     instance.object = object.object;
     instance.record = part.gfxObj;
     instance.firstMaterial = materials_.ofPart(*mesh);
-    instance.reach = part.levelRange;
+    instance.levelRange = part.levelRange;
     world_.instances.push_back(instance);
 }
 

@@ -65,7 +65,7 @@ std::uint32_t ParticleStyleAssembler::addPart(const dat::ParticleEmitter& record
     part.bounds = world_.meshes[part.mesh].bounds;
     part.object = dynamicObject(DynamicObject::Particle, key);
     part.record = mesh->gfxObj;
-    part.reach = model.parts.front().levelRange;
+    part.levelRange = model.parts.front().levelRange;
     world_.movingParts.push_back(part);
     return static_cast<std::uint32_t>(world_.movingParts.size() - 1);
 }
