@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-// The one counter that has to be a static: `new` has no other place to keep it. Linked into the program only,
-// never into the library.
+// The counter must be a static variable, because `operator new` has no other place for it. This file is
+// linked into the program only, never into the library.
 #if defined(LIMEN_COUNT_ALLOCATIONS)
 namespace {
 

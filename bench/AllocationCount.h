@@ -4,7 +4,7 @@
 
 namespace limen::bench {
 
-/// How many heap allocations this program has made through `new`; 0 in sanitizer builds, where nobody counts.
+/// Number of heap allocations of this program through `new`. 0 in sanitizer builds, which do not count.
 [[nodiscard]] std::uint64_t allocationCount();
 
 } // namespace limen::bench

@@ -10,7 +10,7 @@
 namespace limen::bench {
 namespace {
 
-/// Four significant digits, no exponent for the sizes that occur.
+/// About four significant digits, without an exponent.
 std::string shortNumber(double value) {
     if (!std::isfinite(value))
         return "-";
@@ -60,7 +60,7 @@ std::optional<double> ratioOf(const BenchRow& row) {
 }
 
 bool isMet(const BenchRow& row) {
-    // Written so that a figure that is not a number never meets a target.
+    // The comparison is such that NaN never meets a target.
     return !row.hasTarget || (row.lowerIsBetter ? row.value <= row.target : row.value >= row.target);
 }
 

@@ -9,16 +9,17 @@
 
 namespace limen::bench {
 
-/// How many times better the value is than the best of what it is measured against; nothing without any.
+/// The ratio by which the value is better than the best figure it is compared with. None: there is no such
+/// figure, or the ratio is not finite.
 [[nodiscard]] std::optional<double> ratioOf(const BenchRow& row);
 
-/// True if the row has no target or reaches it.
+/// Whether the row reaches its target. True if it has none.
 [[nodiscard]] bool isMet(const BenchRow& row);
 
-/// The rows as a table for people, one line each under a heading.
+/// The rows as a text table, one line a row below a heading.
 [[nodiscard]] std::string benchTable(std::span<const BenchRow> rows);
 
-/// One row as docs/performance.md describes it.
+/// One row as JSON, in the format of docs/performance.md.
 [[nodiscard]] nlohmann::ordered_json benchJson(const BenchRow& row);
 
 } // namespace limen::bench

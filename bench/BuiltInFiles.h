@@ -10,13 +10,13 @@
 
 namespace limen::bench {
 
-/// The built-in world's files, in a directory of their own.
+/// The built-in world's files in a temporary directory.
 struct BuiltInFiles {
     TemporaryDirectory directory{"bench-world"};
-    std::optional<dat::Archive> archive; ///< once opened
+    std::optional<dat::Archive> archive; ///< after `open`
     world::WorldFile world;
 
-    /// Writes them. Errors: as writing and reading them.
+    /// Writes and opens the files. Errors: those of writing and reading.
     [[nodiscard]] Result<void> open() {
         return worlds::writeBuiltInWorld(directory.path())
             .and_then([&] { return dat::Archive::open(directory.path()); })

@@ -6,9 +6,9 @@ namespace limen::bench {
 
 namespace {
 
-constexpr std::uint32_t kStageMark = 0x10000; // apart from all programs
+constexpr std::uint32_t kStageMark = 0x10000; // beyond all program numbers
 
-/// Stages, and of their batches what decides about calls: the program, and whether it is gated.
+/// The properties of a plan that determine its GL calls: stages, and program and gate of each batch.
 std::vector<std::uint32_t> listOf(const frame::FramePlan& plan) {
     std::vector<std::uint32_t> list;
     for (const frame::Stage& stage : plan.stages) {

@@ -33,7 +33,7 @@ BenchRow failedRow(const char* bench, const Error& error) {
     return rowOf(bench, error.message(), {});
 }
 
-/// Draws from a place, four headings, with doors at rest, shut and open, and adds what it takes.
+/// Draws from a place in four headings, with doors as loaded, closed and open, and adds the calls.
 Result<void> addCalls(DrawnPart& part, const world::Place& place, CallList& calls) {
     for (const std::optional<double> doors :
          {std::optional<double>(), std::optional(0.0), std::optional(1.0)}) {

@@ -4,13 +4,15 @@
 
 namespace limen::bench {
 
-/// Counts the GL calls of frames with ids, by the null device, which counts what a driver would get. Each row is the largest
-/// number of its frames, has the hash of all of them, and fails if frames with the same stages and batches differ.
+/// Counts the GL calls of frames with ids on the null device, which counts the calls that a driver would get.
+/// A row has the largest number of its frames and the hash of all numbers. It fails if frames with equal
+/// stages and batches differ.
 ///
-/// `calls/tour`: from every way point and named place of the built-in world, four headings each, doors at rest, shut and open.
-/// `calls/objects`: the field of 100,000 objects of `limen bench dispatch`, 16 headings, beside the classic path.
+/// `calls/tour`: all way points and named places of the built-in world, four headings each, with doors as
+/// loaded, closed and open. `calls/objects`: the field of 100,000 objects of `limen bench dispatch`, 16
+/// headings, beside the classic path.
 ///
-/// Takes about a minute; writes the built-in world to the system's temporary directory meanwhile.
+/// Takes about a minute. Writes the built-in world to the system's temporary directory and removes it.
 [[nodiscard]] std::vector<BenchRow> benchCalls(AllocationCounter counter = nullptr);
 
 } // namespace limen::bench

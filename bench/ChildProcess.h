@@ -7,16 +7,18 @@
 
 namespace limen::bench {
 
-/// Does something in a process of its own, so that the memory it takes is none of this one's; waits for it. Requires that no other thread
-/// holds a lock. Errors: it fails, without saying why; no process can be made.
+/// Runs `work` in a child process and waits for it, so that its memory does not count as this process's.
+/// Requires that no other thread holds a lock. Errors: the work fails (the reason is lost); no process can be
+/// made.
 template <class Work>
 [[nodiscard]] Result<void> inChildProcess(Work&& work) {
     const ::pid_t child = ::fork();
     if (child == 0)
-        ::_exit(work() ? 0 : 1); // destructors are the parent's
+        ::_exit(work() ? 0 : 1); // _exit: destructors run in the parent only
     int status = 0;
     if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        return fail(ErrorCode::Unreadable, "bench", "what the benchmark runs on could not be made");
+        return fail(ErrorCode::Unreadable, "bench",
+                    "the benchmark's data could not be written; is the temporary directory full?");
     return {};
 }
 

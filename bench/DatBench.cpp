@@ -25,13 +25,13 @@ constexpr double kLookupTargetNs = 1000.0;
 constexpr double kDecodeTargetMBs = 300.0;
 constexpr std::size_t kDecodeBytes = std::size_t{8} << 20;
 
-/// Portal ids come in runs with gaps, cell ids block by block; both are spread over the whole range.
+/// Portal ids are in runs with gaps, cell ids are grouped by block. Both cover the whole range.
 RecordId lookupId(FileRole role, RecordId i) {
     return role == FileRole::Cell ? ((i / 300) << 16) + 0x100 + i % 300
                                   : ((1 + i / 30000) << 24) + (i % 30000) * 2;
 }
 
-/// A file on disk that is removed again.
+/// A file on disk that the destructor removes.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const Writer& writer, const char* name) {
@@ -118,7 +118,7 @@ void benchFile(FileRole role, AllocationCounter counter, std::vector<BenchRow>& 
     rows.push_back(lookupRow(*file, ids, scene, counter));
 }
 
-/// A bent sheet of side x side quads: the kind of mesh that models and cells are made of.
+/// A bent sheet of side x side quads, a mesh like those of models and cells.
 class Sheet {
 public:
     explicit Sheet(std::uint16_t side) : side_(side) {}
@@ -128,14 +128,14 @@ public:
         for (std::uint16_t i = 0; i < (side_ + 1) * (side_ + 1); ++i) {
             const auto x = static_cast<float>(i % (side_ + 1)), y = static_cast<float>(i / (side_ + 1));
             Vertex v{{x, y, std::sin(x) * std::cos(y)}, {0.0f, 0.0f, 1.0f}, {{x, y}}};
-            for (int k = 0; k < i % 3; ++k) // a corner shared by surfaces has a uv for each
+            for (int k = 0; k < i % 3; ++k) // a vertex that several surfaces share has a uv for each
                 v.uvs.push_back({x * 0.5f, y * 0.5f});
             out.vertices.emplace_back(i, v);
         }
         return out;
     }
 
-    /// Quads, every third one cut into two triangles.
+    /// Quads; every third one is cut into two triangles.
     [[nodiscard]] PolygonList polygons(bool textured) const {
         PolygonList out;
         const auto add = [&](SmallVec<std::uint16_t, 8> keys) {
@@ -161,7 +161,7 @@ public:
         return out;
     }
 
-    /// A balanced tree with a leaf for every few polygons.
+    /// A balanced tree with a few polygons in each leaf.
     [[nodiscard]] BspTree tree(BspKind kind) const {
         BspTree out;
         addNode(out, kind, 0, static_cast<std::uint16_t>(side_ * side_));
@@ -219,7 +219,7 @@ Environment makeEnvironment(RecordId id, std::uint16_t side) {
         cell.vertexArray = sheet.vertices();
         cell.polygons = sheet.polygons(true);
         cell.portalPolygons = {0, 1};
-        for (int i = 0; i < 6; ++i) // a chain of half spaces
+        for (int i = 0; i < 6; ++i) // a chain of half-spaces
             cell.cellBsp.nodes.push_back(
                 {BspTag::BPnn, 0, 0, {{1.0f, 0.0f, 0.0f}, 2.0f}, {}, i + 1, -1, {}, {}});
         cell.cellBsp.nodes.push_back({});

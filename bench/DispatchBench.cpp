@@ -22,14 +22,14 @@ struct Scene {
     const char* name;
     FieldSpec spec;
     int repeats;
-    double mostAtRest; ///< microseconds a frame when nothing moves
+    double mostAtRest; ///< target in microseconds a frame if all objects are static
 };
 const Scene kScenes[] = {
     {"10,000 objects in 1,662 groups", {10'000, 1662, 400.0}, 31, 60.0},
     {"100,000 objects in 5,000 groups", {100'000, 5000, 1000.0}, 11, std::numeric_limits<double>::infinity()},
 };
 
-/// How many of the objects move, and what part of the classic path's time may be taken.
+/// The share of dynamic objects, and the target as a share of the classic path's time.
 struct Share {
     const char* name;
     double moving, part;
@@ -37,10 +37,10 @@ struct Share {
 constexpr Share kShares[] = {
     {"0 % moving", 0.0, 1.0 / 20.0}, {"1 % moving", 0.01, 1.0 / 20.0}, {"100 % moving", 1.0, 1.0 / 4.0}};
 
-/// The allocator of glibc maps large blocks anew, page by page, until it has seen one as large freed. Software drivers
-/// take such blocks for every frame, which would double the time of whichever rows come first.
+/// glibc's allocator maps large blocks from the system, page by page, until a block of that size was freed
+/// once. Software drivers allocate such blocks in each frame, which would double the time of the first rows.
 void settleAllocator() {
-    constexpr std::size_t kLarge = std::size_t{30} << 20; // it goes up to 32 MiB
+    constexpr std::size_t kLarge = std::size_t{30} << 20; // glibc's threshold grows up to 32 MiB
     const auto block = std::make_unique<volatile std::byte[]>(kLarge);
     block[kLarge / 2] = std::byte{1};
 }
@@ -58,7 +58,7 @@ BenchRow failedRow(std::string scene, const std::string& why) {
     return row;
 }
 
-/// Fills in what a driver shows, and adds its rows.
+/// Adds the hash of the driver's ids to the first row, and the driver's rows.
 void addDriver(const std::string& scene, const Result<DriverRun>& run, const std::string& driver,
                BenchRow& row, std::vector<BenchRow>& rows) {
     if (!run) {

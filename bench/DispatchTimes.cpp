@@ -17,7 +17,7 @@ constexpr double kMicroseconds = 1e6;
 using Draw = Result<void> (TwoWays::*)(const FieldView&);
 constexpr Draw kReal = &TwoWays::drawReal, kClassic = &TwoWays::drawClassic;
 
-/// One repeat of one way: microseconds a frame.
+/// One repeat of one path, in microseconds a frame.
 struct Round {
     double thread = 0.0, wall = 0.0;
     std::uint64_t allocations = 0;
@@ -108,7 +108,7 @@ Result<DriverRun> runOnDriver(gpu::Device& device, ObjectField& field, std::span
     if (!ways)
         return tl::unexpected(ways.error());
     DriverRun run;
-    if (Result<void> compared = compareIds(**ways, field, views, run); !compared) // and warms up
+    if (Result<void> compared = compareIds(**ways, field, views, run); !compared) // this also warms up
         return tl::unexpected(compared.error());
     for (int i = 0; i < repeats; ++i) {
         const Result<Round> real = roundOnDriver(**ways, kReal, field, views);

@@ -7,7 +7,7 @@ namespace limen::bench {
 
 namespace {
 
-/// The splitmix64 generator's output function: Steele, Lea, Flood, "Fast splittable pseudorandom number
+/// The output function of splitmix64. Source: Steele, Lea, Flood, "Fast splittable pseudorandom number
 /// generators" (2014).
 std::uint64_t mixed(std::uint64_t v) {
     v = (v ^ v >> 30) * 0xBF58476D1CE4E5B9u;
@@ -22,7 +22,7 @@ double RandomGenerator::fraction(Draw draw, std::uint32_t number) const {
     return static_cast<double>(mixed(mixed(key + 0x9E3779B97F4A7C15u)) >> 11) * 0x1p-53;
 }
 
-// Fisher and Yates.
+// The Fisher-Yates shuffle.
 std::vector<std::uint32_t> shuffled(std::uint32_t count, const RandomGenerator& random) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0u);

@@ -8,7 +8,7 @@
 
 namespace limen::bench {
 
-/// What a number drawn at random is for.
+/// The purposes of random numbers.
 enum class Draw : std::uint32_t {
     Width,
     Depth,
@@ -23,7 +23,8 @@ enum class Draw : std::uint32_t {
     Texel
 };
 
-/// Random numbers, each a hash of what it is for and of whose it is: the same on every machine, in any order.
+/// Random numbers as hashes of the seed, a purpose, and the number of an object. They are equal on all
+/// machines, and do not depend on the order of the calls.
 class RandomGenerator {
 public:
     explicit RandomGenerator(std::uint32_t seed) : seed_(seed) {}
@@ -40,14 +41,15 @@ private:
     std::uint32_t seed_;
 };
 
-/// Numbers 0 .. count-1 in a random order.
+/// The numbers 0 .. count-1 in random order.
 [[nodiscard]] std::vector<std::uint32_t> shuffled(std::uint32_t count, const RandomGenerator& random);
 
-/// An opaque picture of size x size texels, in colours and noise of its number's own.
+/// An opaque picture of size x size texels. Its number determines its colours and noise.
 [[nodiscard]] world::Image noisyPicture(std::uint32_t number, std::uint32_t size,
                                         const RandomGenerator& random);
 
-/// A box that stands on z = 0 around the z axis, a polygon a side; half its width, depth and height in metres.
+/// A box around the z axis that stands on z = 0, one polygon a side. `half`: half of width, depth and height,
+/// in metres.
 [[nodiscard]] world::MeshData boxMesh(const Vec3& half);
 
 } // namespace limen::bench

@@ -15,8 +15,8 @@ namespace {
 constexpr int kRepeats = 31;
 constexpr std::uint32_t kSeed = 1;
 
-/// Microseconds a view, of the flood of a well-known 1990s engine and of a portal-zone scene manager, on the
-/// same grids (docs/performance.md says where from).
+/// Microseconds a view on the same grids, of the flood of a well-known 1990s engine and of a portal-zone
+/// scene manager. Source: docs/performance.md.
 struct Known {
     int columns, rows;
     double door;

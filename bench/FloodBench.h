@@ -4,10 +4,14 @@
 
 namespace limen::bench {
 
-/// Measures visibility::flood in microseconds a view: on the room grids and the corridor of docs/performance.md, 1,000 random
-/// views each, beside the plain path flood on the same views and two figures known from elsewhere, every grid merged into one
-/// zone, as it would be loaded, and with every room a zone of its own; and on what WorldFloodBench.h names. The hash is of the
-/// spaces seen and the visits' regions. Takes about 45 seconds; writes worlds to the system's temporary directory meanwhile.
+/// Measures visibility::flood in microseconds a view.
+/// - The room grids and the corridor of docs/performance.md, 1,000 random views each, compared with the path
+///   flood on the same views and with two published figures. Each grid is measured as one zone, as the loader
+///   merges it, and with a zone for each room.
+/// - The rows of WorldFloodBench.h.
+///
+/// The hash is of the spaces seen and of the visits' regions. Takes about 45 seconds. Writes worlds to the
+/// system's temporary directory and removes them.
 [[nodiscard]] std::vector<BenchRow> benchFlood(AllocationCounter counter = nullptr);
 
 } // namespace limen::bench

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRoom = 10.0;
 constexpr double kDoorHeight = 3.0;
 
-/// Collects the openings space by space.
+/// Collects the openings by space.
 struct GridBuilder {
     std::vector<visibility::SpaceDesc> spaces;
     std::vector<visibility::PortalDesc> portals;

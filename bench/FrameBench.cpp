@@ -27,7 +27,7 @@ constexpr double kMostCpu = 500.0; // microseconds
 constexpr double kFasterIndoors = 3.0, kFasterInTown = 1.3;
 constexpr double kMostForOwnership = 15.0; // percent
 
-/// What is left out of a frame.
+/// The step that is left out of a frame.
 enum class Without { Nothing, Visibility, Ownership, Occlusion, VisibilityAndOcclusion };
 constexpr std::size_t kWithouts = 5;
 
@@ -39,7 +39,7 @@ bool hidesNothing(Without without) {
     return without == Without::Occlusion || without == Without::VisibilityAndOcclusion;
 }
 
-/// Everything up to the driver's calls.
+/// One frame, from the dynamic state to the last GL call.
 Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without without) {
     part.move(view);
     if (seesAll(without))
@@ -52,12 +52,12 @@ Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without wi
     return part.submit({.wantIds = false, .occlusion = !hidesNothing(without)});
 }
 
-/// Microseconds of processor time, by way point: medians over the repeats.
+/// Microseconds of processor time by way point, medians over the repeats.
 struct CpuTimes {
     std::vector<double> flooded, all;
-    std::vector<bool> indoors;     ///< the eye is in a cell
-    std::uint64_t allocations = 0; ///< of one warm repeat
-    Hash hash;                     ///< of what is drawn
+    std::vector<bool> indoors;     ///< by way point: the eye is in a cell
+    std::uint64_t allocations = 0; ///< of one repeat after the warm-up
+    Hash hash;                     ///< of the instances drawn
 };
 
 double medianOf(std::vector<double>& values) {
@@ -122,7 +122,7 @@ BenchRow cpuRow(const BuiltInFiles& files, const Result<CpuTimes>& times) {
     return row;
 }
 
-/// Way points of one kind, evenly along the tour.
+/// Way points of one kind (indoors or not), chosen evenly along the tour.
 std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::vector<bool>& isIndoors,
                                  bool indoors) {
     std::vector<world::Place> all, some;
@@ -134,10 +134,10 @@ std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::
     return some;
 }
 
-/// Milliseconds until the GPU is done, by place: medians over the repeats.
+/// Milliseconds until the GPU has finished, by place, medians over the repeats.
 struct DriverTimes {
     std::array<std::vector<double>, kWithouts> byWithout;
-    Hash hash; ///< of the whole pictures
+    Hash hash; ///< of the complete pictures
 
     [[nodiscard]] std::vector<double>& of(Without without) {
         return byWithout[static_cast<std::size_t>(without)];

@@ -4,15 +4,16 @@
 
 namespace limen::bench {
 
-/// Whole frames along the built-in world's tour, 1280×720, beside frames of the same program with what a renderer without
-/// visibility draws: every space within the picture's edges.
+/// Measures whole frames along the built-in world's tour at 1280×720. They are compared with frames of the
+/// same program that draw, like a renderer without visibility, all spaces in the frustum.
 ///
-/// `frame/cpu`: from moving to the last call, on the null device, processor time of this thread; the median over all way
-/// points. `frame/indoors`, `frame/town`: with a driver, until the GPU is done, the clock on the wall; the mean over some way
-/// points within cells and outside. `frame/ownership`: of these frames, in percent, what the ownership stage and the tests for it
-/// take: with them and without, in turn. Only the first row without OpenGL.
+/// `frame/cpu`: processor time of this thread on the null device, from the dynamic state to the last call,
+/// median over all way points. `frame/indoors`, `frame/town`: wall-clock time with a driver until the GPU has
+/// finished, mean over some way points in cells and outside. `frame/ownership`: the share of these frames'
+/// time, in percent, of the ownership stage and the ownership tests; frames with and without them take turns.
 ///
-/// Takes some minutes with a software driver; writes the built-in world to the system's temporary directory meanwhile.
+/// Without OpenGL there is only the first row. Takes some minutes with a software driver. Writes the built-in
+/// world to the system's temporary directory and removes it.
 [[nodiscard]] std::vector<BenchRow> benchFrame(AllocationCounter counter = nullptr);
 
 } // namespace limen::bench

@@ -15,7 +15,7 @@ namespace limen::bench {
 
 namespace {
 
-constexpr int kTries = 64; // for a place that will do
+constexpr int kTries = 64; // attempts to find a suitable position
 constexpr double kEyeHeight = 1.7;
 
 class RandomGenerator {
@@ -55,7 +55,7 @@ Vec3 middleOf(const world::World& world, const world::Portal& portal) {
     return sum / static_cast<double>(portal.cornerCount);
 }
 
-/// Collects `count` views that `next` finds; fewer if it finds none time and again.
+/// Collects up to `count` views from `next`. It stops early if `next` fails too often in a row.
 template <class Next>
 std::vector<visibility::View> collect(std::size_t count, Next next) {
     std::vector<visibility::View> views;
@@ -82,7 +82,7 @@ Result<world::World> generatedWorld(const worlds::GeneratedSpec& spec) {
     if (!file)
         return tl::unexpected(file.error());
     if (file->places.empty())
-        return fail(ErrorCode::NotFound, "generated world", "names no place to load around");
+        return fail(ErrorCode::NotFound, "generated world", "the world file names no place to load around");
     const world::Place& place = file->places.front();
     const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
     return world::loadWorld(*archive, centre, {});

@@ -12,18 +12,18 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kVolume = 30.0;      ///< cubic metres a cell, on average
-constexpr double kLeastRadius = 0.05; ///< metres: faces into which no such circle fits stay shut
-constexpr double kDoorShare = 0.05;   ///< of the openings, between halls
-constexpr std::int32_t kFirstCut = 6; ///< planes before it are the box's sides
+constexpr double kVolume = 30.0;      ///< mean volume of a cell in cubic metres
+constexpr double kLeastRadius = 0.05; ///< metres; faces without room for such a circle get no opening
+constexpr double kDoorShare = 0.05;   ///< share of the openings that are between halls
+constexpr std::int32_t kFirstCut = 6; ///< the planes before it are the sides of the box
 
-/// Which faces are open: of those inside halls the largest, of those between halls any.
+/// Selects the open faces: the largest ones inside of halls, and random ones between halls.
 std::vector<worlds::SharedFace> openFaces(const std::vector<worlds::Solid>& solids, const HallSpec& spec,
                                           worlds::Random& random) {
     std::vector<worlds::SharedFace> faces = worlds::sharedFaces(solids, kLeastRadius);
     for (std::size_t i = faces.size(); i > 1; --i)
         std::swap(faces[i - 1], faces[random.below(static_cast<std::uint32_t>(i))]);
-    // The largest solid is always cut next, so the first cuts part the box into halls.
+    // The largest solid is cut next, so the first cuts separate the halls.
     const std::int32_t firstInside = kFirstCut + static_cast<std::int32_t>(spec.halls) - 1;
     const auto between =
         std::stable_partition(faces.begin(), faces.end(), [&](const worlds::SharedFace& face) {

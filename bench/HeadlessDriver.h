@@ -8,13 +8,13 @@
 
 namespace limen::bench {
 
-/// A driver without a window.
+/// An OpenGL context and device without a window.
 struct HeadlessDriver {
     gpu::HeadlessContext context;
     std::unique_ptr<gpu::GlDevice> device;
 };
 
-/// None where there is no driver that can do it.
+/// None: no driver on this machine offers such a context.
 [[nodiscard]] inline std::optional<HeadlessDriver> openDriver() {
     Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
     if (!context)

@@ -16,16 +16,16 @@ namespace limen::bench {
 
 namespace {
 
-constexpr std::uint32_t kTextures = 32; // of the boxes
-constexpr double kClearance = 0.02;     // metres, from the ground
-constexpr double kReach = 0.05;         // metres that moving objects get away from their homes
+constexpr std::uint32_t kTextures = 32; // number of the boxes' textures
+constexpr double kClearance = 0.02;     // metres above the ground
+constexpr double kReach = 0.05;         // metres; largest distance of dynamic objects from their homes
 constexpr double kEyeHeight = 1.7;
-constexpr double kLeastHalf = 0.2, kMostHalf = 0.6;     // metres, of a box's width
+constexpr double kLeastHalf = 0.2, kMostHalf = 0.6;     // metres, half of a box's width
 constexpr double kLeastHeight = 0.3, kMostHeight = 1.5; // metres
 constexpr dat::BlockCoord kFirstBlock{0x60, 0x60};
 constexpr dat::RecordId kFirstModel = 0x01000001;
 
-/// Fills one field's arrays.
+/// Builds the arrays of one field.
 class Maker {
 public:
     Maker(const FieldSpec& spec, ObjectField& field)
@@ -60,7 +60,7 @@ private:
         world_.lightSets.emplace_back();
     }
 
-    /// Puts an instance outside. `members`: the array its member run goes to.
+    /// Adds an instance outside. `members`: the array for its members.
     void placeOutside(world::Instance& instance, std::vector<world::SpaceIndex>& members) {
         instance.placedIn = world::kOutside;
         instance.firstMember = static_cast<std::uint32_t>(members.size());
@@ -103,7 +103,7 @@ private:
             world_.textures.push_back(
                 std::make_shared<const world::Image>(noisyPicture(i, 16u << i % 3, random_)));
             world::Material material;
-            material.texture = i + 1; // behind the ground's
+            material.texture = i + 1; // after the ground's texture
             world_.materials.push_back(material);
         }
         for (std::uint32_t group = 0; group < spec_.groups; ++group) {
@@ -116,12 +116,13 @@ private:
         }
     }
 
-    /// The square is cut into as many places as it takes; each object stands somewhere in one of its own.
+    /// The square is divided into as many squares as there are objects; each object has a random position in
+    /// its own.
     void addObjects() {
         const auto row = static_cast<std::uint32_t>(std::ceil(std::sqrt(spec_.objects)));
         const double room = spec_.side / row;
         const double free = room * 0.5 - std::hypot(kMostHalf, kMostHalf) - kReach;
-        LIMEN_ASSERT(free > 0.0, "the boxes have room");
+        LIMEN_ASSERT(free > 0.0, "the square has room for the boxes");
         const std::vector<std::uint32_t> places = shuffled(row * row, random_);
         for (std::uint32_t i = 0; i < spec_.objects; ++i) {
             const Vec3 offset((places[i] % row + 0.5) * room + random_.between(-free, free, Draw::East, i),
@@ -163,7 +164,7 @@ private:
     world::World& world_;
     world::MeshArena arena_;
     RandomGenerator random_;
-    int blocks_; ///< along each side
+    int blocks_; ///< blocks along each side
     std::vector<std::uint32_t> groupMeshes_;
 };
 

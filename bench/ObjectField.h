@@ -14,37 +14,37 @@ namespace limen::bench {
 /// Many small objects outdoors.
 struct FieldSpec {
     std::uint32_t objects = 10'000;
-    std::uint32_t groups =
-        1662;                 ///< meshes, at most as many as objects; each with a texture of its own choice
-    double side = 400.0;      ///< metres, of the square they stand on
-    double movingShare = 0.0; ///< of the objects, 0..1
+    std::uint32_t groups = 1662; ///< meshes, at most as many as objects; each has one of 32 textures
+    double side = 400.0;         ///< side of the objects' square in metres
+    double movingShare = 0.0;    ///< share of dynamic objects, 0..1
     std::uint32_t seed = 1;
 };
 
-/// A world in memory, as a loader would yield it: flat ground of whole landblocks with a square of boxes in the middle, and
-/// no cells. A group is a box of 12 triangles; its size, and where its objects stand, follow from hashes of their numbers.
-/// The boxes float 2 cm above the ground and never touch: no pixel depends on the order in which they are drawn. An object
-/// has the same ids whether it moves or not.
+/// A world in memory, in the form that the loader gives: flat ground of whole landblocks, a square of boxes
+/// in the middle, no cells. A group is a box mesh of 12 triangles. Hashes determine its size and the
+/// positions of its objects. The boxes float 2 cm above the ground and never touch, so no pixel depends on
+/// the order of drawing. An object has the same ids whether it is static or dynamic.
 struct ObjectField {
     world::World world;
-    world::DynamicState dynamics; ///< the objects that move; empty if none does
-    Vec3 eye{0.0};                ///< global; in the middle, higher than the boxes
-    std::vector<Vec3> homes;      ///< by Moment::instances: what they move around, block-local
+    world::DynamicState dynamics; ///< the dynamic objects
+    Vec3 eye{0.0};                ///< global; in the middle, above all boxes
+    std::vector<Vec3> homes;      ///< by DynamicState::instances: the centres of their movement, block-local
 
-    /// Puts what moves where it is in a frame: up to 5 cm from its home. Allocates nothing.
+    /// Moves the dynamic objects to their positions in a frame, up to 5 cm from their homes. Allocates
+    /// nothing.
     void moveTo(std::uint32_t frame);
 };
 
-/// Requires 0 < groups <= objects, and 1.8 m of the square's side for each of the square root of `objects`: room for the boxes.
+/// Requires 0 < groups <= objects, and side >= 1.8 m * sqrt(objects), so that the boxes have room.
 [[nodiscard]] ObjectField makeField(const FieldSpec& spec);
 
-/// A view from a field's eye with what it sees: one visit, the outside.
+/// A view from a field's eye, and its visible set: one visit, the outside.
 struct FieldView {
     frame::FrameView frame;
     visibility::VisibleSet visible;
 };
 
-/// `count` headings, evenly around, level, 75 degrees high.
+/// `count` level views in evenly spaced headings, 75 degrees high.
 [[nodiscard]] std::vector<FieldView> fieldViews(const ObjectField& field, std::uint32_t count,
                                                 std::uint32_t width, std::uint32_t height);
 

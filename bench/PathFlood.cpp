@@ -47,7 +47,7 @@ void PathFlood::enter(std::uint32_t index, const Step* path, const std::vector<P
             if (length > 1e-12)
                 next.push_back({n / length, 0.0});
         }
-        // The edges run counter-clockwise seen from the eye: inside is where the middle of the opening lies.
+        // The edges are counter-clockwise seen from the eye: the middle of the opening is inside.
         Vec3 middle(0.0);
         for (const Vec3& v : winding)
             middle += v;

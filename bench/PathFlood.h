@@ -8,13 +8,12 @@
 
 namespace limen::bench {
 
-/// The plain portal flood that visibility/Flood.h is measured against: it walks every path through portals,
-/// clipping each opening by the planes through the eye and the edges of the one before (the classic of 1990s
-/// engines). Loops are broken by searching the path. It marks spaces and yields no exact regions, no order
-/// and no zones.
+/// The classic portal flood of 1990s engines, for comparison with visibility/Flood.h. It follows all paths
+/// through portals, and clips each opening by the planes through the eye and the edges of the opening before.
+/// A search of the path breaks cycles. It marks spaces only: it has no exact regions, no order and no zones.
 class PathFlood {
 public:
-    /// The spaces seen, each as often as a path reaches it. Returns the number of portals admitted.
+    /// Marks the spaces seen. Returns the number of portals admitted, over all paths.
     std::uint32_t run(const visibility::Graph& graph, const visibility::View& view);
     [[nodiscard]] const std::vector<std::uint8_t>& seen() const { return seen_; }
 

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLaps = 8;
-constexpr std::size_t kStep = 4; // way points
+constexpr std::size_t kStep = 4; // every fourth way point is drawn
 constexpr std::uint32_t kWidth = 64, kHeight = 36;
 constexpr double kMostGrowth = 2.0; // percent
 constexpr double kMiB = 1 << 20;
 
-/// Bytes of this program that are in memory; 0 where the system does not say.
+/// Resident memory of this program in bytes; 0 if the system does not report it.
 double residentBytes() {
     std::ifstream in("/proc/self/statm");
     double all = 0.0, resident = 0.0;
@@ -29,7 +29,7 @@ double residentBytes() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-/// What there is at the end of a lap, and the most memory there was during it.
+/// Device objects at the end of a lap, and the largest memory during the lap.
 struct Lap {
     gpu::DeviceObjects objects;
     double memory = 0.0; ///< bytes
@@ -47,7 +47,7 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
                 DrawnPart::around(*files.archive, files.world, place, device, kWidth, kHeight, {.radius = 1});
             if (!loaded)
                 return tl::unexpected(loaded.error());
-            part = std::move(*loaded); // the one before goes after the next has come, as in a session
+            part = std::move(*loaded); // the old part is freed after the new one is loaded, as in a session
             around = world::blockAt(place.eye);
             ++lap.loads;
         }

@@ -4,12 +4,12 @@
 
 namespace limen::bench {
 
-/// An hour of walking, as fast as it can be drawn: the built-in world's tour eight times over, one block loaded each way, so that
-/// blocks come and go all the time, in small pictures.
+/// An hour of walking, drawn as fast as possible: eight laps of the built-in world's tour in small pictures.
+/// Only one block in each direction is loaded, so that blocks are loaded and freed all the time.
 ///
-/// `soak/memory`: by how much the program's resident memory in the last two laps is above that in the second and third, in
-/// percent. `soak/objects`: laps after the first that end with other numbers of device objects, handles or bytes of buffers
-/// than the first. The scene tells the figures themselves. No rows without OpenGL.
+/// `soak/memory`: growth of resident memory in percent, from the second and third lap to the last two.
+/// `soak/objects`: number of laps that end with other numbers of device objects, handles or buffer bytes than
+/// the first. The scene has the figures themselves. No rows without OpenGL.
 ///
 /// Takes some minutes with a software driver.
 [[nodiscard]] std::vector<BenchRow> benchSoak(AllocationCounter counter = nullptr);

@@ -21,7 +21,7 @@ struct Samples {
     }
 };
 
-/// Seconds that `work` takes.
+/// Wall-clock seconds that `work` takes.
 template <class Work>
 [[nodiscard]] double secondsOf(Work&& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -29,14 +29,14 @@ template <class Work>
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Seconds of processor time that this thread has had: what other programs take meanwhile does not count.
+/// Processor time of this thread in seconds. Time taken by other programs does not count.
 [[nodiscard]] inline double threadSeconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Runs `work` twice to warm up and then `repeats` times, each timed.
+/// Runs `work` twice to warm up, then times `repeats` runs.
 template <class Work>
 [[nodiscard]] Samples measure(int repeats, AllocationCounter counter, Work&& work) {
     for (int i = 0; i < 2; ++i)

@@ -28,9 +28,9 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeed = 50.0; // metres a second
 constexpr double kFrame = 1.0 / 60.0;
-constexpr double kAbove = 30.0; // metres over the ground
+constexpr double kAbove = 30.0; // metres above the ground
 constexpr int kNear = 4, kFar = 12;
-/// The eye may be a block from the middle of what is loaded: so far everything is to be there at any time.
+/// The eye can be one block away from the loaded centre. Blocks up to this distance must always be loaded.
 constexpr int kAlwaysNear = kNear - 1;
 constexpr std::uint32_t kMapCells = 60'000;
 constexpr double kMiB = 1 << 20;
@@ -42,7 +42,7 @@ double residentMiB() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
 }
 
-/// Blocks with landscape, and the way over them from the most south-western to the most north-eastern.
+/// Blocks with landscape, and the path over them from the south-western to the north-eastern end.
 struct Land {
     std::vector<dat::BlockCoord> blocks;
     Vec3 from{0.0}, to{0.0};
@@ -66,10 +66,10 @@ struct Land {
         }
     }
 
-    /// Cuts the way down to some blocks from the last place that is in no dungeon towards the middle.
+    /// Shortens the path to a few blocks, from the last place outside of dungeons towards the middle.
     void keepPart(const std::vector<world::Place>& places) {
         constexpr double kLength = 12.0 * world::kBlockSize;   // metres
-        const auto isOnLand = [&](const world::Place& place) { // a dungeon's cells may lie anywhere
+        const auto isOnLand = [&](const world::Place& place) { // a dungeon's cells can have any coordinates
             const dat::BlockCoord block =
                 place.cell == 0 ? world::blockAt(place.eye) : dat::blockOf(place.cell);
             return std::find(blocks.begin(), blocks.end(), block) != blocks.end();
@@ -85,8 +85,8 @@ struct Land {
 
 struct Flight {
     std::vector<double> cpu, wall; ///< seconds of streaming, by frame
-    std::size_t missing = 0;       ///< frames in which something of the near tier was not there
-    std::size_t shown = 0;         ///< parts of the world
+    std::size_t missing = 0;       ///< frames with blocks missing in the near tier
+    std::size_t shown = 0;         ///< parts of the world that were shown
     double mostMiB = 0.0;
 };
 
@@ -104,7 +104,7 @@ bool isAllThere(const world::World& world, const Land& land, dat::BlockCoord eye
     });
 }
 
-/// What flights before have left, so that it does not count as this one's.
+/// Frees the memory of earlier flights, so that it does not count for this one.
 void giveBackFreeMemory() {
 #ifdef __GLIBC__
     (void)::malloc_trim(0);
@@ -203,7 +203,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
         addRows(scene, fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
                 rows);
     };
-    // The writers' memory is no part of a session's.
+    // Child processes write the worlds, so that the writers' memory does not count.
     const Result<void> world = inChildProcess([&] { return worlds::writeBuiltInWorld(builtIn.path()); });
     const Result<void> map = inChildProcess([&] {
         return worlds::writeGeneratedWorld({worlds::GeneratedKind::Map, kMapCells}, generated.path());

@@ -7,7 +7,8 @@
 
 namespace limen::bench {
 
-/// A directory of this process in the system's temporary one, named but not made; removed with all it holds.
+/// The name of a directory of this process in the system's temporary directory. The constructor does not make
+/// it; the destructor removes it with its content.
 class TemporaryDirectory {
 public:
     explicit TemporaryDirectory(std::string_view name) {

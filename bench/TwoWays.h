@@ -11,19 +11,19 @@
 
 namespace limen::bench {
 
-/// A field on a device, ready to be drawn by the renderer and by the classic path, into one target, with ids. Field and device
+/// Draws a field with ids into one target, either by the renderer or by the classic path. Field and device
 /// must outlive it.
 class TwoWays {
 public:
-    /// Errors: what the device and the renderer report.
+    /// Errors: those of the device and of the renderer.
     [[nodiscard]] static Result<std::unique_ptr<TwoWays>>
     create(gpu::Device& device, const ObjectField& field, std::uint32_t width, std::uint32_t height);
 
-    /// Plans and submits one frame the renderer's way. `view` is of the target's size.
+    /// Plans and submits one frame with the renderer. `view` has the target's size.
     [[nodiscard]] Result<void> drawReal(const FieldView& view);
     [[nodiscard]] Result<void> drawClassic(const FieldView& view);
 
-    /// What was drawn last.
+    /// The last frame.
     [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
     [[nodiscard]] const frame::FramePlan& plan() const { return plan_; }
     [[nodiscard]] const ClassicPath& classic() const { return *classic_; }

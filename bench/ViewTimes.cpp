@@ -29,8 +29,8 @@ ViewTimes timeViews(const visibility::Graph& graph, std::span<const visibility::
     }
     out.meanSeen = seen / static_cast<double>(views.size());
     out.meanVisits = visits / static_cast<double>(views.size());
-    for (int pass = 0; pass < 2;
-         ++pass) { // buffers that swap places take a pass more to be large enough, all of them
+    // Two passes: the flood swaps buffers, so the first pass can leave some of them too small.
+    for (int pass = 0; pass < 2; ++pass) {
         const std::uint64_t before = counter ? counter() : 0;
         for (const visibility::View& view : views)
             LIMEN_ASSERT(visibility::flood(graph, {}, view, {}, scratch, set),

@@ -10,34 +10,35 @@
 
 namespace limen::bench {
 
-/// What a flood costs from each of many views, in microseconds. Every view is timed by itself, several times over, so that what
-/// else the machine does can be told from what a view costs.
+/// Times of floods from many views, in microseconds. Each view is timed separately and repeatedly, so that
+/// the median hides interruptions by other programs.
 struct ViewTimes {
     std::vector<double> median;    ///< by view, over the repeats
     std::vector<double> p95;       ///< by view, over the repeats
-    std::uint64_t allocations = 0; ///< of one warm pass over all views
-    std::uint64_t hash = 0;        ///< of what is seen from all of them
-    double meanSeen = 0.0;         ///< spaces a view, each counted once a visit
+    std::uint64_t allocations = 0; ///< of one pass over all views after the warm-up
+    std::uint64_t hash = 0;        ///< of the visible sets of all views
+    double meanSeen = 0.0;         ///< mean number of seen spaces a view, counted once for each visit
     double meanVisits = 0.0;
 };
 
-/// How often a flood is repeated to time it.
+/// Numbers of repetitions for the timing of a flood.
 struct Effort {
     int repeats = 5;
-    int floodsEach = 1; ///< in a row under one reading of the clock: for floods of less than a microsecond
+    int floodsEach =
+        1; ///< floods between two readings of the clock; more than 1 for floods of less than a microsecond
 };
 
-/// Floods from every view several times in a row, the first two to warm up, as a session does whose eye hardly moves from frame
-/// to frame.
+/// Floods several times in a row from each view. The first two floods warm up, as in a session whose eye
+/// hardly moves from frame to frame.
 [[nodiscard]] ViewTimes timeViews(const visibility::Graph& graph, std::span<const visibility::View> views,
                                   const Effort& effort, AllocationCounter counter);
 
-/// Mean of a value a view.
+/// Mean of the values.
 [[nodiscard]] double meanOf(std::span<const double> values);
-/// The value that all but a share of 1 - q of them stay below.
+/// The q-quantile of the values, 0 <= q <= 1.
 [[nodiscard]] double quantileOf(std::span<const double> values, double q);
 
-/// Folds what a flood yields, spaces, visits and regions, into a hash.
+/// Adds a flood's spaces, visits and regions to a hash.
 [[nodiscard]] std::uint64_t hashOf(const visibility::VisibleSet& set, std::uint64_t sofar);
 
 } // namespace limen::bench

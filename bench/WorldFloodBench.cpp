@@ -23,7 +23,7 @@ using Against = std::vector<std::pair<std::string, double>>;
 
 constexpr std::uint32_t kSeed = 1;
 
-/// Microseconds a view of the flood of a well-known shooter on a real arena level of 3,364 cells and 9,705 openings.
+/// Microseconds a view of a well-known shooter's flood, on an arena level of 3,364 cells and 9,705 openings.
 constexpr double kKnownMean = 1200.0, kKnownWorst = 13700.0;
 constexpr double kMostMean = 100.0, kMostWorst = 1000.0, kMostInTown = 60.0;
 
@@ -65,7 +65,7 @@ visibility::Graph graphOf(const world::World& world) {
     return std::move(*graph);
 }
 
-/// The plain path flood from each view, once: microseconds.
+/// Microseconds of one path flood from each view.
 std::vector<double> pathTimes(const FloodScene& scene) {
     PathFlood naive;
     std::vector<double> times;
@@ -90,7 +90,7 @@ std::size_t seenFrom(const visibility::Graph& graph, const View& view, visibilit
     return set.seen.size();
 }
 
-/// How many views see how many spaces.
+/// Numbers of views by the number of spaces that they see.
 using SeenCounts = std::map<std::size_t, std::size_t>;
 
 SeenCounts countSeen(const visibility::Graph& graph, const std::vector<View>& views) {
@@ -102,7 +102,7 @@ SeenCounts countSeen(const visibility::Graph& graph, const std::vector<View>& vi
     return counts;
 }
 
-/// Views of `candidates` that see as many spaces as `wanted` says, as often.
+/// Chooses views from `candidates` whose numbers of seen spaces are distributed as in `wanted`.
 std::vector<View> viewsThatSee(const visibility::Graph& graph, SeenCounts wanted,
                                const std::vector<View>& candidates) {
     visibility::FloodScratch scratch;

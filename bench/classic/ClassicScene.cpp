@@ -15,7 +15,7 @@ namespace {
 namespace layout = frame::gpu;
 
 constexpr std::size_t kBytesPerTexel = 16;
-constexpr std::size_t kSmallestRange = 256; // a range may not be empty
+constexpr std::size_t kSmallestRange = 256; // bytes; bound ranges must not be empty
 
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& array) {
@@ -28,15 +28,15 @@ std::uint32_t textureOf(const world::World& world, const world::Instance& instan
     return world.materials[world.materialRefs[instance.firstMaterial]].texture;
 }
 
-/// What objects of one group have in common.
+/// The common properties of a group: mesh and first material.
 using GroupKey = std::pair<std::uint32_t, std::uint32_t>;
 GroupKey keyOf(const world::Instance& instance) {
     return {instance.mesh, instance.firstMaterial};
 }
 
-/// Indices of the instances of each group, in the order in which groups first occur.
+/// Indices of the instances by group. Groups are in the order of their first instances.
 struct Sorted {
-    std::vector<world::Instance> examples; ///< by group
+    std::vector<world::Instance> examples; ///< one instance of each group
     std::vector<std::vector<std::uint32_t>> standing, moving;
 };
 
@@ -91,7 +91,8 @@ Result<void> ClassicScene::upload(const world::World& world) {
         refs.push_back(page.refs().front());
     vertices_ = add("classic vertices", bytesOf(scene.vertices));
     indices_ = add("classic indices", bytesOf(scene.indices));
-    storage_.fill({indices_, 0, kSmallestRange}); // what no shader of this path reads
+    storage_.fill(
+        {indices_, 0, kSmallestRange}); // a placeholder for bindings that no shader of this path reads
     addStorage(layout::kBindMaterials, "classic materials", bytesOf(scene.materials));
     addStorage(layout::kBindMaterialRefs, "classic material references", bytesOf(scene.materialRefs));
     addStorage(layout::kBindTerrain, "classic terrain cells", bytesOf(scene.terrainCells));
@@ -103,7 +104,8 @@ Result<void> ClassicScene::upload(const world::World& world) {
     const gpu::BufferHandle members = add("classic members", bytesOf(scene.members));
     if (missing_)
         return tl::unexpected(*missing_);
-    // Instances are all in the frame's memory, and there are no pieces, so that nothing reads these arrays.
+    // All instances are in the frame's memory and there are no pieces, so the shaders never read these
+    // arrays.
     return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
         .and_then([&] { return addTexels(layout::kUnitInstances, "classic instances", vertices_); })
         .and_then([&] { return addTexels(layout::kUnitPieces, "classic pieces", vertices_); })
@@ -167,7 +169,7 @@ void ClassicScene::addGroups(const world::World& world, const world::DynamicStat
     }
     std::stable_partition(groups_.begin(), groups_.end(), [](const ClassicGroup& group) {
         return group.program == frame::Program::Opaque;
-    }); // programs change once
+    }); // one change of program a frame
     packed_ = {};
 }
 

@@ -9,10 +9,12 @@
 
 namespace limen::engine {
 
-/// Work on threads of its own that nobody has to wait for: what comes of it may be left to itself. Waits for all of it when it goes.
+/// Runs work on threads of its own. A caller may drop the result and need not wait for it. The destructor
+/// waits for all work that is left.
 class Background {
 public:
-    /// Yields what comes of it. A result that is dropped waits for nothing.
+    /// Starts `make` on a new thread and returns the future of its result. Unlike a future of std::async,
+    /// this one does not block when it is destroyed.
     template <class Make>
     [[nodiscard]] auto run(Make make) -> std::future<decltype(make())> {
         std::erase_if(runs_, [](const std::future<void>& run) { return isReady(run); });
@@ -22,7 +24,8 @@ public:
         return made;
     }
 
-    /// Lets something go on another thread, because taking it apart takes a while.
+    /// Releases an object on another thread: the destructors of a part of the world take too long for one
+    /// frame.
     template <class T>
     void discard(std::shared_ptr<T> thing) {
         if (thing != nullptr)

@@ -1,5 +1,6 @@
 #include "engine/BuiltInWorld.h"
 
+#include "core/Assert.h"
 #include "core/Hash.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 3> kFiles{"client_portal.dat", "client_cell_1.dat", "world.json"};
-constexpr std::size_t kKept = 6; ///< worlds of that many programs stay in the cache
+constexpr std::size_t kKept = 6; ///< worlds that stay in the cache, one for each version of the program
 
 bool isComplete(const fs::path& directory) {
     return std::all_of(kFiles.begin(), kFiles.end(), [&](const char* name) {
@@ -35,8 +36,8 @@ void removeQuietly(const fs::path& path) {
     fs::remove_all(path, ignored);
 }
 
-/// Removes all but the youngest few worlds; `current` always stays. Half-written ones of an hour ago go as
-/// well.
+/// Removes all but the kKept newest worlds; `current` always stays. Staging directories older than one hour
+/// are removed, too: the process that wrote them has died.
 void prune(const fs::path& root, const fs::path& current) {
     struct Old {
         fs::file_time_type time;
@@ -58,14 +59,13 @@ void prune(const fs::path& root, const fs::path& current) {
         removeQuietly(worlds[i].path);
 }
 
-/// A directory of its own under the system's temporary one.
+/// A new, empty directory in the system's temporary directory.
 Result<fs::path> temporaryDirectory() {
     std::error_code error;
     std::string pattern = (fs::temp_directory_path(error) / "limen-XXXXXX").string();
     if (error || ::mkdtemp(pattern.data()) == nullptr)
-        return fail(
-            ErrorCode::Unreadable, pattern,
-            "no place to write the built-in world; set XDG_CACHE_HOME to a directory that can be written");
+        return fail(ErrorCode::Unreadable, pattern,
+                    "the built-in world cannot be written here; set XDG_CACHE_HOME to a writable directory");
     return fs::path(pattern);
 }
 
@@ -79,8 +79,8 @@ Result<BuiltInWorld> writeTemporary(const WorldWriter& write) {
     return world;
 }
 
-/// Writes into `staging` and moves it to `place`; false if another process was there first or the move
-/// failed.
+/// Writes into `staging` and renames it to `place`. False if the rename failed, for example because another
+/// process wrote the same world first.
 Result<bool> writeAndMove(const fs::path& staging, const fs::path& place, const WorldWriter& write) {
     if (const Result<void> written = write(staging); !written) {
         removeQuietly(staging);
@@ -135,6 +135,8 @@ std::string programKey() {
 
 Result<BuiltInWorld> openBuiltInWorld(const fs::path& root, const std::string& key,
                                       const WorldWriter& write) {
+    LIMEN_ASSERT(write != nullptr, "there is a writer");
+    LIMEN_ASSERT(!key.empty(), "an empty key would name the cache itself");
     if (root.empty())
         return writeTemporary(write);
     const fs::path place = root / key;
@@ -146,7 +148,7 @@ Result<BuiltInWorld> openBuiltInWorld(const fs::path& root, const std::string& k
     fs::create_directories(staging, error);
     if (error)
         return writeTemporary(write);
-    if (fs::exists(place, error)) // there, but not whole
+    if (fs::exists(place, error)) // incomplete
         removeQuietly(place);
     const Result<bool> moved = writeAndMove(staging, place, write);
     if (!moved)

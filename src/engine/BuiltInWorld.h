@@ -11,8 +11,8 @@ namespace limen::engine {
 /// Writes the world's files into an existing, empty directory.
 using WorldWriter = std::function<Result<void>(const std::filesystem::path&)>;
 
-/// The directory that holds the built-in world's files; removes it again if it was only borrowed for this
-/// run.
+/// The directory that holds the built-in world's files. A temporary directory is removed with this object; a
+/// directory of the cache stays.
 class BuiltInWorld {
 public:
     BuiltInWorld(std::filesystem::path directory, bool temporary)
@@ -28,21 +28,22 @@ private:
     bool temporary_ = false;
 };
 
-/// Where caches go: $XDG_CACHE_HOME, else $HOME/.cache, with "limen" added; empty if neither is an absolute
-/// path.
+/// The directory of the program's caches: $XDG_CACHE_HOME, else $HOME/.cache, with "limen" added. Empty if
+/// neither is an absolute path.
 [[nodiscard]] std::filesystem::path cacheRoot();
 
-/// A key that changes when the program does: a hash of the running program's file.
+/// Hash of the running program's file, 16 hexadecimal digits. A rebuilt program thus never reads an older
+/// cached world.
 [[nodiscard]] std::string programKey();
 
-/// The directory `root`/`key` with the built-in world in it, written there if it is not yet. Written to a
-/// directory of another name first and renamed, so that processes that start at once do not meet half a
-/// world. The oldest others under `root` beyond a few are removed. Without a root that can be written, a
-/// temporary directory. Errors: the writer's; no place at all to write.
+/// Opens the built-in world in `root`/`key` and writes it first if it is missing or incomplete. The files are
+/// written to a staging directory that is then renamed. Otherwise two processes that start at once could read
+/// half a world. Old worlds under `root` are removed. If `root` is not writable, the world goes to a
+/// temporary directory. Requires a key that is not empty. Errors: the writer's; no directory is writable.
 [[nodiscard]] Result<BuiltInWorld> openBuiltInWorld(const std::filesystem::path& root, const std::string& key,
                                                     const WorldWriter& write);
 
-/// Throws the cached world away, so that the next open writes it anew.
+/// Removes the world's files, so that the next open writes them again.
 void discardBuiltInWorld(const BuiltInWorld& world);
 
 } // namespace limen::engine

@@ -1,5 +1,7 @@
 #include "engine/Camera.h"
 
+#include "core/Assert.h"
+
 #include <numbers>
 
 namespace limen::engine {
@@ -9,8 +11,8 @@ struct SinCos {
     double sin = 0.0, cos = 1.0;
 };
 
-/// Sine and cosine of an angle in degrees, exact at multiples of 90: a camera that looks along an axis must
-/// not miss a portal's plane by a rounding of pi.
+/// Sine and cosine of an angle in degrees, exact at multiples of 90. Otherwise the rounding of pi could move
+/// the ray of a camera that looks along an axis to the wrong side of a portal's plane.
 SinCos sinCosDegrees(double degrees) {
     const double turned = std::remainder(degrees, 360.0); // -180..180, exact
     const double quarter = std::nearbyint(turned / 90.0);
@@ -46,6 +48,9 @@ Heading headingOf(const Vec3& direction) {
 
 visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root) {
     const CameraBasis basis = basisOf(camera.heading);
+    LIMEN_ASSERT(size.width > 0 && size.height > 0, "a picture has pixels");
+    LIMEN_ASSERT(camera.fovDegrees > 0.0 && camera.fovDegrees < 180.0,
+                 "a perspective has a finite image plane");
     visibility::View view;
     view.eye = camera.eye;
     view.right = basis.right;

@@ -13,7 +13,7 @@ struct PixelSize {
     friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-/// The largest picture side that is drawn, in pixels.
+/// The largest width or height of a picture, in pixels.
 inline constexpr std::uint32_t kMaxSide = 16384;
 
 /// A viewing direction in degrees: yaw 0 is north (+Y), 90 is east (+X); pitch 90 is straight up.
@@ -21,7 +21,7 @@ struct Heading {
     double yaw = 0.0, pitch = 0.0;
 };
 
-/// A perspective camera in the user's terms.
+/// A perspective camera as a user describes it.
 struct Camera {
     Vec3 eye{0.0}; ///< global, metres
     Heading heading;
@@ -34,10 +34,11 @@ struct CameraBasis {
 };
 [[nodiscard]] CameraBasis basisOf(const Heading& heading);
 
-/// The heading along a direction of any non-zero length. Straight up and straight down have yaw 0.
+/// The heading of a direction. Its length is arbitrary but not 0. Straight up and straight down have yaw 0.
 [[nodiscard]] Heading headingOf(const Vec3& direction);
 
-/// The camera as the flood takes it. `root` is an index of the graph's spaces.
+/// The camera as the flood takes it. `root` is an index of the graph's spaces. Requires a size with pixels
+/// and a field of view between 0 and 180 degrees.
 [[nodiscard]] visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root);
 
 } // namespace limen::engine

@@ -7,7 +7,7 @@ namespace limen::engine {
 
 namespace {
 
-/// Draws with a context of its own what another session has loaded.
+/// Draws the part that another session has loaded, in a GL context of its own.
 class HelpingDrawer final : public check::Drawer {
 public:
     HelpingDrawer(const Session& helped, HeadlessSession headless, bool outlines, bool multisampled)
@@ -16,7 +16,7 @@ public:
 
     Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) override {
         const std::shared_ptr<const LoadedPart> there = helped_.sharePart();
-        LIMEN_ASSERT(there && there->target.centre == block, "what is to be drawn is loaded");
+        LIMEN_ASSERT(there && there->target.centre == block, "the other session has loaded this block");
         if (Result<void> shown = headless_.session->show(std::make_unique<PartPlanner>(there)); !shown)
             return tl::unexpected(shown.error());
         return std::shared_ptr<const world::World>(there, &there->world);
@@ -39,7 +39,8 @@ private:
 } // namespace
 
 Result<std::unique_ptr<check::Drawer>> CheckDrawer::makeHelper() {
-    // Not bindless: zink (Mesa 25.0) crashes where two contexts sample by handles at a time. Array pages give the same pictures.
+    // Array pages instead of bindless textures: zink (Mesa 25.0) crashes if two contexts sample by handles at
+    // the same time. The pictures are the same.
     SessionOptions options = session_.options();
     options.textures = gpu::TextureMode::ArrayPages;
     Result<HeadlessSession> headless = openHeadless(session_.shareSource(), options);
@@ -69,20 +70,20 @@ Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord bl
 reference::Camera CheckDrawer::cameraOf(const check::View& view, world::SpaceIndex root) {
     reference::Camera camera = engine::tracedCamera(requestOf(view, session_.part().world, root));
     if (multisampled_)
-        camera.place = Vec2(0.0); // samples have places of their own
+        camera.place = Vec2(0.0); // the samples' own offsets count
     return camera;
 }
 
-Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& eye, bool colour) {
+Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& request, bool colour) {
     const DrawOptions options{.ids = true,
                               .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
-                              .layers = !colour}; // counting takes the place of painting
-    if (Result<void> drawn = session.draw(eye, options); !drawn)
+                              .layers = !colour}; // layers are counted instead of blended
+    if (Result<void> drawn = session.draw(request, options); !drawn)
         return tl::unexpected(drawn.error());
     const gpu::RenderTarget& target = session.target();
     check::DrawnImages images;
-    images.width = eye.size.width;
-    images.height = eye.size.height;
+    images.width = request.size.width;
+    images.height = request.size.height;
     images.ids = target.readIds();
     images.depth = target.readDepth();
     images.nearPlane = frame::FrameView{}.nearPlane;
@@ -96,19 +97,20 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& eye,
 }
 
 Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::SpaceIndex root, bool colour) {
-    const FrameRequest eye = requestOf(view, session_.part().world, root);
-    Result<check::DrawnImages> images = multisampled_ ? drawSamples(eye) : drawImages(session_, eye, colour);
+    const FrameRequest request = requestOf(view, session_.part().world, root);
+    Result<check::DrawnImages> images =
+        multisampled_ ? drawSamples(request) : drawImages(session_, request, colour);
     if (images && outlines_)
         images->outlines = regionOutlines(session_.visible());
     return images;
 }
 
-Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameRequest& eye) {
-    if (Result<void> drawn = session_.draw(eye, {.shading = gpu::Shading::FlatIds}); !drawn)
+Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameRequest& request) {
+    if (Result<void> drawn = session_.draw(request, {.shading = gpu::Shading::FlatIds}); !drawn)
         return tl::unexpected(drawn.error());
     check::DrawnImages images;
-    images.width = eye.size.width;
-    images.height = eye.size.height;
+    images.width = request.size.width;
+    images.height = request.size.height;
     images.colour = session_.target().readColour();
     images.samples = session_.target().samplePositions();
     return images;

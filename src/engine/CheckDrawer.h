@@ -8,15 +8,18 @@
 
 namespace limen::engine {
 
-/// What a check of one frame holds against the traced one: ids, depth and layers; with `colour`, what is painted instead of layers.
-/// One sample a pixel. Errors: those of drawing.
-[[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& eye, bool colour);
+/// Draws the images that a check compares with the traced frame: ids, depth, and the counts of transparent
+/// layers. With `colour`, it draws the colours instead of the layers. One sample a pixel. Errors: those of
+/// drawing.
+[[nodiscard]] Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& request,
+                                                    bool colour);
 
-/// Draws the views of a check through the path of every other verb. The session must outlive it.
+/// Draws the views of a check. It uses a Session as all verbs do, so that a check tests the same code. The
+/// session must outlive it.
 class CheckDrawer final : public check::Drawer {
 public:
-    /// `outlines`: keep the regions of visits, for pictures of findings. `multisampled`: draw flat by id, with the session's
-    /// samples a pixel.
+    /// `outlines`: keep the regions of visits, for pictures of findings. `multisampled`: draw each polygon in
+    /// the flat colour of its id, with the session's number of samples.
     CheckDrawer(Session& session, bool outlines, bool multisampled)
         : session_(session), outlines_(outlines), multisampled_(multisampled) {}
 
@@ -31,11 +34,11 @@ public:
 private:
     using Reading = std::future<Result<std::unique_ptr<PartPlanner>>>;
 
-    [[nodiscard]] Result<check::DrawnImages> drawSamples(const FrameRequest& eye);
+    [[nodiscard]] Result<check::DrawnImages> drawSamples(const FrameRequest& request);
 
     Session& session_;
     bool outlines_, multisampled_;
-    dat::BlockCoord expected_; ///< what coming_ reads
+    dat::BlockCoord expected_; ///< the block that coming_ reads
     Reading coming_;
 };
 

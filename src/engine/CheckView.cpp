@@ -1,6 +1,7 @@
 #include "engine/CheckView.h"
 
 #include "check/Standing.h"
+#include "core/Assert.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -21,51 +22,56 @@ std::vector<double> eachDoor(const std::vector<check::View::DoorState>& states, 
 } // namespace
 
 FrameRequest requestOf(const check::View& view, const world::World& world, world::SpaceIndex root) {
-    FrameRequest eye;
-    eye.camera = {view.eye, {view.yaw, view.pitch}, view.fov};
-    eye.size = {view.width, view.height};
-    eye.root = root;
-    eye.scene.player = view.player.value_or(view.eye);
+    LIMEN_ASSERT(root < world.spaces.size(), "the root is a space of this world");
+    FrameRequest request;
+    request.camera = {view.eye, {view.yaw, view.pitch}, view.fov};
+    request.size = {view.width, view.height};
+    request.root = root;
+    request.scene.player = view.player.value_or(view.eye);
     if (view.body) {
         const check::View::Body& body = *view.body;
         const world::SpaceIndex space = body.root == 0 ? world::kOutside : world::findCell(world, body.root);
         if (space != world::kNone)
-            eye.scene.body =
+            request.scene.body =
                 motion::PlayerBody{body.feet, body.yaw, space, body.opacity, body.speed, body.metres};
     }
-    eye.scene.time = view.time;
-    eye.scene.seconds = view.seconds;
-    eye.scene.doors = view.doors;
-    eye.scene.eachDoor = eachDoor(view.eachDoor, world);
-    eye.scene.dayGroup = view.dayGroup;
-    eye.scene.weather = view.rain ? Weather::Rain : Weather::Clear;
-    return eye;
+    request.scene.time = view.time;
+    request.scene.seconds = view.seconds;
+    request.scene.doors = view.doors;
+    request.scene.eachDoor = eachDoor(view.eachDoor, world);
+    request.scene.dayGroup = view.dayGroup;
+    request.scene.weather = view.rain ? Weather::Rain : Weather::Clear;
+    return request;
 }
 
-check::View viewOf(const FrameRequest& eye, const world::World& world) {
+check::View viewOf(const FrameRequest& request, const world::World& world) {
+    LIMEN_ASSERT(request.root < world.spaces.size(), "the request is of this world");
     check::View view;
-    view.eye = eye.camera.eye;
-    view.yaw = eye.camera.heading.yaw;
-    view.pitch = eye.camera.heading.pitch;
-    view.fov = eye.camera.fovDegrees;
-    view.width = eye.size.width;
-    view.height = eye.size.height;
-    view.root = check::cellIdOf(world, eye.root);
-    if (eye.scene.body)
-        view.body = check::View::Body{
-            eye.scene.body->feet,    eye.scene.body->yaw,   check::cellIdOf(world, eye.scene.body->space),
-            eye.scene.body->opacity, eye.scene.body->speed, eye.scene.body->metres};
-    else if (eye.scene.player != eye.camera.eye)
-        view.player = eye.scene.player;
-    view.time = eye.scene.time;
-    view.seconds = eye.scene.seconds;
-    view.doors = eye.scene.doors;
-    for (std::size_t i = 0; i < std::min(eye.scene.eachDoor.size(), world.doors.size()) && !eye.scene.doors;
-         ++i)
-        if (eye.scene.eachDoor[i] != world.doors[i].open)
-            view.eachDoor.push_back({world.doors[i].name, eye.scene.eachDoor[i]});
-    view.dayGroup = eye.scene.dayGroup;
-    view.rain = eye.scene.weather == Weather::Rain;
+    view.eye = request.camera.eye;
+    view.yaw = request.camera.heading.yaw;
+    view.pitch = request.camera.heading.pitch;
+    view.fov = request.camera.fovDegrees;
+    view.width = request.size.width;
+    view.height = request.size.height;
+    view.root = check::cellIdOf(world, request.root);
+    if (request.scene.body)
+        view.body = check::View::Body{request.scene.body->feet,
+                                      request.scene.body->yaw,
+                                      check::cellIdOf(world, request.scene.body->space),
+                                      request.scene.body->opacity,
+                                      request.scene.body->speed,
+                                      request.scene.body->metres};
+    else if (request.scene.player != request.camera.eye)
+        view.player = request.scene.player;
+    view.time = request.scene.time;
+    view.seconds = request.scene.seconds;
+    view.doors = request.scene.doors;
+    for (std::size_t i = 0;
+         i < std::min(request.scene.eachDoor.size(), world.doors.size()) && !request.scene.doors; ++i)
+        if (request.scene.eachDoor[i] != world.doors[i].open)
+            view.eachDoor.push_back({world.doors[i].name, request.scene.eachDoor[i]});
+    view.dayGroup = request.scene.dayGroup;
+    view.rain = request.scene.weather == Weather::Rain;
     return view;
 }
 

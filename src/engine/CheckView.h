@@ -7,14 +7,16 @@
 
 namespace limen::engine {
 
-/// A view of a check as a frame of a loaded world. Doors and cells that are not loaded are left out.
+/// Converts a view of a check into a frame of a loaded world. Doors, and a body in a cell, that are not
+/// loaded are left out.
 [[nodiscard]] FrameRequest requestOf(const check::View& view, const world::World& world,
                                      world::SpaceIndex root);
 
-/// A frame as the view of a check. Its kind is not set.
+/// Converts a frame into the view of a check. The kind of the view is not set.
 [[nodiscard]] check::View viewOf(const FrameRequest& request, const world::World& world);
 
-/// The command that draws this frame again, with its root named. `datOption` is "" or " --dat DIR".
+/// The command line that draws this frame again. It names the root, because the eye's position alone can be
+/// ambiguous. `datOption` is "" or " --dat DIR".
 [[nodiscard]] std::string reproduction(const world::World& world, const FrameRequest& request,
                                        const std::string& datOption);
 

@@ -1,5 +1,6 @@
 #include "engine/DayGroup.h"
 
+#include "core/Assert.h"
 #include "world/Sky.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ std::string labels(const dat::SkyDesc& sky) {
 } // namespace
 
 std::string dayGroupLabel(const dat::SkyDesc& sky, std::uint32_t group) {
+    LIMEN_ASSERT(group < sky.dayGroups.size(), "a day group of this sky");
     const std::string& name = sky.dayGroups[group].name;
     const auto alike = std::count_if(sky.dayGroups.begin(), sky.dayGroups.end(),
                                      [&](const dat::DayGroup& other) { return other.name == name; });
@@ -32,9 +34,9 @@ Result<std::uint32_t> dayGroupOf(const dat::SkyDesc& sky, const std::string& tex
     if (const std::optional<std::uint32_t> group = world::dayGroupNamed(sky, text))
         return *group;
     return fail(ErrorCode::NotFound, "--day",
-                sky.dayGroups.empty() ? "this world's data has no kinds of days"
-                                      : fmt::format("there is no kind of day '{}' in this world: it has {}",
-                                                    text, labels(sky)));
+                sky.dayGroups.empty()
+                    ? "this world has no kinds of days; leave --day out"
+                    : fmt::format("unknown kind of day '{}'; this world has {}", text, labels(sky)));
 }
 
 } // namespace limen::engine

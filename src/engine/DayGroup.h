@@ -8,10 +8,12 @@
 
 namespace limen::engine {
 
-/// The day group that --day names; empty: the first. Errors: there is none such (those that there are, are in the message).
+/// The index of the day group that `text` (--day) names or numbers; empty: the first. Errors: NotFound, with
+/// the labels of all day groups.
 [[nodiscard]] Result<std::uint32_t> dayGroupOf(const dat::SkyDesc& sky, const std::string& text);
 
-/// What people choose it by: its name, and its number where others have the same or it has none.
+/// The label of a day group in lists: its name. Its number is added if several groups share the name, and
+/// replaces a missing name. Requires a valid index.
 [[nodiscard]] std::string dayGroupLabel(const dat::SkyDesc& sky, std::uint32_t group);
 
 } // namespace limen::engine

@@ -13,16 +13,16 @@ void add(Hash& hash, const Vec3& v) {
 
 } // namespace
 
-std::uint64_t decisionHash(const FrameRequest& eye, const visibility::VisibleSet& visible,
+std::uint64_t decisionHash(const FrameRequest& request, const visibility::VisibleSet& visible,
                            const world::DynamicState& dynamics) {
     Hash hash;
-    add(hash, eye.camera.eye);
-    for (const double value :
-         {eye.camera.heading.yaw, eye.camera.heading.pitch, eye.scene.time, eye.scene.seconds})
+    add(hash, request.camera.eye);
+    for (const double value : {request.camera.heading.yaw, request.camera.heading.pitch, request.scene.time,
+                               request.scene.seconds})
         hash.add(value);
-    hash.add(eye.root);
-    hash.add(eye.scene.dayGroup);
-    hash.add(eye.scene.weather);
+    hash.add(request.root);
+    hash.add(request.scene.dayGroup);
+    hash.add(request.scene.weather);
     for (const visibility::Visit& visit : visible.visits)
         for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})
             hash.add(value);

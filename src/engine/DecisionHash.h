@@ -4,9 +4,10 @@
 
 namespace limen::engine {
 
-/// Tells frames apart by what was decided of them: eye, visits, where everything is that moves, what is shut. Equal
-/// frames of one world have equal pictures. A picture's size does not count.
-[[nodiscard]] std::uint64_t decisionHash(const FrameRequest& eye, const visibility::VisibleSet& visible,
+/// Hash of the decisions behind a frame: eye, scene, visits, poses of dynamic instances, closed openings. Two
+/// frames of one world with the same hash have the same picture. The size of the picture does not enter the
+/// hash.
+[[nodiscard]] std::uint64_t decisionHash(const FrameRequest& request, const visibility::VisibleSet& visible,
                                          const world::DynamicState& dynamics);
 
 } // namespace limen::engine

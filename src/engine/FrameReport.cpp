@@ -5,7 +5,7 @@
 namespace limen::engine {
 
 std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible, const visibility::Visit& visit) {
-    constexpr double kAtEye = 1e-12; // metres forward; nearer than any surface a file can hold
+    constexpr double kAtEye = 1e-12; // metres forward of the eye; positions in files are much coarser
     std::vector<Vec2> corners;
     for (const Vec3& corner : visible.region(visit))
         if (corner.z > kAtEye)

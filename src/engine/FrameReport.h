@@ -9,7 +9,7 @@
 
 namespace limen::engine {
 
-/// One stage's work and time. A time that was not measured is NaN.
+/// Work and time of one stage. A time that was not measured is NaN.
 struct StageFigures {
     std::string name;
     std::uint32_t draws = 0;
@@ -22,21 +22,22 @@ struct FrameFigures {
     std::string textures; ///< "bindless" or "array pages"
     std::vector<StageFigures> stages;
     std::uint32_t glCalls = 0;
-    std::uint32_t ringStalls = 0; ///< frames that waited for the GPU, and times the ring grew, so far
-    std::size_t bytesWritten = 0; ///< by the frame
-    std::string trouble;          ///< as in gpu::FrameReport
+    std::uint32_t ringStalls = 0; ///< so far: frames that waited for the GPU, plus growths of the ring
+    std::size_t bytesWritten = 0; ///< into the ring, by this frame
+    std::string trouble;          ///< as gpu::FrameReport::trouble
     gpu::DeviceObjects resident;
     double floodMs = 0.0, planMs = 0.0, submitMs = 0.0, gpuMs = 0.0;
 };
 
-/// The cells that any visit may see, by id, each once, ascending; without the outside.
+/// Ids of the cells that any visit can see, ascending, without duplicates. The outside is not listed.
 [[nodiscard]] std::vector<dat::RecordId> cellsSeen(const world::World& world,
                                                    const visibility::VisibleSet& visible);
 
-/// A visit's region in NDC. Corners at the eye itself (w = 0) have no place on the screen and are left out.
+/// A visit's region in NDC. Corners at the eye itself (w = 0) have no position on the screen and are left
+/// out.
 [[nodiscard]] std::vector<Vec2> regionNdc(const visibility::VisibleSet& visible,
                                           const visibility::Visit& visit);
-/// The regions of all visits.
+/// The regions of all visits in NDC, by visit.
 [[nodiscard]] std::vector<std::vector<Vec2>> regionOutlines(const visibility::VisibleSet& visible);
 
 } // namespace limen::engine

@@ -26,7 +26,8 @@ Result<world::SpaceIndex> findRoot(const world::World& world, const RootChoice& 
     const world::SpaceIndex cell = world::findCell(world, root.cell);
     if (cell == world::kNone)
         return fail(ErrorCode::NotFound, "--root",
-                    fmt::format("there is no cell {} in this world", dat::idText(root.cell)));
+                    fmt::format("there is no cell {} in this part of the world; use --root auto",
+                                dat::idText(root.cell)));
     return cell;
 }
 
@@ -36,12 +37,13 @@ Result<Vec3> placedEye(const world::World& world, const ViewRequest& request) {
         return eye;
     const double ground = world::terrainHeight(world, eye.x, eye.y);
     if (!std::isfinite(ground))
-        return fail(ErrorCode::NotFound, "--at", "there is no ground at these map coordinates in this world");
+        return fail(ErrorCode::NotFound, "--at",
+                    "there is no ground at these map coordinates; give --eye X,Y,Z instead");
     eye.z = ground + kEyeHeight;
     return eye;
 }
 
-/// By World::doors. Doors that are not loaded are left out.
+/// Openness by World::doors. Doors that the file names but that are not loaded are left out.
 Result<std::vector<double>> eachDoor(const world::World& world, const world::WorldFile& file,
                                      std::span<const check::View::DoorState> states) {
     std::vector<double> open;
@@ -51,7 +53,7 @@ Result<std::vector<double>> eachDoor(const world::World& world, const world::Wor
         const auto isIt = [&](const auto& door) { return door.name == state.name; };
         if (std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
             return fail(ErrorCode::NotFound, "--door",
-                        "this world's world.json names no door '" + state.name + "'");
+                        "unknown door '" + state.name + "': world.json does not name it");
         const auto found = std::find_if(world.doors.begin(), world.doors.end(), isIt);
         if (found != world.doors.end())
             open[static_cast<std::size_t>(found - world.doors.begin())] = state.open;
@@ -123,7 +125,7 @@ motion::DynamicStateInput dynamicsInputOf(const world::World& world, const Frame
 
 Result<FrameRequest> frameRequest(const world::World& world, const world::WorldFile& file,
                                   const ViewRequest& request) {
-    LIMEN_ASSERT(request.place.empty(), "resolve the place first");
+    LIMEN_ASSERT(request.place.empty(), "resolvePlace has filled in the place");
     FrameRequest frame;
     const Result<Vec3> eye = placedEye(world, request);
     if (!eye)
@@ -162,6 +164,7 @@ FrameInputs frameInputs(const world::World& world, const FrameRequest& request, 
 }
 
 motion::DynamicStateInput dynamicsInput(const world::World& world, const FrameRequest& request) {
+    LIMEN_ASSERT(request.root < world.spaces.size(), "the root is a space of this world");
     return dynamicsInputOf(world, request, viewOf(request.camera, request.size, request.root));
 }
 

@@ -1,6 +1,6 @@
 #include "engine/HeapTuning.h"
 
-#include <cstdlib> // defines __GLIBC__, where it is that library
+#include <cstdlib> // defines __GLIBC__ if the C library is glibc
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

@@ -2,10 +2,13 @@
 
 namespace limen::engine {
 
-/// For programs that load one part of the world after the other for hours; to be called before they begin. Where the allocator is glibc's,
-/// all threads allocate from one arena from here on: what the thread that read one part gives back, the one that reads the next finds
-/// again, though threads that allocate much at once wait for each other. And arrays of a MiB and more are the system's own from
-/// beginning to end: else the allocator learns to keep them, and lays what is small and lives long in between.
+/// Tunes glibc's allocator for programs that load parts of the world for hours. Call it at the start; with
+/// other C libraries it does nothing.
+/// - All threads use one arena. The thread that reads the next part then reuses the memory that the last
+///   reader freed. The cost: threads that allocate much at the same time wait for each other.
+/// - Arrays of 1 MiB and more are mapped from the system and returned to it. Otherwise the allocator learns
+///   to keep them in the heap and places small, long-lived blocks between them, so that the heap fragments
+///   and grows.
 void tuneHeap();
 
 } // namespace limen::engine

@@ -1,6 +1,6 @@
 #include "engine/IdTable.h"
 
-#include "cli/Parse.h"
+#include "core/Assert.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -54,6 +54,7 @@ IdMeaning IdTable::meaning(std::uint32_t id, const world::DynamicState& dynamics
                                    [&](const world::Instance& i) { return i.idBase == known->idBase; });
     const world::Instance& found = here != dynamics.instances.end() ? *here : *known;
     const std::uint32_t number = id - found.idBase;
+    LIMEN_ASSERT(found.mesh < world_.meshes.size(), "the dynamic state is of this world");
     const std::size_t info = world_.meshes[found.mesh].firstPolygonInfo + std::size_t{number};
     const std::uint32_t polygon = info < world_.polygonIds.size() ? world_.polygonIds[info] : number;
     return {spaceName(world_, found.placedIn), kKindNames.at(static_cast<std::size_t>(found.kind)),

@@ -8,28 +8,29 @@
 
 namespace limen::engine {
 
-/// What an id of the id image stands for, in the words of frame.json.
+/// The meaning of an id of the id image, in the terms of frame.json.
 struct IdMeaning {
     std::string space;         ///< "outside", "0x%08X", or "none" for void
     std::string kind;          ///< "shell", "terrain", ..., "sky", "void"
     std::string record;        ///< "0x%08X"
-    std::string object;        ///< the object's identity, sixteen hexadecimal digits; empty for sky and void
-    std::uint32_t polygon = 0; ///< its id in the record
+    std::string object;        ///< the object's identity, 16 hexadecimal digits; empty for sky and void
+    std::uint32_t polygon = 0; ///< the polygon's id in the record
     bool operator==(const IdMeaning&) const = default;
 };
 
 inline constexpr std::uint32_t kVoidPixel = 0, kSkyPixel = 1;
 
-/// "outside" or "0x%08X".
+/// "outside", the cell's id as "0x%08X", or "none" for an index beyond the world's spaces.
 [[nodiscard]] std::string spaceName(const world::World& world, world::SpaceIndex space);
 
-/// Looks ids of one world's pictures up. The world must outlive it.
+/// Looks up the ids of one world's pictures. The world must outlive it.
 class IdTable {
 public:
     explicit IdTable(const world::World& world);
-    /// An id that no instance has is told as kind "unknown", space "none". What moves is placed where `moment` says.
+    /// An id that belongs to no instance has the kind "unknown" and the space "none". Dynamic instances are
+    /// in the space that `dynamics` gives.
     [[nodiscard]] IdMeaning meaning(std::uint32_t id, const world::DynamicState& dynamics = {}) const;
-    /// The instance an id belongs to: one of World::instances or of World::movingParts, or null.
+    /// The instance that an id belongs to, from World::instances or World::movingParts; null: none.
     [[nodiscard]] const world::Instance* instance(std::uint32_t id) const;
 
 private:

@@ -1,5 +1,6 @@
 #include "engine/Picked.h"
 
+#include "core/Assert.h"
 #include "engine/VisitTree.h"
 
 #include <algorithm>
@@ -20,7 +21,9 @@ Picked pickedPixel(const world::World& world, const IdTable& table, const world:
     }
     while (visit < visible.visits.size()) {
         picked.chain.push_back(visitLabel(world, visible, visit));
-        visit = visible.visits[visit].parent;
+        const std::uint32_t parent = visible.visits[visit].parent;
+        LIMEN_ASSERT(parent < visit || parent >= visible.visits.size(), "parents come before children");
+        visit = parent;
     }
     std::reverse(picked.chain.begin(), picked.chain.end());
     return picked;

@@ -5,21 +5,23 @@
 
 namespace limen::engine {
 
-/// What a pixel's ray ends on, and by which openings it came there. Outlives the world it is about.
+/// The surface that a pixel's ray ends on, and the chain of visits that leads to it. Holds copies only, so it
+/// may outlive the world.
 struct Picked {
     IdMeaning meaning;
     std::uint64_t object = 0;       ///< world::Instance::object; 0 for sky and void
-    bool isLandscape = false;       ///< terrain: a whole block of it is one object
+    bool isLandscape = false;       ///< terrain, where a whole block is one object
     double distance = 0.0;          ///< metres along the ray; infinite for sky and void
-    std::vector<std::string> chain; ///< labels of the visits, from the eye's on
+    std::vector<std::string> chain; ///< labels of the visits, the eye's first
 };
 
-/// A pixel, as a frame with ids was drawn: the id, the number of the visit that owns it, and the distance.
+/// Describes a pixel of a frame that was drawn with ids. `visit` is the pixel's leaf visit, `distance` is in
+/// metres along the ray.
 [[nodiscard]] Picked pickedPixel(const world::World& world, const IdTable& table,
                                  const world::DynamicState& dynamics, const visibility::VisibleSet& visible,
                                  std::uint32_t id, std::uint32_t visit, double distance);
 
-/// In lines: what it is, of which record, where, how far away, and then the chain.
+/// As lines of text: kind, record and polygon, object and space, distance, then the chain.
 [[nodiscard]] std::vector<std::string> pickedLines(const Picked& picked);
 
 } // namespace limen::engine

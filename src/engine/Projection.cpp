@@ -3,7 +3,7 @@
 namespace limen::engine {
 
 std::optional<std::pair<Vec2, Vec2>> projectLine(const Vec3& a, const Vec3& b, const visibility::View& eye) {
-    constexpr double kNearest = 0.02; // metres before the eye that lines are cut at
+    constexpr double kNearest = 0.02; // metres in front of the eye; lines are clipped there
     const Mat3 screen = eye.screenFromEye();
     Vec3 from = screen * (a - eye.eye), to = screen * (b - eye.eye);
     if (from.z < kNearest && to.z < kNearest)

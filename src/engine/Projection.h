@@ -7,7 +7,8 @@
 
 namespace limen::engine {
 
-/// A line's part before the eye, in NDC; it may leave the picture. None: all of it lies behind.
+/// Projects the part of a line (global, metres) that is in front of the eye, to NDC. Its ends can be outside
+/// of the picture. None: the whole line is behind the eye.
 [[nodiscard]] std::optional<std::pair<Vec2, Vec2>> projectLine(const Vec3& a, const Vec3& b,
                                                                const visibility::View& eye);
 

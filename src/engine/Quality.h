@@ -10,20 +10,21 @@
 
 namespace limen::engine {
 
-/// How much of a world is loaded, and how finely it is drawn. None of it changes what is right, only how far and how smooth.
+/// A quality level: the size of the loaded part, and sampling. The ray rule holds at every level; levels
+/// differ only in distance and smoothness.
 struct Quality {
     const char* name;
-    int radius, farRadius; ///< blocks with everything, and with their ground alone
-    double detail;         ///< as LoadOptions::detail
-    std::uint32_t samples; ///< a pixel
-    float anisotropy;      ///< at most
+    int radius, farRadius; ///< in blocks: the near tier, and the far tier (ground only)
+    double detail;         ///< as world::LoadOptions::detail
+    std::uint32_t samples; ///< samples a pixel
+    float anisotropy;      ///< upper bound of anisotropic filtering
 };
 
 inline constexpr std::array kQualities{
     Quality{"low", 2, 6, 0.5, 1, 1.0f}, Quality{"medium", 3, 9, 0.75, 1, 2.0f},
     Quality{"high", 4, 12, 1.0, 1, 4.0f}, Quality{"ultra", 6, 16, 2.0, 4, 16.0f}};
 
-/// Index into kQualities.
+/// The index in kQualities of the level with this name.
 [[nodiscard]] inline std::optional<std::size_t> qualityNamed(std::string_view name) {
     for (std::size_t i = 0; i < kQualities.size(); ++i)
         if (kQualities[i].name == name)
@@ -31,7 +32,7 @@ inline constexpr std::array kQualities{
     return std::nullopt;
 }
 
-/// What a quality says of loading; the rest stays.
+/// `load` with the options of a quality level; the other options stay.
 [[nodiscard]] inline world::LoadOptions loadBy(const Quality& quality, world::LoadOptions load) {
     load.radius = quality.radius;
     load.farRadius = quality.farRadius;

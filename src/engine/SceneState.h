@@ -10,16 +10,16 @@ namespace limen::engine {
 
 using frame::Weather;
 
-/// The changing part of a scene: everything that a frame shows beside the camera and the world's records.
+/// The variable state of a scene: all inputs of a frame except the camera and the world's records.
 struct SceneState {
-    double time = 0.5;          ///< fraction of the day, 0 and 1 are midnight
+    double time = 0.5;          ///< fraction of the day; 0 and 1 are midnight
     std::uint32_t dayGroup = 0; ///< index of the Region's day groups
     Weather weather = Weather::Clear;
-    double seconds = 0.0;        ///< since the world began; moves villagers, sprites and clouds
-    std::optional<double> doors; ///< openness of all doors, 0..1; none: `eachDoor` counts
+    double seconds = 0.0;        ///< since the start of the world; drives villagers, sprites and clouds
+    std::optional<double> doors; ///< openness of all doors, 0..1; none: `eachDoor` applies
     std::vector<double>
-        eachDoor;     ///< openness by World::doors; doors beyond its end keep their resting openness
-    Vec3 player{0.0}; ///< global; ignored if there is a body
+        eachDoor;     ///< openness by World::doors, 0..1; doors beyond its end keep their initial openness
+    Vec3 player{0.0}; ///< global, metres; ignored if there is a body
     std::optional<motion::PlayerBody> body; ///< the player's visible body
 };
 

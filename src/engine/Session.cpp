@@ -13,7 +13,7 @@
 namespace limen::engine {
 namespace {
 
-/// Milliseconds since it was made.
+/// Milliseconds since its construction.
 class Stopwatch {
 public:
     [[nodiscard]] double ms() const {
@@ -31,7 +31,8 @@ constexpr bool kIsDevelopment = true;
 constexpr bool kIsDevelopment = false;
 #endif
 
-/// Blocks that an eye may go from the loaded centre before the next part is loaded, as a share of the radius.
+/// Distance in blocks from the loaded centre that the eye can move before the next part is loaded: half the
+/// radius.
 int leashOf(int radius) {
     return std::max(1, radius / 2);
 }
@@ -52,7 +53,7 @@ Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions
       checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
       pipeline_(drawnOn(), {.textures = {.mode = options.textures, .anisotropy = options.anisotropy},
                             .culling = options.culling}) {
-    LIMEN_ASSERT(source_ != nullptr, "a session has files");
+    LIMEN_ASSERT(source_ != nullptr, "a session has a source");
 }
 
 Session::~Session() = default;
@@ -78,15 +79,17 @@ Result<void> Session::load(dat::BlockCoord centre) {
 }
 
 Result<std::unique_ptr<PartPlanner>> Session::read(const PartTarget& target, unsigned threads) const {
+    LIMEN_ASSERT(threads > 0, "at least one thread reads");
     Result<std::shared_ptr<const LoadedPart>> loaded =
         loadPart(source_->archive, target, source_->file.moving, {cache_.get(), threads});
-    source_->archive.letPagesGo(); // the cache holds the records that are needed again soon
+    source_->archive.letPagesGo(); // the cache holds the records that the next part needs
     if (!loaded)
         return tl::unexpected(loaded.error());
     return std::make_unique<PartPlanner>(std::move(*loaded));
 }
 
 std::shared_ptr<const LoadedPart> Session::follow(const Vec3& eye, world::SpaceIndex root) {
+    LIMEN_ASSERT(isLoaded(), "load before following an eye");
     const LoadedPart& shown = part();
     const dat::RecordId cell = cellOf(shown.world, root);
     const dat::BlockCoord here = blockAround(source_->archive, shown, cell, eye);
@@ -99,7 +102,7 @@ std::shared_ptr<const LoadedPart> Session::follow(const Vec3& eye, world::SpaceI
         return nullptr;
     Result<std::unique_ptr<PartPlanner>> loaded = read(target);
     if (!loaded)
-        return nullptr; // the old part stays
+        return nullptr; // the part on the screen stays
     offered_ = std::move(*loaded);
     return offered_->part;
 }
@@ -114,15 +117,18 @@ Passage Session::open(dat::BlockCoord centre) {
 }
 
 Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions& options) {
+    LIMEN_ASSERT(size.width <= kMaxSide && size.height <= kMaxSide,
+                 "the picture is not larger than kMaxSide");
     const bool multisampled = options_.samples > 1 && !options.ids && !options.layers;
     std::optional<gpu::RenderTarget>& target = multisampled ? sampledTarget_ : target_;
-    // A target that can count layers also serves frames without layers, so that alternating frames make no new targets.
+    // A target that can count layers also serves frames without layers. Otherwise frames of alternating kinds
+    // would make a new target each.
     const bool fits = target && target->width() == size.width && target->height() == size.height;
     const bool layers = !multisampled && (options.layers || (fits && target->options().layers));
     if (fits && target->options().layers == layers)
         return &*target;
     shown_ = nullptr;
-    target.reset(); // room for the new one
+    target.reset(); // frees its memory before the new target is made
     Result<gpu::RenderTarget> made =
         gpu::RenderTarget::create(drawnOn(), size.width, size.height,
                                   {.layers = layers, .samples = multisampled ? options_.samples : 0});
@@ -168,6 +174,11 @@ Result<Picked> Session::pick(const FrameRequest& request, std::uint32_t x, std::
 void Session::tracePortals(const FrameRequest& request, visibility::FloodTrace& trace) {
     LIMEN_ASSERT(isLoaded() && shown_ != nullptr, "draw a frame first");
     pipeline_.trace(viewOf(request.camera, request.size, request.root), trace);
+}
+
+const gpu::RenderTarget& Session::target() const {
+    LIMEN_ASSERT(shown_ != nullptr, "draw a frame first");
+    return *shown_;
 }
 
 FrameFigures Session::figures() const {

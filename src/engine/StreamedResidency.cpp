@@ -10,7 +10,7 @@
 namespace limen::engine {
 namespace {
 
-/// The other processors draw, or belong to other programs.
+/// Half of the processors: the others draw, or serve other programs.
 unsigned threadsToReadOn() {
     return std::max(std::thread::hardware_concurrency() / 2, 1u);
 }
@@ -19,7 +19,8 @@ unsigned threadsToReadOn() {
 
 StreamedResidency::StreamedResidency(Session& session) : session_(session) {
     LIMEN_ASSERT(session.isLoaded(), "streaming begins with a loaded part");
-    static_cast<void>(session_.renderer().makeRoom()); // without it the first part only costs frames more
+    // On failure the first part only takes more frames to upload.
+    static_cast<void>(session_.renderer().makeRoom());
 }
 
 std::shared_ptr<const LoadedPart> StreamedResidency::follow(const Vec3& eye, world::SpaceIndex root) {
@@ -40,7 +41,7 @@ bool StreamedResidency::step(const StreamEye& eye) {
 
 StreamProgress StreamedResidency::progress(std::size_t bytes) {
     StreamProgress progress;
-    // Every frame, also when nothing comes: it frees the scenes that are no longer drawn.
+    // Needed in every frame, also without an upload: it frees scenes that are no longer drawn.
     const Result<bool> uploaded = session_.renderer().advance(bytes);
     if (isUploading_) {
         progress.isUploaded = uploaded && *uploaded;
@@ -113,13 +114,16 @@ Result<StreamedResidency::Coming> StreamedResidency::read(const Session& session
 }
 
 void StreamedResidency::beginToRead(const PartTarget& target) {
-    // The work takes copies: the session goes on meanwhile.
+    LIMEN_ASSERT(!reading_.valid() && !isUploading_, "one part comes at a time");
+    // The work takes copies, because the session continues meanwhile. `session` itself is only read through
+    // `read`.
     reading_ = background_.run(
         [&session = std::as_const(session_), target, options = session_.renderer().options(),
          before = session_.renderer().state()] { return read(session, target, options, before); });
 }
 
 void StreamedResidency::beginToUpload() {
+    LIMEN_ASSERT(coming_.planner != nullptr && coming_.scene != nullptr, "a part was read and staged");
     isUploading_ = true;
     coming_.arrays = coming_.scene->arrays;
     if (const Result<void> begun = session_.renderer().begin(std::move(*coming_.scene)); !begun)

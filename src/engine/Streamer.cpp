@@ -14,7 +14,8 @@ int blocksBetween(dat::BlockCoord a, dat::BlockCoord b) {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
 }
 
-/// An eye in the centre block itself is always covered: a dungeon's cells may have any coordinates.
+/// An eye whose space is in the centre block is always covered. Its position does not count there, because a
+/// dungeon's cells can have any coordinates.
 bool covers(const PartTarget& target, const StreamEye& eye) {
     return target.centre == eye.block ||
            (blocksBetween(target.centre, eye.block) <= 1 &&
@@ -23,8 +24,8 @@ bool covers(const PartTarget& target, const StreamEye& eye) {
 
 } // namespace
 
-/// A coming part that no longer covers the eye is still shown if it is closer than the part on the screen. Otherwise an eye that
-/// flies faster than parts load would never see a new one.
+/// A coming part that no longer covers the eye is still shown if it is closer than the part on the screen.
+/// Otherwise an eye that flies faster than parts load would never see a new one.
 bool Streamer::isWanted(const PartTarget& shown, const StreamEye& eye,
                         const world::LoadOptions& wanted) const {
     if (!(coming_.options == wanted))
@@ -71,10 +72,11 @@ StreamCommand Streamer::continueUploading(bool isWanted, const StreamProgress& p
 
 StreamCommand Streamer::step(const PartTarget& shown, const StreamEye& eye, const world::LoadOptions& wanted,
                              const StreamProgress& progress) {
-    LIMEN_ASSERT(!progress.isRead || phase_ == Phase::Reading, "only a part that was asked for can be read");
+    LIMEN_ASSERT(!progress.isRead || phase_ == Phase::Reading, "only a part that was requested can be read");
     LIMEN_ASSERT(!progress.isUploaded || phase_ == Phase::Uploading,
                  "only a part that was read can be uploaded");
-    // Another caller has loaded a part: the coming one was made to follow the part that is gone.
+    // If another caller has loaded a part, the coming scene is unusable: it was staged as the successor of
+    // the old scene.
     const bool isAnother = shown_ && !(*shown_ == shown);
     shown_ = shown;
     const bool isStillWanted = !isAnother && !isOutdated_ && isWanted(shown, eye, wanted);
@@ -102,7 +104,7 @@ void Streamer::shown() {
 }
 
 const PartTarget& Streamer::coming() const {
-    LIMEN_ASSERT(phase_ != Phase::Idle, "something is coming");
+    LIMEN_ASSERT(phase_ != Phase::Idle, "a part is read or uploaded");
     return coming_;
 }
 

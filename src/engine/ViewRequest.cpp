@@ -16,14 +16,16 @@ Result<const world::Place*> findPlace(const world::WorldFile& file, const std::s
     if (found != file.places.end())
         return &*found;
     if (file.places.empty())
-        return fail(ErrorCode::NotFound, "--at",
-                    fmt::format("'{}' is not known: this world's world.json names no places", name));
+        return fail(
+            ErrorCode::NotFound, "--at",
+            fmt::format("unknown place '{}': this world's world.json names no places; give --eye X,Y,Z",
+                        name));
     std::vector<std::string> names;
     for (std::size_t i = 0; i < std::min<std::size_t>(file.places.size(), 12); ++i)
         names.push_back(file.places[i].name);
     return fail(ErrorCode::NotFound, "--at",
-                fmt::format("'{}' is not a place of this world, which knows {}{}", name,
-                            fmt::join(names, ", "), file.places.size() > names.size() ? ", ..." : ""));
+                fmt::format("unknown place '{}'; this world has {}{}", name, fmt::join(names, ", "),
+                            file.places.size() > names.size() ? ", ..." : ""));
 }
 
 RootChoice rootOf(const world::Place& place) {
@@ -58,7 +60,7 @@ ViewRequest requestAt(const world::Place& place) {
 }
 
 dat::BlockCoord centreOf(const ViewRequest& request) {
-    LIMEN_ASSERT(request.place.empty(), "resolve the place first");
+    LIMEN_ASSERT(request.place.empty(), "resolvePlace has filled in the place");
     return request.root && request.root->rule == RootChoice::Rule::Cell ? dat::blockOf(request.root->cell)
                                                                         : world::blockAt(request.eye);
 }

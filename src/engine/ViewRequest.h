@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-// A frame in the terms of a user or a script, before any part of the world is loaded. FrameRequest.h has the same frame in the
-// terms of a loaded world.
+// A frame as a user or a script describes it, before any part of the world is loaded: by names and record
+// ids. FrameRequest.h has the same frame with the indices of a loaded part.
 namespace limen::engine {
 
-/// The rule that finds the space of an eye or of a body.
+/// The rule by which the space of an eye or of a body is found. Auto: from the position.
 struct RootChoice {
     enum class Rule { Auto, Outside, Cell } rule = Rule::Auto;
     dat::RecordId cell = 0; ///< of Rule::Cell
@@ -23,11 +23,11 @@ struct RootChoice {
 /// The player's body.
 struct BodyRequest {
     Vec3 feet{0.0};   ///< global
-    double yaw = 0.0; ///< degrees; the direction that it faces
-    RootChoice root;  ///< of the space that its middle is in
+    double yaw = 0.0; ///< degrees; the direction the body faces
+    RootChoice root;  ///< finds the space of the body's centre
     double opacity = 1.0;
-    double speed = 0.0;  ///< metres a second; 0: it stands
-    double metres = 0.0; ///< walked so far; selects the phase of the stride
+    double speed = 0.0;  ///< metres a second; 0: standing
+    double metres = 0.0; ///< distance walked so far; selects the phase of the stride
 };
 
 /// SceneState with names in place of indices.
@@ -37,36 +37,39 @@ struct SceneRequest {
     Weather weather = Weather::Clear;
     double seconds = 0.0;
     std::optional<double> doors;
-    std::vector<check::View::DoorState> eachDoor; ///< by name; other doors keep their resting openness
+    std::vector<check::View::DoorState> eachDoor; ///< by name; other doors keep their initial openness
     std::optional<BodyRequest> body;
 };
 
-/// How high above the ground a camera is placed that map coordinates give, in metres.
+/// Height above the ground of a camera at map coordinates, in metres.
 inline constexpr double kEyeHeight = 1.7;
 
+/// A frame by names: the content of `limen shot`'s options.
 struct ViewRequest {
-    std::string place;                ///< a name of world.json; empty: the position below counts
-    Vec3 eye{0.0};                    ///< global
-    bool isOnGround = false;          ///< the eye's height is the ground's plus kEyeHeight
-    std::optional<double> yaw, pitch; ///< degrees; none: the place's own, else 0
+    std::string place;                ///< a name of world.json; empty: `eye` applies
+    Vec3 eye{0.0};                    ///< global, metres
+    bool isOnGround = false;          ///< replaces the eye's height by that of the ground plus kEyeHeight
+    std::optional<double> yaw, pitch; ///< degrees; none: those of the place, else 0
     double fov = 60.0;                ///< vertical, degrees
     PixelSize size;
-    std::optional<RootChoice> root; ///< none: the place's own, else Auto
-    std::optional<Vec3> player;     ///< global; none: at the eye
+    std::optional<RootChoice> root; ///< none: the place's, else Auto
+    std::optional<Vec3> player;     ///< global, metres; none: at the eye
     SceneRequest scene;
 };
 
-/// The request with the named place's position, heading and root filled in where the request leaves them open; `place` is then
-/// empty. Errors: NotFound for a name that the world does not have (the message lists some that it has).
+/// Replaces the name of a place by its position, and fills in heading and root if the request has none.
+/// `place` is then empty. Errors: NotFound for an unknown name; the message lists some known ones.
 [[nodiscard]] Result<ViewRequest> resolvePlace(ViewRequest request, const world::WorldFile& file);
 
 /// A request at a named place.
 [[nodiscard]] ViewRequest requestAt(const world::Place& place);
 
-/// The landblock to load for a request: the root cell's, else the eye's. Requires an empty `place`.
+/// The landblock to load for a request: that of the root cell, else that of the eye. Requires an empty
+/// `place`.
 [[nodiscard]] dat::BlockCoord centreOf(const ViewRequest& request);
 
-/// The place a world is first shown from: its start, else the first of its tour, else its first place, else null.
+/// The first viewpoint in a world: its start, else the first of its tour, else its first place. Null: the
+/// world has none.
 [[nodiscard]] const world::Place* firstPlace(const world::WorldFile& file);
 
 } // namespace limen::engine

@@ -1,5 +1,6 @@
 #include "engine/VisitTree.h"
 
+#include "core/Assert.h"
 #include "engine/FrameReport.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace limen::engine {
 
 namespace {
 
-/// Of the window, 0..1.
+/// Area of the visit's region as a share of the picture, 0..1.
 double shareOf(const visibility::VisibleSet& visible, const visibility::Visit& visit) {
     std::vector<Vec2> corners = regionNdc(visible, visit);
     for (Vec2& corner : corners)
@@ -20,10 +21,10 @@ double shareOf(const visibility::VisibleSet& visible, const visibility::Visit& v
         const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
         twice += a.x * b.y - b.x * a.y;
     }
-    return std::abs(twice) / 8.0; // the window's is 4
+    return std::abs(twice) / 8.0; // the picture's area in NDC is 4
 }
 
-/// What a visit leads into, or why it leads nowhere.
+/// The space that a visit leads into; for a hole, the reason why the rays end.
 std::string targetOf(const world::World& world, const visibility::Visit& visit) {
     if (!visit.hole)
         return spaceName(world, visit.space);
@@ -34,6 +35,7 @@ std::string targetOf(const world::World& world, const visibility::Visit& visit) 
 
 std::string visitLabel(const world::World& world, const visibility::VisibleSet& visible,
                        std::uint32_t visit) {
+    LIMEN_ASSERT(visit < visible.visits.size(), "a visit of this frame");
     const visibility::Visit& of = visible.visits[visit];
     std::string label = fmt::format("{} {}", visit, targetOf(world, of));
     if (of.portal < world.portals.size()) {
@@ -52,6 +54,7 @@ std::string visitLabel(const world::World& world, const visibility::VisibleSet& 
 
 std::vector<std::string> seenBesides(const world::World& world, const visibility::VisibleSet& visible,
                                      std::uint32_t visit) {
+    LIMEN_ASSERT(visit < visible.visits.size(), "a visit of this frame");
     std::vector<std::string> names;
     for (const visibility::SeenSpace& seen : visible.seen)
         if (seen.visit == visit && seen.space != visible.visits[visit].space)

@@ -8,13 +8,14 @@
 
 namespace limen::engine {
 
-/// Why a space is drawn, in a line: the visit's number, what it leads into, through which portal of which space, and the share of
-/// the window that its region takes; of a hole, why the rays end there.
+/// One line that explains why a space is drawn: number of the visit, its space, the portal and that portal's
+/// space, and the region's share of the picture. For a hole it gives the reason why the rays end. Requires a
+/// visit of `visible`.
 [[nodiscard]] std::string visitLabel(const world::World& world, const visibility::VisibleSet& visible,
                                      std::uint32_t visit);
 
-/// The spaces seen in a visit besides the one it leads into: of its zone, where depth alone decides. Names, in the order of the
-/// flood.
+/// Names of the other spaces that a visit sees, in the order of the flood. They are in the zone of the visit,
+/// so no portal separates them: depth alone decides. Requires a visit of `visible`.
 [[nodiscard]] std::vector<std::string>
 seenBesides(const world::World& world, const visibility::VisibleSet& visible, std::uint32_t visit);
 

@@ -14,14 +14,14 @@ Result<WorldSource> openDirectory(const std::filesystem::path& directory) {
     Result<world::WorldFile> file = world::loadWorldFile(directory);
     if (!file)
         return tl::unexpected(file.error());
-    // Files of the original game have no world.json: whoever walks there looks as its own people do.
+    // The original game's files have no world.json. The player's body is then the game's human male.
     if (!std::filesystem::exists(directory / world::kWorldFileName) &&
         archive->contains<dat::Setup>(kHumanMale))
         file->moving.player = kHumanMale;
     return WorldSource{{}, std::move(*archive), std::move(*file), ""};
 }
 
-/// Opens the cached world; one that is damaged (a disk that was full, a stranger's file) is written anew,
+/// Opens the cached world. If it is damaged (by a full disk, or by another program), it is written again,
 /// once.
 Result<WorldSource> openBuiltIn() {
     const std::string key = programKey();

@@ -8,16 +8,16 @@
 
 namespace limen::engine {
 
-/// The files of one world, opened: the user's directory, or the built-in world in its cache.
+/// The open files of one world: the user's directory, or the built-in world in the cache.
 struct WorldSource {
-    std::optional<BuiltInWorld> builtIn; ///< keeps a borrowed directory alive
+    std::optional<BuiltInWorld> builtIn; ///< keeps a temporary directory alive
     dat::Archive archive;
     world::WorldFile file;
-    std::string datOption; ///< "" or " --dat DIR", for command lines that are printed
+    std::string datOption; ///< "" or " --dat DIR", for command lines in reports
 };
 
-/// Opens the dats of `directory`, or the built-in world when it is empty. Errors: the archive's, the world
-/// file's; the built-in world cannot be written anywhere.
+/// Opens the dat files of `directory`; empty: the built-in world. Errors: the archive's; the world file's;
+/// the built-in world cannot be written.
 [[nodiscard]] Result<WorldSource> openWorldSource(const std::string& directory);
 
 } // namespace limen::engine

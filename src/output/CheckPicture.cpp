@@ -7,7 +7,7 @@
 namespace limen::output {
 namespace {
 
-constexpr std::uint32_t kPanelWidth = 480; ///< pixels that a panel has at least
+constexpr std::uint32_t kPanelWidth = 480; ///< pixels; smaller pictures are enlarged towards it
 constexpr std::uint32_t kGap = 4;          ///< pixels between panels
 
 Rgb colourOf(check::Verdict verdict) {

@@ -5,13 +5,14 @@
 
 namespace limen::output {
 
-/// What was said of each pixel of a picture: red: wrong id, magenta: void, orange: edge-on, blue: wrong depth, cyan: wrong layers;
-/// slivers yellow, what is not judged grey, holes dark red, what is right nearly black.
+/// The verdict on each pixel as a colour. Red: wrong id; magenta: void; orange: edge-on; blue: wrong depth;
+/// cyan: wrong layers; yellow: sliver; grey: unjudged; dark red: hole; dark green: by zone; nearly black:
+/// agrees.
 [[nodiscard]] Picture pictureOfVerdicts(std::uint32_t width, std::uint32_t height,
                                         const check::Comparison& comparison);
 
-/// A finding for people, in one picture: the drawn ids with the visits outlined, the traced ids, and the verdicts. Small
-/// pictures are enlarged by a whole factor.
+/// One picture of a finding, with three panels: the drawn ids with the visits outlined, the traced ids, and
+/// the verdicts. Small pictures are enlarged by an integer factor.
 [[nodiscard]] Picture pictureOfFinding(const check::FindingPicture& finding);
 
 } // namespace limen::output

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
 
-/// Null for what JSON cannot say.
+/// Null for infinity and NaN, which JSON has no numbers for.
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -105,7 +105,7 @@ Json bodyJson(const world::World& world, const std::optional<motion::PlayerBody>
             {"opacity", number(body->opacity)}};
 }
 
-Json frameJson(const world::World& world, const engine::IdTable& table, const engine::FrameRequest& eye,
+Json frameJson(const world::World& world, const engine::IdTable& table, const engine::FrameRequest& request,
                const world::DynamicState& dynamics, const visibility::VisibleSet& visible,
                const frame::FramePlan& plan, const engine::FrameFigures& figures,
                std::span<const std::uint32_t> ids) {
@@ -113,20 +113,20 @@ Json frameJson(const world::World& world, const engine::IdTable& table, const en
     for (const dat::RecordId cell : engine::cellsSeen(world, visible))
         cells.push_back(dat::idText(cell));
     const auto voids = std::count(ids.begin(), ids.end(), engine::kVoidPixel);
-    Json report{{"eye", vector(eye.camera.eye)},
-                {"yaw", number(eye.camera.heading.yaw)},
-                {"pitch", number(eye.camera.heading.pitch)},
-                {"fov", number(eye.camera.fovDegrees)},
-                {"size", {eye.size.width, eye.size.height}},
-                {"player", vector(eye.scene.player)},
-                {"body", bodyJson(world, eye.scene.body)},
-                {"time", number(eye.scene.time)},
-                {"day", eye.scene.dayGroup},
-                {"weather", eye.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
-                {"seconds", number(eye.scene.seconds)},
-                {"doors", eye.scene.doors ? number(*eye.scene.doors) : Json()},
-                {"root", engine::spaceName(world, eye.root)},
-                {"root_ambiguous", eye.isRootAmbiguous},
+    Json report{{"eye", vector(request.camera.eye)},
+                {"yaw", number(request.camera.heading.yaw)},
+                {"pitch", number(request.camera.heading.pitch)},
+                {"fov", number(request.camera.fovDegrees)},
+                {"size", {request.size.width, request.size.height}},
+                {"player", vector(request.scene.player)},
+                {"body", bodyJson(world, request.scene.body)},
+                {"time", number(request.scene.time)},
+                {"day", request.scene.dayGroup},
+                {"weather", request.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
+                {"seconds", number(request.scene.seconds)},
+                {"doors", request.scene.doors ? number(*request.scene.doors) : Json()},
+                {"root", engine::spaceName(world, request.root)},
+                {"root_ambiguous", request.isRootAmbiguous},
                 {"cells", std::move(cells)},
                 {"visits", visitsJson(world, visible)},
                 {"counts", countsJson(visible, plan.counts)},

@@ -1,6 +1,5 @@
 #include "output/Gltf.h"
 
-#include "cli/Parse.h"
 #include "output/Picture.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@
 namespace limen::output {
 namespace {
 
-/// What the file's one buffer gets, piece by piece.
+/// Builds the glTF model and its single buffer, instance by instance.
 class Writer {
 public:
     explicit Writer(const world::World& world) : world_(world) {
@@ -27,7 +26,7 @@ public:
         model_.asset.generator = "limen";
         model_.buffers.emplace_back();
         tinygltf::Node root;
-        // Half of a right angle about x: z up becomes y up.
+        // A quaternion: -90 degrees about x turns z up into y up.
         root.rotation = {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};
         model_.nodes.push_back(root);
         tinygltf::Scene scene;
@@ -70,7 +69,7 @@ private:
     template <class T>
     int addView(std::span<const T> values, int target) {
         std::vector<unsigned char>& data = model_.buffers.front().data;
-        data.resize((data.size() + 3) / 4 * 4); // as accessors of floats want it
+        data.resize((data.size() + 3) / 4 * 4); // glTF 2.0: float accessors are aligned to 4 bytes
         tinygltf::BufferView view;
         view.buffer = 0;
         view.byteOffset = data.size();
@@ -140,7 +139,7 @@ private:
         out.emissiveFactor = {in.colour.x * in.luminosity, in.colour.y * in.luminosity,
                               in.colour.z * in.luminosity};
         if (in.surfaceClass == world::SurfaceClass::CutOut)
-            out.alphaMode = "MASK"; // at 0.5, which is the default
+            out.alphaMode = "MASK"; // the default threshold is 0.5
         if (in.surfaceClass == world::SurfaceClass::Blended)
             out.alphaMode = "BLEND";
         model_.materials.push_back(out);
@@ -167,7 +166,7 @@ private:
         return bySlot;
     }
 
-    /// -1: the mesh has no triangles.
+    /// The index of the instance's mesh in the model; -1: the mesh has no triangles.
     Result<int> meshOf(const world::Instance& instance) {
         const auto [entry, fresh] = meshes_.try_emplace({instance.mesh, instance.firstMaterial}, -1);
         if (!fresh)
@@ -223,7 +222,8 @@ Result<std::string> encodeGlb(const world::World& world, std::span<const world::
             return tl::unexpected(added.error());
     }
     if (writer.empty())
-        return fail(ErrorCode::NotFound, "glTF", "there is nothing to write");
+        return fail(ErrorCode::NotFound, "glTF",
+                    "no mesh among these instances; select objects other than terrain");
     return writer.bytes();
 }
 

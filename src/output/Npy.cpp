@@ -9,7 +9,7 @@
 namespace limen::output {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the arrays are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "the arrays are written byte by byte from memory");
 
 std::vector<std::byte> encode(std::string_view type, std::uint32_t width, std::uint32_t height,
                               std::span<const std::byte> values) {

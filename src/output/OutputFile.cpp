@@ -22,7 +22,7 @@ std::string reason(int error) {
     return std::strerror(error);
 }
 
-/// The file that a path leads to: a link is written through, not replaced.
+/// The file behind a symbolic link, so that the link itself is not replaced; else the path.
 fs::path target(const fs::path& path) {
     std::error_code ignored;
     if (!fs::is_symlink(fs::symlink_status(path, ignored)))
@@ -46,7 +46,7 @@ public:
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] bool isOpen() const { return fd_ >= 0; }
     [[nodiscard]] int get() const { return fd_; }
-    /// False if the system only now says that the bytes did not arrive.
+    /// False if the system reports on closing that the bytes were not written.
     [[nodiscard]] bool close() {
         const int fd = fd_;
         fd_ = -1;
@@ -57,7 +57,7 @@ private:
     int fd_;
 };
 
-/// A new file beside `path`, removed again unless it is moved into place.
+/// A new file beside `path`. The destructor removes it unless it was moved into place.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const fs::path& path)
@@ -101,7 +101,7 @@ bool writeAll(int fd, std::span<const std::byte> bytes) {
 
 Result<void> checkWritable(const fs::path& path) {
     if (path.empty())
-        return refused(path, "the name of an output file is empty");
+        return refused(path, "the name of an output file is empty; give a file name");
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
         return refused(path, "is a directory, not a file to write");
@@ -145,7 +145,7 @@ Result<void> makeDirectory(const fs::path& path) {
     std::error_code error, ignored;
     fs::create_directories(path, error);
     if (!fs::is_directory(path, ignored))
-        return refused(path, fmt::format("no directory can be made there: {}",
+        return refused(path, fmt::format("the directory cannot be made: {}",
                                          error ? error.message() : "a file has that name"));
     return {};
 }
@@ -163,7 +163,8 @@ Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
     while ((got = std::fread(chunk, 1, sizeof chunk, file.get())) > 0) {
         text.append(chunk, got);
         if (text.size() > limit)
-            return refused(path, fmt::format("is longer than the {} bytes that make sense here", limit));
+            return refused(path,
+                           fmt::format("is longer than {} bytes, the limit for this kind of file", limit));
     }
     if (std::ferror(file.get()) != 0)
         return refused(path, fmt::format("cannot be read: {}", reason(errno)));

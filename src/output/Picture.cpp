@@ -43,7 +43,7 @@ namespace {
 Result<std::vector<std::byte>> encodeAs(png_uint_32 format, std::uint32_t width, std::uint32_t height,
                                         std::span<const std::uint8_t> pixels) {
     if (pixels.empty())
-        return fail(ErrorCode::BadArgument, "PNG", "a picture without pixels cannot be written");
+        return fail(ErrorCode::BadArgument, "PNG", "a picture without pixels cannot be encoded");
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = width;
@@ -105,7 +105,7 @@ void drawLine(Picture& picture, double x0, double y0, double x1, double y1, Rgb 
     const double length = std::max(std::abs(x1 - x0), std::abs(y1 - y0));
     if (!std::isfinite(length))
         return;
-    // Far beyond any picture there is nothing to draw; bounds the loop.
+    // Bounds the loop: pixels beyond a million steps are outside of any picture.
     const auto steps = static_cast<std::int64_t>(std::min(std::ceil(length), 1e6));
     for (std::int64_t i = 0; i <= steps; ++i) {
         const double t = steps == 0 ? 0.0 : static_cast<double>(i) / static_cast<double>(steps);
@@ -128,8 +128,9 @@ void drawText(Picture& picture, std::uint32_t x, std::uint32_t y, std::uint32_t 
     static_assert(sizeof(Corner) == 16); // stb_easy_font's vertex
     std::string line(text.substr(0, 200));
     std::replace_if(
-        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?'); // its table has no more
-    std::vector<Corner> corners(line.size() * 80 + 4); // at most 270 bytes a letter, says its header
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; },
+        '?');                                          // the font has printable ASCII only
+    std::vector<Corner> corners(line.size() * 80 + 4); // stb_easy_font.h: at most 270 bytes a letter
     const int quads = stb_easy_font_print(0.0f, 0.0f, line.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(Corner)));
     for (int q = 0; q < quads; ++q) {
@@ -145,7 +146,8 @@ void drawText(Picture& picture, std::uint32_t x, std::uint32_t y, std::uint32_t 
 }
 
 Rgb distinctColour(std::uint32_t n) {
-    // Hues a golden section apart (Knuth, The Art of Computer Programming 3, 6.4: multiplicative hashing).
+    // Hues a golden section apart (Knuth, The Art of Computer Programming 3, section 6.4, multiplicative
+    // hashing).
     const double hue = std::fmod(n * 0.6180339887498949 + 0.08, 1.0) * 6.0;
     const double value = n % 3 == 2 ? 170.0 : 255.0;
     const auto channel = [&](double shift) {
@@ -168,7 +170,8 @@ bool ContactSheet::wants(std::size_t frame) const {
         return false;
     if (maxCount_ == frameCount_ || maxCount_ <= 1)
         return frame < maxCount_;
-    // Tile k shows frame round(k * (frames - 1) / (tiles - 1)): the first and the last are always there.
+    // Tile k shows frame round(k * (frames - 1) / (tiles - 1)), so the first and the last frame are always
+    // shown.
     const std::size_t gaps = maxCount_ - 1, last = frameCount_ - 1;
     const std::size_t tile = (frame * gaps + last / 2) / last;
     return (tile * last + gaps / 2) / gaps == frame;

@@ -1,6 +1,5 @@
 #include "output/Probe.h"
 
-#include "cli/Parse.h"
 #include "engine/IdTable.h"
 
 #include <algorithm>
@@ -16,8 +15,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t kHole = 1, kShut = 2;
 
-/// "0xA9B40100 -0-> outside -1-> 0xA9B40106": the spaces of a visit's chain, with the openings' numbers between them. Where a visit leaves
-/// its zone from another cell than it came into, that comes before the opening: "outside -3-> 0xA9B40106, 0xA9B40108 -1-> outside".
+/// The spaces of a visit's chain, with the numbers of the portals between them: "0xA9B40100 -0-> outside -1->
+/// 0xA9B40106". If a visit leaves its zone from another cell than the one it entered, that cell precedes the
+/// portal: "outside -3-> 0xA9B40106, 0xA9B40108 -1-> outside".
 std::string chainOf(const ProbeFacts& facts, std::uint32_t visit) {
     const visibility::Visit& of = facts.visible.visits[visit];
     if (of.parent >= facts.visible.visits.size())
@@ -108,42 +108,42 @@ std::string Probe::see(const ProbeFacts& facts) {
     std::swap(now_, last_);
     Names names = name(facts);
     std::string lines;
-    const auto tell = [&](const char* event, const Json& what) {
+    const auto report = [&](const char* event, const Json& details) {
         Json line{{"frame", facts.frame}, {"seconds", facts.seconds}, {"event", event}};
-        line.update(what);
+        line.update(details);
         line.update(Json{{"visits", facts.visible.visits.size()},
                          {"cells", names.cells.size()},
                          {"drawn", facts.plan.counts.instancesDrawn},
                          {"gl_calls", facts.glCalls}});
         lines += line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     };
-    const auto differs = [&](auto Names::*member) { return isFirst_ || names.*member != told_.*member; };
+    const auto differs = [&](auto Names::*member) { return isFirst_ || names.*member != reported_.*member; };
     if (differs(&Names::centre))
-        tell("loaded", {{"blocks", names.centre}});
+        report("loaded", {{"blocks", names.centre}});
     if (differs(&Names::root))
-        tell("root", {{"root", names.root},
-                      {"was", isFirst_ ? Json() : Json(told_.root)},
-                      {"from", isFirst_ ? Json() : position(from)},
-                      {"to", position(lastEye_)}});
-    if (names.camera != told_.camera)
-        tell("camera", {{"body", facts.eye.scene.body
-                                     ? Json(engine::spaceName(facts.world, facts.eye.scene.body->space))
-                                     : Json()},
-                        {"eye", names.root},
-                        {"held", facts.eye.isHeld}});
+        report("root", {{"root", names.root},
+                        {"was", isFirst_ ? Json() : Json(reported_.root)},
+                        {"from", isFirst_ ? Json() : position(from)},
+                        {"to", position(lastEye_)}});
+    if (names.camera != reported_.camera)
+        report("camera", {{"body", facts.eye.scene.body
+                                       ? Json(engine::spaceName(facts.world, facts.eye.scene.body->space))
+                                       : Json()},
+                          {"eye", names.root},
+                          {"held", facts.eye.isHeld}});
     if (differs(&Names::visits))
-        tell("visits", {{"came", difference(names.visits, told_.visits)},
-                        {"went", difference(told_.visits, names.visits)}});
+        report("visits", {{"came", difference(names.visits, reported_.visits)},
+                          {"went", difference(reported_.visits, names.visits)}});
     if (differs(&Names::cells))
-        tell("seen", {{"came", difference(names.cells, told_.cells)},
-                      {"went", difference(told_.cells, names.cells)}});
-    if (isFirst_ || seesOutside(names.cells) != seesOutside(told_.cells))
-        tell("outside", {{"seen", seesOutside(names.cells)}});
+        report("seen", {{"came", difference(names.cells, reported_.cells)},
+                        {"went", difference(reported_.cells, names.cells)}});
+    if (isFirst_ || seesOutside(names.cells) != seesOutside(reported_.cells))
+        report("outside", {{"seen", seesOutside(names.cells)}});
     if (differs(&Names::stages))
-        tell("stages", {{"stages", names.stages}});
-    if (names.visitsCut != told_.visitsCut)
-        tell("budget", {{"visits_cut", names.visitsCut}});
-    told_ = std::move(names);
+        report("stages", {{"stages", names.stages}});
+    if (names.visitsCut != reported_.visitsCut)
+        report("budget", {{"visits_cut", names.visitsCut}});
+    reported_ = std::move(names);
     isFirst_ = false;
     return lines;
 }

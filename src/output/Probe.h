@@ -7,10 +7,10 @@
 
 namespace limen::output {
 
-/// What a probe looks at: one frame's decisions.
+/// One frame's decisions, the input of a probe. Valid during the call only.
 struct ProbeFacts {
     std::uint64_t frame = 0;
-    double seconds = 0.0; ///< since the first
+    double seconds = 0.0; ///< since the first frame
     const world::World& world;
     const engine::FrameRequest& eye;
     const visibility::VisibleSet& visible;
@@ -18,27 +18,29 @@ struct ProbeFacts {
     std::uint32_t glCalls = 0;
 };
 
-/// Tells what changed from one frame to the next in what was decided: root, the camera's way from the body, visits, cells seen, whether outside is, stages, what is
-/// loaded, budgets. A frame like the one before costs a comparison and no memory.
+/// Reports changes of the decisions from frame to frame: root, the camera's spaces on its way from the body,
+/// visits, cells seen, whether the outside is seen, stages, the loaded blocks, visits cut by the budget. A
+/// frame without a change costs one comparison and no allocation.
 class Probe {
 public:
-    /// One JSON object a line, each ended; empty if nothing changed. The first frame tells everything.
+    /// One JSON object a line, each with a newline; empty if nothing changed. The first frame reports all
+    /// decisions.
     [[nodiscard]] std::string see(const ProbeFacts& facts);
 
 private:
-    /// What a frame decided, in the world's own numbers.
+    /// A frame's decisions as indices of the loaded part, for the comparison.
     struct Decisions {
         std::vector<std::uint32_t> blocks; ///< their coordinates
-        std::vector<std::uint32_t> tree;   ///< of each visit: portal, parent, what it is
+        std::vector<std::uint32_t> tree;   ///< of each visit: portal, parent, and its flags
         std::vector<std::uint32_t> seen;   ///< spaces
-        std::vector<std::uint32_t> stages; ///< of each batch: stage and program
+        std::vector<std::uint32_t> stages; ///< number of batches, by stage
         world::SpaceIndex root = world::kOutside;
         world::SpaceIndex body = world::kNone;
         bool isHeld = false;
         std::uint32_t visitsCut = 0;
         friend bool operator==(const Decisions&, const Decisions&) = default;
     };
-    /// The same by names that hold when another part of the world is loaded.
+    /// The decisions by names that stay valid when another part of the world is loaded.
     struct Names {
         std::string root, stages, centre, camera;
         std::vector<std::string> visits, cells; ///< sorted
@@ -49,7 +51,7 @@ private:
 
     bool isFirst_ = true;
     Decisions last_, now_;
-    Names told_;
+    Names reported_;
     Vec3 lastEye_{0.0};
 };
 

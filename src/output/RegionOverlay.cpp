@@ -7,7 +7,7 @@
 namespace limen::output {
 namespace {
 
-/// NDC to pixels: x right, y down, the picture's corner at (0, 0).
+/// Converts NDC to pixels: x right, y down, (0, 0) at the picture's upper left corner.
 Vec2 pixelOf(const Picture& picture, const Vec2& ndc) {
     return {(ndc.x * 0.5 + 0.5) * picture.width, (0.5 - ndc.y * 0.5) * picture.height};
 }

@@ -18,7 +18,7 @@ Vec3 pointAt(const TracedFrame& frame, int x, int y) {
     return ray.eye + ray.direction * frame.picture.at(x, y).t;
 }
 
-/// The step to a neighbour on the same polygon, one way or the other; zero if neither is.
+/// The step in space to the next or previous pixel if that is on the same polygon; 0 if neither is.
 Vec3 stepAlong(const TracedFrame& frame, int x, int y, int dx, int dy) {
     const std::uint32_t id = frame.picture.at(x, y).id;
     if (frame.picture.at(x + dx, y + dy).id == id)
@@ -28,7 +28,8 @@ Vec3 stepAlong(const TracedFrame& frame, int x, int y, int dx, int dy) {
     return Vec3(0.0);
 }
 
-/// How squarely the polygon at a pixel faces the eye, 0..1, from the points its neighbours meet; 1 where none is on it.
+/// Cosine of the angle between the ray and the normal of the polygon at a pixel, 0..1, from the points that
+/// neighbouring pixels meet. 1 if no neighbour is on the polygon.
 double facingAt(const TracedFrame& frame, int x, int y) {
     const Vec3 normal = glm::cross(stepAlong(frame, x, y, 1, 0), stepAlong(frame, x, y, 0, 1));
     const double length = glm::length(normal);
@@ -49,7 +50,7 @@ Rgb colourAt(const TracedFrame& frame, int x, int y) {
     return colour;
 }
 
-/// Calls act(x, y, answer) for every pixel, row by row.
+/// Calls act(x, y, answer) for each pixel, row by row from the top.
 template <class Do>
 void forPixels(const TracedFrame& frame, Do&& act) {
     for (int y = 0; y < static_cast<int>(frame.camera.height); ++y)
@@ -59,9 +60,9 @@ void forPixels(const TracedFrame& frame, Do&& act) {
 
 } // namespace
 
-TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameRequest& eye) {
+TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameRequest& request) {
     TracedFrame frame;
-    frame.camera = engine::tracedCamera(eye);
+    frame.camera = engine::tracedCamera(request);
     reference::tracePicture(scene, frame.camera, std::max(1u, std::thread::hardware_concurrency()),
                             frame.picture);
     return frame;
@@ -76,7 +77,8 @@ std::vector<std::uint32_t> TracedFrame::ids() const {
 std::vector<float> TracedFrame::depth() const {
     std::vector<float> depth;
     forPixels(*this, [&](int x, int y, const reference::Answer& answer) {
-        // View depth times the length that a direction has per unit of it. Infinity and NaN stay what they are.
+        // Distance = view depth * length of the ray's direction, which has unit depth. Infinity and NaN stay
+        // so.
         depth.push_back(
             static_cast<float>(answer.t * glm::length(reference::rayThrough(camera, x, y).direction)));
     });
@@ -91,7 +93,7 @@ Picture TracedFrame::painting() const {
 }
 
 nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTable& table,
-                                  const engine::FrameRequest& eye, const world::DynamicState& dynamics,
+                                  const engine::FrameRequest& request, const world::DynamicState& dynamics,
                                   const TracedFrame& frame, const std::string& datOption) {
     visibility::VisibleSet visible;
     std::vector<std::uint8_t> seen(world.spaces.size(), 0);
@@ -105,8 +107,8 @@ nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTab
     figures.floodMs = figures.planMs = figures.submitMs = figures.gpuMs =
         std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::uint32_t> ids = frame.ids();
-    nlohmann::ordered_json json = frameJson(world, table, eye, dynamics, visible, {}, figures, ids);
-    json["command"] = engine::reproduction(world, eye, datOption) + " --reference";
+    nlohmann::ordered_json json = frameJson(world, table, request, dynamics, visible, {}, figures, ids);
+    json["command"] = engine::reproduction(world, request, datOption) + " --reference";
     return json;
 }
 

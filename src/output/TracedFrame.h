@@ -9,25 +9,26 @@
 
 namespace limen::output {
 
-/// A frame traced instead of drawn. Images have row 0 on top.
+/// A frame that was traced instead of drawn. Row 0 of its images is the top.
 struct TracedFrame {
     reference::Camera camera;
     reference::Picture picture;
 
     [[nodiscard]] std::vector<std::uint32_t> ids() const;
-    /// Distances along the rays in metres: infinite for sky, NaN for holes.
+    /// Distances along the rays in metres; infinity for sky, NaN for holes.
     [[nodiscard]] std::vector<float> depth() const;
-    /// For people: a colour for every id, darker where the surface is seen edge-on. No light, no textures.
+    /// A picture with a colour for each id, darker where the surface is seen edge-on. It has no lighting and
+    /// no textures.
     [[nodiscard]] Picture painting() const;
 };
 
-/// Traces a frame on as many threads as there are processors.
-[[nodiscard]] TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameRequest& eye);
+/// Traces a frame with one thread a processor.
+[[nodiscard]] TracedFrame traceFrame(const reference::Scene& scene, const engine::FrameRequest& request);
 
-/// frameJson for a traced frame: "cells" are those that rays ended in, "visits" and "stages" are empty, counts and
-/// gl_calls 0, times null, "driver" says "reference".
+/// frameJson for a traced frame. "cells" lists the cells that rays ended in. "visits" and "stages" are empty,
+/// counts and gl_calls are 0, times are null, and "driver" is "reference".
 [[nodiscard]] nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTable& table,
-                                                const engine::FrameRequest& eye,
+                                                const engine::FrameRequest& request,
                                                 const world::DynamicState& dynamics, const TracedFrame& frame,
                                                 const std::string& datOption);
 
