@@ -87,12 +87,12 @@ Result<check::RunRequest> addWalk(const CheckOptions& options,
         return tl::unexpected(frames.error());
     std::vector<check::View> views;
     for (std::size_t i = 0; i < (*frames)->count(); ++i) {
-        const Result<const engine::FrameRequest*> eye = (*frames)->next();
-        if (!eye)
-            return tl::unexpected(eye.error());
-        if (Result<void> drawn = session.draw(**eye, {}); !drawn)
+        const Result<const engine::FrameRequest*> next = (*frames)->next();
+        if (!next)
+            return tl::unexpected(next.error());
+        if (Result<void> drawn = session.draw(**next, {}); !drawn)
             return tl::unexpected(drawn.error());
-        views.push_back(engine::viewOf(**eye, session.part().world));
+        views.push_back(engine::viewOf(**next, session.part().world));
         views.back().kind = check::Kind::Path;
         views.back().width = request.width;
         views.back().height = request.height;

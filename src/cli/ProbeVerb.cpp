@@ -35,12 +35,12 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     output::Probe probe;
     Progress progress(console, "probe", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
-        const Result<const engine::FrameRequest*> eye = (*frames)->next();
-        if (!eye)
-            return tl::unexpected(eye.error());
-        if (Result<void> drawn = session.draw(**eye, {}); !drawn)
+        const Result<const engine::FrameRequest*> next = (*frames)->next();
+        if (!next)
+            return tl::unexpected(next.error());
+        if (Result<void> drawn = session.draw(**next, {}); !drawn)
             return tl::unexpected(drawn.error());
-        const std::string lines = probe.see({frame, (*eye)->scene.seconds, session.part().world, **eye,
+        const std::string lines = probe.see({frame, (*next)->scene.seconds, session.part().world, **next,
                                              session.visible(), session.plan(), session.figures().glCalls});
         if (!lines.empty())
             console.data(lines);

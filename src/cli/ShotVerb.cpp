@@ -41,12 +41,12 @@ std::vector<float> depthOf(const engine::Session& session, std::span<const std::
 }
 
 /// The picture for people, and the one with the visits outlined.
-Result<void> writePictures(engine::Session& session, const engine::FrameRequest& eye,
+Result<void> writePictures(engine::Session& session, const engine::FrameRequest& request,
                            const OutputPaths& outputs) {
-    if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
+    if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
         return drawn;
     output::Picture picture =
-        output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
+        output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, picture); !written)
             return written;
@@ -58,30 +58,30 @@ Result<void> writePictures(engine::Session& session, const engine::FrameRequest&
 }
 
 /// Ids, depth and the frame as JSON, from a picture of their own with cut-outs tested exactly.
-Result<void> writeMeasurements(engine::Session& session, const engine::FrameRequest& eye,
+Result<void> writeMeasurements(engine::Session& session, const engine::FrameRequest& request,
                                const OutputPaths& outputs) {
-    if (Result<void> drawn = session.draw(eye, {.ids = true}); !drawn)
+    if (Result<void> drawn = session.draw(request, {.ids = true}); !drawn)
         return drawn;
     const std::vector<std::uint32_t> ids = session.target().readIds();
     if (!outputs.ids.empty()) {
         if (Result<void> written = output::writeFile(
-                outputs.ids, output::encodeNpy(eye.size.width, eye.size.height, std::span(ids)));
+                outputs.ids, output::encodeNpy(request.size.width, request.size.height, std::span(ids)));
             !written)
             return written;
     }
     if (!outputs.depth.empty()) {
         const std::vector<float> depth = depthOf(session, ids);
         if (Result<void> written = output::writeFile(
-                outputs.depth, output::encodeNpy(eye.size.width, eye.size.height, std::span(depth)));
+                outputs.depth, output::encodeNpy(request.size.width, request.size.height, std::span(depth)));
             !written)
             return written;
     }
     if (outputs.json.empty())
         return {};
     nlohmann::ordered_json json =
-        output::frameJson(session.part().world, session.part().ids, eye, session.dynamics(),
+        output::frameJson(session.part().world, session.part().ids, request, session.dynamics(),
                           session.visible(), session.plan(), session.figures(), ids);
-    json["command"] = engine::reproduction(session.part().world, eye, session.source().datOption);
+    json["command"] = engine::reproduction(session.part().world, request, session.source().datOption);
     return output::writeFile(outputs.json,
                              json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
@@ -96,18 +96,18 @@ Result<engine::FrameRequest> requestOf(const engine::LoadedPart& part, const wor
 }
 
 Result<void> shoot(engine::Session& session, const ListedView& listed, const Console& console) {
-    const Result<engine::FrameRequest> eye =
+    const Result<engine::FrameRequest> request =
         requestOf(session.part(), session.source().file, listed.view, console);
-    if (!eye)
-        return tl::unexpected(eye.error());
+    if (!request)
+        return tl::unexpected(request.error());
     const OutputPaths& outputs = listed.outputs;
     const bool measure = !outputs.ids.empty() || !outputs.depth.empty() || !outputs.json.empty();
     const bool paint = !outputs.frame.empty() || !outputs.overlay.empty() || !measure;
     if (paint) {
-        if (Result<void> written = writePictures(session, *eye, outputs); !written)
+        if (Result<void> written = writePictures(session, *request, outputs); !written)
             return written;
     }
-    return measure ? writeMeasurements(session, *eye, outputs) : Result<void>{};
+    return measure ? writeMeasurements(session, *request, outputs) : Result<void>{};
 }
 
 Result<std::vector<ListedView>> viewsOf(const ShotOptions& options) {
@@ -156,15 +156,15 @@ Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
 Result<void> trace(engine::PartPlanner& loaded, reference::Scene& scene, const engine::WorldSource& source,
                    const ListedView& listed, const Console& console) {
     const engine::LoadedPart& part = *loaded.part;
-    const Result<engine::FrameRequest> eye = requestOf(part, source.file, listed.view, console);
-    if (!eye)
-        return tl::unexpected(eye.error());
+    const Result<engine::FrameRequest> request = requestOf(part, source.file, listed.view, console);
+    if (!request)
+        return tl::unexpected(request.error());
     world::DynamicState dynamics;
-    loaded.dynamics.at(engine::dynamicsInput(part.world, *eye), dynamics);
+    loaded.dynamics.at(engine::dynamicsInput(part.world, *request), dynamics);
     scene.setDynamics(dynamics);
-    const output::TracedFrame frame = output::traceFrame(scene, *eye);
+    const output::TracedFrame frame = output::traceFrame(scene, *request);
     const OutputPaths& outputs = listed.outputs;
-    const std::uint32_t width = eye->size.width, height = eye->size.height;
+    const std::uint32_t width = request->size.width, height = request->size.height;
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, frame.painting()); !written)
             return written;
@@ -180,7 +180,7 @@ Result<void> trace(engine::PartPlanner& loaded, reference::Scene& scene, const e
         !written)
         return written;
     return writeIfAsked(outputs.json, [&] {
-        return output::tracedJson(part.world, part.ids, *eye, dynamics, frame, source.datOption)
+        return output::tracedJson(part.world, part.ids, *request, dynamics, frame, source.datOption)
                    .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                "\n";
     });

@@ -109,7 +109,7 @@ Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session
         ++frames;
         if (!options.record.empty())
             record += play::frameLine(
-                {viewer.input(), engine::decisionHash(viewer.eye(), session.visible(), session.dynamics()),
+                {viewer.input(), engine::decisionHash(viewer.request(), session.visible(), session.dynamics()),
                  viewer.stream().shown(), viewer.stream().hasRefused()});
         if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
             console.note("limen: what is near cannot be loaded: " + fault);

@@ -45,7 +45,7 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     if (!start)
         return tl::unexpected(start.error());
     Progress progress(console, "walk", points->size());
-    const Result<play::FootWalk> walk = play::walkOnFoot(session, start->eye, *points, options.foot,
+    const Result<play::FootWalk> walk = play::walkOnFoot(session, start->frame, *points, options.foot,
                                                          [&](std::size_t done) { progress.step(done); });
     if (!walk)
         return tl::unexpected(walk.error());

@@ -82,7 +82,7 @@ private:
     }
 
     [[nodiscard]] PlayInput towards(const Vec3& target, double pitch) const {
-        const engine::Heading& heading = play_.eye().camera.heading;
+        const engine::Heading& heading = play_.request().camera.heading;
         const Vec3 way = target - feet();
         const double turn = std::remainder(glm::degrees(std::atan2(way.x, way.y)) - heading.yaw, 360.0);
         PlayInput input;
@@ -107,10 +107,10 @@ private:
         input.acts = std::exchange(acts_, {});
         if (Result<void> stepped = play_.step(input); !stepped)
             return stepped;
-        if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
+        if (Result<void> drawn = session_.draw(play_.request(), {}); !drawn)
             return drawn;
         const std::uint64_t decided =
-            engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics());
+            engine::decisionHash(play_.request(), session_.visible(), session_.dynamics());
         walk_.record.frames.push_back({std::move(input), decided, {}});
         return {};
     }

@@ -12,7 +12,7 @@ namespace {
 class PathFrames final : public FrameSource {
 public:
     PathFrames(engine::Session& session, PathStart start, const PathRequest& request)
-        : start_(std::move(start)), request_(request), walk_(session, start_.path, start_.eye) {}
+        : start_(std::move(start)), request_(request), walk_(session, start_.path, start_.frame) {}
     std::size_t count() const override { return request_.countOn(start_.path); }
     Result<const engine::FrameRequest*> next() override {
         return &walk_.moveTo(request_.timeOf(start_.path, next_++));
@@ -87,7 +87,7 @@ void ReplayedFrames::compareLast() {
     if (next_ == 0 || difference_)
         return;
     const std::uint64_t decided = record_.frames[next_ - 1].decided;
-    if (decided != 0 && decided != engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics()))
+    if (decided != 0 && decided != engine::decisionHash(play_.request(), session_.visible(), session_.dynamics()))
         difference_ = next_ - 1;
 }
 
@@ -97,7 +97,7 @@ Result<const engine::FrameRequest*> ReplayedFrames::next() {
     residency_.goOn(frame);
     if (Result<void> stepped = play_.step(frame.input); !stepped)
         return tl::unexpected(stepped.error());
-    return &play_.eye();
+    return &play_.request();
 }
 
 Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, FramesRequest request) {

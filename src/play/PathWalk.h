@@ -20,10 +20,10 @@ struct PathRequest {
     [[nodiscard]] std::size_t countOn(const CameraPath& path) const;
     [[nodiscard]] double timeOf(const CameraPath& path, std::size_t frame) const;
 };
-/// A path, and the eye at its beginning.
+/// A path, and the request of its first frame.
 struct PathStart {
     CameraPath path;
-    engine::FrameRequest eye;
+    engine::FrameRequest frame;
 };
 /// Loads what is around the first way point. Errors: the session's; a way point that is nowhere.
 [[nodiscard]] Result<PathStart> startPath(engine::Session& session,
@@ -35,7 +35,7 @@ struct PathStart {
 class PathWalk {
 public:
     PathWalk(engine::Session& session, const CameraPath& path, engine::FrameRequest start)
-        : session_(session), path_(path), eye_(std::move(start)), tracker_(eye_.root) {}
+        : session_(session), path_(path), frame_(std::move(start)), tracker_(frame_.root) {}
 
     /// Moves to a later time on the path, through every corner on the way; loads what comes near.
     const engine::FrameRequest& moveTo(double time);
@@ -43,7 +43,7 @@ public:
 private:
     engine::Session& session_;
     const CameraPath& path_;
-    engine::FrameRequest eye_;
+    engine::FrameRequest frame_;
     RootTracker tracker_;
     double time_ = 0.0;
     std::vector<Vec3> corners_;

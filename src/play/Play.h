@@ -4,7 +4,7 @@
 #include "motion/DoorUse.h"
 #include "play/PlayInput.h"
 #include "play/RootTracker.h"
-#include "play/Walk.h"
+#include "play/WalkingBody.h"
 
 namespace limen::play {
 
@@ -19,8 +19,8 @@ public:
     [[nodiscard]] Result<void> step(const PlayInput& input);
 
     /// What the frame is to show.
-    [[nodiscard]] const engine::FrameRequest& eye() const { return eye_; }
-    [[nodiscard]] const Walk& walk() const { return walk_; }
+    [[nodiscard]] const engine::FrameRequest& request() const { return request_; }
+    [[nodiscard]] const WalkingBody& walk() const { return walk_; }
     /// The door that Act::Use would move, by its index.
     [[nodiscard]] std::optional<std::size_t> doorInReach() const { return door_; }
     /// The place that it is on its way to; empty: none.
@@ -50,9 +50,9 @@ private:
 
     engine::Session& session_;
     engine::Residency& residency_;
-    engine::FrameRequest eye_;
+    engine::FrameRequest request_;
     RootTracker tracker_;
-    Walk walk_;
+    WalkingBody walk_;
     motion::DoorUse doors_;
     std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
     std::optional<std::size_t> door_;

@@ -99,16 +99,16 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     if (facts.verdict != nullptr)
         drawOver(facts.verdict->picture, 190); // what is right stays to be seen, darkly
     else if (switches.ids && !facts.ids.empty())
-        drawOver(output::pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
+        drawOver(output::pictureOfIds(facts.request.size.width, facts.request.size.height, facts.ids), 255);
     else if (switches.depth && !facts.distances.empty())
-        drawOver(output::pictureOfDistances(facts.eye.size.width, facts.eye.size.height, facts.distances),
+        drawOver(output::pictureOfDistances(facts.request.size.width, facts.request.size.height, facts.distances),
                  255);
     panel::drawLines(facts, switches);
     PanelChoice choice;
-    choice.time = facts.eye.scene.time;
-    choice.dayGroup = facts.eye.scene.dayGroup;
-    choice.weather = facts.eye.scene.weather;
-    choice.doors = facts.eye.scene.doors;
+    choice.time = facts.request.scene.time;
+    choice.dayGroup = facts.request.scene.dayGroup;
+    choice.weather = facts.request.scene.weather;
+    choice.doors = facts.request.scene.doors;
     choice.quality = facts.quality;
     if (switches.panel)
         choice = panel::drawPanel(facts, choice);

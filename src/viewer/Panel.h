@@ -43,7 +43,7 @@ struct Rebinding {
 /// What the panel tells of a frame.
 struct PanelFacts {
     const world::World& world;
-    const engine::FrameRequest& eye;
+    const engine::FrameRequest& request;
     const visibility::VisibleSet& visible;
     const frame::FramePlan& plan;
     engine::FrameFigures figures;

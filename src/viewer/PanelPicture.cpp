@@ -29,11 +29,11 @@ void drawRegionOutlines(const visibility::VisibleSet& visible) {
 }
 
 /// The pyramids of a flood that is kept.
-void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& eye) {
+void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& request) {
     constexpr double kShown = 6.0; // metres
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     for (const PyramidLine& line :
-         pyramidLines(flood, engine::viewOf(eye.camera, eye.size, eye.root), kShown)) {
+         pyramidLines(flood, engine::viewOf(request.camera, request.size, request.root), kShown)) {
         const output::Rgb rgb = output::distinctColour(line.visit);
         list->AddLine(screenPoint(line.from), screenPoint(line.to), IM_COL32(rgb[0], rgb[1], rgb[2], 200),
                       1.5f);
@@ -43,7 +43,7 @@ void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& eye) {
 /// The outlines of portals, walls or no walls, in the colours of what became of them.
 void drawPortals(const PanelFacts& facts) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    const visibility::View view = engine::viewOf(facts.eye.camera, facts.eye.size, facts.eye.root);
+    const visibility::View view = engine::viewOf(facts.request.camera, facts.request.size, facts.request.root);
     for (const PortalLine& line : portalLines(facts.world, facts.portals, view)) {
         const bool isSeen = line.fate >= visibility::PortalFate::LeadsNowhere;
         list->AddLine(screenPoint(line.from), screenPoint(line.to),
@@ -81,7 +81,7 @@ void drawLines(const PanelFacts& facts, const OverlaySwitches& switches) {
         drawRegionOutlines(facts.visible);
     drawPortals(facts);
     if (facts.frozen != nullptr)
-        drawPyramids(*facts.frozen, facts.eye);
+        drawPyramids(*facts.frozen, facts.request);
 }
 
 void drawBanners(const PanelFacts& facts, const OverlaySwitches& switches) {

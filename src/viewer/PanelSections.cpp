@@ -60,11 +60,11 @@ std::string footingOf(const PanelFacts& facts) {
 }
 
 void drawFigures(const PanelFacts& facts) {
-    const engine::Camera& camera = facts.eye.camera;
+    const engine::Camera& camera = facts.request.camera;
     const TimeWindow& frame = facts.times.frame;
     line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
     drawFrameTimes(frame);
-    line(fmt::format("root {}", engine::spaceName(facts.world, facts.eye.root)));
+    line(fmt::format("root {}", engine::spaceName(facts.world, facts.request.root)));
     line(footingOf(facts));
     line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
     line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));

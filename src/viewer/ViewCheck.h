@@ -20,7 +20,7 @@ struct ViewVerdict {
 class ViewCheck {
 public:
     /// Draws a frame of ids and layers: draw the one to show again. Requires a loaded world. Errors: those of drawing.
-    [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameRequest& eye);
+    [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameRequest& request);
 
 private:
     std::shared_ptr<const engine::LoadedPart> world_; ///< that traced_ is of

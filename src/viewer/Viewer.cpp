@@ -40,7 +40,7 @@ Viewer::Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, 
     : window_(window), device_(device), session_(session), panel_(window), stream_(session),
       play_(session, std::move(start), &stream_), bindings_(std::move(keys.bindings)),
       keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
-    start_ = eye().camera.eye;
+    start_ = request().camera.eye;
     lastSeconds_ = window_.seconds();
     device_.restoreState(); // the panel has set up its own things
 }
@@ -67,15 +67,15 @@ Result<void> Viewer::frame(double fixedSeconds) {
         if (Result<void> kept = keepPicture(); !kept)
             return kept;
     }
-    if (verdict_ && !isSameView(eye(), checkedFrom_))
+    if (verdict_ && !isSameView(request(), checkedFrom_))
         verdict_.reset();
     const std::optional<frame::Highlight> pulse = selectionPulse();
     engine::DrawOptions options{.ids = switches_.ids || switches_.depth};
     if (pulse)
         options.highlights = std::span(&*pulse, 1);
-    if (Result<void> drawn = session_.draw(eye(), options); !drawn)
+    if (Result<void> drawn = session_.draw(request(), options); !drawn)
         return drawn;
-    probed_ = probe_ ? probe_->see({frames_, eye().scene.seconds, session_.part().world, eye(),
+    probed_ = probe_ ? probe_->see({frames_, request().scene.seconds, session_.part().world, request(),
                                     session_.visible(), session_.plan(), session_.figures().glCalls})
                      : std::string();
     overlay();
@@ -84,7 +84,7 @@ Result<void> Viewer::frame(double fixedSeconds) {
 
 bool Viewer::isAtStart() {
     constexpr double kUnderWay = 1.5; // metres; who has got so far knows how
-    hasLeft_ = hasLeft_ || glm::length(eye().camera.eye - start_) > kUnderWay;
+    hasLeft_ = hasLeft_ || glm::length(request().camera.eye - start_) > kUnderWay;
     return !hasLeft_;
 }
 
@@ -108,7 +108,7 @@ std::vector<std::string> Viewer::openDoors() const {
     std::vector<std::string> names;
     const std::vector<world::Door>& doors = session_.part().world.doors;
     for (std::size_t i = 0; i < doors.size(); ++i)
-        if (eye().scene.doors.value_or(i < eye().scene.eachDoor.size() ? eye().scene.eachDoor[i]
+        if (request().scene.doors.value_or(i < request().scene.eachDoor.size() ? request().scene.eachDoor[i]
                                                                        : doors[i].open) > 0.0)
             names.push_back(doors[i].name);
     return names;
@@ -169,7 +169,7 @@ void Viewer::press(Action action) {
     case Action::Rain:
         return act({play::PlayActKind::Weather});
     case Action::Later:
-        return act({play::PlayActKind::Time, std::fmod(eye().scene.time + 1.0 / 24.0, 1.0)});
+        return act({play::PlayActKind::Time, std::fmod(request().scene.time + 1.0 / 24.0, 1.0)});
     case Action::Leave:
         leaving_ = true;
         return;
@@ -197,13 +197,13 @@ void Viewer::keepBindings(KeyBindings bindings) {
 
 Result<void> Viewer::keepPicture() {
     wantsPicture_ = false;
-    if (Result<void> drawn = session_.draw(eye(), {}); !drawn)
+    if (Result<void> drawn = session_.draw(request(), {}); !drawn)
         return drawn;
     const output::Picture picture =
-        output::pictureFromRgba(eye().size.width, eye().size.height, session_.target().readColour());
+        output::pictureFromRgba(request().size.width, request().size.height, session_.target().readColour());
     const Result<std::filesystem::path> kept =
         keepScreenshot(screenshots_, picture,
-                       engine::reproduction(session_.part().world, eye(), session_.source().datOption) +
+                       engine::reproduction(session_.part().world, request(), session_.source().datOption) +
                            pictureOptions(session_.options()));
     notice(kept ? kept->string() : kept.error().message()); // a full disk is no reason to leave
     return {};
@@ -218,27 +218,27 @@ void Viewer::freeze() {
     if (frozen_)
         frozen_.reset();
     else
-        frozen_ = FrozenFlood{engine::viewOf(eye().camera, eye().size, eye().root), session_.visible(),
+        frozen_ = FrozenFlood{engine::viewOf(request().camera, request().size, request().root), session_.visible(),
                               portalsNow()};
 }
 
 std::vector<PortalTrace> Viewer::portalsNow() {
-    session_.tracePortals(eye(), trace_);
+    session_.tracePortals(request(), trace_);
     return portalTraces(trace_);
 }
 
 ResidencyMap Viewer::residency() const {
     const world::World& world = session_.part().world;
-    const dat::BlockCoord here = blockOf(world, eye().root, eye().camera.eye);
+    const dat::BlockCoord here = blockOf(world, request().root, request().camera.eye);
     const dat::BlockCoord player =
-        eye().scene.body ? blockOf(world, eye().scene.body->space, eye().scene.body->feet) : here;
+        request().scene.body ? blockOf(world, request().scene.body->space, request().scene.body->feet) : here;
     return residencyMap(world, here, player, session_.options().load.radius + 1);
 }
 
 const play::PlayInput& Viewer::takeInput(double seconds) {
     const HeldInput& held = window_.held();
     for (const play::PlayAct& done :
-         wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::Walk::kNearest}))
+         wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::WalkingBody::kNearest}))
         act(done);
     input_ = inputOf(held, seconds);
     input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
@@ -248,9 +248,9 @@ const play::PlayInput& Viewer::takeInput(double seconds) {
 }
 
 Result<void> Viewer::pick(const PixelPlace& place) {
-    if (place.x >= eye().size.width || place.y >= eye().size.height)
+    if (place.x >= request().size.width || place.y >= request().size.height)
         return {}; // the window has shrunk since
-    Result<engine::Picked> picked = session_.pick(eye(), place.x, place.y);
+    Result<engine::Picked> picked = session_.pick(request(), place.x, place.y);
     if (!picked)
         return tl::unexpected(picked.error());
     const bool isSame = picked_ && picked->object != 0 && picked->object == picked_->object &&
@@ -266,11 +266,11 @@ Result<void> Viewer::check() {
         verdict_.reset();
         return {};
     }
-    Result<ViewVerdict> verdict = viewCheck_.check(session_, eye());
+    Result<ViewVerdict> verdict = viewCheck_.check(session_, request());
     if (!verdict)
         return tl::unexpected(verdict.error());
     verdict_ = std::move(*verdict);
-    checkedFrom_ = eye();
+    checkedFrom_ = request();
     return {};
 }
 
@@ -279,19 +279,19 @@ std::optional<frame::Highlight> Viewer::selectionPulse() const {
     constexpr std::uint32_t kYellow = 0x0040D0FFu;
     if (!picked_ || picked_->object == 0 || picked_->isLandscape)
         return {};
-    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye().scene.seconds / kPulse);
+    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * request().scene.seconds / kPulse);
     const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
     return frame::Highlight{picked_->object, kYellow | strength << 24};
 }
 
 void Viewer::take(const PanelChoice& choice) {
-    if (choice.time != eye().scene.time)
+    if (choice.time != request().scene.time)
         act({play::PlayActKind::Time, choice.time});
-    if (choice.dayGroup != eye().scene.dayGroup)
+    if (choice.dayGroup != request().scene.dayGroup)
         act({play::PlayActKind::Day, static_cast<double>(choice.dayGroup)});
-    if (choice.weather != eye().scene.weather)
+    if (choice.weather != request().scene.weather)
         act({play::PlayActKind::Weather});
-    if (choice.doors != eye().scene.doors)
+    if (choice.doors != request().scene.doors)
         act({play::PlayActKind::AllDoors, choice.doors.value_or(-1.0)});
     if (choice.quality && choice.quality != session_.options().quality)
         act({play::PlayActKind::Quality, static_cast<double>(*choice.quality)});
@@ -308,7 +308,7 @@ void Viewer::overlay() {
         switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
     const std::vector<float> distances =
         switches_.depth ? session_.target().readDistances(session_.plan().constants) : std::vector<float>{};
-    device_.presentToWindow(session_.target().handle(), eye().size.width, eye().size.height);
+    device_.presentToWindow(session_.target().handle(), request().size.width, request().size.height);
     const engine::FrameFigures figures = session_.figures();
     if (frames_++ > 0) // the first is no frame: it began when the window opened
         times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
@@ -317,7 +317,7 @@ void Viewer::overlay() {
     portals_ = !switches_.portals ? std::vector<PortalTrace>{} : frozen_ ? frozen_->portals : portalsNow();
     const ResidencyMap blocks = residency();
     const PanelFacts facts{.world = session_.part().world,
-                           .eye = eye(),
+                           .request = request(),
                            .visible = session_.visible(),
                            .plan = session_.plan(),
                            .figures = figures,

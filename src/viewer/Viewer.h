@@ -40,13 +40,13 @@ public:
     /// What changed with the last frame in what was decided, if that is to be told.
     [[nodiscard]] const std::string& probed() const { return probed_; }
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
-    [[nodiscard]] const engine::FrameRequest& eye() const { return play_.eye(); }
+    [[nodiscard]] const engine::FrameRequest& request() const { return play_.request(); }
     [[nodiscard]] const play::PlayInput& input() const { return input_; }
     [[nodiscard]] engine::StreamedResidency& stream() { return stream_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<engine::Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
-    [[nodiscard]] const play::Walk& walk() const { return play_.walk(); }
+    [[nodiscard]] const play::WalkingBody& walk() const { return play_.walk(); }
     /// As Play::goingTo.
     [[nodiscard]] std::string_view goingTo() const { return play_.goingTo(); }
     /// The name of the door that a key would open or shut; empty: none.

@@ -18,12 +18,12 @@ struct WalkInput {
 
 /// A body that walks through what a session has loaded; the eye is in its head, or follows behind. What it bumps into is read anew
 /// when it comes into another landblock, by a thread of its own, and taken at a place that does not depend on how long that takes.
-class Walk {
+class WalkingBody {
 public:
     /// Puts the body under an eye. Waits for what is around it to be read. Errors: that cannot be.
-    [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameRequest& eye);
+    [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameRequest& request);
     /// No body any more; the eye stays where it is.
-    void end(engine::FrameRequest& eye);
+    void end(engine::FrameRequest& request);
     [[nodiscard]] bool isOn() const { return isOn_; }
 
     /// Whether the eye is to be behind the body.
@@ -37,7 +37,7 @@ public:
     /// Moves the body, and eye, player, body and root of `eye` with it. When the session has loaded another part of the world it is there as it
     /// was here. Requires a body. Errors: as begin's.
     [[nodiscard]] Result<void> step(const engine::Session& session, const WalkInput& input,
-                                    engine::FrameRequest& eye);
+                                    engine::FrameRequest& request);
 
     /// Doors swing for a while, and push the body out of their way. Requires a body.
     void passDoors(motion::DoorUse& doors, double seconds);
@@ -83,11 +83,11 @@ private:
     [[nodiscard]] Result<void> keepSurroundings(const engine::Session& session);
     [[nodiscard]] dat::BlockCoord blockOfBody(const engine::LoadedPart& loaded) const;
     [[nodiscard]] Result<void> takeSurroundings(const engine::Session& session, dat::BlockCoord centre);
-    void readDoors(const world::World& world, const engine::FrameRequest& eye);
+    void readDoors(const world::World& world, const engine::FrameRequest& request);
     void smooth(double fellOrRose, double seconds);
     void face(const WalkInput& input, double seconds, double yaw);
     void stride(const WalkInput& input, const Vec3& from);
-    void carryEye(const engine::Session& session, double seconds, engine::FrameRequest& eye);
+    void carryEye(const engine::Session& session, double seconds, engine::FrameRequest& request);
 
     bool isOn_ = false;
     std::vector<double> doors_; ///< how far each is open in this frame
