@@ -25,7 +25,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Records do not tell how cells were joined.
+/// Recordings hold no zone option; it does not change pictures.
 world::LoadOptions sameZones(world::LoadOptions load, const engine::Session& session) {
     load.mergeZones = session.options().load.mergeZones;
     return load;
@@ -94,7 +94,7 @@ void ReplayedFrames::compareLast() {
 Result<const engine::FrameRequest*> ReplayedFrames::next() {
     compareLast();
     const RecordedFrame& frame = record_.frames[next_++];
-    residency_.goOn(frame);
+    residency_.setNext(frame);
     if (Result<void> stepped = play_.step(frame.input); !stepped)
         return tl::unexpected(stepped.error());
     return &play_.request();
@@ -114,9 +114,8 @@ Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, Frames
 
 std::string differenceLine(FrameSource& frames) {
     const std::optional<std::size_t> first = frames.firstDifference();
-    return first ? fmt::format("limen: frame {} of the walk came out otherwise than when it was recorded: "
-                               "the world or the "
-                               "program is not the same",
+    return first ? fmt::format("limen: frame {} of the replayed walk differs from the recording; the world or "
+                               "the program has changed, so record the walk again",
                                *first)
                  : std::string();
 }

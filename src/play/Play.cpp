@@ -38,7 +38,7 @@ Result<void> Play::step(const PlayInput& input) {
     for (const PlayAct& act : input.acts)
         this->act(act);
     const double seconds = input.isFrozen ? 0.0 : input.seconds;
-    moveDoors(seconds); // first: who is pushed is seen where that is
+    moveDoors(seconds); // first, so that the frame shows a pushed body at its new position
     if (Result<void> moved = moveEye(input); !moved)
         return moved;
     findDoor();
@@ -90,13 +90,13 @@ void Play::act(const PlayAct& act) {
     }
 }
 
-/// Stands where the eye is, and falls to the ground. What cannot be walked on is flown over.
+/// Puts the body under the eye; it falls to the ground. If the solids cannot be read, the eye keeps flying.
 void Play::beginToWalk() {
     if (!walk_.begin(session_, request_))
         walk_.end(request_);
 }
 
-/// All doors open, or shut if they are open or opening. They take a second.
+/// Opens all doors, or closes them if they are open or opening. The swing takes one second.
 void Play::swingDoors() {
     const double towards = doorsTowards_.value_or(request_.scene.doors.value_or(0.0));
     doorsTowards_ = towards < 0.5 ? 1.0 : 0.0;
@@ -105,14 +105,14 @@ void Play::swingDoors() {
 }
 
 void Play::standDoors(double open) {
-    doorsTowards_.reset(); // a hand is on them
+    doorsTowards_.reset(); // the caller sets them directly
     if (open >= 0.0 && request_.scene.doors)
         swingAllTo(std::min(open, 1.0));
     else
         request_.scene.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
 }
 
-/// From here on doors stand each as it was left.
+/// Ends the state that all doors share: from now on each door keeps its own openness.
 void Play::useDoor() {
     if (!door_)
         return;
@@ -130,8 +130,8 @@ void Play::goTo(std::size_t place) {
         going_ = {engine::requestAt(places[place]), places[place].name};
 }
 
-/// Until it is there the eye goes on where it is.
-Result<void> Play::goOn() {
+/// Goes to the destination once its part is shown. Until then the eye moves in the old part.
+Result<void> Play::travel() {
     const engine::Passage passage = isWithin(session_.part(), going_->view)
                                         ? engine::Passage::Open
                                         : residency_.open(engine::centreOf(going_->view));
@@ -148,7 +148,7 @@ void Play::standAt(engine::ViewRequest view) {
     view.size = request_.size;
     view.fov = request_.camera.fovDegrees;
     Result<engine::FrameRequest> request = engine::frameRequest(world, session_.source().file, view);
-    if (!request) { // it has no ground, or its cell is damaged; the part that was shown before has gone
+    if (!request) { // no ground, or a damaged cell; the old part is unloaded, so take the bare position
         view.isOnGround = false;
         view.root.reset();
         request = engine::frameRequest(world, session_.source().file, view);
@@ -189,11 +189,11 @@ Result<void> Play::moveEye(const PlayInput& input) {
         request_.root = tracker_.move(session_.part().world, from, request_.camera.eye, input.seconds);
     }
     if (going_)
-        return goOn();
+        return travel();
     return followEye();
 }
 
-/// A part that is offered is shown once the solids around the body have been read in it: the step after it does not wait.
+/// Shows an offered part once its solids around the body have been read. Otherwise the next step would wait for them.
 Result<void> Play::followEye() {
     const Vec3 eye = request_.camera.eye;
     const dat::RecordId cell = engine::cellOf(session_.part().world, request_.root);
@@ -204,11 +204,11 @@ Result<void> Play::followEye() {
     request_.root = engine::rootIn(session_.part(), cell, eye);
     tracker_.place(request_.root);
     doors_.write(session_.part().world, request_.scene.eachDoor);
-    return walk_.isOn() ? walk_.step(session_, {}, request_) : Result<void>{}; // its space has another number now
+    return walk_.isOn() ? walk_.step(session_, {}, request_) : Result<void>{}; // the index of its space has changed
 }
 
 void Play::moveDoors(double seconds) {
-    const bool areAllAlike = request_.scene.doors.has_value(); // nobody sees how each would stand
+    const bool areAllAlike = request_.scene.doors.has_value(); // the shared openness hides the doors' own
     walk_.isOn() && !areAllAlike ? walk_.passDoors(doors_, seconds) : doors_.pass(seconds);
     doors_.write(session_.part().world, request_.scene.eachDoor);
     if (!doorsTowards_ || !request_.scene.doors)
@@ -219,7 +219,7 @@ void Play::moveDoors(double seconds) {
         doorsTowards_.reset();
 }
 
-/// As far as a body lets them.
+/// The body blocks leaves that swing against it.
 void Play::swingAllTo(double open) {
     request_.scene.doors = walk_.isOn() ? walk_.swingAllDoors(*request_.scene.doors, open) : open;
 }

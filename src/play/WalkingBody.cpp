@@ -9,10 +9,10 @@
 namespace limen::play {
 namespace {
 
-constexpr int kRadius = 1;     // landblocks around the body's whose solids are known
-constexpr double kHeld = 0.01; // metres that an eye which nothing holds may be short of where it belongs
+constexpr int kRadius = 1;     // landblocks of solids on each side of the body's landblock
+constexpr double kHeld = 0.01; // metres below the wanted distance at which the third-person eye counts as blocked
 
-/// A body fades when the eye comes near its head, and is gone before the eye is in it.
+/// The body fades as the eye comes near its head and is invisible before the eye is inside.
 double opacityAt(double metres) {
     constexpr double kGone = 0.6, kSolid = 1.2;
     return std::clamp((metres - kGone) / (kSolid - kGone), 0.0, 1.0);
@@ -38,7 +38,7 @@ Result<void> WalkingBody::begin(const engine::Session& session, const engine::Fr
     yaw_ = request.camera.heading.yaw;
     speed_ = metres_ = 0.0;
     chase_ = {};
-    drop(); // what was coming is of elsewhere
+    drop(); // pending reads are for another position
     Reading around = read(session.shareSource(), session.sharePart(), blockOfBody(session.part()));
     if (!around)
         return tl::unexpected(around.error());
@@ -72,7 +72,7 @@ void WalkingBody::follow(const engine::LoadedPart& before, const engine::LoadedP
         if (standing->space == world::kOutside)
             continue;
         standing->space = world::findCell(now.world, before.world.spaces[standing->space].cellId);
-        if (standing->space == world::kNone) // its block is damaged or was left out: look again
+        if (standing->space == world::kNone) // its block is damaged or absent: locate it by position
             standing->space = motion::locate(now.world, shape_.capsule.middle(standing->feet)).space;
     }
 }
@@ -119,8 +119,9 @@ Result<void> WalkingBody::keepSurroundings(const engine::Session& session) {
         return {};
     if (!coming_.isOf(session.sharePart(), here))
         coming_ = beginToRead(session, session.sharePart(), here);
-    // Within this distance the old ones still hold what is around. Waiting for a time instead would make a walk depend on the disk.
-    constexpr double kTaken = 24.0;
+    // Within this distance the old solids still cover the surroundings. Swapping when the read finishes would make
+    // a walk depend on the speed of the disk.
+    constexpr double kTaken = 24.0; // metres
     return world::metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
                ? takeSurroundings(session, here)
                : Result<void>{};
@@ -128,7 +129,7 @@ Result<void> WalkingBody::keepSurroundings(const engine::Session& session) {
 
 void WalkingBody::chase(bool isChased) {
     isChased_ = isChased;
-    chase_ = {}; // it starts from the head
+    chase_ = {}; // the camera starts in the head
 }
 
 void WalkingBody::keepDistance(double metres) {
@@ -142,15 +143,15 @@ motion::BodyEye WalkingBody::head(const world::World& world) const {
 }
 
 void WalkingBody::smooth(double fellOrRose, double seconds) {
-    constexpr double kQuick = 10.0;   // a second: how fast the eye comes after
-    constexpr double kLeast = 0.0005; // metres, and it is there
-    constexpr double kMost = 0.6;
+    constexpr double kQuick = 10.0;   // decay rate of the lag, 1/s
+    constexpr double kLeast = 0.0005; // metres: a smaller lag is set to zero
+    constexpr double kMost = 0.6;     // metres
     lag_ = std::clamp((lag_ - fellOrRose) * std::exp(-kQuick * seconds), -kMost, kMost);
     if (std::abs(lag_) < kLeast)
         lag_ = 0.0;
 }
 
-/// Where it looks, or, seen from behind, turns to where it goes.
+/// First person: the body faces the view direction. Third person: it turns towards its direction of movement.
 void WalkingBody::face(const WalkInput& input, double seconds, double yaw) {
     constexpr double kTurn = 540.0; // degrees a second
     if (!isChased_) {
@@ -164,9 +165,9 @@ void WalkingBody::face(const WalkInput& input, double seconds, double yaw) {
     yaw_ = std::remainder(yaw_ + std::clamp(turn, -kTurn * seconds, kTurn * seconds), 360.0);
 }
 
-/// What its legs do: at the speed that is asked of them, where it gets on at all.
+/// Sets the speed and distance of the walk animation: the gait's full speed if the body advances, else 0.
 void WalkingBody::stride(const WalkInput& input, const Vec3& from) {
-    constexpr double kStill = 1e-4; // metres
+    constexpr double kStill = 1e-4; // metres in a frame: a shorter move counts as standing
     const double way = std::hypot(body_.standing.feet.x - from.x, body_.standing.feet.y - from.y);
     const bool goes = body_.isOnGround && way > kStill && (input.forward != 0.0 || input.right != 0.0);
     speed_ = !goes ? 0.0 : input.run ? shape_.runSpeed : shape_.walkSpeed;
@@ -212,20 +213,20 @@ Result<void> WalkingBody::step(const engine::Session& session, const WalkInput& 
     if (Result<void> kept = keepSurroundings(session); !kept)
         return kept;
     readDoors(session.part().world, request);
-    motion::BodyInput asked;
-    asked.forward = input.forward;
-    asked.right = input.right;
-    asked.yaw = request.camera.heading.yaw;
-    asked.run = input.run;
-    asked.jump = input.jump;
-    constexpr double kLongest = 0.25; // after a stall it does not leap; on a slow machine it still gets on
+    motion::BodyInput bodyInput;
+    bodyInput.forward = input.forward;
+    bodyInput.right = input.right;
+    bodyInput.yaw = request.camera.heading.yaw;
+    bodyInput.run = input.run;
+    bodyInput.jump = input.jump;
+    constexpr double kLongest = 0.25; // seconds: a stall causes no jump, and a slow machine still advances
     const double seconds = std::clamp(input.seconds, 0.0, kLongest);
     const motion::BodyState before = body_;
-    body_ = motion::moved(body_, asked, seconds, around_->collisions, doors_, shape_);
+    body_ = motion::moved(body_, bodyInput, seconds, around_->collisions, doors_, shape_);
     const bool isOnFoot = before.isOnGround && body_.isOnGround;
     smooth(isOnFoot ? body_.standing.feet.z - before.standing.feet.z : 0.0, seconds);
     face(input, seconds, request.camera.heading.yaw);
-    if (seconds > 0.0) // else its space only has another number
+    if (seconds > 0.0) // a step of no time only updates the index of the space
         stride(input, before.standing.feet);
     carryEye(session, seconds, request);
     return {};
