@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-// What the panel shows in the picture.
+// The panel's drawings over the picture.
 namespace limen::viewer::panel {
 namespace {
 
@@ -28,7 +28,7 @@ void drawRegionOutlines(const visibility::VisibleSet& visible) {
     }
 }
 
-/// The pyramids of a flood that is kept.
+/// Draws the pyramids of a frozen flood.
 void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& request) {
     constexpr double kShown = 6.0; // metres
     ImDrawList* list = ImGui::GetBackgroundDrawList();
@@ -40,7 +40,7 @@ void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& request)
     }
 }
 
-/// The outlines of portals, walls or no walls, in the colours of what became of them.
+/// Draws portal outlines through walls, coloured by fate.
 void drawPortals(const PanelFacts& facts) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const visibility::View view = engine::viewOf(facts.request.camera, facts.request.size, facts.request.root);
@@ -55,7 +55,7 @@ constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
                                    ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// A line over the picture, in the middle of its width, at a share of its height.
+/// Draws a line of text, centred horizontally, at a share of the window's height.
 void drawBanner(const char* name, const std::string& text, float height, float pivot) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x * 0.5f, size.y * height}, ImGuiCond_Always, {0.5f, pivot});
@@ -65,12 +65,12 @@ void drawBanner(const char* name, const std::string& text, float height, float p
     ImGui::End();
 }
 
-/// Says near the foot of the window what the key does to the door in reach.
+/// Shows near the bottom edge that the use key opens or closes the door in reach.
 void drawDoor(const PanelFacts& facts) {
     if (facts.door != nullptr)
         drawBanner("Door",
                    fmt::format("{}   {} the door", keysText(facts.bindings, Action::Use),
-                               facts.doorOpens ? "shut" : "open"),
+                               facts.doorOpens ? "close" : "open"),
                    0.96f, 1.0f);
 }
 

@@ -10,7 +10,7 @@ namespace limen::viewer {
 Result<ViewVerdict> ViewCheck::check(engine::Session& session, const engine::FrameRequest& request) {
     const auto start = std::chrono::steady_clock::now();
     if (world_ != session.sharePart()) {
-        traced_.reset(); // refers to the world that goes
+        traced_.reset(); // it refers to the old world
         world_ = session.sharePart();
         traced_.emplace(world_->world);
     }

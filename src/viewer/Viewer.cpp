@@ -11,7 +11,7 @@
 namespace limen::viewer {
 namespace {
 
-/// The options of `shot` that are the session's and change pictures.
+/// The session options of `shot` that change pictures.
 std::string pictureOptions(const engine::SessionOptions& options) {
     const world::LoadOptions usual;
     std::string text;
@@ -42,7 +42,7 @@ Viewer::Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, 
       keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
     start_ = request().camera.eye;
     lastSeconds_ = window_.seconds();
-    device_.restoreState(); // the panel has set up its own things
+    device_.restoreState(); // ImGui's setup changed GL state
 }
 
 Result<void> Viewer::frame(double fixedSeconds) {
@@ -54,7 +54,7 @@ Result<void> Viewer::frame(double fixedSeconds) {
     if (Result<void> moved = play_.step(takeInput(fixedSeconds > 0.0 ? fixedSeconds : frameSeconds_)); !moved)
         return moved;
     if (stream_.hasRefused())
-        notice("that place cannot be loaded");
+        notice("this place cannot be loaded; choose another one");
     if (const std::optional<PixelPlace> clicked = window_.clicked()) {
         if (Result<void> picked = pick(*clicked); !picked)
             return picked;
@@ -83,7 +83,7 @@ Result<void> Viewer::frame(double fixedSeconds) {
 }
 
 bool Viewer::isAtStart() {
-    constexpr double kUnderWay = 1.5; // metres; who has got so far knows how
+    constexpr double kUnderWay = 1.5; // metres; after this distance the greeting is no longer needed
     hasLeft_ = hasLeft_ || glm::length(request().camera.eye - start_) > kUnderWay;
     return !hasLeft_;
 }
@@ -101,7 +101,7 @@ std::string Viewer::doorInReach() const {
 std::string Viewer::noticeText() const {
     if (lastSeconds_ < notice_.until)
         return notice_.text;
-    return play_.goingTo().empty() ? std::string() : fmt::format("going to {} ...", play_.goingTo());
+    return play_.goingTo().empty() ? std::string() : fmt::format("loading {} ...", play_.goingTo());
 }
 
 std::vector<std::string> Viewer::openDoors() const {
@@ -192,7 +192,7 @@ void Viewer::rebind(KeyCode key) {
 void Viewer::keepBindings(KeyBindings bindings) {
     bindings_ = std::move(bindings);
     const Result<void> written = writeKeyBindings(keysFile_, bindings_);
-    notice(written ? "keys kept in " + keysFile_.string() : written.error().message());
+    notice(written ? "keys saved in " + keysFile_.string() : written.error().message());
 }
 
 Result<void> Viewer::keepPicture() {
@@ -205,7 +205,7 @@ Result<void> Viewer::keepPicture() {
         keepScreenshot(screenshots_, picture,
                        engine::reproduction(session_.part().world, request(), session_.source().datOption) +
                            pictureOptions(session_.options()));
-    notice(kept ? kept->string() : kept.error().message()); // a full disk is no reason to leave
+    notice(kept ? kept->string() : kept.error().message()); // a full disk does not end the program
     return {};
 }
 
@@ -241,7 +241,7 @@ const play::PlayInput& Viewer::takeInput(double seconds) {
          wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::WalkingBody::kNearest}))
         act(done);
     input_ = inputOf(held, seconds);
-    input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
+    input_.isFrozen = verdict_.has_value(); // the world stops while a verdict is shown
     input_.size = window_.size();
     input_.acts = std::exchange(acts_, {});
     return input_;
@@ -249,7 +249,7 @@ const play::PlayInput& Viewer::takeInput(double seconds) {
 
 Result<void> Viewer::pick(const PixelPlace& place) {
     if (place.x >= request().size.width || place.y >= request().size.height)
-        return {}; // the window has shrunk since
+        return {}; // the window has shrunk since the frame
     Result<engine::Picked> picked = session_.pick(request(), place.x, place.y);
     if (!picked)
         return tl::unexpected(picked.error());
@@ -299,7 +299,7 @@ void Viewer::take(const PanelChoice& choice) {
         act({play::PlayActKind::Place, static_cast<double>(choice.place)});
     if (choice.rebinding)
         rebinding_ = choice.rebinding;
-    if (choice.keysAsAtFirst)
+    if (choice.resetsKeys)
         keepBindings(KeyBindings());
 }
 
@@ -310,7 +310,7 @@ void Viewer::overlay() {
         switches_.depth ? session_.target().readDistances(session_.plan().constants) : std::vector<float>{};
     device_.presentToWindow(session_.target().handle(), request().size.width, request().size.height);
     const engine::FrameFigures figures = session_.figures();
-    if (frames_++ > 0) // the first is no frame: it began when the window opened
+    if (frames_++ > 0) // the first time includes the opening of the window
         times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
     const std::optional<std::size_t> door = play_.doorInReach();
     const std::string said = noticeText();

@@ -21,7 +21,7 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
     return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
 }
 
-/// How many portals came to what, as far as they are shown.
+/// The number of shown portals of each fate.
 nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     const auto counts = countFates(portals);
@@ -75,7 +75,7 @@ std::string stateJson(const engine::Session& session, const Viewer& viewer, std:
                                          : nlohmann::ordered_json(nullptr)},
         {"keys", nlohmann::ordered_json::parse(keyBindingsJson(viewer.bindings()))},
         {"gl_calls", session.figures().glCalls}};
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; // paths are any bytes
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; // replaces invalid UTF-8: paths can hold any bytes
 }
 
 } // namespace limen::viewer

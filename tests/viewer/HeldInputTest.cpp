@@ -35,7 +35,7 @@ TEST(HeldInput, sticksAndKeysTogetherAskNoMoreThanAll) {
 TEST(HeldInput, theWheelTakesTheEyeOutOfTheHead) {
     EXPECT_EQ(wheelActs(-1.0, {true, false, 3.0, 1.0}), (Acts{{Kind::Chase}, {Kind::Distance, 1.0}}));
     EXPECT_EQ(wheelActs(-3.0, {true, false, 3.0, 1.0}), (Acts{{Kind::Chase}, {Kind::Distance, 2.0}}))
-        << "the first notch leaves the head, the others go on";
+        << "the first notch switches to third person, the others add distance";
     EXPECT_TRUE(wheelActs(1.0, {true, false, 3.0, 1.0}).empty()) << "it is as near as may be";
 }
 

@@ -33,7 +33,7 @@ TEST(Screenshots, nothingIsWrittenOver) {
     const Result<std::filesystem::path> kept =
         keepScreenshot(directory.path(), output::Picture(1, 1), "limen shot");
     ASSERT_TRUE(kept);
-    EXPECT_EQ(*kept, directory / "limen-12001.png") << "after the largest, whatever kind of file it is";
+    EXPECT_EQ(*kept, directory / "limen-12001.png") << "after the largest number of any kind of file";
     EXPECT_EQ(contents(directory / "limen-0007.txt"), "mine");
     EXPECT_EQ(contents(directory / "limen-12000.png"), "mine");
 }

@@ -135,9 +135,9 @@ class ViewEvents(WindowTest):
             self.assertGreater(len(walk.readlines()), 2)
 
     def test_without_a_display_or_the_gl_it_says_what_is_missing(self):
-        for environment, what in (({"DISPLAY": ":987"}, "there is no display"),
+        for environment, what in (({"DISPLAY": ":987"}, "no display to open a window on"),
                                   ({"MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"},
-                                   "OpenGL 4.5 is needed, core profile; the driver offers 3.3")):
+                                   "OpenGL 4.5 core profile is required and the driver offers 3.3")):
             done = subprocess.run([PROGRAM, "view", "--frames", "1"], env=dict(self.env, **environment), cwd=self.work.name,
                                   capture_output=True, text=True, timeout=120)
             self.assertEqual(done.returncode, 2)
