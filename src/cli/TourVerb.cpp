@@ -21,7 +21,7 @@ struct TourOptions {
     bool json = false;
 };
 
-constexpr std::size_t kTourFrames = 120; // unless said
+constexpr std::size_t kTourFrames = 120; // default of --frames
 constexpr std::size_t kSheetTiles = 24;
 
 /// One line of `--json`.
@@ -112,21 +112,21 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
         return tl::unexpected(drawn.error());
     if (const std::string difference = play::differenceLine(**frames); !difference.empty())
         console.note(difference);
-    console.note(fmt::format("The frames and contact.png are in {}", options.directory));
+    console.note(fmt::format("The frames and contact.png were written to {}", options.directory));
     return Exit::Done;
 }
 
 } // namespace
 
 void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("tour", "walks a camera path and writes its frames");
+    CLI::App* verb = program.add_subcommand("tour", "draw the frames along a camera path to files");
     const auto options = std::make_shared<TourOptions>();
     verb->add_option("-o,--output", options->directory,
-                     "the directory for frame-NNNNN.png and contact.png; made if it is missing")
+                     "write frame-NNNNN.png and contact.png to this directory; create it if missing")
         ->required()
         ->type_name("DIR");
     addPathOptions(*verb, options->path, kTourFrames);
-    verb->add_flag("--json", options->json, "one JSON object for each frame on standard output");
+    verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runTour(*options, console); };

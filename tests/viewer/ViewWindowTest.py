@@ -247,7 +247,7 @@ class ViewWindow(WindowTest):
 
     def test_a_keys_file_that_is_wrong_is_refused_in_a_line(self):
         os.makedirs(self.path("config", "limen"))
-        for text, what in (('{"fly": "F"}', "fly: there is no such action"), ('{"use": "Esc"}', "use: unknown key 'Esc'"),
+        for text, what in (('{"fly": "F"}', "fly: unknown action"), ('{"use": "Esc"}', "use: unknown key 'Esc'"),
                            ('{"use": "G"}', "use: G is already the key of walk")):
             with open(self.path("config", "limen", "keys.json"), "w") as file:
                 file.write(text)
