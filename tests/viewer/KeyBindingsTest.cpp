@@ -115,7 +115,7 @@ TEST(KeyBindings, aKeyIsTakenFromWhatItDidAtTheSameTimes) {
     EXPECT_EQ(keysText(bindings, Action::Use), "F or Q");
     EXPECT_EQ(keysText(bindings, Action::Sink), "Q or LeftControl");
     bindings.bind(Action::Use, key("Q"), true);
-    EXPECT_EQ(keysText(bindings, Action::Use), "F or Q") << "it is there already";
+    EXPECT_EQ(keysText(bindings, Action::Use), "F or Q") << "a key is added once";
 }
 
 TEST(KeyBindings, whatIsWrittenIsReadBackTheSame) {

@@ -44,7 +44,7 @@ TEST(Screenshots, aDirectoryThatIsMissingIsSaidAndNothingIsLeft) {
         keepScreenshot(directory / "none", output::Picture(1, 1), "limen shot");
     ASSERT_FALSE(kept);
     EXPECT_NE(kept.error().message().find("none"), std::string::npos);
-    EXPECT_FALSE(keepScreenshot(directory.path(), output::Picture(), "limen shot")) << "no pixels";
+    EXPECT_FALSE(keepScreenshot(directory.path(), output::Picture(), "limen shot")) << "an empty picture";
     EXPECT_EQ(directory.entryCount(), 0u);
 }
 
