@@ -43,8 +43,8 @@ void drawHelp(const PanelFacts& facts, PanelChoice& choice) {
         }
         ImGui::EndTable();
     }
-    line("gamepad: left stick: walk (full deflection: run); right stick: look; A: jump; X: use a door;\n"
-         "Y: third person / first person; B: walk / fly; start: this help; back: panel");
+    line("gamepad: left stick walk (full deflection: run), right stick look, A jump, X use a door,\n"
+         "Y third person / first person, B walk / fly, start this help, back panel");
     ImGui::End();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/Parse.h"
+#include "engine/Camera.h"
 #include "output/Picture.h"
 #include "viewer/HeldInput.h"
 #include "viewer/KeyBindings.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/Parse.h"
+#include "engine/Camera.h"
 
 #include <optional>
 
