@@ -1,8 +1,7 @@
 // The visibility library alone: no dat file, no OpenGL. Three rooms in an L and a yard, joined by three
-// openings. Prints the tree of visits with the region of each on the screen, for an eye given on the command
-// line.
+// openings. Prints each visit: its space and its region of the screen, for an eye given on the command line.
 //
-//     flood [x y yaw]        metres, and degrees clockwise from north (2 2 20: in the hall, looking north)
+//     flood [x y yaw]        metres, degrees clockwise from north; the default eye is in the hall and looks north
 
 #include "visibility/Flood.h"
 
@@ -24,7 +23,7 @@ struct House {
     std::vector<vis::PortalDesc> portals;
     std::vector<Vec3> vertices;
 
-    /// An opening out of `from`; a and b are its lower corners, a on the left seen from inside `from`.
+    /// Adds an opening from `from` to `to`. a and b are its lower corners; seen from inside `from`, a is on the left.
     void opening(std::uint32_t from, std::uint32_t to, std::uint32_t back, Vec3 a, Vec3 b) {
         const Vec3 up(0, 0, 2);
         portals.push_back({from, to, back, static_cast<std::uint32_t>(vertices.size()), 4, true});
@@ -34,7 +33,7 @@ struct House {
 
 House build() {
     House h;
-    // Portals are sorted by space; each names its reciprocal. Every space has a zone of its own.
+    // Portals are grouped by space; each stores the index of its reciprocal. No two spaces share a zone.
     h.spaces = {{0, 1, 0}, {1, 2, 1}, {3, 2, 2}, {5, 1, 3}};
     h.opening(0, 1, 1, {1, 0, 0}, {3, 0, 0}); // yard → hall, through the front door in y = 0
     h.opening(1, 0, 0, {3, 0, 0}, {1, 0, 0});

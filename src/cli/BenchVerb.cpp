@@ -11,18 +11,18 @@
 namespace limen::cli {
 namespace {
 
-/// The benchmarks replace operator new, so they are a program of their own, beside this one.
+/// The benchmarks replace operator new, so they are a separate program next to this one.
 Result<std::filesystem::path> benchProgram() {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
     const std::filesystem::path program = self.parent_path() / "limen-bench";
     if (error || !std::filesystem::exists(program, error))
         return fail(ErrorCode::NotFound, program.string(),
-                    "the benchmarks are not installed; build the target limen-bench");
+                    "the benchmark program is missing; build the target limen-bench");
     return program;
 }
 
-/// Takes this process's place, so that output, signals and exit code are the benchmarks' own.
+/// Replaces this process with the benchmarks, so that output, signals and exit code are theirs.
 Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
     const Result<std::filesystem::path> program = benchProgram();
     if (!program)
@@ -39,9 +39,9 @@ Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
 
 void addBenchVerb(CLI::App& program, const Console&, Choice& choice) {
     CLI::App* verb =
-        program.add_subcommand("bench", "measure, and compare with targets (exit 1 if one is missed)");
-    verb->set_help_flag();      // the benchmarks print their own help
-    verb->prefix_command(true); // and read their own options
+        program.add_subcommand("bench", "run benchmarks and compare the results with targets (exit 1 if a target is missed)");
+    verb->set_help_flag();      // the benchmark program prints its own help
+    verb->prefix_command(true); // and reads its own options
     verb->callback(
         [&choice, verb] { choice.run = [arguments = verb->remaining()] { return becomeBench(arguments); }; });
 }

@@ -20,7 +20,7 @@ struct CheckOptions {
 };
 
 constexpr std::size_t kMostViews = 100'000'000;
-constexpr std::uint64_t kMostPictures = 500; ///< of findings; a broken world would fill the disk
+constexpr std::uint64_t kMostPictures = 500; ///< limit of finding pictures, because a broken world would fill the disk
 constexpr std::size_t kStateLimit = 16u << 20;
 
 Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
@@ -31,7 +31,7 @@ Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
         const std::optional<check::Kind> kind = check::kindNamed(name);
         if (!kind)
             return fail(ErrorCode::BadArgument, "--kinds",
-                        fmt::format("'{}' is none of random, outside, path, sweep, still", name));
+                        fmt::format("unknown kind '{}'; choose from random, outside, path, sweep, still", name));
         kinds.push_back(*kind);
         begin = end + 1;
     }
@@ -41,7 +41,7 @@ Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
     return kinds;
 }
 
-/// Leaves only the block that was asked for.
+/// Keeps only the selected block.
 Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary>& blocks) {
     if (text.empty())
         return {};
@@ -50,16 +50,16 @@ Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary
         return tl::unexpected(word.error());
     if (*word > 0xFFFFu)
         return fail(ErrorCode::BadArgument, "--block",
-                    fmt::format("'{}' is not a landblock's four hexadecimal digits", text));
+                    fmt::format("'{}' is not a landblock of four hexadecimal digits, such as A9B4", text));
     std::erase_if(blocks,
                   [&](const check::BlockSummary& b) { return dat::blockWord(b.block) != *word << 16; });
     if (blocks.empty())
         return fail(ErrorCode::NotFound, "--block",
-                    fmt::format("landblock {:04X} holds no cells and no buildings in this world", *word));
+                    fmt::format("landblock {:04X} has no cells and no buildings in this world; choose another block", *word));
     return {};
 }
 
-/// Plays a walk again without a picture; each of its frames is looked at.
+/// Replays a walk without drawing and adds a view for each of its frames.
 Result<check::RunRequest> addWalk(const CheckOptions& options,
                                   const std::shared_ptr<const engine::WorldSource>& source,
                                   const Console& console, check::RunRequest request) {
@@ -77,12 +77,12 @@ Result<check::RunRequest> addWalk(const CheckOptions& options,
         return tl::unexpected(frames.error());
     std::vector<check::View> views;
     for (std::size_t i = 0; i < (*frames)->count(); ++i) {
-        const Result<const engine::FrameRequest*> eye = (*frames)->next();
-        if (!eye)
-            return tl::unexpected(eye.error());
-        if (Result<void> drawn = session.draw(**eye, {}); !drawn)
+        const Result<const engine::FrameRequest*> next = (*frames)->next();
+        if (!next)
+            return tl::unexpected(next.error());
+        if (Result<void> drawn = session.draw(**next, {}); !drawn)
             return tl::unexpected(drawn.error());
-        views.push_back(engine::viewOf(**eye, session.part().world));
+        views.push_back(engine::viewOf(**next, session.part().world));
         views.back().kind = check::Kind::Path;
         views.back().width = request.width;
         views.back().height = request.height;
@@ -135,11 +135,11 @@ Result<check::RunRequest> requestOf(const CheckOptions& options,
     request.tasks =
         check::planTasks(*blocks, source->file.tour, check::shareAmongKinds(options.views, placed));
     if (request.tasks.empty())
-        return fail(ErrorCode::NotFound, "check", "this world has nothing that these kinds of view look at");
+        return fail(ErrorCode::NotFound, "check", "this world has no content for these kinds of view; choose other --kinds");
     return request;
 }
 
-/// What `limen shot` needs to load the same world.
+/// Options with which `limen shot` loads the same world.
 std::string worldOptions(const CheckOptions& options, const engine::WorldSource& source) {
     std::string text = source.datOption;
     if (!options.session.load.mergeZones)
@@ -149,7 +149,7 @@ std::string worldOptions(const CheckOptions& options, const engine::WorldSource&
     return text;
 }
 
-/// Everything that decides which views are checked and how.
+/// All settings that affect the views and the check, as text. A run resumes only with equal settings.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
     return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' day '{}' weather '{}' "
                        "world '{}' samples {}{}",
@@ -171,8 +171,8 @@ Result<check::Progress> progressOf(const CheckOptions& options, const std::strin
         return fail(before.error().code, options.resume, before.error().what);
     if (before->run != run)
         return fail(ErrorCode::BadArgument, options.resume,
-                    "is the state of another run (" + before->run +
-                        "); ask for that again, or name another file");
+                    "holds the state of a run with other options (" + before->run +
+                        "); repeat those options, or name another file");
     return before;
 }
 
@@ -193,7 +193,7 @@ check::RunEvents eventsOf(const CheckOptions& options, const Console& console, P
     events.step = [&bar](std::size_t done) { bar.step(done); };
     events.leftOut = [&console](dat::BlockCoord block, const Error& error) {
         console.note(
-            fmt::format("limen: landblock {:02X}{:02X} is left out: {}", block.x, block.y, error.message()));
+            fmt::format("limen: landblock {:02X}{:02X} is skipped: {}", block.x, block.y, error.message()));
     };
     if (!options.resume.empty())
         events.saved = [&options](const check::Progress& state) {
@@ -241,7 +241,7 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     }
     const check::Totals& totals = progress->totals;
     if (totals.sum().views == 0)
-        return fail(ErrorCode::NotFound, "check", "no view could be taken of this world");
+        return fail(ErrorCode::NotFound, "check", "no viewpoint was found in this world; choose other --kinds or another --seed");
     console.data(options.json ? check::reportJson(totals, context) : check::reportText(totals, context));
     return totals.sum().findings() > 0 ? Exit::Finding : Exit::Done;
 }
@@ -250,41 +250,42 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
 
 void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb =
-        program.add_subcommand("check", "draws and traces the same views and says where the pictures differ");
+        program.add_subcommand("check", "draw and trace the same views, and report pixels that differ");
     const auto options = std::make_shared<CheckOptions>();
-    verb->add_option("--views", options->views, "how many views, shared out among the kinds (1000)")
+    verb->add_option("--views", options->views, "check this many views, shared among the kinds (1000)")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, kMostViews));
-    verb->add_option("--kinds", options->kinds, "some of random,outside,path,sweep,still; all unless said")
+    verb->add_option("--kinds", options->kinds, "check these kinds of view, e.g. random,path (random,outside,path,sweep,still)")
         ->type_name("LIST");
-    verb->add_option("--seed", options->seed, "another number gives other views (1)")->type_name("N");
-    verb->add_option("--size", options->size, "picture size in pixels (640x360; of sweeps 160x90)")
+    verb->add_option("--seed", options->seed, "choose the views with this seed (1)")->type_name("N");
+    verb->add_option("--size", options->size, "set the picture size in pixels (640x360, for sweeps 160x90)")
         ->type_name("WxH");
-    verb->add_option("--block", options->block, "one landblock only, as four hexadecimal digits")
+    verb->add_option("--block", options->block, "check only this landblock, four hexadecimal digits, e.g. A9B4 (all)")
         ->type_name("XXYY");
     verb->add_option("--doors", options->doors,
-                     "how far all doors stand open: rest, closed, half, open or 0..1 (rest)")
+                     "set the openness of all doors: rest, closed, half, open or 0..1 (rest: each as in the data)")
         ->type_name("STATE");
-    verb->add_option("--day", options->day, "the kind of day, of those that the data has (0)")
+    verb->add_option("--day", options->day, "choose a day group of the data by number or name, e.g. Snow (0)")
         ->type_name("NUMBER|NAME");
-    verb->add_option("--weather", options->weather, "clear or rain (clear)")->type_name("WEATHER");
+    verb->add_option("--weather", options->weather, "set the weather: clear or rain (clear)")->type_name("WEATHER");
     CLI::Option* walk =
         verb->add_option("--walk", options->walk,
-                         "every frame of a walk that limen view --record has written, instead")
+                         "check every frame of a walk recorded with limen view --record or limen walk")
             ->type_name("FILE");
     for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather"})
         walk->excludes(other);
-    verb->add_flag("--apart", options->apart, "every cell its own zone, as --zones cells");
+    verb->add_flag("--apart", options->apart, "give every cell its own zone, as --zones cells does");
     verb->add_option("-o,--output", options->directory,
-                     "a directory for a picture of each view with a finding; made if it is missing")
+                     "write a picture of each view with a finding to this directory; create it if missing (none)")
         ->type_name("DIR");
     verb->add_option("--resume", options->resume,
-                     "keeps the state of the run in this file, and continues from it if it is there")
+                     "save the state of the run in this file; if it exists, continue from it (none)")
         ->type_name("FILE");
-    verb->add_flag("--json", options->json, "the result as one JSON object");
+    verb->add_flag("--json", options->json, "print the result as one JSON object");
     addSessionOptions(*verb, options->session);
-    verb->footer("With --msaa 4 pictures are drawn flat by id and judged by colour, sample by sample.\n"
-                 "Exit codes: 0 every pixel is right, 1 some are not, 2 it could not be done.");
+    verb->footer("With --msaa 4 pictures are drawn in one colour per id and compared sample by sample.\n"
+                 "Example: limen check --views 100 --kinds random,path -o findings\n"
+                 "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runCheckVerb(*options, console); };
     });

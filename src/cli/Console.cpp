@@ -7,7 +7,7 @@ namespace limen::cli {
 namespace {
 
 void write(std::FILE* file, std::string_view text) {
-    // A failure shows in ferror, which flush() asks at the end.
+    // A failure sets ferror, which flush() checks at the end.
     (void)std::fwrite(text.data(), 1, text.size(), file);
 }
 
@@ -37,12 +37,12 @@ bool Console::isTerminal() const {
     return ::isatty(::fileno(err_)) == 1;
 }
 
-Progress::Progress(const Console& console, std::string_view what, std::size_t total)
-    : console_(console), what_(what), total_(total) {}
+Progress::Progress(const Console& console, std::string_view title, std::size_t total)
+    : console_(console), title_(title), total_(total) {}
 
 Progress::~Progress() {
     if (shown_)
-        write(console_.err(), "\r\x1b[K"); // the bar leaves no trace
+        write(console_.err(), "\r\x1b[K"); // erase the bar
 }
 
 void Progress::step(std::size_t done) {
@@ -52,7 +52,7 @@ void Progress::step(std::size_t done) {
         return;
     constexpr std::size_t kWidth = 30;
     const std::size_t filled = kWidth * std::min(done, total_) / total_;
-    write(console_.err(), fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{}", what_, "", filled, "",
+    write(console_.err(), fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{}", title_, "", filled, "",
                                       kWidth - filled, done, total_));
     (void)std::fflush(console_.err());
     drawn_ = now;

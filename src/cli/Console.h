@@ -12,22 +12,22 @@ namespace limen::cli {
 /// Exit codes of every verb.
 enum class Exit : int {
     Done = 0,
-    Finding = 1,    ///< the verb looked for something (a missed target, a disagreement) and found it
-    Impossible = 2, ///< it could not do what was asked
+    Finding = 1,    ///< the verb found a fault that it searches for: a missed target, a wrong pixel
+    Impossible = 2, ///< the verb failed
 };
 
-/// Where a verb talks: data on standard output, everything else on standard error.
+/// The output streams of a verb: data on standard output, everything else on standard error.
 class Console {
 public:
     explicit Console(std::FILE* out = stdout, std::FILE* err = stderr) : out_(out), err_(err) {}
 
-    /// Data, as it is.
+    /// Writes data unchanged.
     void data(std::string_view text) const;
-    /// One line for a person.
+    /// Writes one line for a person.
     void note(std::string_view text) const;
-    /// One line that says why it could not be done; control characters and line breaks are replaced.
+    /// Writes one line with the error. Control characters and line breaks are replaced by blanks.
     void error(const Error& error) const;
-    /// False if standard output did not take everything (a full disk, a closed pipe).
+    /// Returns false if standard output lost data (a full disk, a closed pipe).
     [[nodiscard]] bool flush() const;
     [[nodiscard]] std::FILE* err() const { return err_; }
     /// True if standard error is a terminal.
@@ -38,11 +38,11 @@ private:
     std::FILE* err_;
 };
 
-/// A bar on the terminal's last line for work that takes more than a second; nothing where standard error is
-/// no terminal.
+/// A progress bar on the terminal's last line, shown after one second of work. Invisible if standard error is not a
+/// terminal.
 class Progress {
 public:
-    Progress(const Console& console, std::string_view what, std::size_t total);
+    Progress(const Console& console, std::string_view title, std::size_t total);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -51,7 +51,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     const Console& console_;
-    std::string what_;
+    std::string title_;
     std::size_t total_;
     Clock::time_point start_ = Clock::now(), drawn_{};
     bool shown_ = false;

@@ -8,17 +8,17 @@
 
 namespace limen::cli {
 
-/// The dat files a command talks about: one by its name, or those of a directory, or the built-in world's.
+/// The dat files of a command: one file, the files of a directory, or those of the built-in world.
 struct DatFiles {
-    std::unique_ptr<engine::WorldSource> source; ///< of a world; the list points into it
+    std::unique_ptr<engine::WorldSource> source; ///< the world; `list` points into it
     std::unique_ptr<dat::File> single;
     std::vector<const dat::File*> list;
 };
 
-/// `path` empty: the built-in world's. Errors: those of opening them.
+/// An empty `path` opens the built-in world. Errors: those of opening the files.
 [[nodiscard]] Result<DatFiles> openDatFiles(const std::string& path);
 
-/// "portal", "cell", "highres", "local".
+/// The name of a role: "portal", "cell", "highres" or "local".
 [[nodiscard]] const char* nameOfRole(dat::FileRole role);
 
 /// `limen dat export`.

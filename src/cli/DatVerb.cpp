@@ -19,7 +19,7 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-/// Every kind by its name; the last is Other.
+/// Every kind of record; the last is Other.
 std::vector<dat::RecordKind> allKinds() {
     std::vector<dat::RecordKind> kinds;
     for (int i = 0; i <= static_cast<int>(dat::RecordKind::Other); ++i)
@@ -37,7 +37,7 @@ Result<std::optional<dat::RecordKind>> parseKind(const std::string& text) {
         names.emplace_back(dat::nameOf(kind));
     }
     return fail(ErrorCode::BadArgument, "--type",
-                fmt::format("'{}' is not one of {}", text, fmt::join(names, ", ")));
+                fmt::format("unknown record type '{}'; choose from {}", text, fmt::join(names, ", ")));
 }
 
 std::string entryLine(const dat::File& file, const dat::Entry& entry, bool json) {
@@ -84,7 +84,7 @@ struct ShowOptions {
     std::string path, id, in;
 };
 
-/// The one file that holds the record; an id can mean different things in different files.
+/// The file that contains the record. The same id can name different records in different files.
 Result<const dat::File*> holderOf(const DatFiles& files, dat::RecordId id, const std::string& in) {
     std::vector<const dat::File*> holders;
     for (const dat::File* file : files.list) {
@@ -98,10 +98,10 @@ Result<const dat::File*> holderOf(const DatFiles& files, dat::RecordId id, const
     }
     if (holders.empty())
         return fail(ErrorCode::NotFound, dat::idText(id),
-                    "no file here holds this record; limen dat ls lists what there is");
+                    "no dat file contains this record; list the records with limen dat ls");
     if (holders.size() > 1 && in.empty() && holders[1]->role() != dat::FileRole::Highres)
         return fail(ErrorCode::BadArgument, dat::idText(id),
-                    fmt::format("both the {} and the {} file hold this id; say --in {}",
+                    fmt::format("both the {} and the {} file contain this id; choose one, e.g. with --in {}",
                                 nameOfRole(holders[0]->role()), nameOfRole(holders[1]->role()),
                                 nameOfRole(holders[0]->role())));
     return holders.front();
@@ -133,26 +133,26 @@ Result<Exit> runShow(const ShowOptions& options, const Console& console) {
 } // namespace
 
 void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("dat", "looks into dat files");
+    CLI::App* verb = program.add_subcommand("dat", "list, show, export, pack and verify the records of dat files");
     verb->require_subcommand(1);
 
     const auto list = std::make_shared<ListOptions>();
-    CLI::App* ls = verb->add_subcommand("ls", "lists the records of a dat file, or of a directory of them");
-    ls->add_option("PATH", list->path, "a dat file or a directory; the built-in world unless said")
+    CLI::App* ls = verb->add_subcommand("ls", "list the records of a dat file or of a directory of dat files");
+    ls->add_option("PATH", list->path, "list this dat file or directory (the built-in world)")
         ->type_name("");
-    ls->add_option("--type", list->type, "only records of this type, e.g. EnvCell")->type_name("TYPE");
-    ls->add_flag("--json", list->json, "one JSON object a line");
+    ls->add_option("--type", list->type, "list only records of this type, e.g. EnvCell (all)")->type_name("TYPE");
+    ls->add_flag("--json", list->json, "print one JSON object per line");
     ls->callback(
         [&console, &choice, list] { choice.run = [&console, list] { return runList(*list, console); }; });
 
     const auto show = std::make_shared<ShowOptions>();
-    CLI::App* print = verb->add_subcommand("show", "prints one record as JSON");
-    print->add_option("ID", show->id, "the record's id in hexadecimal, e.g. 0x13000000")
+    CLI::App* print = verb->add_subcommand("show", "print one record as JSON");
+    print->add_option("ID", show->id, "print the record with this hexadecimal id, e.g. 0x13000000")
         ->required()
         ->type_name("");
-    print->add_option("--dat", show->path, "a dat file or a directory; the built-in world unless said")
+    print->add_option("--dat", show->path, "read this dat file or directory (the built-in world)")
         ->type_name("PATH");
-    print->add_option("--in", show->in, "which file, where two hold the id")
+    print->add_option("--in", show->in, "read the record from this file if two contain the id")
         ->check(CLI::IsMember({"portal", "cell", "highres", "local"}));
     print->callback(
         [&console, &choice, show] { choice.run = [&console, show] { return runShow(*show, console); }; });

@@ -25,7 +25,7 @@ struct Exported {
     std::string extension, bytes;
 };
 
-/// An id that both files may have: of the portal if it has it.
+/// The file of a record: the portal file if it contains the id, then highres, else the cell file.
 const dat::File& fileOf(const dat::Archive& archive, dat::RecordId id) {
     for (const dat::File* file : {&archive.portal(), archive.highres()}) {
         if (file == nullptr)
@@ -64,7 +64,7 @@ Result<Exported> asJson(const dat::File& file, dat::RecordId id) {
     return Exported{"json", *text};
 }
 
-/// As `limen dat pack` takes it.
+/// The record's bytes, as input for `limen dat pack`.
 Result<Exported> asBytes(const dat::File& file, dat::RecordId id) {
     dat::Bytes scratch;
     return file.read(id, scratch).map([](dat::ByteView payload) {
@@ -82,17 +82,17 @@ Result<Exported> asPng(const dat::Archive& archive, dat::RecordId id) {
     return Exported{"png", std::string(reinterpret_cast<const char*>(png->data()), png->size())};
 }
 
-/// A cell with what stands in it, or a landblock without its ground.
+/// A cell with its objects, or a landblock's objects without the ground.
 Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat::RecordKind kind) {
     const Result<world::World> world = world::loadWorld(
         archive, dat::blockOf(id),
-        {.radius = 0, .detail = std::numeric_limits<double>::infinity()}); // the nearest of all levels
+        {.radius = 0, .detail = std::numeric_limits<double>::infinity()}); // the finest level of detail
     if (!world)
         return tl::unexpected(world.error());
     const world::SpaceIndex cell =
         kind == dat::RecordKind::EnvCell ? world::findCell(*world, id) : world::kNone;
     if (kind == dat::RecordKind::EnvCell && cell == world::kNone)
-        return fail(ErrorCode::NotFound, dat::idText(id), "the cell cannot be read");
+        return fail(ErrorCode::NotFound, dat::idText(id), "the cell cannot be read; look for the fault with limen dat verify");
     std::vector<world::InstanceIndex> instances;
     for (world::InstanceIndex i = 0; i < world->instances.size(); ++i)
         if (cell == world::kNone || world->instances[i].placedIn == cell)
@@ -113,7 +113,7 @@ Result<Exported> asGltf(const dat::Archive& archive, dat::RecordId id, dat::Reco
         break;
     default:
         return fail(ErrorCode::BadArgument, dat::idText(id),
-                    fmt::format("a {} has no shape to write as glTF", dat::nameOf(kind)));
+                    fmt::format("a {} has no geometry for glTF; export it with --as json", dat::nameOf(kind)));
     }
     const Result<world::World> world = world::loadModel(archive, id);
     if (!world)
@@ -173,13 +173,13 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
 
 void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
     const auto arguments = std::make_shared<ExportArguments>();
-    CLI::App* verb = dat.add_subcommand("export", "writes records as PNG, glTF, JSON or bytes");
-    verb->add_option("ID", arguments->ids, "records' ids in hexadecimal, e.g. 0x0200001A")
+    CLI::App* verb = dat.add_subcommand("export", "write records as PNG, glTF, JSON or raw bytes");
+    verb->add_option("ID", arguments->ids, "export the records with these hexadecimal ids, e.g. 0x0200001A")
         ->required()
         ->type_name("");
-    verb->add_option("--dat", arguments->dat, "a directory of dat files; the built-in world unless said")
+    verb->add_option("--dat", arguments->dat, "read this directory of dat files (the built-in world)")
         ->type_name("DIR");
-    verb->add_option("-o", arguments->directory, "the directory to write to, made if it is missing (.)")
+    verb->add_option("-o", arguments->directory, "write to this directory; create it if missing (.)")
         ->type_name("DIR");
     verb->add_option_function<std::string>(
             "--as",
@@ -189,14 +189,13 @@ void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
                                     : text == "raw" ? Format::Raw
                                                     : Format::Gltf;
             },
-            "how (pictures as PNG; models, cells and landblocks as binary glTF; the rest as JSON); raw: its "
-            "bytes, for limen "
-            "dat pack")
+            "choose the format (pictures: png; models, cells and landblocks: gltf, binary; others: json); "
+            "raw writes the bytes for limen dat pack")
         ->type_name("png|gltf|json|raw")
         ->check(CLI::IsMember({"png", "gltf", "json", "raw"}));
-    verb->footer("Each becomes a file named by its id; the names are printed. A cell comes with what stands "
-                 "in it, a landblock "
-                 "(0xXXYYFFFE) without its ground.");
+    verb->footer("Writes one file per record, named by its id, and prints the names. A cell includes its objects;\n"
+                 "a landblock (0xXXYYFFFE) excludes its ground.\n"
+                 "Example: limen dat export 0x0200001A -o models");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runExport(*arguments, console); };
     });

@@ -22,7 +22,7 @@ struct PackArguments {
 constexpr const char* kExtension = ".bin";
 constexpr std::size_t kLargestRecord = std::size_t{1} << 28;
 
-/// What a file is to be.
+/// The role and format of the file to write.
 struct Target {
     dat::FileRole role = dat::FileRole::Portal;
     dat::FileTraits traits;
@@ -36,10 +36,10 @@ Result<Target> targetNamed(const std::string& role) {
         if (role == nameOfRole(target.role))
             return target;
     return fail(ErrorCode::BadArgument, "--role",
-                "say what file it is to be, or which one it is based on (--base)");
+                "no role for the new file; give --role portal, cell, highres or local, or --base FILE");
 }
 
-/// The same as a file that there is.
+/// The role and format of an existing file.
 Target targetLike(const dat::File& file) {
     const dat::Header& header = file.header();
     return {file.role(),
@@ -47,7 +47,7 @@ Target targetLike(const dat::File& file) {
              header.minorVersion}};
 }
 
-/// Files that are records, in the order of their names.
+/// The record files, sorted by name.
 Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
     std::vector<fs::path> files;
     for (const std::string& input : inputs) {
@@ -63,7 +63,7 @@ Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
         if (error)
             return fail(ErrorCode::NotFound, input, error.message());
         if (files.size() == before)
-            return fail(ErrorCode::NotFound, input, "holds no records: files like 0200001A.bin");
+            return fail(ErrorCode::NotFound, input, "contains no record files such as 0200001A.bin; write them with limen dat export --as raw");
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -73,17 +73,17 @@ Result<dat::RecordId> idOf(const fs::path& file) {
     const Result<dat::RecordId> id = parseRecordId(file.string(), file.stem().string());
     if (!id || file.extension() != kExtension)
         return fail(ErrorCode::BadArgument, file.string(),
-                    "is not named by a record's id, as 0200001A.bin is");
+                    "is not named by a record id; rename it like 0200001A.bin");
     return *id;
 }
 
-/// Puts a file's records with those that are there. Errors: one that is no such record.
+/// Adds the record of a file. Errors: bytes that do not decode as a record of this id.
 Result<void> addFile(const fs::path& file, dat::FileRole role, dat::Writer& writer) {
     const Result<dat::RecordId> id = idOf(file);
     if (!id)
         return tl::unexpected(id.error());
     const Result<std::string> text =
-        output::readTextFile(file, kLargestRecord); // of bytes, whatever they are
+        output::readTextFile(file, kLargestRecord); // binary data
     if (!text)
         return tl::unexpected(text.error());
     const auto* begin = reinterpret_cast<const std::byte*>(text->data());
@@ -94,7 +94,7 @@ Result<void> addFile(const fs::path& file, dat::FileRole role, dat::Writer& writ
     return {};
 }
 
-/// Takes over what a file holds, as it is stored.
+/// Copies the records of the base file in their stored form.
 Result<void> addBase(const dat::File& base, const std::vector<dat::RecordId>& without, dat::Writer& writer) {
     Result<void> added;
     dat::Bytes scratch;
@@ -152,10 +152,10 @@ Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
             return tl::unexpected(added.error());
         progress.step(i + 1);
     }
-    base.reset(); // it may be what is written over
+    base.reset(); // the output may replace this file
     if (Result<void> written = writer.write(arguments.output); !written)
         return tl::unexpected(written.error());
-    console.note(fmt::format("{}: a {} file", arguments.output, nameOfRole(target->role)));
+    console.note(fmt::format("{}: wrote a {} file", arguments.output, nameOfRole(target->role)));
     return Exit::Done;
 }
 
@@ -163,25 +163,26 @@ Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
 
 void addPackVerb(CLI::App& dat, const Console& console, Choice& choice) {
     const auto arguments = std::make_shared<PackArguments>();
-    CLI::App* verb = dat.add_subcommand("pack", "writes a dat file from records");
+    CLI::App* verb = dat.add_subcommand("pack", "write a dat file from records");
     verb->add_option(
             "INPUT", arguments->inputs,
-            "files named by their ids, 0200001A.bin (limen dat export --as raw), or directories of them")
+            "pack these files or directories of files named by record id, e.g. 0200001A.bin (see limen dat export --as raw)")
         ->type_name("");
-    verb->add_option("-o,--output", arguments->output, "the dat file to write")
+    verb->add_option("-o,--output", arguments->output, "write this dat file")
         ->required()
         ->type_name("FILE");
     CLI::Option* base =
         verb->add_option("--base", arguments->base,
-                         "a dat file whose records are taken over, but for those that are given")
+                         "start from the records of this dat file; INPUT replaces records of equal id (none)")
             ->type_name("FILE");
-    verb->add_option("--role", arguments->role, "what file it is to be")
+    verb->add_option("--role", arguments->role, "set the role of the new file")
         ->check(CLI::IsMember({"portal", "cell", "highres", "local"}))
         ->excludes(base);
-    verb->add_option("--without", arguments->without, "records of the base that are left out")
+    verb->add_option("--without", arguments->without, "omit this record of the base; repeatable")
         ->type_name("ID")
         ->needs(base);
-    verb->footer("What is no such record is refused. limen dat verify tells whether all fits together.");
+    verb->footer("Files that do not decode as their record are refused. Check references with limen dat verify.\n"
+                 "Example: limen dat pack records --role portal -o client_portal.dat");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runPack(*arguments, console); };
     });

@@ -7,7 +7,7 @@ namespace limen::cli {
 namespace {
 
 tl::unexpected<Error> bad(std::string_view option, std::string_view text, std::string_view wanted) {
-    constexpr std::size_t kShown = 60; // a message stays one readable line
+    constexpr std::size_t kShown = 60; // keeps a message on one readable line
     std::string shown(text.substr(0, kShown));
     for (char& c : shown)
         if (static_cast<unsigned char>(c) < 0x20)
@@ -21,7 +21,7 @@ bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// Strips an optional "0x" and reads hexadecimal digits; all of them and nothing else.
+/// Reads hexadecimal digits after an optional "0x". Returns false on any other text.
 bool readHex(std::string_view text, std::size_t maxDigits, std::uint32_t& value) {
     if (text.starts_with("0x") || text.starts_with("0X"))
         text.remove_prefix(2);
@@ -48,7 +48,7 @@ Result<double> parseNumber(std::string_view option, std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc::result_out_of_range)
-        return bad(option, text, "a number that fits");
+        return bad(option, text, "a number that fits a double; give a smaller one");
     if (error != std::errc{} || end != digits.data() + digits.size())
         return bad(option, text, "a number");
     if (!std::isfinite(value))
@@ -69,7 +69,7 @@ Result<Vec3> parseVec3(std::string_view option, std::string_view text) {
     for (int i = 0; i < 3; ++i) {
         const std::size_t comma = rest.find(',');
         if ((comma == std::string_view::npos) != (i == 2))
-            return bad(option, text, "three numbers X,Y,Z");
+            return bad(option, text, "three numbers X,Y,Z such as 1,2.5,-3");
         const Result<double> number = parseNumber(option, rest.substr(0, comma));
         if (!number)
             return tl::unexpected(number.error());
@@ -87,10 +87,10 @@ Result<engine::PixelSize> parseSize(std::string_view option, std::string_view te
     const bool hasCross = width.ec != std::errc::invalid_argument && width.ptr != end &&
                           (*width.ptr == 'x' || *width.ptr == 'X');
     if (!hasCross)
-        return bad(option, text, "a size WxH in pixels");
+        return bad(option, text, "a size WxH in pixels such as 640x360");
     const auto height = std::from_chars(width.ptr + 1, end, size.height);
     if (height.ec == std::errc::invalid_argument || height.ptr != end)
-        return bad(option, text, "a size WxH in pixels");
+        return bad(option, text, "a size WxH in pixels such as 640x360");
     const bool overflow = width.ec != std::errc{} || height.ec != std::errc{};
     if (overflow || size.width == 0 || size.height == 0 || size.width > engine::kMaxSide ||
         size.height > engine::kMaxSide)
@@ -167,7 +167,7 @@ Result<std::vector<std::string>> splitArguments(std::string_view line) {
         }
     }
     if (quote != 0)
-        return bad("line", line, "closed: a quote is left open");
+        return bad("line", line, "complete: a quote is not closed");
     if (inWord)
         arguments.push_back(std::move(current));
     return arguments;

@@ -11,14 +11,14 @@
 #include <string_view>
 #include <vector>
 
-// The notations of the command line, as pure functions. `option` is the name that a message puts first.
+// The notations of the command line, as pure functions. Messages start with `option`.
 namespace limen::cli {
 
 /// A finite double in C notation; a leading '+' is allowed. Errors: anything else, trailing text, NaN,
 /// infinity.
 [[nodiscard]] Result<double> parseNumber(std::string_view option, std::string_view text);
 
-/// The same, low..high both included. Errors: as parseNumber; beyond the bounds.
+/// A number within low..high, bounds included. Errors: as parseNumber; a number out of bounds.
 [[nodiscard]] Result<double> parseNumberBetween(std::string_view option, std::string_view text, double low,
                                                 double high);
 
@@ -38,14 +38,14 @@ namespace limen::cli {
 /// "rest" (none), "closed", "half", "open", or a share 0..1.
 [[nodiscard]] Result<std::optional<double>> parseDoors(std::string_view option, std::string_view text);
 
-/// A record id: one to eight hexadecimal digits, "0x" in front or not.
+/// A record id: one to eight hexadecimal digits after an optional "0x".
 [[nodiscard]] Result<dat::RecordId> parseRecordId(std::string_view option, std::string_view text);
 
-/// Splits a line into arguments as a shell would: blanks separate, single and double quotes group, a
-/// backslash outside single quotes takes the next character as it is. Errors: an open quote.
+/// Splits a line into arguments like a shell: blanks separate, single and double quotes group, and a backslash
+/// outside single quotes escapes the next character. Errors: an open quote.
 [[nodiscard]] Result<std::vector<std::string>> splitArguments(std::string_view line);
 
-/// The text without blanks at its ends.
+/// The text without leading and trailing blanks.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 } // namespace limen::cli

@@ -10,7 +10,8 @@
 namespace limen::cli {
 namespace {
 
-/// All frames of one size, if that is asked for. What is seen may be another part of the world then, so nothing is compared.
+/// Gives all frames of a walk the size `text`, if it is not empty. Another size can change visibility, so resized
+/// frames are not compared with the recording.
 Result<void> resize(const std::string& text, play::WalkRecord& walk) {
     if (text.empty())
         return {};
@@ -29,26 +30,26 @@ Result<void> resize(const std::string& text, play::WalkRecord& walk) {
 void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames) {
     command
         .add_option("--path", arguments.path,
-                    "way points, one line of shot's options each; the world's own tour unless said")
+                    "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
         ->type_name("FILE");
     CLI::Option* walk = command
                             .add_option("--walk", arguments.walk,
-                                        "or a walk that limen view --record has written, frame by frame")
+                                        "replay a walk recorded with limen view --record or limen walk, frame by frame")
                             ->type_name("FILE")
                             ->excludes("--path");
-    command.add_option("--size", arguments.size, "picture size in pixels (960x540, of a walk as recorded)")
+    command.add_option("--size", arguments.size, "set the picture size in pixels (960x540; for a walk as recorded)")
         ->type_name("WxH");
     command
-        .add_option("--frames", arguments.frames, fmt::format("how many frames, spread evenly ({})", frames))
+        .add_option("--frames", arguments.frames, fmt::format("draw this many frames, spread evenly over the path ({})", frames))
         ->type_name("N")
         ->excludes(walk);
-    command.add_option("--fps", arguments.fps, "or how many for each second of walking")
+    command.add_option("--fps", arguments.fps, "draw this many frames per second of the path, instead of --frames")
         ->type_name("F")
         ->excludes(walk);
-    command.add_option("--fov", arguments.fov, "vertical field of view (60)")
+    command.add_option("--fov", arguments.fov, "set the vertical field of view in degrees (60)")
         ->type_name("DEG")
         ->excludes(walk);
-    command.add_option("--time", arguments.time, "time of day, 0 and 1 midnight (0.5)")
+    command.add_option("--time", arguments.time, "set the time of day; 0 and 1 are midnight (0.5)")
         ->type_name("0..1")
         ->excludes(walk);
 }
@@ -61,7 +62,7 @@ Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t 
         return tl::unexpected(size.error());
     request.size = *size;
     if (!arguments.frames.empty() && !arguments.fps.empty())
-        return fail(ErrorCode::BadArgument, "--fps", "give either --frames or --fps, not both");
+        return fail(ErrorCode::BadArgument, "--fps", "--frames is given as well; give only one of the two");
     struct Number {
         const char* option;
         const std::string& text;
@@ -83,7 +84,7 @@ Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t 
     }
     if (count != std::floor(count))
         return fail(ErrorCode::BadArgument, "--frames",
-                    fmt::format("'{}' is not a whole number", arguments.frames));
+                    fmt::format("'{}' is not a whole number; give one such as 120", arguments.frames));
     request.frames = static_cast<std::size_t>(count);
     return request;
 }
@@ -96,7 +97,7 @@ Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& argume
             points.push_back(engine::requestAt(place));
         if (points.empty())
             return fail(ErrorCode::NotFound, "tour",
-                        "this world's world.json has no tour; give way points with --path FILE");
+                        "world.json of this world has no tour; give way points with --path FILE");
         return points;
     }
     const Result<std::vector<ListedView>> views = readViews(arguments.path, {}, {}, "");
@@ -112,7 +113,7 @@ Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& argume
 }
 
 Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk) {
-    return parseView(walk.start, "the walk's beginning");
+    return parseView(walk.start, "the start of the walk");
 }
 
 Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,

@@ -20,18 +20,18 @@ struct PathArguments {
 /// Adds these options. `frames`: the default number of frames, for the help text.
 void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames);
 
-/// `frames`: the default number. Errors: an option that is no number, or out of its bounds.
+/// `frames` is the default number. Errors: an option that is not a number or is out of bounds.
 [[nodiscard]] Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t frames);
 
-/// The way points: from a file in the form of `shot`'s views files, or the world's own tour; places resolved. Errors: the file's;
-/// the world has no tour.
+/// The way points, with places resolved: from a file in the format of `shot`'s views files, or from the world's tour.
+/// Errors: the file's; a world without a tour.
 [[nodiscard]] Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
                                                                    const world::WorldFile& file);
 
-/// The first frame of a recorded walk. Errors: its line makes no sense.
+/// The first view of a recorded walk. Errors: a malformed start line.
 [[nodiscard]] Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk);
 
-/// Checks as much as is possible without a session. Errors: checkPath's, wayPointsOf's, readWalk's.
+/// Checks the options as far as possible without a session. Errors: as checkPath, wayPointsOf and readWalk.
 [[nodiscard]] Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
                                                       const world::WorldFile& file);
 

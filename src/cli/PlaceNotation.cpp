@@ -39,7 +39,7 @@ Result<BlockAndRoot> parseBlock(std::string_view option, std::string_view text) 
     const dat::RecordId id = wholeId ? *number : *number << 16;
     BlockAndRoot result{dat::blockOf(id), {}};
     if (result.block.x > kLastBlock || result.block.y > kLastBlock)
-        return bad(option, fmt::format("{} is beyond the map, whose last landblock is 0xFEFE", text));
+        return bad(option, fmt::format("{} is beyond the map; the last landblock is 0xFEFE", text));
     const std::uint32_t low = id & 0xFFFFu;
     if (wholeId && low >= dat::kFirstCell && low <= dat::kLastCell)
         result.root = {engine::RootChoice::Rule::Cell, id};
@@ -66,11 +66,11 @@ Result<std::vector<double>> parseNumbers(std::string_view option, std::string_vi
     return numbers;
 }
 
-/// Where a retail quaternion faces: the identity looks north, along +Y.
+/// Sets the heading of a retail quaternion. The identity looks north, along +Y.
 Result<void> setHeading(std::string_view option, const std::vector<double>& q, PlacePosition& place) {
     const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     if (!(length > 1e-6) || !std::isfinite(length))
-        return bad(option, "the quaternion w x y z has no direction");
+        return bad(option, "the quaternion w x y z has length 0; give one such as 1 0 0 0");
     const Quat rotation(q[0] / length, q[1] / length, q[2] / length, q[3] / length);
     const engine::Heading heading = engine::headingOf(rotation * Vec3(0.0, 1.0, 0.0));
     place.yaw = heading.yaw;
@@ -82,7 +82,7 @@ Result<void> setHeading(std::string_view option, const std::vector<double>& q, P
 Result<PlaceNotation> parseRetail(std::string_view option, std::string_view text) {
     const std::size_t open = text.find('['), close = text.find(']');
     if (close == std::string_view::npos || close < open)
-        return bad(option, fmt::format("'{}' has no closing bracket", text));
+        return bad(option, fmt::format("'{}' has no closing bracket; write 0xA9B40031 [x y z] w x y z", text));
     const std::string_view word = trimmed(text.substr(0, open));
     if (!isHexWord(word))
         return bad(option, fmt::format("'{}' is not a cell id such as 0xA9B40031", word));
@@ -96,7 +96,7 @@ Result<PlaceNotation> parseRetail(std::string_view option, std::string_view text
     if (!quat)
         return tl::unexpected(quat.error());
     if (local->size() != 3 || (!quat->empty() && quat->size() != 4))
-        return bad(option, "a retail location reads 0xA9B40031 [x y z] w x y z");
+        return bad(option, "a retail location has the form 0xA9B40031 [x y z] w x y z");
     PlacePosition place;
     place.eye = globalOf(block->block, {(*local)[0], (*local)[1], (*local)[2]});
     place.root = block->root;
@@ -107,7 +107,7 @@ Result<PlaceNotation> parseRetail(std::string_view option, std::string_view text
     return place;
 }
 
-/// "42.1N": the number, its sign turned by `minus`; no value if the text does not end in `plus` or `minus`.
+/// "42.1N": the number, negated by `minus`; nullopt if the text does not end in `plus` or `minus`.
 std::optional<double> readCoordinate(std::string_view text, char plus, char minus) {
     text = trimmed(text);
     if (text.empty())
@@ -119,7 +119,7 @@ std::optional<double> readCoordinate(std::string_view text, char plus, char minu
     return letter == minus ? -*number : *number;
 }
 
-/// "42.1N 33.6E" or "42.1N, 33.6E"; no value if the text is not of that shape.
+/// "42.1N 33.6E" or "42.1N, 33.6E"; nullopt for any other form.
 std::optional<Vec2> readMapCoordinates(std::string_view text) {
     const std::size_t split = text.find_first_of(" ,");
     if (split == std::string_view::npos)
@@ -139,12 +139,12 @@ std::optional<Vec2> readMapCoordinates(std::string_view text) {
 Result<PlaceNotation> parsePlace(std::string_view option, std::string_view text) {
     const std::string_view clean = trimmed(text);
     if (clean.empty())
-        return bad(option, "names no place");
+        return bad(option, "the place is empty; give a name or a position");
     if (clean.find('[') != std::string_view::npos)
         return parseRetail(option, clean);
     if (const std::optional<Vec2> ground = readMapCoordinates(clean)) {
         if (!(ground->x >= 0.0 && ground->y >= 0.0 && ground->x < kMapEnd && ground->y < kMapEnd))
-            return bad(option, fmt::format("'{}' lies beyond the map", clean));
+            return bad(option, fmt::format("'{}' is beyond the map, whose coordinates end at 101.9S 101.9W and 102.0N 102.0E", clean));
         PlacePosition place;
         place.eye = Vec3(*ground, 0.0);
         place.onGround = true;
@@ -168,7 +168,7 @@ Result<PlaceNotation> parsePlace(std::string_view option, std::string_view text)
         return bad(
             option,
             fmt::format(
-                "'{}' is neither a place's name, BLOCK.x,y,z, 0xCELL [x y z] w x y z nor map coordinates",
+                "'{}' is not a place; give a name, BLOCK.x,y,z, 0xCELL [x y z] w x y z or map coordinates",
                 clean));
     return PlaceName{std::string(clean)};
 }

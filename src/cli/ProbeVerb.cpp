@@ -14,7 +14,7 @@ struct ProbeOptions {
     PathArguments path;
 };
 
-constexpr std::size_t kProbeFrames = 2000; // unless said
+constexpr std::size_t kProbeFrames = 2000; // default of --frames
 
 Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
@@ -23,7 +23,7 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, source->file);
     if (!request)
         return tl::unexpected(request.error());
-    gpu::NullDevice device; // what is decided does not depend on a driver
+    gpu::NullDevice device; // the decisions do not depend on a driver
     engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
                             device);
     const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
@@ -33,12 +33,12 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     output::Probe probe;
     Progress progress(console, "probe", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
-        const Result<const engine::FrameRequest*> eye = (*frames)->next();
-        if (!eye)
-            return tl::unexpected(eye.error());
-        if (Result<void> drawn = session.draw(**eye, {}); !drawn)
+        const Result<const engine::FrameRequest*> next = (*frames)->next();
+        if (!next)
+            return tl::unexpected(next.error());
+        if (Result<void> drawn = session.draw(**next, {}); !drawn)
             return tl::unexpected(drawn.error());
-        const std::string lines = probe.see({frame, (*eye)->scene.seconds, session.part().world, **eye,
+        const std::string lines = probe.see({frame, (*next)->scene.seconds, session.part().world, **next,
                                              session.visible(), session.plan(), session.figures().glCalls});
         if (!lines.empty())
             console.data(lines);
@@ -54,14 +54,14 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
 
 void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb = program.add_subcommand(
-        "probe", "tells what a frame decides while a camera walks a path, as JSON lines");
+        "probe", "print changes of visibility and drawing along a camera path as JSON lines");
     const auto options = std::make_shared<ProbeOptions>();
     addPathOptions(*verb, options->path, kProbeFrames);
     addSessionOptions(*verb, options->session);
     verb->footer(
-        "With --walk it exits with 1 if the walk came out otherwise than when it was recorded.\n"
-        "A line for every change: root (with the eye's way there), visits, spaces seen, outside, stages, "
-        "blocks loaded, budgets. Nothing is drawn: no driver is needed.");
+        "Prints one line for every change: root (with the path of the eye), visits, spaces seen, outside,\n"
+        "stages, blocks loaded, budgets. Draws nothing and needs no driver.\n"
+        "With --walk the exit code is 1 if the replay differs from the recording.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runProbe(*options, console); };
     });

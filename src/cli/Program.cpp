@@ -8,7 +8,7 @@
 namespace limen::cli {
 namespace {
 
-/// --help and --version are data; any other complaint of the parser is one line.
+/// Prints --help and --version as data, and any parse error as one line.
 Exit reportParse(const CLI::App& program, const CLI::ParseError& error, const Console& console) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr ||
@@ -21,7 +21,7 @@ Exit reportParse(const CLI::App& program, const CLI::ParseError& error, const Co
     const bool noVerb =
         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && program.get_subcommands().empty();
     console.error(
-        {ErrorCode::BadArgument, "", noVerb ? "name a verb; limen --help lists them" : error.what()});
+        {ErrorCode::BadArgument, "", noVerb ? "no verb given; choose one from limen --help" : error.what()});
     return Exit::Impossible;
 }
 
@@ -39,12 +39,13 @@ Exit runChoice(const Choice& choice, const Console& console) {
 Exit runProgram(int argc, const char* const* argv, const Console& console) {
     Choice choice;
     CLI::App program("Limen draws worlds of interiors and landscape joined by portals.\n"
-                     "Without --dat every verb uses the world that is built in.",
+                     "Without --dat every verb uses the built-in world.",
                      "limen");
     program.set_version_flag("--version", std::string("limen ") + LIMEN_VERSION);
     program.require_subcommand(1);
-    program.footer("limen VERB --help tells a verb's options.\n"
-                   "Exit codes: 0 done, 1 a finding (a missed target), 2 it could not be done.");
+    program.footer("To see the options of a verb, run limen VERB --help.\n"
+                   "Example: limen shot --at hill -o hill.png\n"
+                   "Exit codes: 0: done; 1: a finding (a missed target, a wrong pixel); 2: an error.");
     addViewVerb(program, console, choice);
     addShotVerb(program, console, choice);
     addTourVerb(program, console, choice);
@@ -61,12 +62,12 @@ Exit runProgram(int argc, const char* const* argv, const Console& console) {
     } catch (const CLI::ParseError& error) {
         exit = reportParse(program, error, console);
     } catch (const std::bad_alloc&) {
-        console.error({ErrorCode::Unsupported, "", "out of memory; ask for a smaller picture or world"});
+        console.error({ErrorCode::Unsupported, "", "out of memory; choose a smaller --size or --radius"});
     } catch (const std::exception& error) {
         console.error({ErrorCode::Unsupported, "unexpected", error.what()});
     }
     if (!console.flush() && exit != Exit::Impossible) {
-        console.error({ErrorCode::Unreadable, "standard output", "did not take all of the result"});
+        console.error({ErrorCode::Unreadable, "standard output", "lost a part of the result; check the disk or the pipe"});
         exit = Exit::Impossible;
     }
     return exit;

@@ -8,7 +8,7 @@
 namespace limen::cli {
 
 void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
-    command // first: single options override it
+    command // first, so that single options override it
         .add_option_function<std::string>(
             "--quality",
             [&options](const std::string& text) {
@@ -20,16 +20,16 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         ->group("World");
     command
         .add_option("--dat", options.dat,
-                    "directory of client_portal.dat and client_cell_1.dat (the built-in world)")
+                    "load the world from this directory of client_portal.dat and client_cell_1.dat (the built-in world)")
         ->type_name("DIR")
         ->group("World")
         ->check(
-            [](const std::string& text) { return std::string(text.empty() ? "names no directory" : ""); });
+            [](const std::string& text) { return std::string(text.empty() ? "is empty; give a directory" : ""); });
     command
         .add_option_function<std::string>(
             "--zones", [&options](const std::string& text) { options.load.mergeZones = text == "merged"; },
-            "merged: cells that cannot hide each other share a zone (default); cells: one zone per cell; "
-            "pictures are the same")
+            "choose the zones; merged: cells that cannot hide each other share a zone; cells: one zone per "
+            "cell; pictures are equal (merged)")
         ->type_name("merged|cells")
         ->check(CLI::IsMember({"merged", "cells"}))
         ->group("World");
@@ -72,12 +72,12 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
                                   : text == "unseen" ? gpu::Culling::Unseen
                                                      : gpu::Culling::Hidden;
             },
-            "skip triangles before rasterisation: none, those that cover no pixel (unseen), or those behind "
-            "walls and ground as well (hidden, default); pictures are the same")
+            "skip triangles before rasterisation; none; unseen: those that cover no pixel; hidden: also those "
+            "behind walls and ground; pictures are equal (hidden)")
         ->type_name("none|unseen|hidden")
         ->check(CLI::IsMember({"none", "unseen", "hidden"}))
         ->group("World");
-    command.add_option("--msaa", options.samples, "samples a pixel (1); ids and depth always have one")
+    command.add_option("--msaa", options.samples, "set the samples per pixel (1); ids and depth always have one")
         ->type_name("1|4")
         ->check(CLI::IsMember({0, 1, 4}))
         ->group("World");

@@ -8,7 +8,7 @@ class App;
 
 namespace limen::cli {
 
-/// Adds the options that say how a world is loaded and drawn.
+/// Adds the options for loading and drawing a world.
 void addSessionOptions(CLI::App& command, engine::SessionOptions& options);
 
 } // namespace limen::cli

@@ -14,7 +14,7 @@
 namespace limen::cli {
 namespace {
 
-constexpr double kFarthestPosition = 1e6; ///< metres; farther from the map a position is a slip of the hand
+constexpr double kFarthestPosition = 1e6; ///< metres; a position farther from the map is taken for a typing error
 constexpr std::size_t kMaxListFile = 64u << 20;
 
 /// Parses `text` into `value` unless it is empty.
@@ -34,7 +34,7 @@ Result<Vec3> positionNearMap(std::string_view option, std::string_view text) {
     if (value &&
         !(std::max({std::abs(value->x), std::abs(value->y), std::abs(value->z)}) <= kFarthestPosition))
         return fail(ErrorCode::BadArgument, std::string(option),
-                    fmt::format("'{}' lies more than {:.0f} km from the map's corner", text,
+                    fmt::format("'{}' is more than {:.0f} km from the map's corner; give metres from the south-west corner", text,
                                 kFarthestPosition / 1000.0));
     return value;
 }
@@ -64,9 +64,9 @@ Result<void> checkPosition(const ViewArguments& a, engine::ViewRequest& view) {
     if (Result<void> r = take(a.root, "--root", parseRoot, view.root); !r)
         return r;
     if (view.player && !a.body.empty())
-        return fail(ErrorCode::BadArgument, "--player", "the player is where --body is; give one of the two");
+        return fail(ErrorCode::BadArgument, "--player", "--body sets the position of the player as well; give only one of the two");
     if (eye && at)
-        return fail(ErrorCode::BadArgument, "--at", "give either --eye or --at, not both");
+        return fail(ErrorCode::BadArgument, "--at", "--eye is given as well; give only one of the two");
     if (!eye && !at)
         return fail(ErrorCode::BadArgument, "--eye", "no viewpoint given; use --at PLACE or --eye X,Y,Z");
     if (eye)
@@ -88,9 +88,9 @@ std::vector<std::filesystem::path> OutputPaths::all() const {
 
 namespace {
 
-/// For CLI11: an empty argument is a slip (an unset variable in a script), never a value.
+/// A CLI11 check: an empty argument is an error, usually an unset variable in a script.
 std::string refuseEmpty(const std::string& text) {
-    return text.empty() ? "is given without a value" : "";
+    return text.empty() ? "has no value; check for an unset variable" : "";
 }
 
 } // namespace
@@ -99,36 +99,36 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     const auto add = [&command](const char* name, std::string& value, const char* type, const char* help) {
         command.add_option(name, value, help)->type_name(type)->group("View")->check(refuseEmpty);
     };
-    add("--eye", a.eye, "X,Y,Z", "the eye, in metres from the map's south-west corner, z up");
-    add("--at", a.at, "PLACE", "or a place: a name, BLOCK.x,y,z, '0xCELL [x y z] w x y z', '42.1N 33.6E'");
-    add("--yaw", a.yaw, "DEG", "0 looks north, 90 east");
-    add("--pitch", a.pitch, "DEG", "-90..90, 90 looks straight up");
-    add("--fov", a.fov, "DEG", "vertical field of view (60)");
-    add("--size", a.size, "WxH", "picture size in pixels (1280x720)");
-    add("--root", a.root, "auto|outside|0xCELL", "the space the eye is in (auto)");
-    add("--player", a.player, "X,Y,Z", "where the player stands (at the eye)");
-    add("--time", a.time, "0..1", "time of day, 0 and 1 midnight (0.5)");
+    add("--eye", a.eye, "X,Y,Z", "set the position of the eye in metres from the map's south-west corner, z up, e.g. 32530,34660,32");
+    add("--at", a.at, "PLACE", "place the eye at a name (hill), BLOCK.x,y,z (A9B4.12,34,5), '0xCELL [x y z] w x y z' or '42.1N 33.6E'");
+    add("--yaw", a.yaw, "DEG", "set the heading; 0 is north, 90 is east (0, or that of the place)");
+    add("--pitch", a.pitch, "DEG", "set the pitch, -90..90; 90 is straight up (0, or that of the place)");
+    add("--fov", a.fov, "DEG", "set the vertical field of view (60)");
+    add("--size", a.size, "WxH", "set the picture size in pixels (1280x720)");
+    add("--root", a.root, "auto|outside|0xCELL", "set the space of the eye, e.g. 0xA9B40105 (auto)");
+    add("--player", a.player, "X,Y,Z", "set the position of the player (at the eye)");
+    add("--time", a.time, "0..1", "set the time of day; 0 and 1 are midnight (0.5)");
     add("--day", a.day, "NUMBER|NAME",
-        "the kind of day, of those that the data has: its sky and weather (0)");
-    add("--weather", a.weather, "clear|rain", "the weather (clear)");
-    add("--seconds", a.seconds, "S", "seconds since the world began: where villagers and smoke are (0)");
-    add("--doors", a.doors, "rest|closed|half|open|0..1", "how far all doors stand open (each as it rests)");
-    command.add_option("--door", a.eachDoor, "how far one door stands open; may be given again")
+        "choose a day group of the data, with its sky and weather, e.g. Snow (0)");
+    add("--weather", a.weather, "clear|rain", "set the weather (clear)");
+    add("--seconds", a.seconds, "S", "set the world's time in seconds, which moves villagers and smoke (0)");
+    add("--doors", a.doors, "rest|closed|half|open|0..1", "set the openness of all doors (rest: each as in the data)");
+    command.add_option("--door", a.eachDoor, "set the openness of one door, e.g. inn.front=0.25; repeatable")
         ->type_name("NAME=0..1")
         ->group("View")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add("--body", a.body, "X,Y,Z", "the feet of the player's body, which is seen (none)");
-    add("--body-yaw", a.bodyYaw, "DEG", "where it faces (0)");
-    add("--body-root", a.bodyRoot, "auto|outside|0xCELL", "the space its middle is in (auto)");
-    add("--body-opacity", a.bodyOpacity, "0..1", "how much of it is seen (1)");
-    add("--body-speed", a.bodySpeed, "M/S", "how fast it walks or runs (0: it stands)");
-    add("--body-metres", a.bodyMetres, "M", "how far it has walked: where it is in its stride (0)");
+    add("--body", a.body, "X,Y,Z", "draw the player's body with its feet at this position (no body)");
+    add("--body-yaw", a.bodyYaw, "DEG", "set the heading of the body (0)");
+    add("--body-root", a.bodyRoot, "auto|outside|0xCELL", "set the space of the body's centre (auto)");
+    add("--body-opacity", a.bodyOpacity, "0..1", "set the opacity of the body (1)");
+    add("--body-speed", a.bodySpeed, "M/S", "set the speed of the body, which selects standing, walking or running (0)");
+    add("--body-metres", a.bodyMetres, "M", "set the distance walked, which selects the pose within the stride (0)");
 }
 
 void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
     const auto add = [&command](const char* name, std::filesystem::path& path, const char* help) {
-        // Through a string: CLI11 takes an empty path for no value.
+        // Through a string, because CLI11 treats an empty path as a missing value.
         command
             .add_option_function<std::string>(
                 name, [&path](const std::string& text) { path = text; }, help)
@@ -136,21 +136,21 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
             ->group("Output")
             ->check(refuseEmpty);
     };
-    add("-o,--output", outputs.frame, "the picture, PNG");
-    add("--ids", outputs.ids, "the id image, NumPy uint32 HxW");
-    add("--depth", outputs.depth, "the distance along each ray in metres, NumPy float32 HxW");
-    add("--json", outputs.json, "what the frame is made of, JSON");
-    add("--overlay", outputs.overlay, "the picture with the region of every visit outlined, PNG");
+    add("-o,--output", outputs.frame, "write the picture as PNG");
+    add("--ids", outputs.ids, "write the id image as NumPy uint32 HxW");
+    add("--depth", outputs.depth, "write the distance along each ray in metres as NumPy float32 HxW");
+    add("--json", outputs.json, "write the frame's visits, stages, ids and times as JSON");
+    add("--overlay", outputs.overlay, "write the picture with the outlined region of every visit as PNG");
 }
 
 namespace {
 
-/// NAME=0..1; the name may have any letters, '=' too.
+/// Parses NAME=0..1. The name can contain any letters, including '='.
 Result<void> checkDoors(const ViewArguments& a, engine::ViewRequest& view) {
     for (const std::string& text : a.eachDoor) {
         const std::size_t sign = text.rfind('=');
         if (sign == std::string::npos || sign == 0)
-            return fail(ErrorCode::BadArgument, "--door", "'" + text + "' is not NAME=0..1");
+            return fail(ErrorCode::BadArgument, "--door", "'" + text + "' is not NAME=0..1, such as inn.front=0.25");
         const Result<double> open = parseNumberBetween("--door", text.substr(sign + 1), 0.0, 1.0);
         if (!open)
             return tl::unexpected(open.error());
@@ -158,14 +158,14 @@ Result<void> checkDoors(const ViewArguments& a, engine::ViewRequest& view) {
     }
     if (view.scene.doors && !view.scene.eachDoor.empty())
         return fail(ErrorCode::BadArgument, "--door",
-                    "says nothing where --doors speaks for all; give one of the two");
+                    "--doors sets all doors; give only one of the two");
     return {};
 }
 
 Result<void> checkBody(const ViewArguments& a, engine::ViewRequest& view) {
     if (a.body.empty()) {
         if (!(a.bodyYaw + a.bodyRoot + a.bodyOpacity + a.bodySpeed + a.bodyMetres).empty())
-            return fail(ErrorCode::BadArgument, "--body", "missing: where the body's feet are, X,Y,Z");
+            return fail(ErrorCode::BadArgument, "--body", "missing; give the position of the body's feet with --body X,Y,Z");
         return {};
     }
     engine::BodyRequest& body = view.scene.body.emplace();
@@ -222,7 +222,7 @@ Result<engine::ViewRequest> checkView(const ViewArguments& a) {
 
 namespace {
 
-/// The outputs of line `index`: what the line names, else what the command line asks for.
+/// The outputs of line `index`: those of the line, else those of the command line.
 OutputPaths outputsOf(const OutputPaths& line, const OutputPaths& common,
                       const std::filesystem::path& directory, std::size_t index) {
     OutputPaths result;
@@ -243,7 +243,7 @@ OutputPaths outputsOf(const OutputPaths& line, const OutputPaths& common,
     return result;
 }
 
-/// One line of a views file, or a message that starts with where it stands.
+/// Parses one line of a views file. Error messages start with `where`.
 Result<ListedView> readView(std::string_view line, const std::string& where, const ViewArguments& common,
                             const OutputPaths& commonOutputs, const std::filesystem::path& directory,
                             std::size_t index) {
@@ -297,7 +297,7 @@ Result<std::vector<ListedView>> readViews(const std::filesystem::path& file, con
     }
     if (views.empty())
         return fail(ErrorCode::BadArgument, file.string(),
-                    "holds no view; write one line of options each, such as --eye 1,2,3 --yaw 90");
+                    "contains no view; write one line of options per view, such as --eye 1,2,3 --yaw 90");
     return views;
 }
 
@@ -311,7 +311,7 @@ Result<void> checkOutputs(std::span<const std::filesystem::path> outputs) {
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end() && !twice->string().starts_with("/dev/"))
-        return fail(ErrorCode::BadArgument, twice->string(), "is named for two outputs");
+        return fail(ErrorCode::BadArgument, twice->string(), "is given for two outputs; give each its own file");
     return {};
 }
 

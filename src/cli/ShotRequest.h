@@ -14,29 +14,28 @@ class App;
 
 namespace limen::cli {
 
-/// The options that say what one frame looks at, as typed; empty: not given. The same set serves the command
-/// line of `shot`, each line of its views file and each line of a tour's path file.
+/// The options of one view as typed; empty: not given. They are used on the command line of `shot`, in each line of
+/// its views file and in each line of a path file.
 struct ViewArguments {
     std::string eye, at, yaw, pitch, fov, size, root, player, time, day, weather, seconds, doors;
     std::string body, bodyYaw, bodyRoot, bodyOpacity, bodySpeed, bodyMetres;
     std::vector<std::string> eachDoor;
 };
 
-/// What a frame is asked to be written to; empty: not asked for.
+/// The output files of a frame; empty: not written.
 struct OutputPaths {
     std::filesystem::path frame, ids, depth, json, overlay;
-    [[nodiscard]] std::vector<std::filesystem::path> all() const; ///< those that are asked for
+    [[nodiscard]] std::vector<std::filesystem::path> all() const; ///< the paths that are not empty
 };
 
-/// Adds the options of ViewArguments to a command. `withSize` leaves out --size where the verb has one for
-/// all frames.
+/// Adds the options of ViewArguments or OutputPaths to a command.
 void addViewOptions(CLI::App& command, ViewArguments& arguments);
 void addOutputOptions(CLI::App& command, OutputPaths& outputs);
 
-/// Checks every argument. Errors: the first that makes no sense; no eye, or two.
+/// Checks all arguments. Errors: the first invalid argument; no viewpoint, or two.
 [[nodiscard]] Result<engine::ViewRequest> checkView(const ViewArguments& arguments);
 
-/// The same, of one line of them. `where` begins messages.
+/// Parses and checks a line of view options. Messages start with `where`.
 [[nodiscard]] Result<engine::ViewRequest> parseView(std::string_view line, const std::string& where);
 
 /// One view of a views file.
@@ -45,17 +44,16 @@ struct ListedView {
     OutputPaths outputs;
 };
 
-/// Reads a views file: one line of shot's options each, blank lines and lines that start with '#' left out.
-/// What a line does not say it takes from `common`. Relative output paths of a line are under `directory`; a
-/// line that names none gets `directory`/NNNN.png (and for every output in `common` `directory`/NNNN.<its
-/// file name>), NNNN from 0000 in the order of views. Errors: unreadable, no view in it, a line that makes no
-/// sense (its number is in the message).
+/// Reads a views file: one line of shot's options per view; blank lines and lines that start with '#' are ignored.
+/// Missing options are taken from `common`. Relative output paths of a line are under `directory`. A line without
+/// outputs gets `directory`/NNNN.png, and `directory`/NNNN.<file name> for every output of `commonOutputs`; NNNN counts
+/// views from 0000. Errors: an unreadable file; no view; an invalid line, with its number.
 [[nodiscard]] Result<std::vector<ListedView>> readViews(const std::filesystem::path& file,
                                                         const ViewArguments& common,
                                                         const OutputPaths& commonOutputs,
                                                         const std::filesystem::path& directory);
 
-/// Says for all outputs at once whether they can be written, and that no two are the same file.
+/// Checks that all outputs can be written and that no two are the same file.
 [[nodiscard]] Result<void> checkOutputs(std::span<const std::filesystem::path> outputs);
 
 } // namespace limen::cli

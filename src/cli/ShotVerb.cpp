@@ -29,7 +29,7 @@ struct ShotOptions {
     bool reference = false; ///< trace instead of drawing
 };
 
-/// Distances as depth.npy has them: infinite only for sky, NaN for holes.
+/// Distances for depth.npy: infinite only for sky, NaN for holes.
 std::vector<float> depthOf(const engine::Session& session, std::span<const std::uint32_t> ids) {
     std::vector<float> depth = session.target().readDistances(session.plan().constants);
     for (std::size_t i = 0; i < depth.size(); ++i)
@@ -40,13 +40,13 @@ std::vector<float> depthOf(const engine::Session& session, std::span<const std::
     return depth;
 }
 
-/// The picture for people, and the one with the visits outlined.
-Result<void> writePictures(engine::Session& session, const engine::FrameRequest& eye,
+/// Writes the picture, and the picture with outlined visits.
+Result<void> writePictures(engine::Session& session, const engine::FrameRequest& request,
                            const OutputPaths& outputs) {
-    if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
+    if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
         return drawn;
     output::Picture picture =
-        output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
+        output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, picture); !written)
             return written;
@@ -57,31 +57,31 @@ Result<void> writePictures(engine::Session& session, const engine::FrameRequest&
     return output::writePicture(outputs.overlay, picture);
 }
 
-/// Ids, depth and the frame as JSON, from a picture of their own with cut-outs tested exactly.
-Result<void> writeMeasurements(engine::Session& session, const engine::FrameRequest& eye,
+/// Writes ids, depth and JSON from a separate frame, in which cut-outs are tested at the finest mip level.
+Result<void> writeMeasurements(engine::Session& session, const engine::FrameRequest& request,
                                const OutputPaths& outputs) {
-    if (Result<void> drawn = session.draw(eye, {.ids = true}); !drawn)
+    if (Result<void> drawn = session.draw(request, {.ids = true}); !drawn)
         return drawn;
     const std::vector<std::uint32_t> ids = session.target().readIds();
     if (!outputs.ids.empty()) {
         if (Result<void> written = output::writeFile(
-                outputs.ids, output::encodeNpy(eye.size.width, eye.size.height, std::span(ids)));
+                outputs.ids, output::encodeNpy(request.size.width, request.size.height, std::span(ids)));
             !written)
             return written;
     }
     if (!outputs.depth.empty()) {
         const std::vector<float> depth = depthOf(session, ids);
         if (Result<void> written = output::writeFile(
-                outputs.depth, output::encodeNpy(eye.size.width, eye.size.height, std::span(depth)));
+                outputs.depth, output::encodeNpy(request.size.width, request.size.height, std::span(depth)));
             !written)
             return written;
     }
     if (outputs.json.empty())
         return {};
     nlohmann::ordered_json json =
-        output::frameJson(session.part().world, session.part().ids, eye, session.dynamics(),
+        output::frameJson(session.part().world, session.part().ids, request, session.dynamics(),
                           session.visible(), session.plan(), session.figures(), ids);
-    json["command"] = engine::reproduction(session.part().world, eye, session.source().datOption);
+    json["command"] = engine::reproduction(session.part().world, request, session.source().datOption);
     return output::writeFile(outputs.json,
                              json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
@@ -90,24 +90,24 @@ Result<engine::FrameRequest> requestOf(const engine::LoadedPart& part, const wor
                                        const engine::ViewRequest& view, const Console& console) {
     Result<engine::FrameRequest> request = engine::frameRequest(part.world, file, view);
     if (request && request->isRootAmbiguous)
-        console.note(fmt::format("limen: several cells claim the eye; {} is taken, --root names another",
+        console.note(fmt::format("limen: several cells contain the eye; using {}; choose another with --root",
                                  engine::spaceName(part.world, request->root)));
     return request;
 }
 
 Result<void> shoot(engine::Session& session, const ListedView& listed, const Console& console) {
-    const Result<engine::FrameRequest> eye =
+    const Result<engine::FrameRequest> request =
         requestOf(session.part(), session.source().file, listed.view, console);
-    if (!eye)
-        return tl::unexpected(eye.error());
+    if (!request)
+        return tl::unexpected(request.error());
     const OutputPaths& outputs = listed.outputs;
     const bool measure = !outputs.ids.empty() || !outputs.depth.empty() || !outputs.json.empty();
     const bool paint = !outputs.frame.empty() || !outputs.overlay.empty() || !measure;
     if (paint) {
-        if (Result<void> written = writePictures(session, *eye, outputs); !written)
+        if (Result<void> written = writePictures(session, *request, outputs); !written)
             return written;
     }
-    return measure ? writeMeasurements(session, *eye, outputs) : Result<void>{};
+    return measure ? writeMeasurements(session, *request, outputs) : Result<void>{};
 }
 
 Result<std::vector<ListedView>> viewsOf(const ShotOptions& options) {
@@ -118,7 +118,7 @@ Result<std::vector<ListedView>> viewsOf(const ShotOptions& options) {
         return std::vector<ListedView>{{std::move(*view), options.outputs}};
     }
     OutputPaths common = options.outputs;
-    common.frame.clear(); // there it names the directory
+    common.frame.clear(); // with --views, -o is the directory
     return readViews(options.views, options.view, common, options.outputs.frame);
 }
 
@@ -135,7 +135,7 @@ Result<void> checkAllOutputs(const ShotOptions& options, const std::vector<Liste
     return checkOutputs(outputs);
 }
 
-/// The order to draw in: views of one landblock together, so that each part of the world is loaded once.
+/// The drawing order: views of one landblock together, so that each part of the world is loaded once.
 std::vector<std::size_t> drawingOrder(const std::vector<ListedView>& views) {
     std::vector<std::size_t> order(views.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -146,47 +146,47 @@ std::vector<std::size_t> drawingOrder(const std::vector<ListedView>& views) {
     return order;
 }
 
-/// Writes `bytes` made by `make` if the output is asked for.
+/// Writes the bytes that `make` returns, unless the path is empty.
 template <class Make>
-Result<void> writeIfAsked(const std::filesystem::path& path, Make&& make) {
+Result<void> writeIfGiven(const std::filesystem::path& path, Make&& make) {
     return path.empty() ? Result<void>{} : output::writeFile(path, make());
 }
 
-/// One view traced instead of drawn.
+/// Traces one view instead of drawing it.
 Result<void> trace(engine::PartPlanner& loaded, reference::Scene& scene, const engine::WorldSource& source,
                    const ListedView& listed, const Console& console) {
     const engine::LoadedPart& part = *loaded.part;
-    const Result<engine::FrameRequest> eye = requestOf(part, source.file, listed.view, console);
-    if (!eye)
-        return tl::unexpected(eye.error());
+    const Result<engine::FrameRequest> request = requestOf(part, source.file, listed.view, console);
+    if (!request)
+        return tl::unexpected(request.error());
     world::DynamicState dynamics;
-    loaded.dynamics.at(engine::dynamicsInput(part.world, *eye), dynamics);
+    loaded.dynamics.at(engine::dynamicsInput(part.world, *request), dynamics);
     scene.setDynamics(dynamics);
-    const output::TracedFrame frame = output::traceFrame(scene, *eye);
+    const output::TracedFrame frame = output::traceFrame(scene, *request);
     const OutputPaths& outputs = listed.outputs;
-    const std::uint32_t width = eye->size.width, height = eye->size.height;
+    const std::uint32_t width = request->size.width, height = request->size.height;
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, frame.painting()); !written)
             return written;
     }
-    if (Result<void> written = writeIfAsked(
+    if (Result<void> written = writeIfGiven(
             outputs.ids,
             [&] { return output::encodeNpy(width, height, std::span<const std::uint32_t>(frame.ids())); });
         !written)
         return written;
-    if (Result<void> written = writeIfAsked(
+    if (Result<void> written = writeIfGiven(
             outputs.depth,
             [&] { return output::encodeNpy(width, height, std::span<const float>(frame.depth())); });
         !written)
         return written;
-    return writeIfAsked(outputs.json, [&] {
-        return output::tracedJson(part.world, part.ids, *eye, dynamics, frame, source.datOption)
+    return writeIfGiven(outputs.json, [&] {
+        return output::tracedJson(part.world, part.ids, *request, dynamics, frame, source.datOption)
                    .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                "\n";
     });
 }
 
-/// All views traced: no device, no GL.
+/// Traces all views. Needs no device and no GL.
 Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& options,
                        const std::vector<ListedView>& views, const Console& console) {
     std::unique_ptr<engine::PartPlanner> loaded;
@@ -197,7 +197,7 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
         const engine::PartTarget target{engine::centreOf(views[i].view), options.session.load};
         if (!loaded || !(loaded->part->target == target)) {
             const bool first = !loaded;
-            scene.reset(); // it refers to the world that goes
+            scene.reset(); // it refers to the old world
             loaded.reset();
             Result<std::shared_ptr<const engine::LoadedPart>> next =
                 engine::loadPart(source.archive, target, source.file.moving);
@@ -216,12 +216,12 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
     return Exit::Done;
 }
 
-/// What a traced frame cannot be written to.
+/// Errors: an output that a traced frame does not have.
 Result<void> checkTraceable(const std::vector<ListedView>& views) {
     for (const ListedView& view : views) {
         if (!view.outputs.overlay.empty())
             return fail(ErrorCode::BadArgument, "--overlay",
-                        "outlines the visits of a drawn frame; leave it out with --reference");
+                        "needs the visits of a drawn frame; omit it or --reference");
     }
     return {};
 }
@@ -269,21 +269,22 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
 } // namespace
 
 void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("shot", "draws one frame, or many, to files");
+    CLI::App* verb = program.add_subcommand("shot", "draw one frame, or many, to files");
     const auto options = std::make_shared<ShotOptions>();
     addViewOptions(*verb, options->view);
     addOutputOptions(*verb, options->outputs);
     verb->add_option("--views", options->views,
-                     "a file with one line of these options for each of many frames; -o is a directory then")
+                     "draw one frame per line of this file; a line holds options such as --at hill --yaw 90; -o is then a directory")
         ->type_name("FILE")
         ->group("Output");
     verb->add_flag(
             "--reference", options->reference,
-            "trace the rule ray by ray instead of drawing, without GL: the picture is one colour an id, the "
-            "JSON's cells are those that rays end in, its visits and stages are empty")
+            "trace rays on the CPU by the ray rule instead of drawing; the picture has one colour per id, the "
+            "JSON lists the cells in which rays end and has no visits or stages")
         ->group("Output");
     addSessionOptions(*verb, options->session);
-    verb->footer("Nothing is written unless asked for.");
+    verb->footer("Writes only the outputs that are given.\n"
+                 "Example: limen shot --at hill --yaw 90 --size 640x360 -o hill.png --json hill.json");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runShot(*options, console); };
     });

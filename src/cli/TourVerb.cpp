@@ -21,11 +21,11 @@ struct TourOptions {
     bool json = false;
 };
 
-constexpr std::size_t kTourFrames = 120; // unless said
+constexpr std::size_t kTourFrames = 120; // default of --frames
 constexpr std::size_t kSheetTiles = 24;
 
 /// One line of `--json`.
-std::string statsLine(const engine::Session& session, const engine::FrameRequest& eye, std::size_t frame) {
+std::string statsLine(const engine::Session& session, const engine::FrameRequest& request, std::size_t frame) {
     const engine::FrameFigures figures = session.figures();
     const auto number = [](double v) {
         return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
@@ -36,7 +36,7 @@ std::string statsLine(const engine::Session& session, const engine::FrameRequest
             {"draws", stage.draws}, {"cpu_ms", number(stage.cpuMs)}, {"gpu_ms", number(stage.gpuMs)}};
     const nlohmann::ordered_json line{
         {"frame", frame},
-        {"root", engine::spaceName(session.part().world, eye.root)},
+        {"root", engine::spaceName(session.part().world, request.root)},
         {"visits", session.visible().visits.size()},
         {"cells", engine::cellsSeen(session.part().world, session.visible()).size()},
         {"drawn", session.plan().counts.instancesDrawn},
@@ -45,7 +45,7 @@ std::string statsLine(const engine::Session& session, const engine::FrameRequest
         {"plan_ms", number(figures.planMs)},
         {"submit_ms", number(figures.submitMs)},
         {"stages", std::move(stages)},
-        {"command", engine::reproduction(session.part().world, eye, session.source().datOption)}};
+        {"command", engine::reproduction(session.part().world, request, session.source().datOption)}};
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -59,20 +59,20 @@ Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, con
         const Result<const engine::FrameRequest*> next = frames.next();
         if (!next)
             return tl::unexpected(next.error());
-        const engine::FrameRequest& eye = **next;
-        if (Result<void> drawn = session.draw(eye, {.ids = false}); !drawn)
+        const engine::FrameRequest& request = **next;
+        if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
             return drawn;
         const output::Picture picture =
-            output::pictureFromRgba(eye.size.width, eye.size.height, session.target().readColour());
+            output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
         if (Result<void> written =
                 output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
             !written)
             return written;
         if (sheet.wants(frame))
             sheet.add(picture,
-                      fmt::format("{} {}", frame, engine::spaceName(session.part().world, eye.root)));
+                      fmt::format("{} {}", frame, engine::spaceName(session.part().world, request.root)));
         if (options.json)
-            console.data(statsLine(session, eye, frame));
+            console.data(statsLine(session, request, frame));
         progress.step(frame + 1);
     }
     return output::writePicture(directory / "contact.png", sheet.compose());
@@ -112,21 +112,21 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
         return tl::unexpected(drawn.error());
     if (const std::string difference = play::differenceLine(**frames); !difference.empty())
         console.note(difference);
-    console.note(fmt::format("The frames and contact.png are in {}", options.directory));
+    console.note(fmt::format("The frames and contact.png were written to {}", options.directory));
     return Exit::Done;
 }
 
 } // namespace
 
 void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("tour", "walks a camera path and writes its frames");
+    CLI::App* verb = program.add_subcommand("tour", "draw the frames along a camera path to files");
     const auto options = std::make_shared<TourOptions>();
     verb->add_option("-o,--output", options->directory,
-                     "the directory for frame-NNNNN.png and contact.png; made if it is missing")
+                     "write frame-NNNNN.png and contact.png to this directory; create it if missing")
         ->required()
         ->type_name("DIR");
     addPathOptions(*verb, options->path, kTourFrames);
-    verb->add_flag("--json", options->json, "one JSON object for each frame on standard output");
+    verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runTour(*options, console); };

@@ -9,11 +9,11 @@ namespace CLI {
 class App;
 }
 
-// One function a verb: it declares the verb's options on the command line, and what is to be done when the
-// verb was chosen. Nothing runs while the command line is read.
+// One function per verb. It declares the verb's options and sets Choice::run if the verb is chosen. Nothing runs
+// during parsing.
 namespace limen::cli {
 
-/// What the command line asks for.
+/// The chosen verb, ready to run.
 struct Choice {
     std::function<Result<Exit>()> run;
 };
@@ -28,8 +28,7 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice);
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice);
 void addBenchVerb(CLI::App& program, const Console& console, Choice& choice);
 
-/// The whole program: reads the command line, does what it says, turns an error into one line on standard
-/// error.
+/// Runs the program: parses the command line, runs the verb, and prints an error as one line on standard error.
 [[nodiscard]] Exit runProgram(int argc, const char* const* argv, const Console& console);
 
 } // namespace limen::cli

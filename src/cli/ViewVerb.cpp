@@ -23,7 +23,7 @@ struct ViewOptions {
     bool json = false, tell = false, fly = false, chase = false;
 };
 
-/// The first frame, as the options say; without a viewpoint at the world's own first place.
+/// The first view: that of the options, or without a viewpoint the world's first place.
 Result<engine::ViewRequest> openingOf(const ViewOptions& options, const world::WorldFile& file) {
     ViewArguments arguments = options.view;
     if (!arguments.eye.empty() || !arguments.at.empty())
@@ -32,8 +32,8 @@ Result<engine::ViewRequest> openingOf(const ViewOptions& options, const world::W
     const world::Place* place = engine::firstPlace(file);
     if (place == nullptr)
         return fail(ErrorCode::BadArgument, "--eye",
-                    "this world's world.json names no place to begin at; give --eye X,Y,Z or --at PLACE");
-    arguments.eye = "0,0,0"; // stands for the place while the other options are checked
+                    "no viewpoint given, and world.json has no place to start at; use --eye X,Y,Z or --at PLACE");
+    arguments.eye = "0,0,0"; // a placeholder while the other options are checked
     Result<engine::ViewRequest> view = checkView(arguments);
     if (!view)
         return view;
@@ -46,7 +46,7 @@ Result<engine::ViewRequest> openingOf(const ViewOptions& options, const world::W
     return view;
 }
 
-/// Of the file that was named, or the one in the user's configuration, if that is there.
+/// Reads the keys from the file of --keys, else from the user's configuration if that file exists.
 Result<viewer::ViewerKeys> keysOf(const ViewOptions& options) {
     const bool isNamed = !options.keys.empty();
     std::filesystem::path file = isNamed ? std::filesystem::path(options.keys) : viewer::keysPath();
@@ -55,10 +55,10 @@ Result<viewer::ViewerKeys> keysOf(const ViewOptions& options) {
     });
 }
 
-/// How the window's frames go on.
+/// Number and duration of the window's frames, and its keys.
 struct Script {
-    std::size_t frames = 0; ///< leaves after so many; 0: when somebody does
-    double step = 0.0;      ///< seconds that each takes; 0: what the clock says
+    std::size_t frames = 0; ///< quits after this many; 0: when the user quits
+    double step = 0.0;      ///< duration of each frame in seconds; 0: measured
     viewer::ViewerKeys keys;
 };
 
@@ -80,7 +80,7 @@ Result<Script> scriptOf(const ViewOptions& options) {
     }
     if (!options.screenshot.empty() && script.frames == 0)
         return fail(ErrorCode::BadArgument, "--screenshot",
-                    "is taken of the last frame; give --frames N as well");
+                    "needs a last frame; give --frames N as well");
     Result<viewer::ViewerKeys> keys = keysOf(options);
     if (!keys)
         return tl::unexpected(keys.error());
@@ -109,10 +109,10 @@ Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session
         ++frames;
         if (!options.record.empty())
             record += play::frameLine(
-                {viewer.input(), engine::decisionHash(viewer.eye(), session.visible(), session.dynamics()),
+                {viewer.input(), engine::decisionHash(viewer.request(), session.visible(), session.dynamics()),
                  viewer.stream().shown(), viewer.stream().hasRefused()});
         if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
-            console.note("limen: what is near cannot be loaded: " + fault);
+            console.note("limen: cannot load nearby blocks: " + fault);
         if (!viewer.probed().empty())
             console.data(viewer.probed());
         if (frames == script.frames && !options.screenshot.empty()) {
@@ -130,7 +130,7 @@ Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session
             return tl::unexpected(written.error());
     }
     if (window.isLost())
-        return fail(ErrorCode::Driver, "view", "the display has gone away");
+        return fail(ErrorCode::Driver, "view", "the connection to the display was lost");
     if (options.json)
         console.data(viewer::stateJson(session, viewer, frames));
     return Exit::Done;
@@ -172,9 +172,9 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     return loop(**window, **device, session, *start, std::move(*script), options, console);
 }
 
-/// The keys as they are without a file.
+/// The default keys as text.
 std::string keysFooter() {
-    std::string text = "What keys do, with the names for --keys:\n";
+    std::string text = "Default keys, with the action names for --keys:\n";
     for (const viewer::HelpLine& line : viewer::helpLines(viewer::KeyBindings()))
         text += fmt::format("  {:<24}{:<12}{}\n", line.keys,
                             line.action ? viewer::factsOf(*line.action).name : "", line.does);
@@ -184,40 +184,39 @@ std::string keysFooter() {
 } // namespace
 
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("view", "opens a window to walk through a world");
+    CLI::App* verb = program.add_subcommand("view", "open a window to walk through a world");
     const auto options = std::make_shared<ViewOptions>();
     options->session.load.farRadius = 12;
     addViewOptions(*verb, options->view);
-    verb->add_option("--frames", options->frames, "leaves after N frames, for scripts")
+    verb->add_option("--frames", options->frames, "quit after N frames (run until the user quits)")
         ->type_name("N")
         ->group("Scripts");
     verb->add_option("--step", options->step,
-                     "every frame takes so long, however long it takes (default: what the clock says; with "
-                     "--frames 1/60)")
+                     "set the world's time per frame (measured time; 1/60 with --frames)")
         ->type_name("SECONDS")
         ->group("Scripts");
     verb->add_option("--screenshots", options->screenshots,
-                     "directory for the pictures that a key keeps (default: the current one)")
+                     "save screenshots to this directory (the current one)")
         ->type_name("DIR")
         ->group("View");
-    verb->add_option("--screenshot", options->screenshot, "the window's last frame, PNG")
+    verb->add_option("--screenshot", options->screenshot, "write the last frame as PNG; needs --frames")
         ->type_name("FILE")
         ->group("Scripts");
     verb->add_option("--record", options->record,
-                     "what was done in each frame, for the --walk of tour, probe and check")
+                     "record the input of each frame, for --walk of tour, probe and check")
         ->type_name("FILE")
         ->group("Scripts");
-    verb->add_flag("--fly", options->fly, "begins flying; G changes that")->group("View");
-    verb->add_flag("--chase", options->chase, "begins with the eye behind the body; C changes that")
+    verb->add_flag("--fly", options->fly, "start flying; the key G switches")->group("View");
+    verb->add_flag("--chase", options->chase, "start in third person; the key C switches")
         ->group("View")
         ->excludes("--fly");
-    verb->add_flag("--json", options->json, "prints eye, root and overlays on leaving")->group("Scripts");
-    verb->add_flag("--tell", options->tell, "prints the same after every frame, a line each")
+    verb->add_flag("--json", options->json, "print the final state (eye, root, overlays, ...) as JSON")->group("Scripts");
+    verb->add_flag("--tell", options->tell, "print the state after every frame, one line each")
         ->group("Scripts");
     addSessionOptions(*verb, options->session);
     verb->add_option("--keys", options->keys,
-                     "which keys do what, JSON; the help page in the window writes it (default: "
-                     "limen/keys.json in the user's configuration)")
+                     "read key bindings from this JSON file, e.g. {\"use\": \"F\"}; the window's help page writes it "
+                     "(limen/keys.json in the user's configuration directory)")
         ->type_name("FILE")
         ->group("View");
     verb->footer(keysFooter());

@@ -36,14 +36,14 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, source->file);
     if (!points)
         return tl::unexpected(points.error());
-    gpu::NullDevice device; // nobody looks
+    gpu::NullDevice device; // the walk needs no pictures
     engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
                             device);
     const Result<play::PathStart> start = play::startPath(session, *points, *request);
     if (!start)
         return tl::unexpected(start.error());
     Progress progress(console, "walk", points->size());
-    const Result<play::FootWalk> walk = play::walkOnFoot(session, start->eye, *points, options.foot,
+    const Result<play::FootWalk> walk = play::walkOnFoot(session, start->frame, *points, options.foot,
                                                          [&](std::size_t done) { progress.step(done); });
     if (!walk)
         return tl::unexpected(walk.error());
@@ -61,26 +61,26 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
 
 void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb =
-        program.add_subcommand("walk", "walks a path on foot and writes what was done in each frame");
+        program.add_subcommand("walk", "walk a path on foot and record the input of each frame");
     const auto options = std::make_shared<WalkOptions>();
-    verb->add_option("-o,--output", options->output, "the walk, for --walk of tour, probe and check")
+    verb->add_option("-o,--output", options->output, "write the walk to this file, for --walk of tour, probe and check")
         ->required()
         ->type_name("FILE");
     verb->add_option("--path", options->path.path,
-                     "way points, one line of shot's options each; the world's own tour unless said")
+                     "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
         ->type_name("FILE");
-    verb->add_option("--size", options->path.size, "picture size in pixels (960x540)")->type_name("WxH");
-    verb->add_option("--fov", options->path.fov, "vertical field of view (60)")->type_name("DEG");
-    verb->add_option("--time", options->path.time, "time of day, 0 and 1 midnight (0.5)")->type_name("0..1");
-    verb->add_option("--fps", options->foot.fps, "frames for each second of walking (30)")
+    verb->add_option("--size", options->path.size, "set the picture size in pixels (960x540)")->type_name("WxH");
+    verb->add_option("--fov", options->path.fov, "set the vertical field of view in degrees (60)")->type_name("DEG");
+    verb->add_option("--time", options->path.time, "set the time of day; 0 and 1 are midnight (0.5)")->type_name("0..1");
+    verb->add_option("--fps", options->foot.fps, "record this many frames per second (30)")
         ->type_name("F")
         ->check(CLI::Range(5.0, 1000.0));
-    verb->add_flag("--chase", options->foot.chase, "the eye behind the body");
-    verb->add_flag("--run", options->foot.run, "runs");
+    verb->add_flag("--chase", options->foot.chase, "use the third-person camera");
+    verb->add_flag("--run", options->foot.run, "run instead of walking");
     addSessionOptions(*verb, options->session);
     verb->footer(
-        "Straight from way point to way point, through doors; where no way leads on foot, to the next place\n"
-        "that the world names. Nothing is drawn: no driver is needed.");
+        "Walks straight between way points and opens doors. If there is no way on foot, jumps to the next\n"
+        "named place at a way point. Draws nothing and needs no driver.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runWalk(*options, console); };
     });

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongStretch = 1.0; ///< seconds
 
-/// True for a path that was sampled closely: its author has chosen the pace by where the samples lie.
+/// True for a closely sampled path. The spacing of its samples sets the pace.
 bool isRecording(std::span<const world::Place> points) {
     constexpr std::size_t kFewest = 32;
     constexpr double kLongestStep = 1.05; // metres
@@ -47,7 +47,7 @@ CameraPath::CameraPath(std::span<const world::Place> wayPoints)
 }
 
 engine::Camera CameraPath::at(double time) const {
-    LIMEN_ASSERT(!empty(), "a path of no way points is nowhere");
+    LIMEN_ASSERT(!empty(), "a position needs a path with way points");
     const double clamped = std::clamp(time, 0.0, seconds());
     const auto after = std::upper_bound(times_.begin(), times_.end(), clamped);
     const std::size_t last = wayPoints_.size() - 1;
@@ -56,8 +56,8 @@ engine::Camera CameraPath::at(double time) const {
     const std::size_t to = std::min(from + 1, last);
     const double span = times_[to] - times_[from];
     const double t = span > 0.0 ? (clamped - times_[from]) / span : 0.0;
-    // On a long stretch the head starts and ends its turn gently; the feet keep their pace. Way points close together
-    // are a curve already.
+    // Between distant way points the turn eases in and out while the speed stays constant. Way points close
+    // together form a curve already.
     const double turned = span > kLongStretch ? t * t * (3.0 - 2.0 * t) : t;
     engine::Camera camera;
     camera.eye = wayPoints_[from].eye + (wayPoints_[to].eye - wayPoints_[from].eye) * t;

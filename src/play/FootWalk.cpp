@@ -10,18 +10,18 @@
 namespace limen::play {
 namespace {
 
-constexpr double kReached = 0.15; // metres from a way point, on the level
-constexpr double kPace = 2.5;     // metres a second: half of what is run, so that steps do not lead past
-constexpr double kLevel = 1.0;    // metres that it may be above or below
-constexpr double kTurn = 240.0;   // degrees a second
-constexpr double kNod = 60.0;     // likewise
-constexpr double kAhead = 40.0;   // degrees beside which one turns before one goes
-constexpr double kPatience = 1.5; // seconds without getting nearer
-constexpr double kSwing = 1.5;    // seconds that a door takes, and to get back to where it was met
-constexpr std::size_t kTries = 8; // way points that are missed one after the other before it jumps
-constexpr double kNearer = 0.02;  // metres that count as nearer
-constexpr double kAtPlace = 1.0;  // metres from a place to a way point that lies there
-constexpr double kWayPointHeight = 1.7; // way points are eyes
+constexpr double kReached = 0.15; // horizontal metres from a way point at which it counts as reached
+constexpr double kPace = 2.5;     // metres a second, half the running speed: one step does not overshoot
+constexpr double kLevel = 1.0;    // largest vertical distance to a reached way point, metres
+constexpr double kTurn = 240.0;   // degrees a second, yaw
+constexpr double kNod = 60.0;     // degrees a second, pitch
+constexpr double kAhead = 40.0;   // degrees off the heading: beyond this the body turns before it walks
+constexpr double kPatience = 1.5; // seconds without progress before the walker gives up
+constexpr double kSwing = 1.5;    // seconds for a door to swing and for the body to return to it
+constexpr std::size_t kTries = 8; // consecutive way points missed before a jump
+constexpr double kNearer = 0.02;  // metres, the least progress
+constexpr double kAtPlace = 1.0;  // largest distance between a place and a way point at it, metres
+constexpr double kWayPointHeight = 1.7; // metres: way points are eye positions
 
 double levelDistance(const Vec3& a, const Vec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -62,7 +62,7 @@ private:
         return point.eye - Vec3(0.0, 0.0, kWayPointHeight);
     }
 
-    /// False where it gets no farther.
+    /// False if the body makes no more progress.
     Result<bool> goTo(const engine::ViewRequest& point) {
         const Vec3 target = feetAt(point);
         const double reached = std::max(kReached, kPace / options_.fps);
@@ -71,7 +71,7 @@ private:
             if (waited > kPatience)
                 return false;
             if (waited > 0.5 * kPatience && openTheDoor())
-                waited = -kSwing; // its leaf may push one back first
+                waited = -kSwing; // the leaf may push the body back first
             if (Result<void> stepped = frame(towards(target, point.pitch.value_or(0.0))); !stepped)
                 return tl::unexpected(stepped.error());
             const double now = levelDistance(feet(), target);
@@ -82,7 +82,7 @@ private:
     }
 
     [[nodiscard]] PlayInput towards(const Vec3& target, double pitch) const {
-        const engine::Heading& heading = play_.eye().camera.heading;
+        const engine::Heading& heading = play_.request().camera.heading;
         const Vec3 way = target - feet();
         const double turn = std::remainder(glm::degrees(std::atan2(way.x, way.y)) - heading.yaw, 360.0);
         PlayInput input;
@@ -107,15 +107,16 @@ private:
         input.acts = std::exchange(acts_, {});
         if (Result<void> stepped = play_.step(input); !stepped)
             return stepped;
-        if (Result<void> drawn = session_.draw(play_.eye(), {}); !drawn)
+        if (Result<void> drawn = session_.draw(play_.request(), {}); !drawn)
             return drawn;
         const std::uint64_t decided =
-            engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics());
+            engine::decisionHash(play_.request(), session_.visible(), session_.dynamics());
         walk_.record.frames.push_back({std::move(input), decided, {}});
         return {};
     }
 
-    /// The way point after `from` at which a place lies, which is gone to with the next frame; none: their number.
+    /// Finds the first way point after `from` that is at a named place, and queues a jump to it. Returns its
+    /// index, or the number of way points if there is none.
     std::size_t jumpBeyond(std::size_t from) {
         const std::vector<world::Place>& places = session_.source().file.places;
         for (std::size_t i = from + 1; i < points_.size(); ++i) {

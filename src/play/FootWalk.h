@@ -9,7 +9,7 @@
 
 namespace limen::play {
 
-/// How somebody goes from way point to way point.
+/// How the body moves from way point to way point.
 struct FootWalkOptions {
     double fps = 30.0; ///< frames a second of walking
     bool chase = false, run = false;
@@ -17,14 +17,13 @@ struct FootWalkOptions {
 
 struct FootWalk {
     WalkRecord record;
-    std::vector<std::size_t> missed; ///< way points that could not be walked to
-    std::vector<std::string> jumps;  ///< places that were gone to where no way leads on foot
+    std::vector<std::size_t> missed; ///< indices of way points that the body did not reach
+    std::vector<std::string> jumps;  ///< names of places to which the body jumped because it found no way on foot
 };
 
-/// Walks from way point to way point: straight towards each, opening doors that are in the way. Where it gets no farther it
-/// tries the next ones, and then goes to the first of the world's places that lies at a later way point, and on from there; where there is
-/// none, the walk ends. The session
-/// should draw nothing (gpu::NullDevice). `done` is told of way points. Errors: the session's.
+/// Walks straight from way point to way point and opens doors in the way. A blocked body tries the following way
+/// points, then jumps to the first named place at a later way point; without such a place the walk ends. Use a
+/// session that draws nothing (gpu::NullDevice). `done` receives the number of finished way points. Errors: the session's.
 [[nodiscard]] Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameRequest& start,
                                           const std::vector<engine::ViewRequest>& points,
                                           const FootWalkOptions& options,

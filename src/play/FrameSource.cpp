@@ -12,7 +12,7 @@ namespace {
 class PathFrames final : public FrameSource {
 public:
     PathFrames(engine::Session& session, PathStart start, const PathRequest& request)
-        : start_(std::move(start)), request_(request), walk_(session, start_.path, start_.eye) {}
+        : start_(std::move(start)), request_(request), walk_(session, start_.path, start_.frame) {}
     std::size_t count() const override { return request_.countOn(start_.path); }
     Result<const engine::FrameRequest*> next() override {
         return &walk_.moveTo(request_.timeOf(start_.path, next_++));
@@ -25,7 +25,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Records do not tell how cells were joined.
+/// Recordings hold no zone option; it does not change pictures.
 world::LoadOptions sameZones(world::LoadOptions load, const engine::Session& session) {
     load.mergeZones = session.options().load.mergeZones;
     return load;
@@ -87,17 +87,17 @@ void ReplayedFrames::compareLast() {
     if (next_ == 0 || difference_)
         return;
     const std::uint64_t decided = record_.frames[next_ - 1].decided;
-    if (decided != 0 && decided != engine::decisionHash(play_.eye(), session_.visible(), session_.dynamics()))
+    if (decided != 0 && decided != engine::decisionHash(play_.request(), session_.visible(), session_.dynamics()))
         difference_ = next_ - 1;
 }
 
 Result<const engine::FrameRequest*> ReplayedFrames::next() {
     compareLast();
     const RecordedFrame& frame = record_.frames[next_++];
-    residency_.goOn(frame);
+    residency_.setNext(frame);
     if (Result<void> stepped = play_.step(frame.input); !stepped)
         return tl::unexpected(stepped.error());
-    return &play_.eye();
+    return &play_.request();
 }
 
 Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, FramesRequest request) {
@@ -114,9 +114,8 @@ Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, Frames
 
 std::string differenceLine(FrameSource& frames) {
     const std::optional<std::size_t> first = frames.firstDifference();
-    return first ? fmt::format("limen: frame {} of the walk came out otherwise than when it was recorded: "
-                               "the world or the "
-                               "program is not the same",
+    return first ? fmt::format("limen: frame {} of the replayed walk differs from the recording; the world or "
+                               "the program has changed, so record the walk again",
                                *first)
                  : std::string();
 }

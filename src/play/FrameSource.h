@@ -6,25 +6,25 @@
 
 #include <memory>
 
-// Frames one after the other, whatever is done with them: a camera on a path, or a walk played again.
+// A sequence of frames, from a camera path or a replayed walk, for any consumer.
 namespace limen::play {
 
 class FrameSource {
 public:
     virtual ~FrameSource() = default;
     [[nodiscard]] virtual std::size_t count() const = 0;
-    /// The next frame's eye. It must be drawn before the next call.
+    /// The request of the next frame. The caller must draw it before the next call.
     [[nodiscard]] virtual Result<const engine::FrameRequest*> next() = 0;
-    /// The first frame that came out otherwise than when it was recorded, of those that were drawn; none: nullopt.
+    /// The first drawn frame that differs from the recording; nullopt if all agree.
     [[nodiscard]] virtual std::optional<std::size_t> firstDifference() { return {}; }
 };
 
-/// Loads what a walk's record says, when it says so.
+/// Loads the parts that a walk's record names, in the recorded frames.
 class RecordedResidency final : public engine::Residency {
 public:
     explicit RecordedResidency(engine::Session& session) : session_(session) {}
-    /// What becomes of the next frame.
-    void goOn(const RecordedFrame& frame) {
+    /// Sets the recorded residency of the next frame.
+    void setNext(const RecordedFrame& frame) {
         next_ = frame.shown;
         isRefused_ = frame.isRefused;
     }
@@ -43,10 +43,11 @@ private:
     bool isRefused_ = false;
 };
 
-/// A walk, played again in the session's world. One that was streamed is loaded as it was then, whatever the session's options.
+/// Replays a walk in the session's world. A streamed walk loads the recorded parts; the session's load options
+/// do not apply.
 class ReplayedFrames final : public FrameSource {
 public:
-    /// Loads what is around the beginning. Errors: the session's; a beginning that is nowhere.
+    /// Loads the blocks around the start. Errors: the session's; a start that no place matches.
     [[nodiscard]] static Result<std::unique_ptr<ReplayedFrames>>
     open(engine::Session& session, WalkRecord record, const engine::ViewRequest& start);
 
@@ -72,18 +73,18 @@ private:
     std::optional<std::size_t> difference_;
 };
 
-/// Frames to open: a path, or a recorded walk in place of it.
+/// The frames to open: a recorded walk if there is one, else a path.
 struct FramesRequest {
     PathRequest path;
-    std::vector<engine::ViewRequest> points; ///< of the path
+    std::vector<engine::ViewRequest> points; ///< way points of the path
     std::optional<WalkRecord> walk;
-    engine::ViewRequest walkStart; ///< the beginning of the walk
+    engine::ViewRequest walkStart; ///< the first view of the walk
 };
-/// Errors: the session's; a place that is nowhere.
+/// Errors: the session's; an unknown place.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session,
                                                               FramesRequest request);
 
-/// What is to be said of a walk that came out otherwise; empty if it did not.
+/// A message that names the first differing frame of a replay; empty if all agree.
 [[nodiscard]] std::string differenceLine(FrameSource& frames);
 
 } // namespace limen::play

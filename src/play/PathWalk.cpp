@@ -14,13 +14,13 @@ Result<CameraPath> makePath(const engine::LoadedPart& loaded,
         engine::ViewRequest position = point;
         position.root = engine::RootChoice{engine::RootChoice::Rule::Outside, 0};
         position.scene = {};
-        const Result<engine::FrameRequest> eye = engine::frameRequest(loaded.world, {}, position);
-        if (!eye)
-            return tl::unexpected(eye.error());
+        const Result<engine::FrameRequest> frame = engine::frameRequest(loaded.world, {}, position);
+        if (!frame)
+            return tl::unexpected(frame.error());
         world::Place place;
-        place.eye = eye->camera.eye;
-        place.yaw = eye->camera.heading.yaw;
-        place.pitch = eye->camera.heading.pitch;
+        place.eye = frame->camera.eye;
+        place.yaw = frame->camera.heading.yaw;
+        place.pitch = frame->camera.heading.pitch;
         places.push_back(std::move(place));
     }
     return CameraPath(places);
@@ -44,36 +44,36 @@ Result<PathStart> startPath(engine::Session& session, const std::vector<engine::
     first.fov = request.fov;
     first.size = request.size;
     first.scene = {};
-    Result<engine::FrameRequest> eye =
+    Result<engine::FrameRequest> frame =
         engine::frameRequest(session.part().world, session.source().file, first);
-    if (!eye)
-        return tl::unexpected(eye.error());
-    eye->scene.time = request.time;
+    if (!frame)
+        return tl::unexpected(frame.error());
+    frame->scene.time = request.time;
     return makePath(session.part(), points).map([&](CameraPath path) {
-        return PathStart{std::move(path), std::move(*eye)};
+        return PathStart{std::move(path), std::move(*frame)};
     });
 }
 
 const engine::FrameRequest& PathWalk::moveTo(double time) {
-    eye_.scene.seconds = time;
+    frame_.scene.seconds = time;
     path_.cornersBetween(time_, time, corners_);
     const engine::Camera camera = path_.at(time);
     corners_.push_back(camera.eye);
     const double seconds = (time - time_) / static_cast<double>(corners_.size());
     for (const Vec3& corner : corners_) {
-        eye_.root = tracker_.move(session_.part().world, eye_.camera.eye, corner, seconds);
-        eye_.camera.eye = corner;
+        frame_.root = tracker_.move(session_.part().world, frame_.camera.eye, corner, seconds);
+        frame_.camera.eye = corner;
     }
-    eye_.camera.heading = camera.heading;
-    eye_.scene.player = eye_.camera.eye;
-    const Vec3 eye = eye_.camera.eye;
-    const dat::RecordId cell = engine::cellOf(session_.part().world, eye_.root);
-    if (session_.follow(eye, eye_.root) && session_.show()) {
-        eye_.root = engine::rootIn(session_.part(), cell, eye);
-        tracker_.place(eye_.root);
+    frame_.camera.heading = camera.heading;
+    frame_.scene.player = frame_.camera.eye;
+    const Vec3 eye = frame_.camera.eye;
+    const dat::RecordId cell = engine::cellOf(session_.part().world, frame_.root);
+    if (session_.follow(eye, frame_.root) && session_.show()) {
+        frame_.root = engine::rootIn(session_.part(), cell, eye);
+        tracker_.place(frame_.root);
     }
     time_ = time;
-    return eye_;
+    return frame_;
 }
 
 } // namespace limen::play

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// A camera that goes along a path.
+// A camera that moves along a path.
 namespace limen::play {
 
 /// A camera path and the frames along it.
@@ -15,35 +15,35 @@ struct PathRequest {
     static constexpr std::size_t kMostFrames = 100'000;
     engine::PixelSize size;
     double fov = 60.0, time = 0.5, fps = 0.0;
-    std::size_t frames = 0; ///< unless fps > 0
+    std::size_t frames = 0; ///< ignored if fps > 0
 
     [[nodiscard]] std::size_t countOn(const CameraPath& path) const;
     [[nodiscard]] double timeOf(const CameraPath& path, std::size_t frame) const;
 };
-/// A path, and the eye at its beginning.
+/// A path, and the request of its first frame.
 struct PathStart {
     CameraPath path;
-    engine::FrameRequest eye;
+    engine::FrameRequest frame;
 };
-/// Loads what is around the first way point. Errors: the session's; a way point that is nowhere.
+/// Loads the blocks around the first way point. Errors: the session's; an unresolved way point.
 [[nodiscard]] Result<PathStart> startPath(engine::Session& session,
                                           const std::vector<engine::ViewRequest>& points,
                                           const PathRequest& request);
 
-/// The camera on its way: where it is, and the space it was swept into. A path that leads through a wall is followed
-/// all the same (RootTracker).
+/// The camera on a path, with the space that a sweep through portals leads to. A path through a wall is followed
+/// as well (RootTracker).
 class PathWalk {
 public:
     PathWalk(engine::Session& session, const CameraPath& path, engine::FrameRequest start)
-        : session_(session), path_(path), eye_(std::move(start)), tracker_(eye_.root) {}
+        : session_(session), path_(path), frame_(std::move(start)), tracker_(frame_.root) {}
 
-    /// Moves to a later time on the path, through every corner on the way; loads what comes near.
+    /// Moves to a later time on the path, through every corner in between. Loads the blocks that come near.
     const engine::FrameRequest& moveTo(double time);
 
 private:
     engine::Session& session_;
     const CameraPath& path_;
-    engine::FrameRequest eye_;
+    engine::FrameRequest frame_;
     RootTracker tracker_;
     double time_ = 0.0;
     std::vector<Vec3> corners_;

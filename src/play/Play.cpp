@@ -23,12 +23,12 @@ bool isWithin(const engine::LoadedPart& shown, const engine::ViewRequest& view) 
 } // namespace
 
 Play::Play(engine::Session& session, engine::FrameRequest start, engine::Residency* residency)
-    : session_(session), residency_(residency != nullptr ? *residency : session), eye_(std::move(start)),
-      tracker_(eye_.root) {
+    : session_(session), residency_(residency != nullptr ? *residency : session), request_(std::move(start)),
+      tracker_(request_.root) {
     const std::vector<world::Door>& doors = session_.part().world.doors;
-    for (std::size_t i = 0; i < std::min(doors.size(), eye_.scene.eachDoor.size()); ++i)
-        if (eye_.scene.eachDoor[i] != doors[i].open)
-            doors_.put(doors[i], eye_.scene.eachDoor[i]);
+    for (std::size_t i = 0; i < std::min(doors.size(), request_.scene.eachDoor.size()); ++i)
+        if (request_.scene.eachDoor[i] != doors[i].open)
+            doors_.put(doors[i], request_.scene.eachDoor[i]);
 }
 
 Result<void> Play::step(const PlayInput& input) {
@@ -38,20 +38,20 @@ Result<void> Play::step(const PlayInput& input) {
     for (const PlayAct& act : input.acts)
         this->act(act);
     const double seconds = input.isFrozen ? 0.0 : input.seconds;
-    moveDoors(seconds); // first: who is pushed is seen where that is
+    moveDoors(seconds); // first, so that the frame shows a pushed body at its new position
     if (Result<void> moved = moveEye(input); !moved)
         return moved;
     findDoor();
-    eye_.scene.seconds += seconds;
-    eye_.size = input.size;
+    request_.scene.seconds += seconds;
+    request_.size = input.size;
     return {};
 }
 
 void Play::act(const PlayAct& act) {
     switch (act.kind) {
     case PlayActKind::Walk:
-        walk_.isOn() ? walk_.end(eye_) : beginToWalk();
-        tracker_.place(eye_.root);
+        walk_.isOn() ? walk_.end(request_) : beginToWalk();
+        tracker_.place(request_.root);
         return;
     case PlayActKind::Chase:
         walk_.chase(!walk_.isChased());
@@ -63,19 +63,19 @@ void Play::act(const PlayAct& act) {
         useDoor();
         return;
     case PlayActKind::Weather:
-        eye_.scene.weather =
-            eye_.scene.weather == engine::Weather::Rain ? engine::Weather::Clear : engine::Weather::Rain;
+        request_.scene.weather =
+            request_.scene.weather == engine::Weather::Rain ? engine::Weather::Clear : engine::Weather::Rain;
         return;
     case PlayActKind::Day:
         if (act.value >= 0.0 &&
             act.value < static_cast<double>(session_.part().world.sky.desc.dayGroups.size()))
-            eye_.scene.dayGroup = static_cast<std::uint32_t>(act.value);
+            request_.scene.dayGroup = static_cast<std::uint32_t>(act.value);
         return;
     case PlayActKind::Place:
         goTo(static_cast<std::size_t>(std::max(act.value, 0.0)));
         return;
     case PlayActKind::Time:
-        eye_.scene.time = std::clamp(act.value, 0.0, 1.0);
+        request_.scene.time = std::clamp(act.value, 0.0, 1.0);
         return;
     case PlayActKind::AllDoors:
         standDoors(act.value);
@@ -90,36 +90,36 @@ void Play::act(const PlayAct& act) {
     }
 }
 
-/// Stands where the eye is, and falls to the ground. What cannot be walked on is flown over.
+/// Puts the body under the eye; it falls to the ground. If the solids cannot be read, the eye keeps flying.
 void Play::beginToWalk() {
-    if (!walk_.begin(session_, eye_))
-        walk_.end(eye_);
+    if (!walk_.begin(session_, request_))
+        walk_.end(request_);
 }
 
-/// All doors open, or shut if they are open or opening. They take a second.
+/// Opens all doors, or closes them if they are open or opening. The swing takes one second.
 void Play::swingDoors() {
-    const double towards = doorsTowards_.value_or(eye_.scene.doors.value_or(0.0));
+    const double towards = doorsTowards_.value_or(request_.scene.doors.value_or(0.0));
     doorsTowards_ = towards < 0.5 ? 1.0 : 0.0;
-    if (!eye_.scene.doors)
-        eye_.scene.doors = 1.0 - *doorsTowards_;
+    if (!request_.scene.doors)
+        request_.scene.doors = 1.0 - *doorsTowards_;
 }
 
 void Play::standDoors(double open) {
-    doorsTowards_.reset(); // a hand is on them
-    if (open >= 0.0 && eye_.scene.doors)
+    doorsTowards_.reset(); // the caller sets them directly
+    if (open >= 0.0 && request_.scene.doors)
         swingAllTo(std::min(open, 1.0));
     else
-        eye_.scene.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
+        request_.scene.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
 }
 
-/// From here on doors stand each as it was left.
+/// Ends the state that all doors share: from now on each door keeps its own openness.
 void Play::useDoor() {
     if (!door_)
         return;
     const world::World& world = session_.part().world;
-    if (eye_.scene.doors)
-        doors_.putAll(world, *eye_.scene.doors);
-    eye_.scene.doors.reset();
+    if (request_.scene.doors)
+        doors_.putAll(world, *request_.scene.doors);
+    request_.scene.doors.reset();
     doorsTowards_.reset();
     doors_.use(world.doors[*door_]);
 }
@@ -130,8 +130,8 @@ void Play::goTo(std::size_t place) {
         going_ = {engine::requestAt(places[place]), places[place].name};
 }
 
-/// Until it is there the eye goes on where it is.
-Result<void> Play::goOn() {
+/// Goes to the destination once its part is shown. Until then the eye moves in the old part.
+Result<void> Play::travel() {
     const engine::Passage passage = isWithin(session_.part(), going_->view)
                                         ? engine::Passage::Open
                                         : residency_.open(engine::centreOf(going_->view));
@@ -140,29 +140,29 @@ Result<void> Play::goOn() {
     if (passage != engine::Passage::Open)
         return {};
     standAt(std::exchange(going_, std::nullopt)->view);
-    return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{};
+    return walk_.isOn() ? walk_.step(session_, {}, request_) : Result<void>{};
 }
 
 void Play::standAt(engine::ViewRequest view) {
     const world::World& world = session_.part().world;
-    view.size = eye_.size;
-    view.fov = eye_.camera.fovDegrees;
-    Result<engine::FrameRequest> eye = engine::frameRequest(world, session_.source().file, view);
-    if (!eye) { // it has no ground, or its cell is damaged; the part that was shown before has gone
+    view.size = request_.size;
+    view.fov = request_.camera.fovDegrees;
+    Result<engine::FrameRequest> request = engine::frameRequest(world, session_.source().file, view);
+    if (!request) { // no ground, or a damaged cell; the old part is unloaded, so take the bare position
         view.isOnGround = false;
         view.root.reset();
-        eye = engine::frameRequest(world, session_.source().file, view);
+        request = engine::frameRequest(world, session_.source().file, view);
     }
-    if (!eye)
+    if (!request)
         return;
-    eye->scene.time = eye_.scene.time;
-    eye->scene.dayGroup = eye_.scene.dayGroup;
-    eye->scene.weather = eye_.scene.weather;
-    eye->scene.seconds = eye_.scene.seconds;
-    eye->scene.doors = eye_.scene.doors;
-    doors_.write(world, eye->scene.eachDoor);
-    eye_ = std::move(*eye);
-    tracker_.place(eye_.root);
+    request->scene.time = request_.scene.time;
+    request->scene.dayGroup = request_.scene.dayGroup;
+    request->scene.weather = request_.scene.weather;
+    request->scene.seconds = request_.scene.seconds;
+    request->scene.doors = request_.scene.doors;
+    doors_.write(world, request->scene.eachDoor);
+    request_ = std::move(*request);
+    tracker_.place(request_.root);
     if (walk_.isOn())
         beginToWalk();
 }
@@ -172,9 +172,9 @@ Result<void> Play::moveEye(const PlayInput& input) {
     hands.turnRight = input.turnRight;
     hands.turnUp = input.turnUp;
     if (walk_.isOn()) {
-        eye_.camera = fly(eye_.camera, hands);
+        request_.camera = fly(request_.camera, hands);
         if (Result<void> stepped = walk_.step(
-                session_, {input.forward, input.right, input.fast, input.jump, input.seconds}, eye_);
+                session_, {input.forward, input.right, input.fast, input.jump, input.seconds}, request_);
             !stepped)
             return stepped;
     } else {
@@ -183,45 +183,45 @@ Result<void> Play::moveEye(const PlayInput& input) {
         hands.up = input.up;
         hands.fast = input.fast;
         hands.seconds = input.seconds;
-        const Vec3 from = eye_.camera.eye;
-        eye_.camera = fly(eye_.camera, hands);
-        eye_.scene.player = eye_.camera.eye;
-        eye_.root = tracker_.move(session_.part().world, from, eye_.camera.eye, input.seconds);
+        const Vec3 from = request_.camera.eye;
+        request_.camera = fly(request_.camera, hands);
+        request_.scene.player = request_.camera.eye;
+        request_.root = tracker_.move(session_.part().world, from, request_.camera.eye, input.seconds);
     }
     if (going_)
-        return goOn();
+        return travel();
     return followEye();
 }
 
-/// A part that is offered is shown once the solids around the body have been read in it: the step after it does not wait.
+/// Shows an offered part once its solids around the body have been read. Otherwise the next step would wait for them.
 Result<void> Play::followEye() {
-    const Vec3 eye = eye_.camera.eye;
-    const dat::RecordId cell = engine::cellOf(session_.part().world, eye_.root);
-    const std::shared_ptr<const engine::LoadedPart> offered = residency_.follow(eye, eye_.root);
+    const Vec3 eye = request_.camera.eye;
+    const dat::RecordId cell = engine::cellOf(session_.part().world, request_.root);
+    const std::shared_ptr<const engine::LoadedPart> offered = residency_.follow(eye, request_.root);
     if (offered == nullptr || (walk_.isOn() && residency_.isPatient() && !walk_.prepare(session_, offered)) ||
         !residency_.show())
         return {};
-    eye_.root = engine::rootIn(session_.part(), cell, eye);
-    tracker_.place(eye_.root);
-    doors_.write(session_.part().world, eye_.scene.eachDoor);
-    return walk_.isOn() ? walk_.step(session_, {}, eye_) : Result<void>{}; // its space has another number now
+    request_.root = engine::rootIn(session_.part(), cell, eye);
+    tracker_.place(request_.root);
+    doors_.write(session_.part().world, request_.scene.eachDoor);
+    return walk_.isOn() ? walk_.step(session_, {}, request_) : Result<void>{}; // the index of its space has changed
 }
 
 void Play::moveDoors(double seconds) {
-    const bool areAllAlike = eye_.scene.doors.has_value(); // nobody sees how each would stand
+    const bool areAllAlike = request_.scene.doors.has_value(); // the shared openness hides the doors' own
     walk_.isOn() && !areAllAlike ? walk_.passDoors(doors_, seconds) : doors_.pass(seconds);
-    doors_.write(session_.part().world, eye_.scene.eachDoor);
-    if (!doorsTowards_ || !eye_.scene.doors)
+    doors_.write(session_.part().world, request_.scene.eachDoor);
+    if (!doorsTowards_ || !request_.scene.doors)
         return;
-    const double way = *doorsTowards_ - *eye_.scene.doors;
-    swingAllTo(*eye_.scene.doors + std::clamp(way, -seconds, seconds));
-    if (*eye_.scene.doors == *doorsTowards_)
+    const double way = *doorsTowards_ - *request_.scene.doors;
+    swingAllTo(*request_.scene.doors + std::clamp(way, -seconds, seconds));
+    if (*request_.scene.doors == *doorsTowards_)
         doorsTowards_.reset();
 }
 
-/// As far as a body lets them.
+/// The body blocks leaves that swing against it.
 void Play::swingAllTo(double open) {
-    eye_.scene.doors = walk_.isOn() ? walk_.swingAllDoors(*eye_.scene.doors, open) : open;
+    request_.scene.doors = walk_.isOn() ? walk_.swingAllDoors(*request_.scene.doors, open) : open;
 }
 
 void Play::findDoor() {
@@ -231,7 +231,7 @@ void Play::findDoor() {
     const world::World& world = session_.part().world;
     const motion::BodyEye head = walk_.head(world);
     door_ =
-        motion::doorInReach(world, head.space, head.position, engine::basisOf(eye_.camera.heading).forward);
+        motion::doorInReach(world, head.space, head.position, engine::basisOf(request_.camera.heading).forward);
 }
 
 } // namespace limen::play

@@ -4,26 +4,27 @@
 #include "motion/DoorUse.h"
 #include "play/PlayInput.h"
 #include "play/RootTracker.h"
-#include "play/Walk.h"
+#include "play/WalkingBody.h"
 
 namespace limen::play {
 
-/// Somebody in a world: eye, body, doors, time and weather, moved on frame by frame. What it does depends on the session's world, the
-/// start and the inputs alone, so that recorded inputs give the same frames again; each frame must be drawn before the next step.
+/// The state of a player in a world: eye, body, doors, time and weather, advanced frame by frame. It depends only on
+/// the session's world, the start and the inputs, so that recorded inputs reproduce the frames. Requires that each
+/// frame is drawn before the next step.
 class Play {
 public:
-    /// The session must outlive it. `residency`: what loads what comes near; null: the session itself, at once. It outlives it, too.
+    /// `residency` loads the blocks that come near; null: the session loads them at once. Both must outlive the Play.
     Play(engine::Session& session, engine::FrameRequest start, engine::Residency* residency = nullptr);
 
-    /// Errors: what is around a body cannot be read.
+    /// Errors: the solids around the body cannot be read.
     [[nodiscard]] Result<void> step(const PlayInput& input);
 
-    /// What the frame is to show.
-    [[nodiscard]] const engine::FrameRequest& eye() const { return eye_; }
-    [[nodiscard]] const Walk& walk() const { return walk_; }
-    /// The door that Act::Use would move, by its index.
+    /// The request of the current frame.
+    [[nodiscard]] const engine::FrameRequest& request() const { return request_; }
+    [[nodiscard]] const WalkingBody& walk() const { return walk_; }
+    /// The index of the door that PlayActKind::Use would move.
     [[nodiscard]] std::optional<std::size_t> doorInReach() const { return door_; }
-    /// The place that it is on its way to; empty: none.
+    /// The name of the place that is loading as the destination; empty: none.
     [[nodiscard]] std::string_view goingTo() const { return going_ ? std::string_view(going_->name) : ""; }
     [[nodiscard]] bool opens(std::size_t door) const {
         return doors_.opens(session_.part().world.doors[door]);
@@ -40,7 +41,7 @@ private:
     void standDoors(double open);
     void useDoor();
     void goTo(std::size_t place);
-    [[nodiscard]] Result<void> goOn();
+    [[nodiscard]] Result<void> travel();
     void standAt(engine::ViewRequest view);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);
     [[nodiscard]] Result<void> followEye();
@@ -50,14 +51,14 @@ private:
 
     engine::Session& session_;
     engine::Residency& residency_;
-    engine::FrameRequest eye_;
+    engine::FrameRequest request_;
     RootTracker tracker_;
-    Walk walk_;
+    WalkingBody walk_;
     motion::DoorUse doors_;
-    std::optional<double> doorsTowards_; ///< where all doors are swinging to, 0 or 1
+    std::optional<double> doorsTowards_; ///< the openness that all doors swing to, 0 or 1
     std::optional<std::size_t> door_;
-    std::uint64_t steps_ = 0, framesAtStep_ = 0; ///< so far; Session::frames at the last one
-    std::optional<Destination> going_;           ///< once it is shown
+    std::uint64_t steps_ = 0, framesAtStep_ = 0; ///< number of steps; Session::frames at the last step
+    std::optional<Destination> going_;           ///< set until its part of the world is shown
 };
 
 } // namespace limen::play

@@ -37,7 +37,7 @@ struct PlayInput {
     double forward = 0.0, right = 0.0, up = 0.0; ///< -1..1 each
     double turnRight = 0.0, turnUp = 0.0;        ///< degrees
     bool fast = false, jump = false;
-    bool isFrozen = false;  ///< the world stands still; the eye may move
+    bool isFrozen = false;  ///< world time stops; the eye can move
     engine::PixelSize size; ///< of the picture
     std::vector<PlayAct> acts;
     friend bool operator==(const PlayInput&, const PlayInput&) = default;

@@ -7,7 +7,7 @@ namespace limen::play {
 bool RootTracker::isLost(const world::World& world, const Vec3& eye) const {
     if (root_ == world::kOutside)
         return motion::locate(world, eye).space != world::kOutside;
-    // A cell without a tree cannot tell whether it holds a position: trust the sweep.
+    // A cell without a BSP tree cannot classify a position: trust the sweep.
     return world.spaces[root_].bspNodeCount > 0 && !motion::cellContains(world, root_, eye);
 }
 

@@ -4,16 +4,16 @@
 
 namespace limen::play {
 
-/// Follows a free eye from space to space: swept through the portals it passes. An eye that flies through a
-/// wall is lost; after a short grace it is found again by its position.
+/// Tracks the space of a flying eye by sweeping it through portals. An eye that flies through a wall is lost; after
+/// a short grace time its position decides the space.
 class RootTracker {
 public:
-    static constexpr double kGraceSeconds = 0.25;
+    static constexpr double kGraceSeconds = 0.25; ///< time an eye may be lost
 
     explicit RootTracker(world::SpaceIndex root) : root_(root) {}
-    /// Moves the eye in a straight line; yields the space it is in.
+    /// Moves the eye in a straight line. Returns the space of its new position.
     world::SpaceIndex move(const world::World& world, const Vec3& from, const Vec3& to, double seconds);
-    /// Puts the eye into a space.
+    /// Sets the space of the eye.
     void place(world::SpaceIndex root) {
         root_ = root;
         lostSeconds_ = 0.0;

@@ -17,11 +17,11 @@ namespace {
 
 using WalkJson = nlohmann::json;
 
-constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes: some days of walking
+constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes, enough for days of walking
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
     "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality", "day"};
 
-/// The numbers and flags of an input by their names, for writing and reading alike; what is 0 or false is left out.
+/// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are omitted.
 template <class Input, class Number, class Flag>
 void eachField(Input& input, Number&& number, Flag&& flag) {
     number("seconds", input.seconds);
@@ -51,11 +51,11 @@ bool readSide(const WalkJson& json, std::uint32_t& side) {
     return true;
 }
 
-constexpr int kMostRadius = 64; ///< blocks; more is no record of ours
+constexpr int kMostRadius = 64; ///< blocks; the program writes no larger radius
 
 nlohmann::ordered_json loadJson(const world::LoadOptions& load) {
     nlohmann::ordered_json json{{"radius", load.radius}, {"far", load.farRadius}};
-    if (std::isfinite(load.detail)) // else it is not there: the nearest stays
+    if (std::isfinite(load.detail)) // infinity, the finest level everywhere, is written as no value
         json["detail"] = load.detail;
     return json;
 }
@@ -189,14 +189,14 @@ Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
         begin = end + 1;
         if (number == 0) {
             if (!readBeginning(json, record))
-                return fail(ErrorCode::Malformed, name, "is no walk that limen view --record has written");
+                return fail(ErrorCode::Malformed, name, "is not a recorded walk; record one with limen view --record or limen walk");
             continue;
         }
         if (!readFrame(json, record.frames.emplace_back()))
-            return fail(ErrorCode::Malformed, name, fmt::format("line {} is no frame of a walk", number + 1));
+            return fail(ErrorCode::Malformed, name, fmt::format("line {} is not a frame of a walk; record the walk again", number + 1));
     }
     if (record.frames.empty())
-        return fail(ErrorCode::Malformed, name, "holds no frame");
+        return fail(ErrorCode::Malformed, name, "contains no frame; record the walk again");
     return record;
 }
 

@@ -3,7 +3,7 @@
 #ifdef LIMEN_X11
 #include <X11/Xlib.h>
 
-// As in GLFW/glfw3native.h, which wants headers of extensions that nothing here uses.
+// Declared here because GLFW/glfw3native.h needs headers of X extensions that are not used.
 extern "C" Display* glfwGetX11Display(void);
 
 namespace limen::viewer {
@@ -11,8 +11,8 @@ namespace limen::viewer {
 void noteDisplayLoss(bool& isLost) {
     Display* display = glfwGetX11Display();
     if (display == nullptr)
-        return;                                     // Wayland's
-    XSetIOErrorHandler([](Display*) { return 0; }); // the usual one says its own line
+        return;                                     // a Wayland session
+    XSetIOErrorHandler([](Display*) { return 0; }); // the default handler prints a line
     XSetIOErrorExitHandler(
         display, [](Display*, void* lost) { *static_cast<bool*>(lost) = true; }, &isLost);
 }

@@ -2,8 +2,8 @@
 
 namespace limen::viewer {
 
-/// Has a connection to an X server that breaks noted in `isLost` instead of ending the program; the library's calls then do nothing.
-/// `isLost` must live as long as the connection. Where windows are not X11's: nothing. Requires a GLFW that has been started.
+/// Sets `isLost` when the connection to the X server breaks. Without this Xlib ends the program. After the loss, calls
+/// of the library do nothing. `isLost` must outlive the connection. No effect without X11. Requires an initialised GLFW.
 void noteDisplayLoss(bool& isLost);
 
 } // namespace limen::viewer

@@ -7,10 +7,10 @@
 namespace limen::viewer {
 namespace {
 
-constexpr double kFarthest = 1e4;  // metres from the flood's eye: openings seen edge-on
-constexpr double kParallel = 1e-9; // of a ray and an opening: it comes in at the eye
+constexpr double kFarthest = 1e4;  // metres from the flood's eye, the limit for openings seen nearly edge-on
+constexpr double kParallel = 1e-9; // cosine below which a ray is parallel to the opening and enters at the eye
 
-/// From where a ray of a region belongs to the visit, metres along the unit vector.
+/// The distance along a unit vector at which a ray of the region enters the visit, metres.
 double entryAlong(const visibility::Visit& visit, const Vec3& direction) {
     const double towards = glm::dot(visit.entryPlane.n, direction);
     return towards > kParallel ? std::clamp(-visit.entryPlane.d / towards, 0.0, kFarthest) : 0.0;
@@ -28,7 +28,7 @@ std::vector<Edge> edgesOf(const FrozenFlood& flood, const visibility::Visit& vis
                          view.forward * corner.z;
         const double length = glm::length(way);
         if (!(length > 0.0))
-            continue; // the eye itself
+            continue; // a corner at the eye
         const double entry = entryAlong(visit, way / length);
         edges.push_back({view.eye + way * (entry / length), view.eye + way * ((entry + metres) / length)});
     }

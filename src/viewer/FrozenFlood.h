@@ -7,21 +7,21 @@
 
 namespace limen::viewer {
 
-/// A flood that is kept, to be looked at from elsewhere.
+/// A frozen flood, for inspection from other viewpoints.
 struct FrozenFlood {
     visibility::View view;
     visibility::VisibleSet visible;
-    std::vector<PortalTrace> portals; ///< what became of each that it came to
+    std::vector<PortalTrace> portals; ///< the fate of each portal that the flood tested
 };
 
-/// A line of a visit's pyramid in a picture, in NDC; it may leave the picture.
+/// An edge of a visit's pyramid in NDC. It can extend beyond the picture.
 struct PyramidLine {
     Vec2 from{0.0}, to{0.0};
     std::uint32_t visit = 0;
 };
 
-/// The pyramids of rays that visits are made of, seen by another eye: each region's outline where its rays come in, their edges from
-/// there on for so many metres, and the outline there. What lies behind that eye is cut off.
+/// The ray pyramids of all visits, projected for another eye. A pyramid consists of the region's outline at the entry
+/// plane, edges of length `metres`, and the outline at their ends. Parts behind that eye are clipped.
 [[nodiscard]] std::vector<PyramidLine> pyramidLines(const FrozenFlood& flood, const visibility::View& eye,
                                                     double metres);
 

@@ -8,12 +8,12 @@
 namespace limen::viewer {
 namespace {
 
-constexpr double kMiddle = 0.18;    // of the way out: nothing is asked within it
-constexpr double kAllTheWay = 0.97; // from here on one runs
-constexpr double kTurn = 180.0;     // degrees a second, at most
-constexpr double kNod = 110.0;      // likewise
+constexpr double kMiddle = 0.18;    // dead zone, share of the full deflection
+constexpr double kAllTheWay = 0.97; // deflection from which the body runs
+constexpr double kTurn = 180.0;     // yaw at full deflection, degrees a second
+constexpr double kNod = 110.0;      // pitch at full deflection, degrees a second
 
-/// The stick's direction, as long as it is out of its middle, 0..1.
+/// The stick's direction with a length of 0..1 beyond the dead zone.
 Vec2 outOfTheMiddle(float x, float y) {
     const double length = std::hypot(double{x}, double{y});
     if (!(length > kMiddle))

@@ -37,7 +37,7 @@ std::vector<play::PlayAct> wheelActs(double notches, const WheelEye& eye) {
     if (!eye.isWalking || notches == 0.0)
         return {};
     const double farther = -notches * kStep;
-    if (!eye.isChased) // the first notch only leaves the head
+    if (!eye.isChased) // the first notch only switches to third person
         return farther < 0.0 ? std::vector<play::PlayAct>{}
                              : std::vector<play::PlayAct>{{play::PlayActKind::Chase},
                                                           {play::PlayActKind::Distance,

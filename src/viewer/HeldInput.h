@@ -8,28 +8,28 @@
 
 namespace limen::viewer {
 
-/// What hands hold down just now.
+/// The keys, mouse and sticks as the player holds them now.
 struct HeldInput {
     bool forward = false, back = false, left = false, right = false, up = false, down = false, fast = false;
     bool jump = false;
     double lookX = 0.0, lookY = 0.0; ///< pixels dragged since the last poll, y down
-    double wheel = 0.0;              ///< notches turned since the last poll, away from the hand
-    std::optional<Sticks> sticks;    ///< of the first gamepad, if there is one
+    double wheel = 0.0;              ///< notches turned away from the user since the last poll
+    std::optional<Sticks> sticks;    ///< of the first gamepad; none without a gamepad
 };
 
-/// What they ask of a frame of so many seconds. Without size, acts and what is frozen.
+/// The held input as a play input for a frame of `seconds`. Size, acts and isFrozen stay at their defaults.
 [[nodiscard]] play::PlayInput inputOf(const HeldInput& held, double seconds);
 
-/// Where the eye is that a wheel moves.
+/// The camera state that the mouse wheel changes.
 struct WheelEye {
     bool isWalking = false;
-    bool isChased = false; ///< it is behind the body
-    double distance = 0.0; ///< from the head, metres, or what it would be
-    double nearest = 1.0;  ///< that may be
+    bool isChased = false; ///< third person
+    double distance = 0.0; ///< third-person distance from the head, metres; kept in first person
+    double nearest = 1.0;  ///< smallest third-person distance, metres
 };
 
-/// What turning the wheel does: towards the hand the eye leaves the head and goes away from it; away from the hand it comes nearer, and
-/// once it is as near as may be, into the head. Nothing when one flies.
+/// The acts of a wheel turn. Towards the user: switch to third person, then increase the distance. Away from the user:
+/// decrease the distance, at the smallest one switch to first person. None while flying.
 [[nodiscard]] std::vector<play::PlayAct> wheelActs(double notches, const WheelEye& eye);
 
 } // namespace limen::viewer

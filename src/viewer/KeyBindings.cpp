@@ -16,32 +16,32 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<ActionFacts, kActions> kFacts{{
-    {"forward", When::Always, "forward", {"W", "Up"}},
-    {"back", When::Always, "back", {"S", "Down"}},
-    {"left", When::Always, "to the left", {"A", "Left"}},
-    {"right", When::Always, "to the right", {"D", "Right"}},
+    {"forward", When::Always, "move forward", {"W", "Up"}},
+    {"back", When::Always, "move back", {"S", "Down"}},
+    {"left", When::Always, "move left", {"A", "Left"}},
+    {"right", When::Always, "move right", {"D", "Right"}},
     {"run", When::Always, "run, or fly fast", {"LeftShift", "RightShift"}},
     {"jump", When::Walking, "jump", {"Space", ""}},
-    {"rise", When::Flying, "flying: up", {"E", "Space"}},
-    {"sink", When::Flying, "flying: down", {"Q", "LeftControl"}},
-    {"use", When::Walking, "open or shut the door before you", {"E", ""}},
-    {"walk", When::Always, "walk or fly", {"G", ""}},
-    {"chase", When::Always, "the eye behind the body, or in its head", {"C", ""}},
-    {"doors", When::Always, "open or shut all doors", {"O", ""}},
-    {"rain", When::Always, "rain", {"R", ""}},
-    {"later", When::Always, "an hour later", {"T", ""}},
-    {"help", When::Always, "this help", {"F1", ""}},
-    {"ids", When::Always, "ids as colours", {"F2", ""}},
-    {"regions", When::Always, "regions of the visits", {"F3", ""}},
-    {"panel", When::Always, "the panel", {"F4", ""}},
+    {"rise", When::Flying, "rise (when flying)", {"E", "Space"}},
+    {"sink", When::Flying, "sink (when flying)", {"Q", "LeftControl"}},
+    {"use", When::Walking, "open or close the door in front of you", {"E", ""}},
+    {"walk", When::Always, "switch between walking and flying", {"G", ""}},
+    {"chase", When::Always, "third person / first person", {"C", ""}},
+    {"doors", When::Always, "open or close all doors", {"O", ""}},
+    {"rain", When::Always, "toggle rain", {"R", ""}},
+    {"later", When::Always, "advance the time by one hour", {"T", ""}},
+    {"help", When::Always, "show or hide this help", {"F1", ""}},
+    {"ids", When::Always, "show ids as colours", {"F2", ""}},
+    {"regions", When::Always, "show the regions of visits", {"F3", ""}},
+    {"panel", When::Always, "show or hide the panel", {"F4", ""}},
     {"check", When::Always, "check this view against traced rays", {"F5", ""}},
-    {"probe", When::Always, "tell what changes on standard output", {"F6", ""}},
-    {"freeze", When::Always, "keep the visits of this view, to look at them from elsewhere", {"F7", ""}},
-    {"portals", When::Always, "portals, and why rays pass them or not", {"F8", ""}},
-    {"depth", When::Always, "distances as greys", {"F9", ""}},
-    {"full_screen", When::Always, "full screen", {"F11", ""}},
-    {"screenshot", When::Always, "keep the picture as a file", {"F12", ""}},
-    {"leave", When::Always, "leave", {"Escape", ""}},
+    {"probe", When::Always, "log changes between frames to standard output", {"F6", ""}},
+    {"freeze", When::Always, "freeze visibility", {"F7", ""}},
+    {"portals", When::Always, "show portals and the fate of rays at each", {"F8", ""}},
+    {"depth", When::Always, "show depth as grey levels", {"F9", ""}},
+    {"full_screen", When::Always, "toggle full screen", {"F11", ""}},
+    {"screenshot", When::Always, "save a screenshot", {"F12", ""}},
+    {"leave", When::Always, "quit", {"Escape", ""}},
     {"place_1", When::Always, "go to the first place", {"1", ""}},
     {"place_2", When::Always, "go to the second place", {"2", ""}},
     {"place_3", When::Always, "go to the third place", {"3", ""}},
@@ -73,7 +73,7 @@ bool has(std::span<const KeyCode> keys, KeyCode key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// Another action that the key does at the times of this one.
+/// Another action of the key that can be active at the same time as this one.
 std::optional<Action> rivalOf(const KeyBindings& bindings, Action action, KeyCode key) {
     for (const Action other : bindings.actionsOf(key))
         if (other != action && meet(factsOf(other).when, factsOf(action).when))
@@ -81,33 +81,33 @@ std::optional<Action> rivalOf(const KeyBindings& bindings, Action action, KeyCod
     return std::nullopt;
 }
 
-/// Of one entry of a file: a name, or a list of them.
+/// Reads one entry of a file: a key name or a list of key names.
 Result<std::vector<KeyCode>> keysIn(const Json& json, const std::string& where) {
     const Json list = json.is_array() ? json : Json::array({json});
     std::vector<KeyCode> keys;
     for (const Json& item : list) {
         if (!item.is_string())
-            return fail(ErrorCode::Malformed, where, "is neither the name of a key nor a list of such names");
+            return fail(ErrorCode::Malformed, where, R"(is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
         const std::string& name = item.get_ref<const std::string&>();
         const std::optional<KeyCode> key = keyNamed(name);
         if (!key)
-            return fail(ErrorCode::Malformed, where, fmt::format("there is no key '{}'", name));
+            return fail(ErrorCode::Malformed, where, fmt::format("unknown key '{}'; use a name such as F, Escape or LeftShift", name));
         if (!has(keys, *key))
             keys.push_back(*key);
     }
     return keys;
 }
 
-/// Errors: a key that does two things at the same time.
+/// Errors: a key with two actions at the same time.
 Result<void> checkRivals(const KeyBindings& bindings, const std::string& name, const Json& json) {
     for (std::size_t i = 0; i < kActions; ++i) {
         const Action action = actionAt(i);
         if (!json.contains(factsOf(action).name))
-            continue; // whoever took its key is told
+            continue; // the error names the action that took its key
         for (const KeyCode key : bindings.keysOf(action)) {
             if (const std::optional<Action> rival = rivalOf(bindings, action, key))
                 return fail(ErrorCode::Malformed, fmt::format("{}, {}", name, factsOf(action).name),
-                            fmt::format("{} is the key of {} already", nameOf(key), factsOf(*rival).name));
+                            fmt::format("{} is already the key of {}; give one of them another key", nameOf(key), factsOf(*rival).name));
         }
     }
     return {};
@@ -116,7 +116,7 @@ Result<void> checkRivals(const KeyBindings& bindings, const std::string& name, c
 } // namespace
 
 const ActionFacts& factsOf(Action action) {
-    LIMEN_ASSERT(static_cast<std::size_t>(action) < kActions, "an action");
+    LIMEN_ASSERT(static_cast<std::size_t>(action) < kActions, "not an action");
     return kFacts[static_cast<std::size_t>(action)];
 }
 
@@ -145,7 +145,7 @@ std::vector<Action> KeyBindings::actionsOf(KeyCode key) const {
 }
 
 void KeyBindings::bind(Action action, KeyCode key, bool adds) {
-    LIMEN_ASSERT(!nameOf(key).empty(), "a key with a name: others cannot be written to a file");
+    LIMEN_ASSERT(!nameOf(key).empty(), "a key without a name cannot be written to a file");
     while (const std::optional<Action> rival = rivalOf(*this, action, key)) {
         std::vector<KeyCode>& keys = keys_[static_cast<std::size_t>(*rival)];
         keys.erase(std::find(keys.begin(), keys.end(), key));
@@ -166,14 +166,14 @@ std::string keysText(const KeyBindings& bindings, Action action) {
 Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string& name) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object())
-        return fail(ErrorCode::Malformed, name, "is not a JSON object of actions and their keys");
+        return fail(ErrorCode::Malformed, name, R"(is not a JSON object of actions and keys, such as {"use": "F"})");
     KeyBindings bindings;
     std::vector<std::pair<Action, std::vector<KeyCode>>> entries;
     for (const auto& [entry, value] : json.items()) {
         const std::string where = fmt::format("{}, {}", name, entry);
         const std::optional<Action> action = actionNamed(entry);
         if (!action)
-            return fail(ErrorCode::Malformed, where, "there is no such action");
+            return fail(ErrorCode::Malformed, where, "unknown action; limen view --help lists the actions");
         Result<std::vector<KeyCode>> keys = keysIn(value, where);
         if (!keys)
             return tl::unexpected(keys.error());
@@ -228,7 +228,7 @@ Result<KeyBindings> readKeyBindings(const fs::path& file, bool mustExist) {
 
 Result<void> writeKeyBindings(const fs::path& file, const KeyBindings& bindings) {
     if (file.empty())
-        return fail(ErrorCode::Unreadable, "keys", "no place to keep them; name a file with --keys");
+        return fail(ErrorCode::Unreadable, "keys", "no configuration directory to save them in; name a file with --keys FILE");
     if (Result<void> made =
             file.has_parent_path() ? output::makeDirectory(file.parent_path()) : Result<void>{};
         !made)
@@ -238,8 +238,8 @@ Result<void> writeKeyBindings(const fs::path& file, const KeyBindings& bindings)
 
 std::vector<HelpLine> helpLines(const KeyBindings& bindings) {
     std::vector<HelpLine> lines{{"drag the mouse", "look around", {}},
-                                {"wheel", "the eye behind the body, farther from it, or nearer", {}},
-                                {"click", "tell what is there", {}}};
+                                {"wheel", "third person; move the camera closer or farther", {}},
+                                {"click", "inspect the object under the cursor", {}}};
     for (std::size_t i = 0; i < kActions; ++i)
         lines.push_back({keysText(bindings, actionAt(i)), std::string(kFacts[i].does), actionAt(i)});
     return lines;

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-// Which keys do what in the window. Knows nothing of windows: keys have numbers and names of their own (KeyNames.h).
+// Key bindings of the window. Independent of the window library: keys have their own numbers and names (KeyNames.h).
 namespace limen::viewer {
 
-/// What keys do. The first few as long as they are held down, the others once when pressed.
+/// Actions of keys. Forward to Sink act while the key is held; the others act once per press.
 enum class Action : std::uint8_t {
     Forward,
     Back,
@@ -52,35 +52,35 @@ enum class Action : std::uint8_t {
 };
 inline constexpr std::size_t kActions = static_cast<std::size_t>(Action::Place9) + 1;
 
-/// When an action can be done. A key may serve one action of those who walk and one of those who fly.
+/// When an action is available. One key can have one walking action and one flying action.
 enum class When : std::uint8_t { Always, Walking, Flying };
 
 struct ActionFacts {
-    std::string_view name; ///< in files
+    std::string_view name; ///< name in key files
     When when = When::Always;
-    std::string_view does; ///< for people
+    std::string_view does; ///< description in the help
     std::array<std::string_view, 2>
-        keys; ///< that do it unless a file says otherwise; the second may be empty
+        keys; ///< default keys; the second may be empty
 };
 [[nodiscard]] const ActionFacts& factsOf(Action action);
 [[nodiscard]] std::optional<Action> actionNamed(std::string_view name);
 
-/// Keys by action: any number each, none included.
+/// The keys of each action, any number including none.
 class KeyBindings {
 public:
-    KeyBindings(); ///< as ActionFacts say
+    KeyBindings(); ///< the default keys of ActionFacts
 
     [[nodiscard]] std::span<const KeyCode> keysOf(Action action) const& {
         return keys_[static_cast<std::size_t>(action)];
     }
-    std::span<const KeyCode> keysOf(Action action) const&& = delete; ///< they would be gone
-    /// One, or two of which one is for walking and the other for flying; none.
+    std::span<const KeyCode> keysOf(Action action) const&& = delete; ///< the span would dangle
+    /// No action, one action, or one for walking and one for flying.
     [[nodiscard]] std::vector<Action> actionsOf(KeyCode key) const;
 
-    /// From now on the key does this: it alone, or with `adds` besides those that did. What it did at the same times it does no
-    /// longer. Requires a key with a name.
+    /// Binds the key to the action. With `adds` the action keeps its other keys. The key loses actions that could be
+    /// active at the same time. Requires a key with a name.
     void bind(Action action, KeyCode key, bool adds);
-    /// These keys and no others, whatever else they do.
+    /// Replaces the keys of the action, without a check for conflicts.
     void set(Action action, std::vector<KeyCode> keys) {
         keys_[static_cast<std::size_t>(action)] = std::move(keys);
     }
@@ -91,32 +91,34 @@ private:
     std::array<std::vector<KeyCode>, kActions> keys_;
 };
 
-/// The keys of an action in words: "W or Up"; "no key".
+/// The keys of an action as text: "W or Up", or "no key".
 [[nodiscard]] std::string keysText(const KeyBindings& bindings, Action action);
 
-/// From a JSON object of actions, each with a key or a list of them: {"forward": ["W", "Up"], "use": "F"}. Actions that are not in it
-/// keep their keys. `name` is for messages. Errors, each with the entry: no such action; no such key; a key that does two things.
+/// Parses a JSON object of actions, each with a key or a list of keys: {"forward": ["W", "Up"], "use": "F"}. Other
+/// actions keep their default keys. `name` appears in messages. Errors name the entry: an unknown action or key, a key
+/// with two actions at the same time.
 [[nodiscard]] Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string& name);
 
-/// What parseKeyBindings reads them from: the actions whose keys are others than at first.
+/// The JSON that parseKeyBindings reads, with the actions whose keys differ from the defaults.
 [[nodiscard]] std::string keyBindingsJson(const KeyBindings& bindings);
 
 /// $XDG_CONFIG_HOME/limen/keys.json, or ~/.config/limen/keys.json; empty if neither is known.
 [[nodiscard]] std::filesystem::path keysPath();
 
-/// Of the file; `mustExist` false: without one as at first. Errors: as parseKeyBindings'; it cannot be read.
+/// Reads the file. If it is missing and `mustExist` is false, the default keys apply. Errors: as parseKeyBindings; an
+/// unreadable file.
 [[nodiscard]] Result<KeyBindings> readKeyBindings(const std::filesystem::path& file, bool mustExist);
 
-/// Writes them to the file; its directory is made. Errors: it cannot be written; an empty path.
+/// Writes the file and creates its directory. Errors: an empty path; a file that cannot be written.
 [[nodiscard]] Result<void> writeKeyBindings(const std::filesystem::path& file, const KeyBindings& bindings);
 
 /// A line of the on-screen help.
 struct HelpLine {
     std::string keys, does;
-    std::optional<Action> action; ///< none: of several actions
+    std::optional<Action> action; ///< none: a mouse control
 };
 [[nodiscard]] std::vector<HelpLine> helpLines(const KeyBindings& bindings);
-/// In one line what somebody has to know who has just opened the window.
+/// A one-line introduction to the controls, shown when the window opens.
 [[nodiscard]] std::string greeting(const KeyBindings& bindings);
 
 } // namespace limen::viewer

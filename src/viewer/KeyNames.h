@@ -7,12 +7,12 @@
 
 namespace limen::viewer {
 
-/// A key, by its place on the keyboard. The numbers are GLFW's (Window.cpp holds them against its header).
+/// A key, by its position on the keyboard. The numbers are GLFW's; Window.cpp checks them against GLFW's header.
 enum class KeyCode : std::uint16_t {};
 
 struct KeyName {
     KeyCode code{};
-    std::string_view name; ///< what is printed on it on a US keyboard
+    std::string_view name; ///< its label on a US keyboard
 };
 
 inline constexpr std::array kKeyNames = [] {
@@ -126,7 +126,7 @@ inline constexpr std::array kKeyNames = [] {
                       key(348, "Menu")};
 }();
 
-/// Upper and lower case are the same. None: there is no such key.
+/// Ignores case. nullopt: no key has this name.
 [[nodiscard]] constexpr std::optional<KeyCode> keyNamed(std::string_view name) {
     const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
     for (const KeyName& key : kKeyNames) {
@@ -139,7 +139,7 @@ inline constexpr std::array kKeyNames = [] {
     return std::nullopt;
 }
 
-/// Empty: a key without a name, which cannot be bound.
+/// The name of a key; empty if it has none and cannot be bound.
 [[nodiscard]] constexpr std::string_view nameOf(KeyCode code) {
     for (const KeyName& key : kKeyNames)
         if (key.code == code)

@@ -20,7 +20,7 @@ void FrameWindows::add(double now, double frameMs, const engine::FrameFigures& f
     }
 }
 
-/// A picture over the frame, as a texture of the panel's own.
+/// The texture of a picture that covers the frame.
 struct Panel::OverTexture {
     GLuint name = 0;
     std::uint32_t width = 0, height = 0;
@@ -46,11 +46,11 @@ struct Panel::OverTexture {
 Panel::Panel(const Window& window) : over_(std::make_unique<OverTexture>()), window_(window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // leaves no file behind
+    ImGui::GetIO().IniFilename = nullptr; // no settings file
     ImGui::StyleColorsDark();
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); // chains to the window's own callbacks
     ImGui_ImplOpenGL3_Init("#version 450 core");
-    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now: else the first frame would, and the font may change before
+    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now, because fitScale can rebuild the font before the first frame
 }
 
 Panel::~Panel() {
@@ -67,7 +67,7 @@ void Panel::fitScale() {
     const UiScale wanted = uiScaleOf(window_.sizes());
     if (wanted == scale_)
         return;
-    constexpr float kLetters = 13.0f; // pixels, of the font that is built in
+    constexpr float kLetters = 13.0f; // pixels, the size of the built-in font
     ImGuiIO& io = ImGui::GetIO();
     ImFontConfig font;
     font.SizePixels = std::round(kLetters * static_cast<float>(wanted.pixels));
@@ -85,7 +85,7 @@ void Panel::fitScale() {
 void Panel::drawOver(const output::Picture& picture, int opacity) {
     over_->write(picture);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    // ImGui's texture id is the GL name in a pointer's clothes.
+    // ImGui passes the GL name of a texture as a pointer.
     ImGui::GetBackgroundDrawList()->AddImage(
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(over_->name)), {0, 0}, size, {0, 0}, {1, 1},
         IM_COL32(255, 255, 255, opacity));
@@ -97,18 +97,18 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     if (facts.verdict != nullptr)
-        drawOver(facts.verdict->picture, 190); // what is right stays to be seen, darkly
+        drawOver(facts.verdict->picture, 190); // correct pixels stay visible, darkened
     else if (switches.ids && !facts.ids.empty())
-        drawOver(output::pictureOfIds(facts.eye.size.width, facts.eye.size.height, facts.ids), 255);
+        drawOver(output::pictureOfIds(facts.request.size.width, facts.request.size.height, facts.ids), 255);
     else if (switches.depth && !facts.distances.empty())
-        drawOver(output::pictureOfDistances(facts.eye.size.width, facts.eye.size.height, facts.distances),
+        drawOver(output::pictureOfDistances(facts.request.size.width, facts.request.size.height, facts.distances),
                  255);
     panel::drawLines(facts, switches);
     PanelChoice choice;
-    choice.time = facts.eye.scene.time;
-    choice.dayGroup = facts.eye.scene.dayGroup;
-    choice.weather = facts.eye.scene.weather;
-    choice.doors = facts.eye.scene.doors;
+    choice.time = facts.request.scene.time;
+    choice.dayGroup = facts.request.scene.dayGroup;
+    choice.weather = facts.request.scene.weather;
+    choice.doors = facts.request.scene.doors;
     choice.quality = facts.quality;
     if (switches.panel)
         choice = panel::drawPanel(facts, choice);

@@ -4,7 +4,7 @@
 namespace limen::viewer::panel {
 namespace {
 
-/// The button that changes an action's keys, and the one that adds one.
+/// Draws two buttons: one replaces an action's keys, the other adds a key.
 void drawKeyButtons(const PanelFacts& facts, const HelpLine& help, PanelChoice& choice) {
     const Action action = *help.action;
     ImGui::PushID(static_cast<int>(action));
@@ -24,13 +24,13 @@ void drawHelp(const PanelFacts& facts, PanelChoice& choice) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f},
-                                        {size.x * 0.98f, size.y * 0.98f}); // the rest is scrolled
+                                        {size.x * 0.98f, size.y * 0.98f}); // longer content scrolls
     ImGui::Begin("Keys", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoCollapse);
-    line("A click on a key changes it: press the new one, or Escape. + adds one.");
-    if (ImGui::SmallButton("all as at first"))
-        choice.keysAsAtFirst = true;
+    line("To change a key, click it and press the new key (Escape cancels). To add a key, click +.");
+    if (ImGui::SmallButton("reset to defaults"))
+        choice.resetsKeys = true;
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const HelpLine& help : helpLines(facts.bindings)) {
             ImGui::TableNextColumn();
@@ -43,8 +43,8 @@ void drawHelp(const PanelFacts& facts, PanelChoice& choice) {
         }
         ImGui::EndTable();
     }
-    line("gamepad: left stick walks (all the way: runs), right looks, A jumps, X uses a door,\n"
-         "Y the eye behind the body, B walk or fly, start this help, back the panel");
+    line("gamepad: left stick walk (full deflection: run), right stick look, A jump, X use a door,\n"
+         "Y third person / first person, B walk / fly, start this help, back panel");
     ImGui::End();
 }
 

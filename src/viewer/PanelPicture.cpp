@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-// What the panel shows in the picture.
+// The panel's drawings over the picture.
 namespace limen::viewer::panel {
 namespace {
 
@@ -28,22 +28,22 @@ void drawRegionOutlines(const visibility::VisibleSet& visible) {
     }
 }
 
-/// The pyramids of a flood that is kept.
-void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& eye) {
+/// Draws the pyramids of a frozen flood.
+void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& request) {
     constexpr double kShown = 6.0; // metres
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     for (const PyramidLine& line :
-         pyramidLines(flood, engine::viewOf(eye.camera, eye.size, eye.root), kShown)) {
+         pyramidLines(flood, engine::viewOf(request.camera, request.size, request.root), kShown)) {
         const output::Rgb rgb = output::distinctColour(line.visit);
         list->AddLine(screenPoint(line.from), screenPoint(line.to), IM_COL32(rgb[0], rgb[1], rgb[2], 200),
                       1.5f);
     }
 }
 
-/// The outlines of portals, walls or no walls, in the colours of what became of them.
+/// Draws portal outlines through walls, coloured by fate.
 void drawPortals(const PanelFacts& facts) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    const visibility::View view = engine::viewOf(facts.eye.camera, facts.eye.size, facts.eye.root);
+    const visibility::View view = engine::viewOf(facts.request.camera, facts.request.size, facts.request.root);
     for (const PortalLine& line : portalLines(facts.world, facts.portals, view)) {
         const bool isSeen = line.fate >= visibility::PortalFate::LeadsNowhere;
         list->AddLine(screenPoint(line.from), screenPoint(line.to),
@@ -55,7 +55,7 @@ constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
                                    ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// A line over the picture, in the middle of its width, at a share of its height.
+/// Draws a line of text, centred horizontally, at a share of the window's height.
 void drawBanner(const char* name, const std::string& text, float height, float pivot) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x * 0.5f, size.y * height}, ImGuiCond_Always, {0.5f, pivot});
@@ -65,12 +65,12 @@ void drawBanner(const char* name, const std::string& text, float height, float p
     ImGui::End();
 }
 
-/// Says near the foot of the window what the key does to the door in reach.
+/// Shows near the bottom edge that the use key opens or closes the door in reach.
 void drawDoor(const PanelFacts& facts) {
     if (facts.door != nullptr)
         drawBanner("Door",
                    fmt::format("{}   {} the door", keysText(facts.bindings, Action::Use),
-                               facts.doorOpens ? "shut" : "open"),
+                               facts.doorOpens ? "close" : "open"),
                    0.96f, 1.0f);
 }
 
@@ -81,7 +81,7 @@ void drawLines(const PanelFacts& facts, const OverlaySwitches& switches) {
         drawRegionOutlines(facts.visible);
     drawPortals(facts);
     if (facts.frozen != nullptr)
-        drawPyramids(*facts.frozen, facts.eye);
+        drawPyramids(*facts.frozen, facts.request);
 }
 
 void drawBanners(const PanelFacts& facts, const OverlaySwitches& switches) {

@@ -35,7 +35,7 @@ void drawStages(const PanelFacts& facts) {
     ImGui::EndTable();
 }
 
-/// The last seconds' frames, from nothing up to twice the p95.
+/// Plots the frame times of the last seconds, from 0 to twice the p95.
 void drawFrameTimes(const TimeWindow& frame) {
     if (frame.count() == 0)
         return;
@@ -43,12 +43,12 @@ void drawFrameTimes(const TimeWindow& frame) {
         return static_cast<float>(
             static_cast<const TimeWindow*>(window)->value(static_cast<std::size_t>(index)));
     };
-    // ImGui takes what it hands back as it is, but not as const.
+    // ImGui passes the pointer back unchanged, but its parameter is not const.
     ImGui::PlotLines("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()), 0,
                      nullptr, 0.0f, static_cast<float>(2.0 * frame.p95()), {-1.0f, 40.0f});
 }
 
-/// How the one at the keys gets about.
+/// The state of movement: flying, or the body's space and footing.
 std::string footingOf(const PanelFacts& facts) {
     if (facts.body == nullptr)
         return "flying";
@@ -60,11 +60,11 @@ std::string footingOf(const PanelFacts& facts) {
 }
 
 void drawFigures(const PanelFacts& facts) {
-    const engine::Camera& camera = facts.eye.camera;
+    const engine::Camera& camera = facts.request.camera;
     const TimeWindow& frame = facts.times.frame;
     line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
     drawFrameTimes(frame);
-    line(fmt::format("root {}", engine::spaceName(facts.world, facts.eye.root)));
+    line(fmt::format("root {}", engine::spaceName(facts.world, facts.request.root)));
     line(footingOf(facts));
     line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
     line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));
@@ -83,12 +83,12 @@ void drawFigures(const PanelFacts& facts) {
                      static_cast<double>(resident.ringBytes) / (1 << 20), facts.figures.ringStalls,
                      static_cast<double>(facts.figures.bytesWritten) / 1024.0));
     if (!facts.figures.trouble.empty())
-        line("goes on without culling: " + facts.figures.trouble);
+        line("culling disabled after a driver fault: " + facts.figures.trouble);
     drawStages(facts);
 }
 
 void drawQuality(PanelChoice& choice) {
-    const char* name = choice.quality ? engine::kQualities[*choice.quality].name : "as the options say";
+    const char* name = choice.quality ? engine::kQualities[*choice.quality].name : "custom";
     if (!ImGui::BeginCombo("quality", name))
         return;
     for (std::size_t i = 0; i < engine::kQualities.size(); ++i)
@@ -123,9 +123,9 @@ void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
         choice.weather = rain ? engine::Weather::Rain : engine::Weather::Clear;
     drawQuality(choice);
     int doors = choice.doors ? 1 : 0;
-    ImGui::RadioButton("doors at rest", &doors, 0);
+    ImGui::RadioButton("doors individually", &doors, 0);
     ImGui::SameLine();
-    ImGui::RadioButton("all", &doors, 1);
+    ImGui::RadioButton("all doors", &doors, 1);
     if (doors == 0) {
         choice.doors.reset();
         return;
@@ -133,15 +133,15 @@ void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
     choice.doors = choice.doors.value_or(0.0);
     float open = static_cast<float>(100.0 * *choice.doors);
     if (ImGui::SliderFloat("open", &open, 0.0f, 100.0f,
-                           "%.0f %%")) // else doors that swing keep all their digits
+                           "%.0f %%")) // untouched, swinging doors keep their exact value
         choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
 }
 
-/// Draws a visit and all it leads to. Yields the first visit after them; `hovered` becomes the one under the mouse.
+/// Draws a visit and its descendants. Returns the first visit after them. `hovered` is set to the visit under the mouse.
 std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isShown, int& hovered) {
     bool isOpen = false;
     if (isShown) {
-        // The number is the identity: the rest of the label changes from frame to frame.
+        // The visit's number identifies the node, because the rest of the label changes from frame to frame.
         isOpen = ImGui::TreeNodeEx(reinterpret_cast<const void*>(std::uintptr_t{visit}),
                                    ImGuiTreeNodeFlags_DefaultOpen, "%s",
                                    engine::visitLabel(facts.world, facts.visible, visit).c_str());
@@ -162,7 +162,7 @@ std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isSho
     return next;
 }
 
-/// The tree of visits: why each room is drawn. The region of the one under the mouse is filled.
+/// Draws the tree of visits: the reason why each room is drawn. Fills the region of the visit under the mouse.
 void drawVisits(const PanelFacts& facts) {
     if (facts.visible.visits.empty() || !ImGui::CollapsingHeader("Visits", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -179,7 +179,7 @@ void drawVisits(const PanelFacts& facts) {
                                                             IM_COL32(255, 220, 80, 90));
 }
 
-/// How many portals came to what, most first, and below each which they are.
+/// Lists the number of portals of each fate, admitted first, with the portals below.
 void drawPortalList(const PanelFacts& facts) {
     if (facts.portals.empty() || !ImGui::CollapsingHeader("Portals", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -201,11 +201,11 @@ void drawPortalList(const PanelFacts& facts) {
     }
 }
 
-/// What is told of a landblock under the mouse.
+/// Draws the tooltip of the landblock under the mouse.
 void drawBlockHint(const ResidentBlock& block) {
     ImGui::BeginTooltip();
     line(fmt::format("{:02X}{:02X}{}{}", block.coord.x & 0xFF, block.coord.y & 0xFF,
-                     block.holdsEye ? ", the eye's" : "", block.holdsPlayer ? ", the player's" : ""));
+                     block.holdsEye ? ", contains the eye" : "", block.holdsPlayer ? ", contains the player" : ""));
     if (block.state == ResidentBlock::State::Absent)
         line("not loaded");
     else
@@ -222,7 +222,7 @@ ImU32 inkOf(const ResidentBlock& block) {
     return block.hasTerrain ? IM_COL32(120, 190, 90, 255) : IM_COL32(110, 130, 210, 255);
 }
 
-/// The landblocks around the eye, north up; eye and player are marked.
+/// Draws a map of the landblocks around the eye, north up, with eye and player.
 void drawResidency(const ResidencyMap& map) {
     if (!ImGui::CollapsingHeader("Residency"))
         return;
@@ -248,7 +248,7 @@ void drawResidency(const ResidencyMap& map) {
     const float side = static_cast<float>(map.side) * size;
     ImGui::Dummy({side, side});
     ImGui::TextDisabled(
-        "%s", "green: terrain, bright: with cells, blue: cells alone;\nframe: the eye, dot: the player");
+        "%s", "green: terrain; bright green: terrain and cells; blue: cells only;\nframe: eye; dot: player");
 }
 
 void drawPicked(const engine::Picked* picked) {
@@ -258,19 +258,19 @@ void drawPicked(const engine::Picked* picked) {
         line(text);
 }
 
-/// What the colours over the frame say, kind by kind.
+/// Lists the number of pixels of each verdict.
 void drawVerdict(const ViewVerdict* verdict) {
     if (verdict == nullptr || !ImGui::CollapsingHeader("Checked", ImGuiTreeNodeFlags_DefaultOpen))
         return;
     const check::Comparison& comparison = verdict->comparison;
     line(fmt::format("{} wrong of {} pixels, {:.1f} s", comparison.findings(), comparison.verdicts.size(),
                      verdict->seconds));
-    for (std::size_t i = 1; i < check::kVerdictCount; ++i) // what agrees is the rest
+    for (std::size_t i = 1; i < check::kVerdictCount; ++i) // verdict 0 is agreement
         if (comparison.counts[i] > 0)
             line(fmt::format("{} {}", comparison.counts[i], check::kVerdictNames[i]));
 }
 
-/// What was found wrong with the data.
+/// Lists faults of the data.
 void drawFindings(std::span<const world::Finding> findings) {
     constexpr std::size_t kMost = 20;
     const std::string title = fmt::format("Warnings ({})###warnings", findings.size());
@@ -302,7 +302,7 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const ImVec2 most{std::max(room.x - scaled(16.0f), 1.0f), std::max(room.y - scaled(16.0f), 1.0f)};
     ImGui::SetNextWindowSizeConstraints({std::min(scaled(330.0f), most.x), 0.0f},
-                                        most); // the rest is scrolled
+                                        most); // longer content scrolls
     ImGui::SetNextWindowBgAlpha(0.75f);
     const std::string title =
         fmt::format("Limen ({} for help)###panel", keysText(facts.bindings, Action::Help));

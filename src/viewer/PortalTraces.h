@@ -16,36 +16,36 @@ struct View;
 
 namespace limen::viewer {
 
-/// What became of a portal in a flood: the most that it came to in any visit.
+/// The fate of a portal in a flood: the strongest of its fates in all visits.
 struct PortalTrace {
     world::PortalIndex portal = world::kNone;
     visibility::PortalFate fate = visibility::PortalFate::NoArea;
-    std::uint32_t visit = 0; ///< the first whose rays it came to that by
+    std::uint32_t visit = 0; ///< the first visit with this fate
     friend bool operator==(const PortalTrace&, const PortalTrace&) = default;
 };
 
-/// Of every portal that a flood came to, each once, by number.
+/// One trace per portal that the flood tested, sorted by portal index.
 [[nodiscard]] std::vector<PortalTrace> portalTraces(const visibility::FloodTrace& trace);
 
-/// How many came to each fate.
+/// The number of portals of each fate.
 [[nodiscard]] std::array<std::size_t, visibility::kPortalFates>
 countFates(std::span<const PortalTrace> traces);
 
-/// In a few words, and in a colour.
+/// Description and colour of a fate. The description is also a key of the window's state JSON.
 [[nodiscard]] std::string_view nameOf(visibility::PortalFate fate);
 [[nodiscard]] output::Rgb colourOf(visibility::PortalFate fate);
 
-/// A portal in a line: which of which space, where it leads, and from which visit it was seen.
+/// One line of text: the portal's index and space, its destination, and the visit.
 [[nodiscard]] std::string portalLabel(const world::World& world, const PortalTrace& trace);
 
-/// A portal's edge in a picture, in NDC; it may leave the picture.
+/// An edge of a portal in NDC. It can extend beyond the picture.
 struct PortalLine {
     Vec2 from{0.0}, to{0.0};
     visibility::PortalFate fate = visibility::PortalFate::NoArea;
 };
 
-/// The outlines of portals as an eye sees them, walls or no walls; those that came to most last, so that they lie on top of their ways
-/// back. What lies behind the eye is cut off.
+/// The outlines of portals projected for an eye, ignoring walls. Strong fates come last, so that an admitted portal is
+/// drawn over its reciprocal. Parts behind the eye are clipped.
 [[nodiscard]] std::vector<PortalLine>
 portalLines(const world::World& world, std::span<const PortalTrace> traces, const visibility::View& eye);
 

@@ -8,7 +8,7 @@
 namespace limen::viewer {
 namespace {
 
-/// Cells and portals of every block, by World::blocks.
+/// Counts the cells and portals of every block, in the order of World::blocks.
 std::vector<ResidentBlock> factsOf(const world::World& world) {
     std::vector<ResidentBlock> blocks;
     for (const world::Block& block : world.blocks)
@@ -27,7 +27,7 @@ std::vector<ResidentBlock> factsOf(const world::World& world) {
 
 ResidencyMap residencyMap(const world::World& world, dat::BlockCoord eye, dat::BlockCoord player,
                           int radius) {
-    LIMEN_ASSERT(radius >= 0, "a radius");
+    LIMEN_ASSERT(radius >= 0, "a radius is not negative");
     ResidencyMap map;
     map.side = 2 * radius + 1;
     for (int row = 0; row < map.side; ++row) {

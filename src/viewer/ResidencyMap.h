@@ -8,33 +8,33 @@
 
 namespace limen::viewer {
 
-/// What of a landblock is in memory.
+/// The loaded content of a landblock.
 struct ResidentBlock {
     enum class State : std::uint8_t {
-        Absent, ///< not loaded, or there is no such block
+        Absent, ///< not loaded, or beyond the map
         Loaded
     };
     dat::BlockCoord coord;
     State state = State::Absent;
     bool hasTerrain = false;
     std::uint32_t cells = 0;
-    std::uint32_t buildingPortals = 0; ///< from outside into its buildings
+    std::uint32_t buildingPortals = 0; ///< portals from outside into its buildings
     bool holdsEye = false, holdsPlayer = false;
 };
 
-/// The landblocks around one of them, from the north-west corner on, row by row: north is up. Blocks beyond the edge of the map are Absent.
+/// A square of landblocks in rows from the north-west corner; north is up. Blocks beyond the edge of the map are Absent.
 struct ResidencyMap {
-    int side = 0; ///< blocks a row, and rows
+    int side = 0; ///< blocks per row, and number of rows
     std::vector<ResidentBlock> blocks;
-    // Of all that is loaded, also beyond the map:
+    // Totals of everything loaded, also outside the square:
     std::uint32_t loaded = 0, terrains = 0, cells = 0, buildingPortals = 0;
 };
 
-/// The map of `radius` blocks each way around the block of the eye. `eye` and `player`: the blocks that these are in.
+/// The square of `radius` blocks on each side of the eye's block. `eye` and `player` are the blocks that contain them.
 [[nodiscard]] ResidencyMap residencyMap(const world::World& world, dat::BlockCoord eye,
                                         dat::BlockCoord player, int radius);
 
-/// The block that something in a space belongs to: its cell's, or outside the one it is above.
+/// The block of a position: the block of its cell, or outside the block below it.
 [[nodiscard]] dat::BlockCoord blockOf(const world::World& world, world::SpaceIndex space, const Vec3& at);
 
 } // namespace limen::viewer

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kStem = "limen-";
 
-/// Of a file "limen-0012.png"; 0: it is none of ours.
+/// The number in a file name such as "limen-0012.png"; 0 for other names.
 std::uint32_t numberOf(const fs::path& file) {
     const std::string stem = file.stem().string();
     if (!stem.starts_with(kStem))
@@ -27,7 +27,7 @@ std::uint32_t numberOf(const fs::path& file) {
     return error == std::errc() && rest == end ? number : 0;
 }
 
-/// The number after the largest that files of the directory have.
+/// One more than the largest number in the directory.
 std::uint32_t nextNumber(const fs::path& directory) {
     std::uint32_t largest = 0;
     std::error_code error;
@@ -36,7 +36,7 @@ std::uint32_t nextNumber(const fs::path& directory) {
     return largest + 1;
 }
 
-/// Makes an empty file that was not there; false if it was.
+/// Creates an empty file. Returns false if it exists.
 Result<bool> make(const fs::path& path) {
     std::FILE* file = std::fopen(path.c_str(), "wbx");
     if (file == nullptr && errno == EEXIST)
@@ -55,7 +55,7 @@ Result<fs::path> keepScreenshot(const fs::path& directory, const output::Picture
     for (std::uint32_t number = nextNumber(directory);; ++number) {
         const std::string stem = fmt::format("{}{:04}", kStem, number);
         const fs::path png = directory / (stem + ".png");
-        const Result<bool> made = make(png); // another window may be taking pictures, too
+        const Result<bool> made = make(png); // another window may save screenshots in the same directory
         if (!made)
             return tl::unexpected(made.error());
         if (!*made)

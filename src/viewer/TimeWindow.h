@@ -6,27 +6,27 @@
 
 namespace limen::viewer {
 
-/// Figures of the last few seconds.
+/// A sliding window over the values of the last seconds.
 class TimeWindow {
 public:
-    /// Keeps what is less than `seconds` old.
+    /// Keeps values younger than `seconds`.
     explicit TimeWindow(double seconds = 5.0) : seconds_(seconds) {}
 
-    /// `now` never decreases, seconds. Values that are no numbers, of clocks that have not answered yet, are left out.
+    /// Adds a value at time `now`, seconds; `now` never decreases. NaN, from timers without a result yet, is ignored.
     void add(double now, double value);
 
-    /// Of the values that are kept; NaN if there are none.
+    /// Median and 95th percentile; NaN without values.
     [[nodiscard]] double median() const { return quantile(0.5); }
     [[nodiscard]] double p95() const { return quantile(0.95); }
     [[nodiscard]] std::size_t count() const { return samples_.size(); }
-    /// The one that was added as the `index`-th of those that are kept, 0..count()-1.
+    /// The value at `index`, 0..count()-1, oldest first.
     [[nodiscard]] double value(std::size_t index) const { return samples_[index].value; }
 
 private:
     struct Sample {
         double time = 0.0, value = 0.0;
     };
-    /// The smallest value that a share `q` of all do not exceed.
+    /// The smallest value that at least a share `q` of all values do not exceed.
     [[nodiscard]] double quantile(double q) const;
 
     double seconds_;

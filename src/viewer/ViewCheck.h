@@ -8,22 +8,23 @@
 
 namespace limen::viewer {
 
-/// One view held against the ray rule, as `limen check` judges.
+/// The comparison of one view with the ray rule, by the criteria of `limen check`.
 struct ViewVerdict {
     check::Comparison comparison;
     output::Picture picture; ///< pictureOfVerdicts
-    double seconds = 0.0;    ///< it took
+    double seconds = 0.0;    ///< duration of the check
 };
 
-/// Checks single views of what a session has loaded. Keeps the world as the rays see it, which takes a second to make, until
-/// another is loaded.
+/// Checks single views of a session's loaded world. Caches the reference's form of the world, which takes about a
+/// second to build, until the session shows another part.
 class ViewCheck {
 public:
-    /// Draws a frame of ids and layers: draw the one to show again. Requires a loaded world. Errors: those of drawing.
-    [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameRequest& eye);
+    /// Draws a frame of ids and layers, so the caller must redraw the frame to show. Requires a loaded world. Errors:
+    /// those of drawing.
+    [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameRequest& request);
 
 private:
-    std::shared_ptr<const engine::LoadedPart> world_; ///< that traced_ is of
+    std::shared_ptr<const engine::LoadedPart> world_; ///< the part of traced_
     std::optional<check::TracedWorld> traced_;
 };
 

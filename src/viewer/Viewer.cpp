@@ -11,7 +11,7 @@
 namespace limen::viewer {
 namespace {
 
-/// The options of `shot` that are the session's and change pictures.
+/// The session options of `shot` that change pictures.
 std::string pictureOptions(const engine::SessionOptions& options) {
     const world::LoadOptions usual;
     std::string text;
@@ -40,9 +40,9 @@ Viewer::Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, 
     : window_(window), device_(device), session_(session), panel_(window), stream_(session),
       play_(session, std::move(start), &stream_), bindings_(std::move(keys.bindings)),
       keysFile_(std::move(keys.file)), screenshots_(std::move(screenshots)) {
-    start_ = eye().camera.eye;
+    start_ = request().camera.eye;
     lastSeconds_ = window_.seconds();
-    device_.restoreState(); // the panel has set up its own things
+    device_.restoreState(); // ImGui's setup changed GL state
 }
 
 Result<void> Viewer::frame(double fixedSeconds) {
@@ -54,7 +54,7 @@ Result<void> Viewer::frame(double fixedSeconds) {
     if (Result<void> moved = play_.step(takeInput(fixedSeconds > 0.0 ? fixedSeconds : frameSeconds_)); !moved)
         return moved;
     if (stream_.hasRefused())
-        notice("that place cannot be loaded");
+        notice("this place cannot be loaded; choose another one");
     if (const std::optional<PixelPlace> clicked = window_.clicked()) {
         if (Result<void> picked = pick(*clicked); !picked)
             return picked;
@@ -67,15 +67,15 @@ Result<void> Viewer::frame(double fixedSeconds) {
         if (Result<void> kept = keepPicture(); !kept)
             return kept;
     }
-    if (verdict_ && !isSameView(eye(), checkedFrom_))
+    if (verdict_ && !isSameView(request(), checkedFrom_))
         verdict_.reset();
     const std::optional<frame::Highlight> pulse = selectionPulse();
     engine::DrawOptions options{.ids = switches_.ids || switches_.depth};
     if (pulse)
         options.highlights = std::span(&*pulse, 1);
-    if (Result<void> drawn = session_.draw(eye(), options); !drawn)
+    if (Result<void> drawn = session_.draw(request(), options); !drawn)
         return drawn;
-    probed_ = probe_ ? probe_->see({frames_, eye().scene.seconds, session_.part().world, eye(),
+    probed_ = probe_ ? probe_->see({frames_, request().scene.seconds, session_.part().world, request(),
                                     session_.visible(), session_.plan(), session_.figures().glCalls})
                      : std::string();
     overlay();
@@ -83,8 +83,8 @@ Result<void> Viewer::frame(double fixedSeconds) {
 }
 
 bool Viewer::isAtStart() {
-    constexpr double kUnderWay = 1.5; // metres; who has got so far knows how
-    hasLeft_ = hasLeft_ || glm::length(eye().camera.eye - start_) > kUnderWay;
+    constexpr double kUnderWay = 1.5; // metres; after this distance the greeting is no longer needed
+    hasLeft_ = hasLeft_ || glm::length(request().camera.eye - start_) > kUnderWay;
     return !hasLeft_;
 }
 
@@ -101,14 +101,14 @@ std::string Viewer::doorInReach() const {
 std::string Viewer::noticeText() const {
     if (lastSeconds_ < notice_.until)
         return notice_.text;
-    return play_.goingTo().empty() ? std::string() : fmt::format("going to {} ...", play_.goingTo());
+    return play_.goingTo().empty() ? std::string() : fmt::format("loading {} ...", play_.goingTo());
 }
 
 std::vector<std::string> Viewer::openDoors() const {
     std::vector<std::string> names;
     const std::vector<world::Door>& doors = session_.part().world.doors;
     for (std::size_t i = 0; i < doors.size(); ++i)
-        if (eye().scene.doors.value_or(i < eye().scene.eachDoor.size() ? eye().scene.eachDoor[i]
+        if (request().scene.doors.value_or(i < request().scene.eachDoor.size() ? request().scene.eachDoor[i]
                                                                        : doors[i].open) > 0.0)
             names.push_back(doors[i].name);
     return names;
@@ -169,7 +169,7 @@ void Viewer::press(Action action) {
     case Action::Rain:
         return act({play::PlayActKind::Weather});
     case Action::Later:
-        return act({play::PlayActKind::Time, std::fmod(eye().scene.time + 1.0 / 24.0, 1.0)});
+        return act({play::PlayActKind::Time, std::fmod(request().scene.time + 1.0 / 24.0, 1.0)});
     case Action::Leave:
         leaving_ = true;
         return;
@@ -192,20 +192,20 @@ void Viewer::rebind(KeyCode key) {
 void Viewer::keepBindings(KeyBindings bindings) {
     bindings_ = std::move(bindings);
     const Result<void> written = writeKeyBindings(keysFile_, bindings_);
-    notice(written ? "keys kept in " + keysFile_.string() : written.error().message());
+    notice(written ? "keys saved in " + keysFile_.string() : written.error().message());
 }
 
 Result<void> Viewer::keepPicture() {
     wantsPicture_ = false;
-    if (Result<void> drawn = session_.draw(eye(), {}); !drawn)
+    if (Result<void> drawn = session_.draw(request(), {}); !drawn)
         return drawn;
     const output::Picture picture =
-        output::pictureFromRgba(eye().size.width, eye().size.height, session_.target().readColour());
+        output::pictureFromRgba(request().size.width, request().size.height, session_.target().readColour());
     const Result<std::filesystem::path> kept =
         keepScreenshot(screenshots_, picture,
-                       engine::reproduction(session_.part().world, eye(), session_.source().datOption) +
+                       engine::reproduction(session_.part().world, request(), session_.source().datOption) +
                            pictureOptions(session_.options()));
-    notice(kept ? kept->string() : kept.error().message()); // a full disk is no reason to leave
+    notice(kept ? kept->string() : kept.error().message()); // a full disk does not end the program
     return {};
 }
 
@@ -218,39 +218,39 @@ void Viewer::freeze() {
     if (frozen_)
         frozen_.reset();
     else
-        frozen_ = FrozenFlood{engine::viewOf(eye().camera, eye().size, eye().root), session_.visible(),
+        frozen_ = FrozenFlood{engine::viewOf(request().camera, request().size, request().root), session_.visible(),
                               portalsNow()};
 }
 
 std::vector<PortalTrace> Viewer::portalsNow() {
-    session_.tracePortals(eye(), trace_);
+    session_.tracePortals(request(), trace_);
     return portalTraces(trace_);
 }
 
 ResidencyMap Viewer::residency() const {
     const world::World& world = session_.part().world;
-    const dat::BlockCoord here = blockOf(world, eye().root, eye().camera.eye);
+    const dat::BlockCoord here = blockOf(world, request().root, request().camera.eye);
     const dat::BlockCoord player =
-        eye().scene.body ? blockOf(world, eye().scene.body->space, eye().scene.body->feet) : here;
+        request().scene.body ? blockOf(world, request().scene.body->space, request().scene.body->feet) : here;
     return residencyMap(world, here, player, session_.options().load.radius + 1);
 }
 
 const play::PlayInput& Viewer::takeInput(double seconds) {
     const HeldInput& held = window_.held();
     for (const play::PlayAct& done :
-         wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::Walk::kNearest}))
+         wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::WalkingBody::kNearest}))
         act(done);
     input_ = inputOf(held, seconds);
-    input_.isFrozen = verdict_.has_value(); // the world stands still under a verdict
+    input_.isFrozen = verdict_.has_value(); // the world stops while a verdict is shown
     input_.size = window_.size();
     input_.acts = std::exchange(acts_, {});
     return input_;
 }
 
 Result<void> Viewer::pick(const PixelPlace& place) {
-    if (place.x >= eye().size.width || place.y >= eye().size.height)
-        return {}; // the window has shrunk since
-    Result<engine::Picked> picked = session_.pick(eye(), place.x, place.y);
+    if (place.x >= request().size.width || place.y >= request().size.height)
+        return {}; // the window has shrunk since the frame
+    Result<engine::Picked> picked = session_.pick(request(), place.x, place.y);
     if (!picked)
         return tl::unexpected(picked.error());
     const bool isSame = picked_ && picked->object != 0 && picked->object == picked_->object &&
@@ -266,11 +266,11 @@ Result<void> Viewer::check() {
         verdict_.reset();
         return {};
     }
-    Result<ViewVerdict> verdict = viewCheck_.check(session_, eye());
+    Result<ViewVerdict> verdict = viewCheck_.check(session_, request());
     if (!verdict)
         return tl::unexpected(verdict.error());
     verdict_ = std::move(*verdict);
-    checkedFrom_ = eye();
+    checkedFrom_ = request();
     return {};
 }
 
@@ -279,19 +279,19 @@ std::optional<frame::Highlight> Viewer::selectionPulse() const {
     constexpr std::uint32_t kYellow = 0x0040D0FFu;
     if (!picked_ || picked_->object == 0 || picked_->isLandscape)
         return {};
-    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * eye().scene.seconds / kPulse);
+    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * request().scene.seconds / kPulse);
     const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
     return frame::Highlight{picked_->object, kYellow | strength << 24};
 }
 
 void Viewer::take(const PanelChoice& choice) {
-    if (choice.time != eye().scene.time)
+    if (choice.time != request().scene.time)
         act({play::PlayActKind::Time, choice.time});
-    if (choice.dayGroup != eye().scene.dayGroup)
+    if (choice.dayGroup != request().scene.dayGroup)
         act({play::PlayActKind::Day, static_cast<double>(choice.dayGroup)});
-    if (choice.weather != eye().scene.weather)
+    if (choice.weather != request().scene.weather)
         act({play::PlayActKind::Weather});
-    if (choice.doors != eye().scene.doors)
+    if (choice.doors != request().scene.doors)
         act({play::PlayActKind::AllDoors, choice.doors.value_or(-1.0)});
     if (choice.quality && choice.quality != session_.options().quality)
         act({play::PlayActKind::Quality, static_cast<double>(*choice.quality)});
@@ -299,7 +299,7 @@ void Viewer::take(const PanelChoice& choice) {
         act({play::PlayActKind::Place, static_cast<double>(choice.place)});
     if (choice.rebinding)
         rebinding_ = choice.rebinding;
-    if (choice.keysAsAtFirst)
+    if (choice.resetsKeys)
         keepBindings(KeyBindings());
 }
 
@@ -308,16 +308,16 @@ void Viewer::overlay() {
         switches_.ids ? session_.target().readIds() : std::vector<std::uint32_t>{};
     const std::vector<float> distances =
         switches_.depth ? session_.target().readDistances(session_.plan().constants) : std::vector<float>{};
-    device_.presentToWindow(session_.target().handle(), eye().size.width, eye().size.height);
+    device_.presentToWindow(session_.target().handle(), request().size.width, request().size.height);
     const engine::FrameFigures figures = session_.figures();
-    if (frames_++ > 0) // the first is no frame: it began when the window opened
+    if (frames_++ > 0) // the first time includes the opening of the window
         times_.add(lastSeconds_, frameSeconds_ * 1e3, figures);
     const std::optional<std::size_t> door = play_.doorInReach();
     const std::string said = noticeText();
     portals_ = !switches_.portals ? std::vector<PortalTrace>{} : frozen_ ? frozen_->portals : portalsNow();
     const ResidencyMap blocks = residency();
     const PanelFacts facts{.world = session_.part().world,
-                           .eye = eye(),
+                           .request = request(),
                            .visible = session_.visible(),
                            .plan = session_.plan(),
                            .figures = figures,

@@ -15,98 +15,98 @@
 
 namespace limen::viewer {
 
-/// Which keys do what, and the file that says so.
+/// The key bindings and their file.
 struct ViewerKeys {
     KeyBindings bindings;
-    std::filesystem::path file; ///< empty: there is no place for one
+    std::filesystem::path file; ///< empty: no configuration directory
 };
 
-/// The window's frame loop: hands to play, its eye to the frame, the frame to the window.
+/// The window's frame loop: passes input to Play, Play's request to the session, the frame to the window.
 class Viewer {
 public:
-    /// Pictures are kept in `screenshots`.
+    /// `screenshots`: the directory of saved screenshots.
     Viewer(Window& window, gpu::GlDevice& device, engine::Session& session, engine::FrameRequest start,
            ViewerKeys keys, std::filesystem::path screenshots);
 
-    /// What is to be done at the beginning of the next frame.
+    /// Queues an act for the next frame.
     void act(play::PlayAct act) { acts_.push_back(act); }
 
-    /// One frame; `fixedSeconds` > 0 takes that for the time since the last one.
+    /// Runs one frame. `fixedSeconds` > 0 replaces the measured time since the last frame.
     [[nodiscard]] Result<void> frame(double fixedSeconds);
 
-    /// Nobody sees the window: nothing is drawn and no time passes until something happens to it.
+    /// Waits for window events while the window is hidden. Draws nothing and stops the world's time.
     void rest();
 
-    /// What changed with the last frame in what was decided, if that is to be told.
+    /// The visibility changes of the last frame as JSON lines; empty unless the probe is on.
     [[nodiscard]] const std::string& probed() const { return probed_; }
     [[nodiscard]] bool isLeaving() const { return leaving_ || window_.wantsToClose(); }
-    [[nodiscard]] const engine::FrameRequest& eye() const { return play_.eye(); }
+    [[nodiscard]] const engine::FrameRequest& request() const { return play_.request(); }
     [[nodiscard]] const play::PlayInput& input() const { return input_; }
     [[nodiscard]] engine::StreamedResidency& stream() { return stream_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
     [[nodiscard]] const std::optional<engine::Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
-    [[nodiscard]] const play::Walk& walk() const { return play_.walk(); }
-    /// As Play::goingTo.
+    [[nodiscard]] const play::WalkingBody& walk() const { return play_.walk(); }
+    /// The destination that is loading; empty: none.
     [[nodiscard]] std::string_view goingTo() const { return play_.goingTo(); }
-    /// The name of the door that a key would open or shut; empty: none.
+    /// The name of the door that the use key moves; empty: none.
     [[nodiscard]] std::string doorInReach() const;
-    /// What is said over the picture just now.
+    /// The notice shown over the picture; empty: none.
     [[nodiscard]] std::string noticeText() const;
     [[nodiscard]] const std::optional<Rebinding>& rebinding() const { return rebinding_; }
     [[nodiscard]] const KeyBindings& bindings() const { return bindings_; }
     [[nodiscard]] std::span<const PortalTrace> portals() const { return portals_; }
     [[nodiscard]] WindowSizes sizes() const { return window_.sizes(); }
-    /// Of the flood that is kept; none is: 0.
+    /// The number of visits of the frozen flood; 0 without one.
     [[nodiscard]] std::size_t frozenVisits() const { return frozen_ ? frozen_->visible.visits.size() : 0; }
-    /// Names of doors that stand open, as far as they are loaded.
+    /// Names of the open doors in the loaded part.
     [[nodiscard]] std::vector<std::string> openDoors() const;
 
 private:
-    /// What keys and buttons ask for; while a key is waited for, the next one is that.
+    /// Performs the actions of pressed keys and buttons. During a rebinding the next key completes it instead.
     void takeKeys();
 
     void press(Action action);
 
-    /// The key that was waited for does that from now on, in the file as well. Escape: nothing changes.
+    /// Completes the rebinding with a key and saves the bindings. Escape cancels.
     void rebind(KeyCode key);
 
     void keepBindings(KeyBindings bindings);
 
-    /// The frame without what lies over it, in a file, and what draws it again.
+    /// Saves the frame without overlays, and the command that draws it again.
     Result<void> keepPicture();
 
-    /// Says something over the picture for a while.
+    /// Shows a notice over the picture for a few seconds.
     void notice(std::string text);
 
-    /// The last frame's flood is kept, to be flown around; once more: no longer.
+    /// Toggles the frozen flood: keeps the last frame's flood for inspection.
     void freeze();
 
-    /// What becomes of portals in the last frame's flood.
+    /// The fates of portals in the last frame's flood.
     std::vector<PortalTrace> portalsNow();
 
     /// The landblocks around eye and player.
     [[nodiscard]] ResidencyMap residency() const;
 
-    /// What hands ask of this frame.
+    /// Builds the play input of this frame.
     const play::PlayInput& takeInput(double seconds);
 
-    /// What is there is told in the panel; the same thing again, or the void: nothing is any more.
+    /// Selects the object at a pixel for the panel. The same object again, or the void, clears the selection.
     Result<void> pick(const PixelPlace& place);
 
-    /// Holds what is seen against the ray rule and shows what that says, until that changes; once more: no longer.
+    /// Toggles the check of this view against the ray rule. The verdict is shown until the view changes.
     Result<void> check();
 
-    /// The picked object comes and goes in yellow. Not the landscape: one object is a block of it, and half the window.
+    /// A pulsing yellow highlight of the picked object. Not for landscape, where an object is a whole block.
     [[nodiscard]] std::optional<frame::Highlight> selectionPulse() const;
 
-    /// Nobody has moved from where the window opened.
+    /// True until the eye leaves the start position.
     bool isAtStart();
 
-    /// What was chosen in the panel is done in the next frame.
+    /// Queues the panel's choices for the next frame.
     void take(const PanelChoice& choice);
 
-    /// The overlay stage, over the frame in the window.
+    /// Draws the overlay stage over the frame in the window.
     void overlay();
 
     Window& window_;
@@ -119,26 +119,26 @@ private:
     std::vector<play::PlayAct> acts_; ///< of the next frame
     KeyBindings bindings_;
     std::filesystem::path keysFile_;
-    std::optional<Rebinding> rebinding_; ///< a key is waited for
+    std::optional<Rebinding> rebinding_; ///< set while waiting for a key
     struct Notice {
         std::string text;
         double until = 0.0; ///< as Window::seconds
     };
     Notice notice_;
-    Vec3 start_{0.0}; ///< where the eye was at first
+    Vec3 start_{0.0}; ///< the eye's start position
     bool hasLeft_ = false;
     OverlaySwitches switches_;
     std::optional<engine::Picked> picked_;
     ViewCheck viewCheck_;
     bool wantsCheck_ = false, wantsPicture_ = false;
-    std::filesystem::path screenshots_; ///< the directory for pictures
+    std::filesystem::path screenshots_; ///< directory of screenshots
     std::optional<output::Probe> probe_;
     std::string probed_;
-    std::optional<ViewVerdict> verdict_; ///< on the view from checkedFrom_
+    std::optional<ViewVerdict> verdict_; ///< of the view checkedFrom_
     engine::FrameRequest checkedFrom_;
     std::optional<FrozenFlood> frozen_;
     visibility::FloodTrace trace_;
-    std::vector<PortalTrace> portals_; ///< that are shown
+    std::vector<PortalTrace> portals_; ///< as shown in this frame
     double lastSeconds_ = 0.0;
     double frameSeconds_ = 0.0; ///< since the last frame
     FrameWindows times_;

@@ -21,7 +21,7 @@ nlohmann::ordered_json verdictJson(const std::optional<ViewVerdict>& verdict) {
     return {{"pixels", verdict->comparison.verdicts.size()}, {"wrong", verdict->comparison.findings()}};
 }
 
-/// How many portals came to what, as far as they are shown.
+/// The number of shown portals of each fate.
 nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     const auto counts = countFates(portals);
@@ -34,19 +34,19 @@ nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
 } // namespace
 
 std::string stateJson(const engine::Session& session, const Viewer& viewer, std::size_t frames) {
-    const engine::FrameRequest& eye = viewer.eye();
+    const engine::FrameRequest& request = viewer.request();
     const nlohmann::ordered_json json{
         {"frames", frames},
-        {"eye", {eye.camera.eye.x, eye.camera.eye.y, eye.camera.eye.z}},
-        {"yaw", eye.camera.heading.yaw},
-        {"pitch", eye.camera.heading.pitch},
-        {"root", engine::spaceName(session.part().world, eye.root)},
-        {"seconds", eye.scene.seconds},
-        {"time", eye.scene.time},
-        {"day", eye.scene.dayGroup},
-        {"weather", eye.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
+        {"eye", {request.camera.eye.x, request.camera.eye.y, request.camera.eye.z}},
+        {"yaw", request.camera.heading.yaw},
+        {"pitch", request.camera.heading.pitch},
+        {"root", engine::spaceName(session.part().world, request.root)},
+        {"seconds", request.scene.seconds},
+        {"time", request.scene.time},
+        {"day", request.scene.dayGroup},
+        {"weather", request.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
         {"doors",
-         eye.scene.doors ? nlohmann::ordered_json(*eye.scene.doors) : nlohmann::ordered_json(nullptr)},
+         request.scene.doors ? nlohmann::ordered_json(*request.scene.doors) : nlohmann::ordered_json(nullptr)},
         {"open_doors", viewer.openDoors()},
         {"visits", session.visible().visits.size()},
         {"overlays",
@@ -61,11 +61,11 @@ std::string stateJson(const engine::Session& session, const Viewer& viewer, std:
         {"frozen_visits", viewer.frozenVisits()},
         {"portals", fatesJson(viewer.portals())},
         {"ui_scale", uiScaleOf(viewer.sizes()).units},
-        {"body", output::bodyJson(session.part().world, eye.scene.body)},
+        {"body", output::bodyJson(session.part().world, request.scene.body)},
         {"on_ground", viewer.walk().isOn() && viewer.walk().body().isOnGround},
         {"picked", pickedJson(viewer.picked())},
         {"checked", verdictJson(viewer.verdict())},
-        {"size", {eye.size.width, eye.size.height}},
+        {"size", {request.size.width, request.size.height}},
         {"distance", viewer.walk().distance()},
         {"loaded", {session.part().target.centre.x, session.part().target.centre.y}},
         {"going_to", viewer.goingTo()},
@@ -75,7 +75,7 @@ std::string stateJson(const engine::Session& session, const Viewer& viewer, std:
                                          : nlohmann::ordered_json(nullptr)},
         {"keys", nlohmann::ordered_json::parse(keyBindingsJson(viewer.bindings()))},
         {"gl_calls", session.figures().glCalls}};
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; // paths are any bytes
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; // replaces invalid UTF-8: paths can hold any bytes
 }
 
 } // namespace limen::viewer

@@ -4,7 +4,7 @@
 
 namespace limen::viewer {
 
-/// What a window shows after so many frames, as a line of JSON: for scripts, and for tests that follow it.
+/// The window's state after `frames` frames, as one line of JSON for scripts and tests.
 [[nodiscard]] std::string stateJson(const engine::Session& session, const Viewer& viewer, std::size_t frames);
 
 } // namespace limen::viewer

@@ -23,7 +23,7 @@ tl::unexpected<Error> refused(const char* what, const char* advice) {
                 fmt::format("{} ({}); {}", what, reason != nullptr ? reason : "no reason given", advice));
 }
 
-/// KeyCode is GLFW's numbers under our own names.
+/// KeyCode uses GLFW's numbers with its own names.
 constexpr bool isCode(std::string_view name, int glfw) {
     return keyNamed(name) == std::optional(static_cast<KeyCode>(glfw));
 }
@@ -54,14 +54,14 @@ static_assert(isCode("Keypad0", GLFW_KEY_KP_0) && isCode("Keypad9", GLFW_KEY_KP_
               isCode("RightControl", GLFW_KEY_RIGHT_CONTROL) && isCode("RightAlt", GLFW_KEY_RIGHT_ALT) &&
               isCode("RightSuper", GLFW_KEY_RIGHT_SUPER) && isCode("Menu", GLFW_KEY_MENU));
 
-/// Buttons of a gamepad that do what keys do.
+/// Gamepad buttons and their actions.
 constexpr std::array<std::pair<int, Action>, 5> kPadActions{{{GLFW_GAMEPAD_BUTTON_X, Action::Use},
                                                              {GLFW_GAMEPAD_BUTTON_Y, Action::Chase},
                                                              {GLFW_GAMEPAD_BUTTON_B, Action::Walk},
                                                              {GLFW_GAMEPAD_BUTTON_START, Action::Help},
                                                              {GLFW_GAMEPAD_BUTTON_BACK, Action::Panel}}};
 
-/// What the driver has, if it can open any window at all: "OpenGL 3.3 (llvmpipe)"; else empty.
+/// The OpenGL version that the driver offers, e.g. "3.3 (llvmpipe)"; empty if no window opens.
 std::string offeredInstead() {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -78,7 +78,7 @@ std::string offeredInstead() {
     return offer;
 }
 
-/// The screen that shows a place of the desktop; else the first; null: there is none.
+/// The monitor at a desktop position, else the primary one; null without monitors.
 GLFWmonitor* monitorOf(int x, int y) {
     int count = 0;
     GLFWmonitor** monitors = glfwGetMonitors(&count);
@@ -96,11 +96,11 @@ GLFWmonitor* monitorOf(int x, int y) {
 
 Result<std::unique_ptr<Window>> Window::open(const char* title, engine::PixelSize size) {
     if (glfwInit() != GLFW_TRUE)
-        return refused("there is no display to open a window on", "limen shot and limen tour need none");
+        return refused("no display to open a window on", "set DISPLAY, or use limen shot or limen tour");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET); // where the driver can tell
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET); // if the driver supports it
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     GLFWwindow* window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title,
@@ -108,10 +108,11 @@ Result<std::unique_ptr<Window>> Window::open(const char* title, engine::PixelSiz
     if (window == nullptr) {
         const std::string offer = offeredInstead();
         const auto error = offer.empty()
-                               ? refused("no window with OpenGL could be opened",
-                                         "limen shot needs none, and tells more of the driver")
+                               ? refused("no OpenGL window could be opened",
+                                         "use limen shot, which needs no window and reports driver faults")
                                : fail(ErrorCode::Driver, "view",
-                                      "OpenGL 4.5 is needed, core profile; the driver offers " + offer);
+                                      "OpenGL 4.5 core profile is required and the driver offers " + offer +
+                                          "; update the driver");
         glfwTerminate();
         return error;
     }
@@ -156,16 +157,16 @@ void Window::receiveKey(int key) {
         pending_.push_back(static_cast<KeyCode>(key));
 }
 
-/// The library lets go of all keys and buttons itself, after this.
+/// Afterwards GLFW reports the release of all keys and buttons itself.
 void Window::receiveFocus(bool isHere) {
     if (!isHere)
-        press_.reset(); // what it lets go of is no click
+        press_.reset(); // such a release is not a click
 }
 
 void Window::receiveButton(bool isDown) {
-    constexpr double kStill = 3.0; // a hand is never quite still
+    constexpr double kStill = 3.0; // units; a smaller movement still counts as a click
     if (isDown) {
-        glfwGetCursorPos(window_, &cursorX_, &cursorY_); // the end of a drag moves it untold
+        glfwGetCursorPos(window_, &cursorX_, &cursorY_); // the end of a drag moves the cursor without an event
         press_ = mouseIsTaken_ ? std::nullopt : std::make_optional<Press>({cursorX_, cursorY_, 0.0});
         return;
     }
@@ -275,11 +276,11 @@ bool Window::isShown() const {
 }
 
 void Window::rest() {
-    constexpr double kLongest = 0.1; // seconds: somebody may take the display away meanwhile
+    constexpr double kLongest = 0.1; // seconds, so that a lost display is noticed
     glfwWaitEventsTimeout(kLongest);
 }
 
-/// A display that goes away answers anything: then they stay as they were.
+/// A lost display returns arbitrary sizes: keep the old ones.
 void Window::takeSizes() {
     WindowSizes sizes;
     int width = 0, height = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/Parse.h"
+#include "engine/Camera.h"
 #include "output/Picture.h"
 #include "viewer/HeldInput.h"
 #include "viewer/KeyBindings.h"
@@ -15,7 +15,7 @@ struct GLFWwindow;
 
 namespace limen::viewer {
 
-/// What the panel uses itself just now.
+/// The input devices that the panel uses at the moment.
 struct Taken {
     bool mouse = false, keys = false;
 };
@@ -29,34 +29,34 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Takes in what happened since the last call. A key that was pressed and let go meanwhile counts as held once.
+    /// Processes the events since the last call. A key pressed and released in between counts as held for one frame.
     void poll(const Taken& taken, const KeyBindings& bindings);
-    /// What is to be done of what is done once, by keys and buttons pressed since the last poll.
+    /// One-shot actions since the last poll.
     [[nodiscard]] const std::vector<Action>& pressed() const { return pressed_; }
-    /// The keys with a name that were pressed since the last poll, whatever they do.
+    /// The named keys pressed since the last poll, bound or not.
     [[nodiscard]] const std::vector<KeyCode>& pressedKeys() const { return keys_; }
     [[nodiscard]] const HeldInput& held() const { return held_; }
-    /// Where the left button was pressed and let go at one place, since the last poll; the last such place.
+    /// The pixel of the last click (press and release of the left button without a drag) since the last poll.
     [[nodiscard]] std::optional<PixelPlace> clicked() const { return clicked_; }
     [[nodiscard]] bool wantsToClose() const;
-    /// True when there is no display any more: the X server has gone away.
+    /// True after the connection to the X server is lost.
     [[nodiscard]] bool isLost() const { return isLost_; }
-    /// False: it is minimised or not on the screen, and nobody sees what is drawn.
+    /// False while the window is minimised or hidden.
     [[nodiscard]] bool isShown() const;
-    /// Waits until something happens to the window, a fraction of a second at most.
+    /// Waits for a window event, at most 0.1 s.
     void rest();
     [[nodiscard]] const WindowSizes& sizes() const { return sizes_; } ///< at the last poll
-    /// Size in pixels; 1x1 at least (a window made small as an icon has none).
+    /// Size in pixels, at least 1x1 (GLFW reports 0x0 for a minimised window).
     [[nodiscard]] engine::PixelSize size() const { return sizes_.pixels; }
-    [[nodiscard]] double seconds() const; ///< since the library started
-    /// Reads what was drawn into the window, before `show`.
+    [[nodiscard]] double seconds() const; ///< since GLFW was initialised
+    /// Reads the drawn frame. Call it before `show`.
     [[nodiscard]] output::Picture read() const;
     void show();
-    /// Fills the screen that the window is on, or gives it back.
+    /// Toggles full screen on the window's monitor.
     void switchFullScreen();
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
-    /// Called by the library.
+    /// GLFW callbacks.
     void receiveKey(int key);
     void receiveFocus(bool isHere);
     void receiveButton(bool isDown);
@@ -77,17 +77,17 @@ private:
     double mouseX_ = 0.0, mouseY_ = 0.0;
     bool dragging_ = false;
     bool mouseIsTaken_ = false;
-    /// The left button, held down: where that began, and how far the cursor has come since, in the library's units.
+    /// A press of the left button: its start and the length of the cursor's path since, in GLFW's screen units.
     struct Press {
         double x = 0.0, y = 0.0;
         double wandered = 0.0;
     };
     std::optional<Press> press_;
-    double cursorX_ = 0.0, cursorY_ = 0.0; ///< as last received
+    double cursorX_ = 0.0, cursorY_ = 0.0; ///< last received position
     std::optional<PixelPlace> clicked_;
     double wheel_ = 0.0;
-    std::uint32_t padButtons_ = 0; ///< of the gamepad, that were down at the last poll; a bit each
-    /// Where the window was before it filled the screen.
+    std::uint32_t padButtons_ = 0; ///< gamepad buttons that were down at the last poll, one bit each
+    /// The window's position and size before full screen.
     struct Frame {
         int x = 0, y = 0, width = 0, height = 0;
     };

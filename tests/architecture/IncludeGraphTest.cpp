@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Reads every #include of src/ and fails when a room includes one that it may not know
+// Reads every #include of src/ and fails if a room includes a room that it must not know
 // (docs/architecture.md).
 namespace {
 
@@ -17,7 +17,7 @@ using Names = std::set<std::string>;
 
 const fs::path kRoot = LIMEN_SOURCE_DIR;
 
-/// What each room may include beside itself. The keys are all the rooms there may be.
+/// The rooms that each room may include besides itself. The keys are all rooms.
 std::map<std::string, Names> allowedRooms() {
     return {
         {"core", {}},
@@ -37,7 +37,7 @@ std::map<std::string, Names> allowedRooms() {
     };
 }
 
-/// Headers of gpu's neighbour that lead it no further: frame's plan as plain data.
+/// Headers of frame that gpu may include: the plan as plain data. They include nothing else of frame.
 bool isPlainFrameHeader(const std::string& include) {
     static const Names kPlain{"frame/FramePlan.h", "frame/GpuLayout.h", "frame/SceneUpload.h",
                               "frame/IdColour.h"};
@@ -80,12 +80,12 @@ std::vector<Include> includesUnder(const fs::path& folder) {
     return found;
 }
 
-/// Procedural worlds stand beside src/; every other room is a folder of it.
+/// The folder of a room. Procedural worlds are beside src/; every other room is a folder of src/.
 fs::path folderOf(const std::string& room) {
     return room == "worlds" ? kRoot / room : kRoot / "src" / room;
 }
 
-/// The room an include names, or "" for a library's.
+/// The room of an include, or "" for a library header.
 std::string roomOf(const std::string& include) {
     const std::string first = include.substr(0, include.find('/'));
     const bool isRoom =
@@ -160,7 +160,7 @@ TEST(IncludeGraph, thePlansHeadersKnowNoOtherRoom) {
 }
 
 TEST(IncludeGraph, theAllowedGraphHasNoCycle) {
-    // Repeatedly take away the rooms that need no room that is left; what stays is a cycle.
+    // Remove rooms without dependencies until none can be removed. The remaining rooms contain a cycle.
     auto left = allowedRooms();
     for (bool moved = true; moved;) {
         moved = false;
@@ -175,39 +175,7 @@ TEST(IncludeGraph, theAllowedGraphHasNoCycle) {
         ADD_FAILURE() << room << " is part of a cycle";
 }
 
-/// The folders of a room, by the path below src/, with those that each includes. "gpu" and "gpu/device" are two.
-std::map<std::string, Names> foldersOf(const std::string& room) {
-    std::map<std::string, Names> folders;
-    for (const Include& include : includesUnder(folderOf(room))) {
-        const std::string from =
-            fs::relative(include.file.parent_path(), folderOf(room).parent_path()).string();
-        folders[from];
-        if (roomOf(include.name) != room)
-            continue;
-        const std::string to = fs::path(include.name).parent_path().string();
-        if (to != from)
-            folders[from].insert(to);
-    }
-    return folders;
-}
-
-TEST(IncludeGraph, theFoldersOfGpuHaveNoCycle) {
-    auto left = foldersOf("gpu");
-    EXPECT_GE(left.size(), 4u);
-    for (bool moved = true; moved;) {
-        moved = false;
-        for (auto it = left.begin(); it != left.end();) {
-            const bool free = std::none_of(it->second.begin(), it->second.end(),
-                                           [&](const std::string& folder) { return left.contains(folder); });
-            it = free ? left.erase(it) : std::next(it);
-            moved = moved || free;
-        }
-    }
-    for (const auto& [folder, needs] : left)
-        ADD_FAILURE() << folder << " is part of a cycle";
-}
-
-/// The limen targets that a CMakeLists.txt links for the targets that match.
+/// The limen targets that a CMakeLists.txt links to matching targets.
 Names linkedRooms(const fs::path& cmakeLists) {
     static const std::regex kTarget(R"(limen::(\w+))");
     std::ifstream in(cmakeLists);
@@ -222,8 +190,7 @@ TEST(LinkGraph, noRoomLinksOneItMayNotKnow) {
     const auto allowed = allowedRooms();
     for (const std::string& room : roomsThere()) {
         for (const std::string& other : linkedRooms(folderOf(room) / "CMakeLists.txt")) {
-            // gpu may link nothing of frame's but its headers; the library itself brings world and visibility
-            // along.
+            // gpu may link only frame's headers, because the library depends on world and visibility.
             EXPECT_TRUE(other == room || allowed.at(room).contains(other))
                 << room << " links limen::" << other;
         }
@@ -246,7 +213,7 @@ TEST(Examples, theFloodNeedsOnlyVisibilityGeometryAndCore) {
 }
 
 TEST(Examples, theFloodsTargetLinksOnlyVisibilityGeometryAndCore) {
-    // A target named flood* or example_flood* in examples/CMakeLists.txt: its target_link_libraries line.
+    // The target_link_libraries line of a target flood* or example_flood* in examples/CMakeLists.txt.
     static const std::regex kLine(R"(target_link_libraries\(\s*((?:example_)?flood\w*)([^)]*)\))");
     static const std::regex kTarget(R"(limen::(\w+))");
     std::ifstream in(kRoot / "examples" / "CMakeLists.txt");

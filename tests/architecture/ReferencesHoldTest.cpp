@@ -20,7 +20,7 @@
 //   world/Zones.h, `Zones.h`           in comments and Markdown: a source file whose path ends so
 //   `Suite.test`, `Suite.test…`        in Markdown: a test, or the beginning of its name
 // Placeholders are written in capitals: NAME.cpp, NAMETest.cpp, SUITE.test; and room/Header.h.
-// Limits: the contents of fences are not read; text outside of back quotes is read for links only.
+// Limits: fences are not checked; text outside of back quotes is checked for links only.
 namespace limen::references {
 namespace {
 
@@ -55,7 +55,7 @@ std::vector<std::string> linesOf(std::string_view text) {
     return lines;
 }
 
-/// Markdown lines outside of fences; those within are empty, so that line numbers stay.
+/// The lines of a Markdown page. Lines inside fences are empty, so that line numbers stay.
 std::vector<std::string> proseLines(std::string_view text) {
     std::vector<std::string> lines = linesOf(text);
     bool inFence = false;
@@ -148,7 +148,7 @@ public:
             path.pop_back();
         return hasFile(path) || folders_.contains(path);
     }
-    /// Of a path from the root. `src/world/Zones.` is how pages that name a concept mean its header and source.
+    /// Whether the path of some file starts so. `src/world/Zones.` cites the header and source of a concept.
     [[nodiscard]] bool hasStart(const std::string& start) const {
         const auto found = files_.lower_bound(start);
         return found != files_.end() && found->first.starts_with(start);
@@ -198,7 +198,7 @@ private:
 /// A word of a line that may be a path: letters, digits and _ . / - #, without full stops at its end.
 struct Token {
     std::string text;
-    std::size_t end = 0; ///< behind it, in the line
+    std::size_t end = 0; ///< position after the word in the line
 };
 
 std::vector<Token> tokensOf(std::string_view line) {
@@ -218,7 +218,7 @@ std::vector<Token> tokensOf(std::string_view line) {
     return tokens;
 }
 
-/// Whether the text behind a page names a heading in words: in quotes, by its number, or as one of `headings`.
+/// Whether the text after a page cites a heading in words: in quotes, by number, or as one of `headings`.
 bool namesHeading(std::string_view rest, const std::vector<Heading>& headings) {
     const std::size_t first = std::min(rest.find_first_not_of(" ,("), rest.size());
     std::string_view start = rest.substr(first);
@@ -232,7 +232,7 @@ bool namesHeading(std::string_view rest, const std::vector<Heading>& headings) {
     });
 }
 
-/// `rest` and the line below it if a citation continues there.
+/// `rest`, with the line below appended if a citation continues there.
 std::string withNext(std::string_view rest, std::string_view next) {
     if (rest != "," && rest != ", ")
         return std::string(rest);
@@ -264,7 +264,7 @@ bool isOfALibrary(const std::string& header) {
     return header.starts_with("GLFW/");
 }
 
-/// Names that stand for any: NAME.cpp, src/cli/NAMEVerb.cpp, room/Header.h, SUITE.test.
+/// Whether a name is a placeholder: NAME.cpp, src/cli/NAMEVerb.cpp, room/Header.h, SUITE.test.
 bool isPlaceholder(const std::string& name) {
     const std::string stem = fs::path(name).stem().string();
     const auto isIn = [&](int (*kind)(int)) {
@@ -274,7 +274,8 @@ bool isPlaceholder(const std::string& name) {
            (isIn(std::isupper) && !isIn(std::islower));
 }
 
-/// The text of a source file with everything but comments replaced by spaces; line ends stay. Scripts and CMake files comment behind #, all others as C++ does.
+/// A source file's text in which everything except comments and line ends is replaced by spaces. Scripts and CMake files
+/// have # comments, other files those of C++.
 std::string onlyComments(std::string_view text, bool isScript) {
     std::string out(text.size(), ' ');
     enum class In { Code, Line, Block, String, Character, Raw } in = In::Code;
@@ -440,7 +441,7 @@ std::string textOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// This source tree. Files that are no text are in it with empty texts, since links name pictures.
+/// The source tree. Binary files have empty texts; they are listed because links cite pictures.
 Repository readRepository() {
     const fs::path root = LIMEN_SOURCE_DIR;
     Repository repository;
@@ -470,7 +471,7 @@ TEST(ReferencesHold, everyCitedFileHeadingAndTestExists) {
             ADD_FAILURE() << fault;
 }
 
-/// A small tree to try the scanner on. Its citations are written with @ for docs/, so that this file has none of them.
+/// A small tree to test the scanner. Its citations have @ for docs/, so that this file itself contains no citation.
 class ReferencesScanner : public testing::Test {
 protected:
     ReferencesScanner() {

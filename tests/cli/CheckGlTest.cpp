@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-// `limen check` on the built-in world, as people run it.
+// `limen check` on the built-in world, run as a process.
 namespace limen::cli {
 namespace {
 
@@ -31,7 +31,7 @@ TEST(Check, findsNothingWrongWithTheBuiltInWorld) {
     EXPECT_TRUE(std::filesystem::is_empty(runner.work() / "findings"));
 }
 
-// A body through two doorways, the eye behind it: case 23, frame by frame.
+// A body passes two doorways in third person: case 23, frame by frame.
 TEST(Check, case23_findsNothingWrongAlongAWalkSeenFromBehind) {
     const ProgramRunner runner;
     putText(runner.work() / "path", "--at cottage.front\n--eye=32532.1,34664,31.9\n--eye=32532.1,34668,32\n"
@@ -67,10 +67,10 @@ TEST(Check, continuesFromItsStateAndRefusesAnothers) {
     ASSERT_EQ(first.exit, 0) << first.err;
     auto state = nlohmann::json::parse(getText(runner.work() / "state.json"));
     EXPECT_EQ(state["totals"]["kinds"][0]["views"], 4);
-    state["totals"]["kinds"][0]["counts"][7] = 3; // as if a part that is done had found three wrong ids
+    state["totals"]["kinds"][0]["counts"][7] = 3; // as if the finished part had found three wrong ids
     putText(runner.work() / "state.json", state.dump());
     const ProgramRun second = runner.run(arguments);
-    EXPECT_EQ(second.exit, 1) << "what was found before the stop counts";
+    EXPECT_EQ(second.exit, 1) << "findings from before the stop count";
     EXPECT_EQ(nlohmann::json::parse(second.out)["disagreeing_pixels"], 3);
     EXPECT_EQ(nlohmann::json::parse(second.out)["views"], 4);
     std::vector<std::string> other = arguments;

@@ -10,16 +10,16 @@
 
 namespace limen::test {
 
-/// What a run of the program left.
+/// The result of a run of the program.
 struct ProgramRun {
-    int exit = -1; ///< 124: it did not end in time; -1: it was killed by a signal
+    int exit = -1; ///< 124: timeout; -1: killed by a signal
     std::string out, err;
     [[nodiscard]] std::size_t errorLines() const {
         return static_cast<std::size_t>(std::count(err.begin(), err.end(), '\n'));
     }
 };
 
-/// Runs build/release/limen itself (LIMEN_PROGRAM), with a cache and a working directory of its own and no display.
+/// Runs the program (LIMEN_PROGRAM) with its own cache and working directory and without a display.
 class ProgramRunner {
 public:
     [[nodiscard]] ProgramRun run(const std::vector<std::string>& arguments) const {
@@ -36,9 +36,9 @@ public:
         result.err = getText(streams_ / "err");
         return result;
     }
-    /// The directory the program runs in.
+    /// The program's working directory.
     [[nodiscard]] const TemporaryDirectory& work() const { return work_; }
-    /// Shared by the tests of one run, as people's cache is: the world is written once.
+    /// The cache, shared by the tests of one run so that the world is written once.
     [[nodiscard]] static std::filesystem::path cache() { return std::filesystem::path(LIMEN_TEST_CACHE); }
 
 private:

@@ -13,7 +13,7 @@ using test::putText;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Asserts what every refusal looks like: exit code 2, one line on standard error, nothing on standard output.
+/// Asserts the form of a refusal: exit code 2, one line on standard error, nothing on standard output.
 void expectRefusal(const ProgramRunner& runner, const std::vector<std::string>& arguments,
                    const std::string& inMessage = "") {
     const ProgramRun run = runner.run(arguments);
@@ -69,7 +69,7 @@ TEST(Program, probeTellsTheWayIntoAHouse) {
     EXPECT_LT(visits, 40u);
 }
 
-/// Into the cottage and out again.
+/// Writes a path into the cottage and out again.
 void putRoundTrip(const ProgramRunner& runner) {
     putText(runner.work() / "path", "--at cottage.front\n--eye=32532.1,34664,31.9\n--eye=32532.1,34668,32\n"
                                     "--eye=32532.1,34664,31.9\n--at cottage.front\n");
@@ -90,7 +90,7 @@ TEST(Program, overADungeonsBlockTheLandStays) {
     EXPECT_THAT(loaded, testing::ElementsAre("25 blocks from 0xA7B2FFFF to 0xABB6FFFF"));
 }
 
-/// The rooms that eyes are in along a walk, as probe tells it.
+/// The roots along a walk, as printed by probe.
 std::vector<std::string> rootsAlong(const ProgramRunner& runner, const std::string& walk) {
     const ProgramRun run = runner.run({"probe", "--walk", walk});
     EXPECT_EQ(run.exit, 0) << run.err;
@@ -117,7 +117,7 @@ TEST(Program, walksOnFootAndWalksAgain) {
         ASSERT_EQ(walked.exit, 0) << walked.err;
         EXPECT_THAT(walked.err, Not(HasSubstr("not reached")));
         EXPECT_THAT(rootsAlong(runner, "walk"), testing::ElementsAre("outside", "0xA9B40100", "outside"))
-            << "and every frame came out as when it was recorded, or exit would be 1";
+            << "exit 1 would mean a frame that differs from the recording";
     }
 }
 
@@ -132,7 +132,7 @@ TEST(Program, saysWhenAWalkComesOutOtherwise) {
     putText(runner.work() / "walk", text);
     const ProgramRun run = runner.run({"probe", "--walk", "walk"});
     EXPECT_EQ(run.exit, 1);
-    EXPECT_THAT(run.err, HasSubstr("came out otherwise"));
+    EXPECT_THAT(run.err, HasSubstr("differs from the recording"));
 }
 
 TEST(Program, refusesWalksThatAreNone) {
@@ -153,7 +153,7 @@ TEST(Program, refusesWalksThatAreNone) {
     expectRefusal(runner, {"walk", "-o", "walk", "--fps", "0"}, "--fps");
 }
 
-/// Polygons of the player's body that show in a small view.
+/// The number of visible polygons of the player's body in a small view.
 std::size_t bodyPolygonsSeen(const ProgramRunner& runner) {
     const ProgramRun run =
         runner.run({"shot", "--dat", "world", "--reference", "--size", "64x36", "--eye=32535.6,34653.6,31.6",
@@ -166,25 +166,25 @@ std::size_t bodyPolygonsSeen(const ProgramRunner& runner) {
     return seen;
 }
 
-// Files of the original game have no world.json, and their people are setup 0x02000001.
+// Original game files have no world.json; there the player's body is setup 0x02000001.
 TEST(Program, aWorldWithoutAWorldFileIsWalkedByASetupOfItsOwn) {
     const ProgramRunner runner;
     ASSERT_EQ(runner.run({"demo", "-o", "world"}).exit, 0);
     const std::filesystem::path file = runner.work() / "world" / "world.json";
     const std::string named = nlohmann::json::parse(getText(file))["player"]["model"];
-    EXPECT_GT(bodyPolygonsSeen(runner), 0u) << "world.json names one";
+    EXPECT_GT(bodyPolygonsSeen(runner), 0u) << "world.json names a body";
     std::filesystem::remove(file);
-    EXPECT_EQ(bodyPolygonsSeen(runner), 0u) << "there is no such setup";
+    EXPECT_EQ(bodyPolygonsSeen(runner), 0u) << "the default setup is missing";
 
     ASSERT_EQ(runner.run({"dat", "export", named, "--dat", "world", "--as", "raw", "-o", "records"}).exit, 0);
     std::string setup = getText(runner.work() / "records" / (named.substr(2) + ".bin"));
-    setup.replace(0, 4, std::string("\x01\x00\x00\x02", 4)); // the id stands in the record, too
+    setup.replace(0, 4, std::string("\x01\x00\x00\x02", 4)); // the record contains its id, too
     putText(runner.work() / "02000001.bin", setup);
     const std::string portal = "world/client_portal.dat";
     ASSERT_EQ(runner.run({"dat", "pack", "02000001.bin", "--base", portal, "-o", portal}).exit, 0);
     EXPECT_GT(bodyPolygonsSeen(runner), 0u);
     putText(file, R"({"format":"limen world","version":1})");
-    EXPECT_EQ(bodyPolygonsSeen(runner), 0u) << "a world file that names none";
+    EXPECT_EQ(bodyPolygonsSeen(runner), 0u) << "world.json names no body";
 }
 
 TEST(Program, refusesBadUsageWithOneLine) {
@@ -249,7 +249,7 @@ TEST(Program, refusesDirectoriesThatHoldNoWorld) {
     expectRefusal(runner, {"dat", "ls", "file"});
 }
 
-/// The built-in world in a directory of its own, to be damaged.
+/// Writes the built-in world to a directory, for damage by a test.
 void writeWorld(const ProgramRunner& runner, const std::string& name) {
     const ProgramRun run = runner.run({"demo", name});
     ASSERT_EQ(run.exit, 0) << run.err;
@@ -273,7 +273,7 @@ TEST(Program, refusesDamagedFilesByName) {
         damage(file, good.substr(0, good.size() / 2));
     }
     damage("world.json", "{ \"places\": [");
-    // Each in the other's place.
+    // The two files are swapped.
     std::filesystem::remove_all(runner.work() / "bad");
     std::filesystem::create_directory(runner.work() / "bad");
     std::filesystem::copy(runner.work() / "world/client_cell_1.dat", runner.work() / "bad/client_portal.dat");
@@ -381,7 +381,7 @@ TEST(Program, datExportWritesEachRecordInItsOwnWay) {
     expectRefusal(runner, {"dat", "export", "0x01FFFFFF"}, "0x01FFFFFF");
 }
 
-// What is taken out and packed again is what it was, to the byte.
+// Exported and packed records are equal to the originals, byte for byte.
 TEST(Program, datPackWritesWhatExportTookOut) {
     const ProgramRunner runner;
     const std::filesystem::path& work = runner.work().path();
@@ -400,7 +400,7 @@ TEST(Program, datPackWritesWhatExportTookOut) {
     ASSERT_EQ(packed.exit, 0) << packed.err;
     EXPECT_TRUE(getText(work / "made.dat") == portal);
 
-    // One record instead of another, and one less.
+    // One record replaced, one omitted.
     const std::string region = "13000000.bin";
     ASSERT_EQ(runner
                   .run({"dat", "pack", "records/" + region, "--base", "made.dat", "--without", exported[8],
@@ -450,7 +450,7 @@ TEST(Program, saysWhenStandardOutputIsFull) {
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
 }
 
-/// While it lives, programs that are started find no OpenGL driver.
+/// During its lifetime, started programs find no OpenGL driver.
 struct NoDriver {
     NoDriver() {
         for (const char* name : kNames)

@@ -16,7 +16,7 @@ using test::ProgramRunner;
 using test::putText;
 using testing::HasSubstr;
 
-/// A NumPy file read back: its header and its elements' bytes.
+/// A parsed NumPy file: its header and the bytes of its elements.
 struct Npy {
     std::string header, data;
     template <class T>
@@ -138,7 +138,7 @@ TEST(Shot, everyCellItsOwnZoneShowsTheSameIds) {
 }
 
 TEST(Shot, theReferenceShowsWhatIsDrawn) {
-    // limen check compares for good, neighbours and all; here only that the two speak of the same picture.
+    // limen check compares strictly, neighbours included. This test only shows that both produce the same picture.
     const ProgramRunner runner;
     for (const char* place : {"cottage.room", "cottage.front"}) {
         SCOPED_TRACE(place);
@@ -163,7 +163,7 @@ TEST(Shot, theReferenceShowsWhatIsDrawn) {
             if (ids[i] == others[i] && ids[i] > 1)
                 EXPECT_NEAR(depth[i], depths[i], 1e-3f * depths[i]) << i;
         }
-        EXPECT_LE(differing, ids.size() / 500) << "more than edges that round the other way";
+        EXPECT_LE(differing, ids.size() / 500) << "more pixels than edges can account for by rounding";
         const auto a = nlohmann::json::parse(getText(runner.work() / "a.json")),
                    b = nlohmann::json::parse(getText(runner.work() / "b.json"));
         for (const auto& [key, value] : a.items())

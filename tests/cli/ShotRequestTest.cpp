@@ -35,7 +35,7 @@ TEST(CheckView, refusesEachArgumentThatMakesNoSense) {
     };
     refuses(&ViewArguments::eye, "nan,0,0");
     refuses(&ViewArguments::eye, "1e300,0,0");
-    refuses(&ViewArguments::at, "hill"); // beside an eye
+    refuses(&ViewArguments::at, "hill"); // in addition to --eye
     refuses(&ViewArguments::yaw, "inf");
     refuses(&ViewArguments::pitch, "90.5");
     refuses(&ViewArguments::fov, "0");
@@ -82,7 +82,7 @@ TEST(CheckView, refusesDoorsThatMakeNoSense) {
     EXPECT_FALSE(checkView(both));
     ViewArguments two = at("1,2,3");
     two.player = two.body = "1,2,3";
-    EXPECT_FALSE(checkView(two)) << "the player is where its body is";
+    EXPECT_FALSE(checkView(two)) << "the body sets the position of the player";
 }
 
 TEST(ReadViews, takesWhatALineDoesNotSayFromTheCommandLine) {
@@ -111,7 +111,7 @@ TEST(ReadViews, takesWhatALineDoesNotSayFromTheCommandLine) {
 TEST(ReadViews, namesTheLineThatMakesNoSense) {
     const TemporaryDirectory directory;
     for (const char* bad :
-         {"--eye 1,2", "--eye 1,2,3 --what 4", "--eye 1,2,3 stray", "--eye", "--yaw 5", "--at 'open"}) {
+         {"--eye 1,2", "--eye 1,2,3 --unknown 4", "--eye 1,2,3 stray", "--eye", "--yaw 5", "--at 'open"}) {
         putText(directory / "views", std::string("--eye 1,2,3\n") + bad + "\n");
         const auto views = readViews(directory / "views", {}, {}, "out");
         ASSERT_FALSE(views) << bad;

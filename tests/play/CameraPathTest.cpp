@@ -59,7 +59,7 @@ TEST(CameraPath, keepsThePaceOfARecording) {
     for (int i = 0; i < 100; ++i)
         points.push_back(wayPoint({i < 50 ? i * 1.0 : 49.0 + (i - 49) * 0.01, 0, 0}, i * 3.0));
     EXPECT_NEAR(CameraPath(points).seconds(), 99 * CameraPath::kRecordedStep, 1e-9);
-    points.back().eye.x += 20.0; // one long stride, and it is a walk again
+    points.back().eye.x += 20.0; // one long step makes it an ordinary path
     EXPECT_GT(CameraPath(points).seconds(), 99 * CameraPath::kRecordedStep + 1.0);
 }
 

@@ -56,7 +56,7 @@ TEST(RootTracker, followsTheEyeThroughTheDoorAtOnce) {
 TEST(RootTracker, findsAnEyeThatFlewThroughTheWallAfterItsGrace) {
     const world::World world = houseWorld();
     RootTracker tracker(1);
-    EXPECT_EQ(tracker.move(world, {2, 2, 1}, {9, 2, 1}, kFrame), 1u); // lost, but not given up yet
+    EXPECT_EQ(tracker.move(world, {2, 2, 1}, {9, 2, 1}, kFrame), 1u); // lost, within the grace time
     double seconds = kFrame;
     while (seconds < RootTracker::kGraceSeconds + 2 * kFrame) {
         (void)tracker.move(world, {9, 2, 1}, {9, 2, 1}, kFrame);

@@ -11,7 +11,7 @@ RecordedFrame someFrame() {
     RecordedFrame frame;
     frame.input.seconds = 1.0 / 60.0;
     frame.input.forward = -1.0;
-    frame.input.turnRight = 0.1 + 0.2; // no short number
+    frame.input.turnRight = 0.1 + 0.2; // not a short decimal
     frame.input.jump = true;
     frame.input.size = {640, 360};
     frame.input.acts = {{PlayActKind::Use}, {PlayActKind::Time, 0.3}, {PlayActKind::Distance, 2.5}};

@@ -19,7 +19,7 @@ FrozenFlood someFlood() {
     return flood;
 }
 
-/// From the west, looking east; level.
+/// An eye in the west that looks east, level.
 visibility::View fromTheWest() {
     visibility::View eye;
     eye.eye = {-10, 4, 0};
@@ -41,7 +41,7 @@ TEST(FrozenFlood, aVisitBeginsWhereItsRaysComeIn) {
     const std::vector<PyramidLine> lines = pyramidLines(someFlood(), fromTheWest(), 1e-6);
     // Corners in the opening: (0, 4, 0), (4, 4, 0), (4, 4, 4), (0, 4, 4); seen from 10 and 14 metres away.
     EXPECT_TRUE(has(lines, 1, {0, 0}, {0, 0}) || has(lines, 1, {0, 0}, {0, 4.0 / 14}))
-        << "the lower edge is seen end on";
+        << "the lower edge projects to a point";
     EXPECT_TRUE(has(lines, 1, {0, 4.0 / 14}, {0, 4.0 / 10}));
     EXPECT_TRUE(has(lines, 1, {0, 0}, {0, 4.0 / 10}));
 }
@@ -49,7 +49,7 @@ TEST(FrozenFlood, aVisitBeginsWhereItsRaysComeIn) {
 TEST(FrozenFlood, itsEdgesGoOnAlongTheRays) {
     const std::vector<PyramidLine> lines = pyramidLines(someFlood(), fromTheWest(), 6.0);
     EXPECT_TRUE(has(lines, 1, {0, 0}, {-0.6, 0})) << "the ray straight ahead: from (0, 4, 0) to (0, 10, 0)";
-    // The root's rays come in at the eye.
+    // The root's rays enter at the eye.
     const double along = 6.0 / std::sqrt(3.0);
     EXPECT_TRUE(has(lines, 0, {0.4, 0}, Vec2(4.0 - along, along) / (10.0 - along)));
 }
@@ -63,7 +63,7 @@ TEST(FrozenFlood, whatIsBehindTheOtherEyeIsCutOff) {
     }
     eye.forward = {-1, 0, 0};
     eye.right = {0, 1, 0};
-    eye.eye.x = -10.0; // looks away from all of it
+    eye.eye.x = -10.0; // looks away from the flood
     EXPECT_TRUE(pyramidLines(someFlood(), eye, 6.0).empty());
 }
 

@@ -22,9 +22,9 @@ TEST(Gamepad, theLeftStickWalksAndRunsAllTheWayOut) {
     EXPECT_NEAR(half.forward, 0.5, 1e-6);
     EXPECT_EQ(half.right, 0.0);
     EXPECT_FALSE(half.fast);
-    const StickInput corner = inputOf({1.0f, 1.0f, 0.0f, 0.0f}, 0.1); // sticks reach farther in corners
+    const StickInput corner = inputOf({1.0f, 1.0f, 0.0f, 0.0f}, 0.1); // corners have a larger deflection
     EXPECT_NEAR(std::hypot(corner.forward, corner.right), 1.0, 1e-6);
-    EXPECT_LT(corner.forward, 0.0) << "down is back";
+    EXPECT_LT(corner.forward, 0.0) << "stick down moves back";
     EXPECT_GT(corner.right, 0.0);
     EXPECT_TRUE(corner.fast);
 }
@@ -33,8 +33,8 @@ TEST(Gamepad, theRightStickLooksSlowlyNearItsMiddle) {
     const StickInput full = inputOf({0.0f, 0.0f, 1.0f, 0.0f}, 0.5);
     EXPECT_NEAR(full.turnRight, 90.0, 1e-6) << "180 degrees a second";
     const StickInput half = inputOf({0.0f, 0.0f, 0.59f, 0.0f}, 0.5);
-    EXPECT_NEAR(half.turnRight, 22.5, 1e-5) << "a quarter for half the way";
-    EXPECT_GT(inputOf({0.0f, 0.0f, 0.0f, -1.0f}, 0.5).turnUp, 0.0) << "up is up";
+    EXPECT_NEAR(half.turnRight, 22.5, 1e-5) << "half the deflection turns a quarter as fast";
+    EXPECT_GT(inputOf({0.0f, 0.0f, 0.0f, -1.0f}, 0.5).turnUp, 0.0) << "stick up looks up";
     EXPECT_EQ(inputOf({0.0f, 0.0f, 1.0f, 1.0f}, -1.0).turnRight, 0.0);
 }
 

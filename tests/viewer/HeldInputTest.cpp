@@ -21,7 +21,7 @@ TEST(HeldInput, oppositeKeysCancelAndAMouseTurns) {
     EXPECT_TRUE(input.fast);
     EXPECT_FALSE(input.jump);
     EXPECT_DOUBLE_EQ(input.turnRight, 3.0);
-    EXPECT_DOUBLE_EQ(input.turnUp, -1.5) << "down is down";
+    EXPECT_DOUBLE_EQ(input.turnUp, -1.5) << "mouse down looks down";
 }
 
 TEST(HeldInput, sticksAndKeysTogetherAskNoMoreThanAll) {
@@ -35,14 +35,14 @@ TEST(HeldInput, sticksAndKeysTogetherAskNoMoreThanAll) {
 TEST(HeldInput, theWheelTakesTheEyeOutOfTheHead) {
     EXPECT_EQ(wheelActs(-1.0, {true, false, 3.0, 1.0}), (Acts{{Kind::Chase}, {Kind::Distance, 1.0}}));
     EXPECT_EQ(wheelActs(-3.0, {true, false, 3.0, 1.0}), (Acts{{Kind::Chase}, {Kind::Distance, 2.0}}))
-        << "the first notch leaves the head, the others go on";
-    EXPECT_TRUE(wheelActs(1.0, {true, false, 3.0, 1.0}).empty()) << "it is as near as may be";
+        << "the first notch switches to third person, the others add distance";
+    EXPECT_TRUE(wheelActs(1.0, {true, false, 3.0, 1.0}).empty()) << "first person is the nearest";
 }
 
 TEST(HeldInput, theWheelMovesTheEyeBehindTheBodyAndBackIntoTheHead) {
     EXPECT_EQ(wheelActs(-2.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 4.0}}));
     EXPECT_EQ(wheelActs(2.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 2.0}}));
-    EXPECT_EQ(wheelActs(9.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 1.0}})) << "not past it at once";
+    EXPECT_EQ(wheelActs(9.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 1.0}})) << "stops at the nearest distance first";
     EXPECT_EQ(wheelActs(1.0, {true, true, 1.0, 1.0}), (Acts{{Kind::Chase}}));
     EXPECT_EQ(wheelActs(-1.0, {true, true, 1.0, 1.0}), (Acts{{Kind::Distance, 1.5}}));
 }

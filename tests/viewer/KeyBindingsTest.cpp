@@ -90,18 +90,18 @@ TEST(KeyBindings, aFileChangesTheKeysOfTheActionsThatItNames) {
 }
 
 TEST(KeyBindings, whatIsWrongWithAFileIsSaidWithTheEntry) {
-    EXPECT_EQ(parseError("[]"), "keys.json: is not a JSON object of actions and their keys");
-    EXPECT_EQ(parseError("{"), "keys.json: is not a JSON object of actions and their keys");
-    EXPECT_EQ(parseError(R"({"fly": "F"})"), "keys.json, fly: there is no such action");
-    EXPECT_EQ(parseError(R"({"use": "Esc"})"), "keys.json, use: there is no key 'Esc'");
+    EXPECT_EQ(parseError("[]"), R"(keys.json: is not a JSON object of actions and keys, such as {"use": "F"})");
+    EXPECT_EQ(parseError("{"), R"(keys.json: is not a JSON object of actions and keys, such as {"use": "F"})");
+    EXPECT_EQ(parseError(R"({"fly": "F"})"), "keys.json, fly: unknown action; limen view --help lists the actions");
+    EXPECT_EQ(parseError(R"({"use": "Esc"})"), "keys.json, use: unknown key 'Esc'; use a name such as F, Escape or LeftShift");
     EXPECT_EQ(parseError(R"({"use": 3})"),
-              "keys.json, use: is neither the name of a key nor a list of such names");
+              R"(keys.json, use: is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
     EXPECT_EQ(parseError(R"({"use": ["F", null]})"),
-              "keys.json, use: is neither the name of a key nor a list of such names");
-    EXPECT_EQ(parseError(R"({"use": "F", "walk": "F"})"), "keys.json, use: F is the key of walk already");
-    EXPECT_EQ(parseError(R"({"rain": "W"})"), "keys.json, rain: W is the key of forward already");
-    EXPECT_EQ(parseError(R"({"rain": "E"})"), "keys.json, rain: E is the key of rise already");
-    EXPECT_EQ(parseError(R"({"use": "Q", "jump": "E"})"), "none") << "one walks, the other flies";
+              R"(keys.json, use: is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
+    EXPECT_EQ(parseError(R"({"use": "F", "walk": "F"})"), "keys.json, use: F is already the key of walk; give one of them another key");
+    EXPECT_EQ(parseError(R"({"rain": "W"})"), "keys.json, rain: W is already the key of forward; give one of them another key");
+    EXPECT_EQ(parseError(R"({"rain": "E"})"), "keys.json, rain: E is already the key of rise; give one of them another key");
+    EXPECT_EQ(parseError(R"({"use": "Q", "jump": "E"})"), "none") << "one action is for walking, the other for flying";
 }
 
 TEST(KeyBindings, aKeyIsTakenFromWhatItDidAtTheSameTimes) {
@@ -111,11 +111,11 @@ TEST(KeyBindings, aKeyIsTakenFromWhatItDidAtTheSameTimes) {
     EXPECT_EQ(keysText(bindings, Action::Use), "no key");
     EXPECT_EQ(keysText(bindings, Action::Rise), "Space");
     bindings.bind(Action::Use, key("F"), false);
-    bindings.bind(Action::Use, key("Q"), true); // also the key to sink, of those who fly
+    bindings.bind(Action::Use, key("Q"), true); // Q is also the flying key to sink
     EXPECT_EQ(keysText(bindings, Action::Use), "F or Q");
     EXPECT_EQ(keysText(bindings, Action::Sink), "Q or LeftControl");
     bindings.bind(Action::Use, key("Q"), true);
-    EXPECT_EQ(keysText(bindings, Action::Use), "F or Q") << "it is there already";
+    EXPECT_EQ(keysText(bindings, Action::Use), "F or Q") << "a key is added once";
 }
 
 TEST(KeyBindings, whatIsWrittenIsReadBackTheSame) {
@@ -139,11 +139,11 @@ TEST(KeyBindings, areKeptInAFileWhoseDirectoryIsMade) {
     std::ofstream(file) << R"({"use": "nothing"})";
     const Result<KeyBindings> wrong = readKeyBindings(file, false);
     ASSERT_FALSE(wrong);
-    EXPECT_EQ(wrong.error().message(), file.string() + ", use: there is no key 'nothing'");
+    EXPECT_EQ(wrong.error().message(), file.string() + ", use: unknown key 'nothing'; use a name such as F, Escape or LeftShift");
     EXPECT_FALSE(writeKeyBindings("", bindings));
 }
 
-/// A variable of the environment, put back at the end.
+/// Sets an environment variable and restores it at the end.
 class Variable {
 public:
     explicit Variable(const char* name) : name_(name) {

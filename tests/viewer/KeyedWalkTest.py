@@ -21,7 +21,7 @@ WindowTest.cache = sys.argv.pop(1)
 
 
 class Hands:
-    """Keys and mouse, through the server's test extension."""
+    """Sends keys and mouse events through the X server's test extension."""
 
     RIGHT_BUTTON = 3
 
@@ -59,13 +59,13 @@ class Hands:
 
 
 class KeyedWalk(WindowTest):
-    REACHED = 0.45  # metres from a way point, on the level
+    REACHED = 0.45  # horizontal metres from a way point
     DEGREES_A_PIXEL = 0.15
-    PATIENCE = 60  # frames without getting nearer
-    WORLD = ("--radius", "1")  # the way is within two landblocks
+    PATIENCE = 60  # frames without progress
+    WORLD = ("--radius", "1")  # the path is within two landblocks
 
     def way(self):
-        """The built-in world's tour from the cellar to the balcony, as places for feet."""
+        """The built-in world's tour from the cellar to the balcony, as foot positions."""
         subprocess.run([PROGRAM, "demo", self.path("world")], env=self.env, check=True, capture_output=True)
         with open(self.path("world", "world.json")) as file:
             world = json.load(file)
@@ -85,7 +85,7 @@ class KeyedWalk(WindowTest):
         return points
 
     def turn_towards(self, view, target):
-        """Moves the mouse so that the next frames look there; yields how far off this one does, degrees."""
+        """Moves the mouse so that the next frames look there. Returns the error of this frame in degrees."""
         feet = view.state["body"]["feet"]
         wanted = math.degrees(math.atan2(target[0] - feet[0], target[1] - feet[1]))
         off = (wanted - view.state["yaw"] + 180.0) % 360.0 - 180.0
@@ -94,7 +94,7 @@ class KeyedWalk(WindowTest):
         return off
 
     def open_door(self, view):
-        """If a shut door is in reach, opens it and waits until it stands open; yields whether."""
+        """Opens a closed door in reach and waits until it is open. Returns whether there was one."""
         door = view.state["door"]
         if not door or door in view.state["open_doors"]:
             return False
@@ -102,12 +102,12 @@ class KeyedWalk(WindowTest):
         self.hands.tap("e")
         view.until(lambda s: door in s["open_doors"], f"{door} opens", 60)
         self.opened.append(door)
-        for _ in range(25):  # it takes a second
+        for _ in range(25):  # the swing takes a second
             view.next()
         return True
 
     def go_to(self, view, point):
-        """Yields whether it got there: not if there was a door to open, whose leaf may have pushed one aside."""
+        """Returns whether the body arrived. False after opening a door, because its leaf can push the body aside."""
         def distance():
             feet = view.state["body"]["feet"]
             return math.dist(feet[:2], point[:2])
@@ -131,7 +131,7 @@ class KeyedWalk(WindowTest):
             if self.go_to(view, points[at]):
                 at += 1
             else:
-                at = max(at - 3, 0)  # comes again, around the leaf that stands open
+                at = max(at - 3, 0)  # tries again, around the open leaf
         self.hands.key("w", False)
         view.latest()
 
@@ -144,16 +144,16 @@ class KeyedWalk(WindowTest):
         points = self.way()
         self.roots, self.opened = set(), []
         floor = points[0][2] - 1.7
-        ground = next(i for i, p in enumerate(points) if p[2] > floor + 3.5)  # up from the cellar
+        ground = next(i for i, p in enumerate(points) if p[2] > floor + 3.5)  # the first point above the cellar
         out = next(i for i, p in enumerate(points) if p[1] < points[ground][1] - 8.0)
         inn = next(i for i in range(out, len(points)) if points[i][1] > points[out][1] + 7.0)
         with Followed(self, "--at", "cottage.cellar", "--door", "cottage.front=0", "--door", "inn.front=0", "--screenshots", "pictures",
                       "--record", "walk", *self.WORLD, size="192x108", step="0.08") as view:
             self.hands = Hands(self.display)
-            self.hands.tap("F4")  # the panel would take the mouse
+            self.hands.tap("F4")  # the panel would capture the mouse
             view.until(lambda s: not s["overlays"]["panel"], "no panel", 20)
             self.ask("mousemove", "100", "50")
-            self.hands.button(True)  # looks around all the way
+            self.hands.button(True)  # drags for the whole walk
             view.until(lambda s: s["on_ground"], "it stands")
             self.picture(view)
             cellar = view.state["root"]
@@ -196,7 +196,7 @@ class KeyedWalk(WindowTest):
             shutil.copytree(self.work.name, os.environ["LIMEN_WALK_KEEP"], dirs_exist_ok=True)
 
     def plays_again(self, frames):
-        """Every frame decides what it decided in the window: eye, root, visits, what is where."""
+        """Replays every frame and compares its decisions with the window's: eye, root, visits, dynamic state."""
         with open(self.path("walk")) as walk:
             self.assertGreaterEqual(len(walk.readlines()), frames)
         again = subprocess.run([PROGRAM, "probe", "--walk", "walk", *self.WORLD], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)

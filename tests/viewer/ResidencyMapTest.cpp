@@ -23,7 +23,7 @@ world::World someWorld() {
     world.portals.resize(2);
     world.portals[0].space = world::kOutside;
     world.portals[0].block = 0;
-    world.portals[1].space = 1; // leads out again: not a building's
+    world.portals[1].space = 1; // leads outside: not a building portal
     world.portals[1].block = 0;
     return world;
 }
@@ -48,7 +48,7 @@ TEST(ResidencyMap, tellsOfEachBlockWhatItHoldsAndCountsAll) {
     EXPECT_EQ(map.blocks[4].buildingPortals, 1u);
     EXPECT_FALSE(map.blocks[5].hasTerrain);
     EXPECT_EQ(map.blocks[5].cells, 1u);
-    EXPECT_EQ(map.loaded, 3u) << "one of them is not on the map";
+    EXPECT_EQ(map.loaded, 3u) << "one loaded block is not on the map";
     EXPECT_EQ(map.terrains, 2u);
     EXPECT_EQ(map.cells, 3u);
     EXPECT_EQ(map.buildingPortals, 1u);

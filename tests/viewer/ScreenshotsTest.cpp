@@ -33,7 +33,7 @@ TEST(Screenshots, nothingIsWrittenOver) {
     const Result<std::filesystem::path> kept =
         keepScreenshot(directory.path(), output::Picture(1, 1), "limen shot");
     ASSERT_TRUE(kept);
-    EXPECT_EQ(*kept, directory / "limen-12001.png") << "after the largest, whatever kind of file it is";
+    EXPECT_EQ(*kept, directory / "limen-12001.png") << "after the largest number of any kind of file";
     EXPECT_EQ(contents(directory / "limen-0007.txt"), "mine");
     EXPECT_EQ(contents(directory / "limen-12000.png"), "mine");
 }
@@ -44,7 +44,7 @@ TEST(Screenshots, aDirectoryThatIsMissingIsSaidAndNothingIsLeft) {
         keepScreenshot(directory / "none", output::Picture(1, 1), "limen shot");
     ASSERT_FALSE(kept);
     EXPECT_NE(kept.error().message().find("none"), std::string::npos);
-    EXPECT_FALSE(keepScreenshot(directory.path(), output::Picture(), "limen shot")) << "no pixels";
+    EXPECT_FALSE(keepScreenshot(directory.path(), output::Picture(), "limen shot")) << "an empty picture";
     EXPECT_EQ(directory.entryCount(), 0u);
 }
 

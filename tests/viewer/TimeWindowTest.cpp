@@ -21,7 +21,7 @@ TEST(TimeWindow, tellsMedianAndP95OfWhatItHolds) {
         window.add(1.0, i);
     EXPECT_EQ(window.median(), 50.0);
     EXPECT_EQ(window.p95(), 95.0);
-    EXPECT_EQ(window.value(0), 100.0) << "in the order in which they came";
+    EXPECT_EQ(window.value(0), 100.0) << "in order of addition";
     EXPECT_EQ(window.value(99), 1.0);
     TimeWindow one;
     one.add(0.0, 7.0);

@@ -1,4 +1,4 @@
-"""What happens to the window: sizes, icons, other windows, screens that go away.
+"""Events of the window: resizing, minimising, other windows, a lost display.
 
 Usage: ViewEventsTest.py PROGRAM CACHE [unittest arguments]
 """
@@ -17,7 +17,7 @@ WindowTest.cache = sys.argv.pop(1)
 
 
 class Desktop:
-    """What a window manager does, for there is none on the test's server."""
+    """Performs the tasks of a window manager, because the test's server has none."""
 
     ICONIC, NORMAL = 3, 1
 
@@ -41,7 +41,7 @@ class Desktop:
         self.x.XSync(self.display, 0)
 
     def take_keys(self):
-        """Opens a window of its own and gives it the keys."""
+        """Opens another window and gives it the keyboard focus."""
         other = ctypes.c_ulong(self.x.XCreateSimpleWindow(self.display, self.root, 700, 500, 50, 50, 0, ctypes.c_ulong(0), ctypes.c_ulong(0)))
         self.x.XMapWindow(self.display, other)
         self.x.XSync(self.display, 0)
@@ -72,7 +72,7 @@ class ViewEvents(WindowTest):
         with Followed(self, *self.VIEW, size="320x180", step=None) as view:
             before = view.latest()
             desktop.set_state(view.window, Desktop.ICONIC)
-            while True:  # frames that were on their way
+            while True:  # frames already in progress
                 try:
                     before = view.next(5)
                 except Exception:
@@ -83,7 +83,7 @@ class ViewEvents(WindowTest):
             desktop.set_state(view.window, Desktop.NORMAL)
             after = view.next()
             self.assertEqual(after["frames"], before["frames"] + 1)
-            self.assertLess(after["seconds"] - before["seconds"], 2.0, "the time as an icon is no time")
+            self.assertLess(after["seconds"] - before["seconds"], 2.0, "time stops while minimised")
             view.latest()
             self.ask("windowfocus", view.window)
             self.assertEqual(view.leave(), (0, ""))
@@ -101,7 +101,7 @@ class ViewEvents(WindowTest):
                 self.ask("mousemove_relative", "5", "0")
                 view.next()
             desktop = Desktop(self.display)
-            desktop.take_keys()  # W stays down
+            desktop.take_keys()  # W is still pressed
             view.latest()
             for _ in range(12):
                 view.next()
@@ -110,7 +110,7 @@ class ViewEvents(WindowTest):
             self.ask("mousemove_relative", "40", "0")
             view.latest()
             self.assertEqual(view.next()["yaw"], still["yaw"], "nobody turns")
-            self.assertIsNone(view.state["picked"], "letting go is no click")
+            self.assertIsNone(view.state["picked"], "a release by focus loss is not a click")
             self.ask("keyup", "w", "mouseup", "1")
             self.ask("windowfocus", view.window)
             start = view.latest()["eye"]
@@ -135,9 +135,9 @@ class ViewEvents(WindowTest):
             self.assertGreater(len(walk.readlines()), 2)
 
     def test_without_a_display_or_the_gl_it_says_what_is_missing(self):
-        for environment, what in (({"DISPLAY": ":987"}, "there is no display"),
+        for environment, what in (({"DISPLAY": ":987"}, "no display to open a window on"),
                                   ({"MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"},
-                                   "OpenGL 4.5 is needed, core profile; the driver offers 3.3")):
+                                   "OpenGL 4.5 core profile is required and the driver offers 3.3")):
             done = subprocess.run([PROGRAM, "view", "--frames", "1"], env=dict(self.env, **environment), cwd=self.work.name,
                                   capture_output=True, text=True, timeout=120)
             self.assertEqual(done.returncode, 2)

@@ -1,4 +1,4 @@
-"""The window, driven by real key events on an X server of its own.
+"""The window, driven by real key events on its own X server.
 
 Usage: ViewWindowTest.py PROGRAM CACHE [unittest arguments]
 """
@@ -18,8 +18,8 @@ WindowTest.cache = sys.argv.pop(1)
 
 
 def patiently(test):
-    """Runs a test that presses keys a second time with longer waits if it fails: on a busy machine the first frames take seconds,
-    and keys that were pressed and let go meanwhile are not seen."""
+    """Repeats a failed test once with longer waits. On a busy machine the first frames take seconds, and keys pressed and
+    released in between are lost."""
     @functools.wraps(test)
     def run(self):
         try:
@@ -37,14 +37,15 @@ class ViewWindow(WindowTest):
         self.ask(*arguments)
 
     def script(self, *arguments):
-        """Runs the window for a number of frames; yields what it printed."""
+        """Runs the window for a number of frames. Returns its output."""
         done = subprocess.run([PROGRAM, "view", "--size", "480x270", "--json", *arguments], env=self.env, cwd=self.work.name,
                               capture_output=True, text=True, timeout=240)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
     def drive(self, steps, *arguments):
-        """Opens the window, lets `steps` press keys, leaves with Escape; yields what it printed last, `self.probed` what before."""
+        """Opens the window, runs `steps` to press keys, quits with Escape. Returns the last output line; earlier ones are in
+        `self.probed`."""
         view = subprocess.Popen([PROGRAM, "view", "--size", "480x270", "--json", *arguments], env=self.env, cwd=self.work.name,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         try:
@@ -158,16 +159,16 @@ class ViewWindow(WindowTest):
         self.assertEqual([e["root"] for e in events if e["event"] == "root"][-1], last["root"])
 
     def replay(self, walk):
-        """A walk's frames as they were recorded, and what is told of them when it is played again, as it has to be without a difference."""
+        """Returns a walk's recorded frames and the events of its replay, which must equal the recording."""
         with open(os.path.join(self.work.name, walk)) as file:
             lines = [json.loads(line) for line in file]
         again = subprocess.run([PROGRAM, "probe", "--walk", walk], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
         self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertNotIn("otherwise", again.stderr)
+        self.assertNotIn("differs", again.stderr)
         return lines, [json.loads(line) for line in again.stdout.splitlines()]
 
     def test_a_flight_into_other_blocks_comes_out_the_same_again(self):
-        # Over the eastern border of a block, beyond the leash; blocks are streamed in.
+        # Over the eastern border of a block, beyond the hysteresis: blocks are streamed in.
         with Followed(self, "--fly", "--eye=32440,34850,120", "--yaw", "90", "--pitch", "0", "--record", "flight", size="160x90") as view:
             self.assertEqual(view.state["loaded"], [168, 181])
             for key in ("shift", "w"):
@@ -184,7 +185,7 @@ class ViewWindow(WindowTest):
         self.assertTrue([event for event in told if event["event"] == "loaded"])
 
     def test_places_far_away_are_gone_to_while_the_world_is_drawn_and_come_out_the_same_again(self):
-        # Block by block, so that the next one is far away.
+        # Block by block, so that the next part is far away.
         with Followed(self, "--at", "cottage.front", "--radius", "0", "--far", "0", "--record", "jumps", size="160x90") as view:
             before = view.state["eye"]
             view.press("1")
@@ -232,7 +233,7 @@ class ViewWindow(WindowTest):
             view.press("F1")
             view.until(lambda s: s["overlays"]["help"], "help")
             view.latest()
-            # The help page stands in the middle of the window; the row of "the door before you" and its first button.
+            # The help page is centred in the window. This is the first key button in the row of the action "use".
             self.ask("mousemove", str(self.USE_KEY[0]), str(self.USE_KEY[1]), "click", "1")
             view.until(lambda s: s["rebinding"], "a key is waited for")
             view.press("Escape")
@@ -247,8 +248,8 @@ class ViewWindow(WindowTest):
 
     def test_a_keys_file_that_is_wrong_is_refused_in_a_line(self):
         os.makedirs(self.path("config", "limen"))
-        for text, what in (('{"fly": "F"}', "fly: there is no such action"), ('{"use": "Esc"}', "use: there is no key 'Esc'"),
-                           ('{"use": "G"}', "use: G is the key of walk already")):
+        for text, what in (('{"fly": "F"}', "fly: unknown action"), ('{"use": "Esc"}', "use: unknown key 'Esc'"),
+                           ('{"use": "G"}', "use: G is already the key of walk")):
             with open(self.path("config", "limen", "keys.json"), "w") as file:
                 file.write(text)
             done = subprocess.run([PROGRAM, "view", "--frames", "1"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=60)
@@ -292,7 +293,7 @@ class ViewWindow(WindowTest):
             shown = view.until(lambda s: s["overlays"]["portals"], "portals")
             self.assertEqual(shown["portals"]["admitted"], shown["visits"] - 1)
             self.assertGreater(shown["portals"]["the eye is behind it"], 0)
-            view.press("o")  # they swing open first, for some rest shut
+            view.press("o")  # they swing open first, because some are closed in the data
             view.until(lambda s: s["doors"] == 1.0, "all doors are open")
             view.press("o")
             shut = view.until(lambda s: s["doors"] == 0.0, "all doors are shut")

@@ -1,4 +1,4 @@
-"""A window on an X server of the test's own, driven by real keys and mouse and watched frame by frame."""
+"""A window on the test's own X server, driven by real keys and mouse and observed frame by frame."""
 
 import json
 import os
@@ -12,7 +12,7 @@ import zlib
 
 
 def start_server():
-    """An Xvfb that has chosen a free display itself."""
+    """An Xvfb that chooses a free display itself."""
     read, write = os.pipe()
     server = subprocess.Popen(
         ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
@@ -27,7 +27,7 @@ def start_server():
 
 
 def png_pixels(path):
-    """Width, height and the raw bytes of an 8-bit RGB picture, filters undone."""
+    """Width, height and pixel bytes of an 8-bit RGB PNG, with filters undone."""
     with open(path, "rb") as file:
         data = file.read()
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
@@ -53,7 +53,7 @@ def png_pixels(path):
 
 
 class Followed:
-    """A window whose frames are told one by one (`--tell`), so that a test waits for what happens and not for a clock."""
+    """A window that prints the state of every frame (`--tell`), so that a test waits for states instead of a clock."""
 
     def __init__(self, test, *arguments, size="480x270", step="0.0333", environment=None, find=True):
         self.test = test
@@ -88,7 +88,7 @@ class Followed:
         self.lines.put(None)
 
     def next(self, seconds=120):
-        """The next frame's state. Fails when the window is gone."""
+        """The next frame's state. Fails after the window has closed."""
         state = self.lines.get(timeout=seconds)
         if state is None:
             self.ended = True
@@ -99,14 +99,14 @@ class Followed:
         return state
 
     def latest(self):
-        """The last frame's state that has been told; at least one more than before."""
+        """The latest printed state, at least one frame newer than the last one returned."""
         self.next()
         while not self.lines.empty():
             self.next()
         return self.state
 
     def until(self, holds, what, frames=2000):
-        """Goes on until a frame of which that holds."""
+        """Reads frames until the condition holds."""
         for _ in range(frames):
             if holds(self.next()):
                 return self.state
@@ -119,7 +119,7 @@ class Followed:
         self.do("key", key)
 
     def leave(self):
-        """Leaves; yields exit code and what was written to standard error."""
+        """Quits. Returns the exit code and the text on standard error."""
         self.press("Escape")
         return self.end()
 
@@ -151,7 +151,7 @@ class WindowTest(unittest.TestCase):
         self.work.cleanup()
 
     def ask(self, *arguments):
-        """What xdotool says."""
+        """The output of xdotool."""
         return subprocess.run(["xdotool", *arguments], env=self.env, check=True, stdout=subprocess.PIPE, text=True).stdout
 
     def path(self, *names):

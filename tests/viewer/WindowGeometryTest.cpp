@@ -21,18 +21,18 @@ TEST(WindowGeometry, outsideOfTheWindowThereIsNone) {
     for (const auto& [x, y] : {std::pair(-0.1, 5.0), {5.0, -1.0}, {640.0, 5.0}, {5.0, 360.0}})
         EXPECT_FALSE(pixelAt(sizes, x, y)) << x << ' ' << y;
     EXPECT_FALSE(pixelAt(sizes, std::numeric_limits<double>::quiet_NaN(), 5.0));
-    EXPECT_FALSE(pixelAt({0, 0, {1, 1}, 1.0}, 0.0, 0.0)) << "as small as an icon";
+    EXPECT_FALSE(pixelAt({0, 0, {1, 1}, 1.0}, 0.0, 0.0)) << "minimised";
 }
 
 TEST(WindowGeometry, lettersAreAsLargeAsTheScreenWantsThem) {
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 1.0}), (UiScale{1.0, 1.0}));
-    EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 2.0}), (UiScale{2.0, 2.0})) << "X11: a unit is a pixel";
-    EXPECT_EQ(uiScaleOf({640, 360, {1280, 720}, 2.0}), (UiScale{1.0, 2.0})) << "Wayland, macOS: it is not";
+    EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 2.0}), (UiScale{2.0, 2.0})) << "X11: one unit is one pixel";
+    EXPECT_EQ(uiScaleOf({640, 360, {1280, 720}, 2.0}), (UiScale{1.0, 2.0})) << "Wayland, macOS: one unit is several pixels";
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 0.0}), (UiScale{0.5, 0.5}));
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 1e9}), (UiScale{8.0, 8.0}));
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, std::numeric_limits<double>::infinity()}),
               (UiScale{1.0, 1.0}));
-    EXPECT_EQ(uiScaleOf({0, 0, {1, 1}, 1.0}), (UiScale{1.0, 1.0})) << "as small as an icon";
+    EXPECT_EQ(uiScaleOf({0, 0, {1, 1}, 1.0}), (UiScale{1.0, 1.0})) << "minimised";
 }
 
 } // namespace

@@ -9,58 +9,59 @@
 
 namespace limen::play {
 
-/// What the hands ask of a walking body during one frame.
+/// The player's input to a walking body for one frame.
 struct WalkInput {
     double forward = 0.0, right = 0.0; ///< -1..1 each
     bool run = false, jump = false;
     double seconds = 0.0; ///< since the last frame
 };
 
-/// A body that walks through what a session has loaded; the eye is in its head, or follows behind. What it bumps into is read anew
-/// when it comes into another landblock, by a thread of its own, and taken at a place that does not depend on how long that takes.
-class Walk {
+/// A body that walks through the loaded world, with the eye in first or third person. A thread of its own reads the
+/// solids around the body when it enters another landblock. The position at which they are taken over does not depend
+/// on the reading time, so that a walk replays equally on any machine.
+class WalkingBody {
 public:
-    /// Puts the body under an eye. Waits for what is around it to be read. Errors: that cannot be.
-    [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameRequest& eye);
-    /// No body any more; the eye stays where it is.
-    void end(engine::FrameRequest& eye);
+    /// Puts the body under the request's eye. Blocks until the solids around it are read. Errors: unreadable solids.
+    [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameRequest& request);
+    /// Removes the body; the eye stays.
+    void end(engine::FrameRequest& request);
     [[nodiscard]] bool isOn() const { return isOn_; }
 
-    /// Whether the eye is to be behind the body.
+    /// Selects third person (true) or first person (false).
     void chase(bool isChased);
     [[nodiscard]] bool isChased() const { return isChased_; }
-    /// How far, metres, within kNearest and kFarthest.
+    /// Sets the third-person distance in metres, clamped to kNearest..kFarthest.
     void keepDistance(double metres);
     [[nodiscard]] double distance() const { return chaseShape_.distance; }
     static constexpr double kNearest = 1.0, kFarthest = 8.0;
 
-    /// Moves the body, and eye, player, body and root of `eye` with it. When the session has loaded another part of the world it is there as it
-    /// was here. Requires a body. Errors: as begin's.
+    /// Moves the body, and updates eye, player, body and root of `request`. After the session has shown another part
+    /// of the world, the body continues there at the same position. Requires a body. Errors: as begin's.
     [[nodiscard]] Result<void> step(const engine::Session& session, const WalkInput& input,
-                                    engine::FrameRequest& eye);
+                                    engine::FrameRequest& request);
 
-    /// Doors swing for a while, and push the body out of their way. Requires a body.
+    /// Advances swinging doors; their leaves push the body. Requires a body.
     void passDoors(motion::DoorUse& doors, double seconds);
-    /// How far all doors come that swing alike from one openness to another. Requires a body.
+    /// The openness that doors reach when all swing from one openness to another; the body can block them. Requires a body.
     [[nodiscard]] double swingAllDoors(double from, double to);
-    /// Reads what is around the body in the part of the world that is shown next. True when that is done: then the step after it is
-    /// shown does not wait. Requires a body.
+    /// Reads the solids around the body in the next part. Returns true when they are ready; then the first step in
+    /// that part does not block. Requires a body.
     [[nodiscard]] bool prepare(const engine::Session& session,
                                const std::shared_ptr<const engine::LoadedPart>& next);
 
     [[nodiscard]] const motion::BodyState& body() const { return body_; }
-    /// Where its eyes would be.
+    /// The first-person eye.
     [[nodiscard]] motion::BodyEye head(const world::World& world) const;
 
 private:
-    /// The solids of a part of the world that is loaded.
+    /// The solids of a loaded part of the world.
     struct Surroundings {
         std::shared_ptr<const engine::LoadedPart> loaded;
         motion::Collisions collisions;
     };
     using Reading = Result<std::shared_ptr<const Surroundings>>;
 
-    /// Surroundings that are being read.
+    /// Surroundings that a thread is reading.
     struct Coming {
         std::shared_ptr<const engine::LoadedPart> loaded;
         dat::BlockCoord centre;
@@ -78,30 +79,30 @@ private:
                                       std::shared_ptr<const engine::LoadedPart> loaded,
                                       dat::BlockCoord centre);
     void drop();
-    /// Into the world that is loaded now, from one that was.
+    /// Transfers the body's spaces from the old part to the new one.
     void follow(const engine::LoadedPart& before, const engine::LoadedPart& now);
     [[nodiscard]] Result<void> keepSurroundings(const engine::Session& session);
     [[nodiscard]] dat::BlockCoord blockOfBody(const engine::LoadedPart& loaded) const;
     [[nodiscard]] Result<void> takeSurroundings(const engine::Session& session, dat::BlockCoord centre);
-    void readDoors(const world::World& world, const engine::FrameRequest& eye);
+    void readDoors(const world::World& world, const engine::FrameRequest& request);
     void smooth(double fellOrRose, double seconds);
     void face(const WalkInput& input, double seconds, double yaw);
     void stride(const WalkInput& input, const Vec3& from);
-    void carryEye(const engine::Session& session, double seconds, engine::FrameRequest& eye);
+    void carryEye(const engine::Session& session, double seconds, engine::FrameRequest& request);
 
     bool isOn_ = false;
-    std::vector<double> doors_; ///< how far each is open in this frame
+    std::vector<double> doors_; ///< openness of each door in this frame
     motion::BodyState body_;
     motion::BodyShape shape_;
-    double yaw_ = 0.0;                  ///< where the body faces
+    double yaw_ = 0.0;                  ///< heading of the body, degrees
     double speed_ = 0.0, metres_ = 0.0; ///< as in PlayerBody
-    double lag_ = 0.0; ///< metres that the eye is still above where it belongs: it climbs steps smoothly
+    double lag_ = 0.0; ///< metres of the eye above its place in the head; it decays, so that steps are climbed smoothly
     bool isChased_ = false;
     motion::ChaseState chase_;
     motion::ChaseShape chaseShape_;
     std::shared_ptr<const Surroundings> around_;
-    Coming coming_; ///< of the part that is shown
-    Coming next_;   ///< of the part that is shown next
+    Coming coming_; ///< of the shown part
+    Coming next_;   ///< of the next part
     engine::Background background_;
 };
 
