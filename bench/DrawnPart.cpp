@@ -1,8 +1,6 @@
 #include "DrawnPart.h"
 
 #include "core/Assert.h"
-#include "frame/SceneBuilder.h"
-#include "frame/WorldGraph.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -28,10 +26,10 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
     if (!target)
         return tl::unexpected(target.error());
-    std::unique_ptr<DrawnPart> part(
-        new DrawnPart(std::move(*world), std::move(*graph), device, std::move(*target)));
-    if (Result<void> uploaded = part->renderer_.upload(frame::buildScene(part->scene_)); !uploaded)
-        return tl::unexpected(uploaded.error());
+    std::unique_ptr<DrawnPart> part(new DrawnPart(device, std::move(*target)));
+    if (Result<void> shown = part->pipeline_.show(std::make_unique<engine::PartPlanner>(std::move(*loaded)));
+        !shown)
+        return tl::unexpected(shown.error());
     if (!part->holds(place))
         return fail(ErrorCode::NotFound, place.name, "is not where the world file says");
     return part;
@@ -56,12 +54,12 @@ void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) 
     input.right = view.view.right;
     input.up = view.view.up;
     input.forward = view.view.forward;
-    dynamicsBuilder_.at(input, dynamics_);
+    pipeline_.updateDynamics(input);
 }
 
 void DrawnPart::flood(const frame::FrameView& view) {
-    LIMEN_ASSERT(visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_),
-                 "the views of a bench are valid");
+    const Result<void> flooded = pipeline_.flood(view.view);
+    LIMEN_ASSERT(flooded.has_value(), "the views of a benchmark are valid");
 }
 
 void DrawnPart::takeAll(const frame::FrameView& view) {

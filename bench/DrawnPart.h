@@ -25,7 +25,8 @@ public:
 
     /// Updates the dynamic state. `doors`: openness of all of them; none: each keeps its resting openness.
     void move(const frame::FrameView& view, std::optional<double> doors = {});
-    void flood(const frame::FrameView& view) { pipeline_.flood(view.view); }
+    /// Requires a view of this part.
+    void flood(const frame::FrameView& view);
     /// The visible set of a renderer without visibility: every space, over the whole picture, in one visit.
     void takeAll(const frame::FrameView& view);
     void plan(const frame::FrameView& view) { pipeline_.plan(view); }
@@ -40,20 +41,10 @@ public:
     [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
 
 private:
-    DrawnPart(world::World world, visibility::Graph graph, gpu::Device& device, gpu::RenderTarget target)
-        : world_(std::move(world)), graph_(std::move(graph)), dynamicsBuilder_(world_), scene_(world_),
-          planner_(scene_), renderer_(device), target_(std::move(target)) {}
+    DrawnPart(gpu::Device& device, gpu::RenderTarget target)
+        : pipeline_(device), target_(std::move(target)) {}
 
-    const world::World world_;
-    const visibility::Graph graph_;
-    motion::DynamicStateBuilder dynamicsBuilder_;
-    world::DynamicState dynamics_;
-    visibility::FloodScratch scratch_;
-    visibility::VisibleSet visible_;
-    const frame::StaticScene scene_;
-    frame::Planner planner_;
-    frame::FramePlan plan_;
-    gpu::Renderer renderer_;
+    engine::Pipeline pipeline_;
     gpu::RenderTarget target_;
 };
 

@@ -3,6 +3,7 @@
 #include "dat/Archive.h"
 #include "engine/IdTable.h"
 #include "frame/Planner.h"
+#include "frame/StaticScene.h"
 #include "motion/DynamicStateBuilder.h"
 #include "visibility/Graph.h"
 #include "world/Loader.h"
@@ -18,16 +19,18 @@ struct PartTarget {
     friend bool operator==(const PartTarget&, const PartTarget&) = default;
 };
 
-/// A part of a world in memory. Immutable, so that threads may share it. Never moves: `ids` refers to `world`.
+/// A part of a world in memory. Immutable, so that threads may share it. Never moves: `ids` and `scene` refer to `world`.
 struct LoadedPart {
     LoadedPart(world::World loaded, visibility::Graph portals, const PartTarget& asked)
-        : world(std::move(loaded)), graph(std::move(portals)), ids(world), target(asked) {}
+        : world(std::move(loaded)), graph(std::move(portals)), ids(world), scene(world),
+          target(asked) {}
     LoadedPart(const LoadedPart&) = delete;
     LoadedPart& operator=(const LoadedPart&) = delete;
 
     const world::World world;
     const visibility::Graph graph;
     const IdTable ids;
+    const frame::StaticScene scene;
     const PartTarget target; ///< as it was asked for
 };
 
@@ -43,7 +46,7 @@ struct LoadedPart {
 /// A part with the memory that planning its frames needs. Serves one thread at a time.
 struct PartPlanner {
     explicit PartPlanner(std::shared_ptr<const LoadedPart> loaded)
-        : part(std::move(loaded)), planner(part->world), dynamics(part->world) {}
+        : part(std::move(loaded)), planner(part->scene), dynamics(part->world) {}
 
     const std::shared_ptr<const LoadedPart> part; // first: the others refer to it
     frame::Planner planner;

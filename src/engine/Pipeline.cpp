@@ -9,9 +9,7 @@ namespace limen::engine {
 
 Result<void> Pipeline::show(std::unique_ptr<PartPlanner> part) {
     LIMEN_ASSERT(part != nullptr, "there is a part to show");
-    if (Result<void> uploaded =
-            renderer_.upload(frame::buildScene(part->part->world, part->planner.pieces()));
-        !uploaded)
+    if (Result<void> uploaded = renderer_.upload(frame::buildScene(part->part->scene)); !uploaded)
         return uploaded;
     static_cast<void>(take(std::move(part)));
     return {};
@@ -38,15 +36,14 @@ void Pipeline::updateDynamics(const motion::DynamicStateInput& input) {
     isPlanned_ = false;
 }
 
-void Pipeline::flood(const visibility::View& view, const visibility::Limits& limits) {
-    LIMEN_ASSERT(view.root < part().graph.spaces().size(), "the root is a space of this part");
-    visibility::flood(part().graph, state_.dynamics.closed, view, limits, scratch_, state_.visible);
+Result<void> Pipeline::flood(const visibility::View& view, const visibility::Limits& limits) {
+    isPlanned_ = false;
+    return visibility::flood(part().graph, state_.dynamics.closed, view, limits, scratch_, state_.visible);
 }
 
-void Pipeline::trace(const visibility::View& view, visibility::FloodTrace& trace) {
-    LIMEN_ASSERT(view.root < part().graph.spaces().size(), "the root is a space of this part");
+Result<void> Pipeline::trace(const visibility::View& view, visibility::FloodTrace& trace) {
     visibility::VisibleSet visible;
-    visibility::flood(part().graph, state_.dynamics.closed, view, {}, scratch_, visible, &trace);
+    return visibility::flood(part().graph, state_.dynamics.closed, view, {}, scratch_, visible, &trace);
 }
 
 void Pipeline::plan(const frame::FrameView& view) {

@@ -36,10 +36,10 @@ public:
     [[nodiscard]] std::shared_ptr<const LoadedPart> sharePart() const;
 
     void updateDynamics(const motion::DynamicStateInput& input);
-    /// With the doors of the last dynamic state.
-    void flood(const visibility::View& view, const visibility::Limits& limits = {});
+    /// With the doors of the last dynamic state. Errors: as visibility::flood.
+    [[nodiscard]] Result<void> flood(const visibility::View& view, const visibility::Limits& limits = {});
     /// A flood that only reports the fate of each portal; the frame's visible set stays.
-    void trace(const visibility::View& view, visibility::FloodTrace& trace);
+    [[nodiscard]] Result<void> trace(const visibility::View& view, visibility::FloodTrace& trace);
     /// Of the last flood, which must be from `view.view`.
     void plan(const frame::FrameView& view);
     /// Draws the last plan. Errors: the renderer's.

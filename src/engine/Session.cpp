@@ -150,7 +150,8 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
                      .highlights = options.highlights});
     pipeline_.updateDynamics(inputs.dynamics);
     const Stopwatch flooding;
-    pipeline_.flood(inputs.view.view);
+    if (Result<void> flooded = pipeline_.flood(inputs.view.view); !flooded)
+        return flooded;
     floodMs_ = flooding.ms();
     const Stopwatch planning;
     pipeline_.plan(inputs.view);
@@ -173,7 +174,8 @@ Result<Picked> Session::pick(const FrameRequest& request, std::uint32_t x, std::
 
 void Session::tracePortals(const FrameRequest& request, visibility::FloodTrace& trace) {
     LIMEN_ASSERT(isLoaded() && shown_ != nullptr, "draw a frame first");
-    pipeline_.trace(viewOf(request.camera, request.size, request.root), trace);
+    const Result<void> flooded = pipeline_.trace(viewOf(request.camera, request.size, request.root), trace);
+    LIMEN_ASSERT(flooded.has_value(), "this view was drawn before");
 }
 
 const gpu::RenderTarget& Session::target() const {

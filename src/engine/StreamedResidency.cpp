@@ -105,7 +105,7 @@ Result<StreamedResidency::Coming> StreamedResidency::read(const Session& session
     Result<std::unique_ptr<PartPlanner>> part = session.read(target, threadsToReadOn());
     if (!part)
         return tl::unexpected(part.error());
-    frame::SceneUpload scene = frame::buildScene((*part)->part->world, (*part)->planner.pieces());
+    frame::SceneUpload scene = frame::buildScene((*part)->part->scene);
     Result<gpu::StagedScene> staged =
         gpu::stageScene(std::move(scene), options.textures, session.capabilities(), before);
     if (!staged)

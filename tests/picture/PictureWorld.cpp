@@ -2,13 +2,11 @@
 
 #include "check/SampledComparison.h"
 #include "frame/IdColour.h"
-#include "frame/SceneBuilder.h"
-#include "frame/WorldGraph.h"
-#include "gpu/Renderer.h"
 #include "gpu/device/CheckedDevice.h"
 #include "gpu/device/DebugOutput.h"
 #include "gpu/device/GlDevice.h"
 #include "gpu/device/HeadlessContext.h"
+#include "gpu/device/NullDevice.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -100,15 +98,12 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
         valueOf(world::loadWorld(archive, centre, {options.radius, options.mergeZones}, options.moving));
     origin_ = {centre.x * world::kBlockSize, centre.y * world::kBlockSize, 0.0};
     options_ = options;
-    if (options.omissions.membership)
-        lessWorld_ = std::make_unique<world::World>(withoutMembership(world_));
-    graph_ = std::make_unique<visibility::Graph>(valueOf(frame::visibilityGraph(drawnWorld())));
-    scene_ = std::make_unique<const frame::StaticScene>(drawnWorld());
-    planner_ = std::make_unique<frame::Planner>(*scene_);
-}
-
-const world::World& PictureWorld::drawnWorld() const {
-    return lessWorld_ ? *lessWorld_ : world_;
+    if (!options.omissions.membership) {
+        part_ = valueOf(engine::partOf(std::move(world)));
+        return;
+    }
+    part_ = valueOf(engine::partOf(withoutMembership(world)));
+    whole_ = std::make_unique<world::World>(std::move(world));
 }
 
 std::string PictureWorld::driverVersion() const {
@@ -130,15 +125,19 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
 
 void PictureWorld::floodAndPlan(const frame::FrameView& frame, engine::Pipeline& pipeline) {
     pipeline.state().dynamics = drawnDynamics_;
-    pipeline.flood(frame.view, {.rules = floodRules});
+    require(pipeline.flood(frame.view, {.rules = floodRules}));
     pipeline.plan(frame);
 }
 
 void PictureWorld::plan(const frame::FrameView& frame, visibility::VisibleSet& visible,
                         frame::FramePlan& plan) {
-    require(visibility::flood(*graph_, drawnDynamics_.closed, frame.view, {.rules = floodRules}, scratch_,
-                              visible));
-    planner_->plan(frame, drawnDynamics_, visible, plan);
+    if (!planning_) {
+        planning_ = std::make_unique<Planning>();
+        require(planning_->pipeline.show(std::make_unique<engine::PartPlanner>(part_)));
+    }
+    floodAndPlan(frame, planning_->pipeline);
+    visible = planning_->pipeline.state().visible;
+    plan = planning_->pipeline.state().plan;
 }
 
 const NaiveTracer& PictureWorld::tracer() const {
@@ -163,7 +162,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
                             const gpu::TargetOptions& targetOptions) {
     if (!drawing_) {
         drawing_ = std::make_unique<Drawing>(options_);
-        require(drawing_->renderer->upload(frame::buildScene(*scene_)));
+        require(drawing_->pipeline->show(std::make_unique<engine::PartPlanner>(part_)));
     }
     auto& target = drawing_->target;
     if (!target || target->width() != frame.width || target->height() != frame.height ||

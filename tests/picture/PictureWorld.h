@@ -99,10 +99,9 @@ private:
     mutable std::unique_ptr<NaiveTracer> tracer_;
     std::unique_ptr<check::TracedWorld> traced_;
     reference::Picture tracedPicture_;
-    std::unique_ptr<visibility::Graph> graph_;
-    std::unique_ptr<const frame::StaticScene> scene_;
-    std::unique_ptr<frame::Planner> planner_;
-    visibility::FloodScratch scratch_;
+    void floodAndPlan(const frame::FrameView& frame, engine::Pipeline& pipeline);
+    struct Planning;
+    std::unique_ptr<Planning> planning_; ///< without a driver
     struct Drawing;
     std::unique_ptr<Drawing> drawing_;
 };

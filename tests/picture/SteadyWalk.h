@@ -3,11 +3,7 @@
 #include "support/TemporaryDirectory.h"
 
 #include "dat/Archive.h"
-#include "frame/Planner.h"
-#include "frame/SceneBuilder.h"
-#include "frame/WorldGraph.h"
-#include "gpu/Renderer.h"
-#include "motion/DynamicStateBuilder.h"
+#include "engine/Pipeline.h"
 #include "motion/Locate.h"
 #include "world/Loader.h"
 #include "world/Places.h"
@@ -44,10 +40,8 @@ class SteadyWalk {
 public:
     /// Pictures of `width` × `height` pixels.
     SteadyWalk(world::World world, gpu::Device& device, std::uint32_t width, std::uint32_t height)
-        : world_(std::move(world)), graph_(*frame::visibilityGraph(world_)), dynamicsBuilder_(world_),
-          scene_(world_), planner_(scene_), renderer_(device),
-          target_(*gpu::RenderTarget::create(device, width, height)) {
-        EXPECT_TRUE(renderer_.upload(frame::buildScene(scene_)));
+        : pipeline_(device), target_(*gpu::RenderTarget::create(device, width, height)) {
+        EXPECT_TRUE(pipeline_.show(std::make_unique<engine::PartPlanner>(*engine::partOf(std::move(world)))));
     }
 
     /// Draws what is seen on the way while doors move, people walk, and it rains; each frame with ids and without.
@@ -79,23 +73,14 @@ private:
         input.right = view.view.right;
         input.up = view.view.up;
         input.forward = view.view.forward;
-        dynamicsBuilder_.at(input, dynamics_);
-        EXPECT_TRUE(visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_));
-        planner_.plan(view, dynamics_, visible_, plan_);
+        pipeline_.updateDynamics(input);
+        EXPECT_TRUE(pipeline_.flood(view.view));
+        pipeline_.plan(view);
         for (const bool ids : {false, true})
             EXPECT_TRUE(pipeline_.render(target_, {.wantIds = ids}));
     }
 
-    const world::World world_;
-    const visibility::Graph graph_;
-    motion::DynamicStateBuilder dynamicsBuilder_;
-    world::DynamicState dynamics_;
-    visibility::FloodScratch scratch_;
-    visibility::VisibleSet visible_;
-    const frame::StaticScene scene_;
-    frame::Planner planner_;
-    frame::FramePlan plan_;
-    gpu::Renderer renderer_;
+    engine::Pipeline pipeline_;
     gpu::RenderTarget target_;
     std::size_t frames_ = 0, inside_ = 0;
 };
