@@ -2,13 +2,12 @@
 // holds the pixel's centre decides, at mip 0, as the reference does. Out: colour; the polygon's id. FLAT: the colour is
 // the id's, and cut-outs are exact in any case: drivers that run every branch for all fragments would spend most of such a
 // frame on filtering textures that nobody sees.
+#include "Tolerances.h"
 #include "surface.glsl"
 #include "idcolour.glsl"
 
 layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
-
-const float kAlphaThreshold = 0.5;
 
 bool isExact() {
 #ifdef FLAT
@@ -41,7 +40,7 @@ void main() {
     if (isExact()) {
         alpha = exactAlpha(material, uvOnPolygon());
     }
-    float least = kAlphaThreshold;
+    float least = kCutOutAlpha;
     bool isHere = true;
     if ((material.flags & kMaterialSplit) != 0u) {
         isHere = isSplit(material);

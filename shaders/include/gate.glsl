@@ -1,6 +1,7 @@
 // The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
 // a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
 // visit's entry plane and not beyond the entry plane of the next visit of the chain.
+#include "Tolerances.h"
 #include "samples.glsl"
 
 #ifdef MULTISAMPLED
@@ -9,10 +10,6 @@ layout(binding = kUnitOwnership) uniform usampler2DMS ownership;
 layout(binding = kUnitOwnership) uniform usampler2D ownership;
 #endif
 
-// Metres. What lies in a portal's plane (jambs, sills, panes, the terrain at a threshold) belongs to both sides.
-const float kPlaneTolerance = 0.001;
-// Per metre of distance: what float positions and interpolation lose grows with the distance from the eye.
-const float kPlaneToleranceSlope = 4.0e-7;
 // Pixels that a fragment's place may be beside its ray. On a surface seen edge-on (the ceiling of a doorway at eye level) that
 // moves it by far more than a millimetre, out of its own cell; too much of it, and a strip of roof seen edge-on is kept though it
 // lies metres beyond the opening by which its ray has left.
@@ -23,12 +20,8 @@ const float kSnap = 1.0 / 2048.0;
 #else
 // Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the pixel's centre,
 // while its position is extended to the centre along the triangle's plane.
-const float kSnap = 1.0 / 128.0;
+const float kSnap = kSnapTolerance;
 #endif
-
-// Metres. What lies no more than this before a shut opening's plane is met after its filling (docs: "Fillings"). So is
-// what lies beyond.
-const float kInFilling = 0.0002;
 
 // Where a fragment was kept, and by which light set it is lit there.
 struct Keep {
@@ -75,14 +68,14 @@ float toleranceFor(vec3 normal, Place place) {
     return 0.0;
 #endif
     float slope = abs(dot(normal, place.dx)) + abs(dot(normal, place.dy));
-    return kPlaneTolerance + kPlaneToleranceSlope * length(place.at) + kSnap * slope;
+    return kEntryPlaneTolerance + kEntryPlaneToleranceSlope * length(place.at) + kSnap * slope;
 }
 
 // How far a fragment may lie beyond the plane by which its rays leave, at most. `shutBy`: of the visit beyond.
 float leavingTolerance(Instance instance, vec3 normal, uint shutBy, Place place) {
 #ifndef LIMEN_WITHOUT_FILLING_FIRST // tests show that it is needed (docs/proof.md)
     if (shutBy != 0u && shutBy != instance.idBase) {
-        return -kInFilling;
+        return -kInPlaneTolerance; // a surface in the plane of a shut opening is met after the filling
     }
 #endif
     return toleranceFor(normal, place);

@@ -3,8 +3,10 @@
 //
 // Before this is included: `vec3 outlineCorner(uint i)`, eye-relative.
 
-// Pixels that edges are moved outwards. Snapping moves them by up to 1/256.
-const float kGrow = 1.0 / 128.0;
+#include "Tolerances.h"
+
+// Pixels that edges are moved outwards: no snapped corner leaves an edge uncovered.
+const float kGrow = kSnapTolerance;
 // Pixels: an outline whose seen part is thinner than this is drawn as one triangle around it.
 const float kThin = 2.0 * kGrow;
 // Corners that turn by less (sine) are moved across the edge instead of along both edges; sharp ones down to kSharp.

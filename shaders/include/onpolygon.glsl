@@ -2,16 +2,15 @@
 // pixel's centre. Here both are taken from the ray through the centre and the triangle's own plane, and whether the ray
 // passes over the polygon at all from its own outline (outline.glsl), so that what a pixel shows is told to the last bits
 // of a float.
+#include "Tolerances.h"
 #include "transform.glsl"
 
 #ifdef EXACT
 
-// Pixels, either side: corners are snapped by up to half of 1/256 of a pixel each way. The same as kSnap of the gate.
-const float kBesideRay = 1.0 / 128.0;
 // Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
 const float kNearRounding = 1.0e-5;
-// Metres: twice the reach of the rule for an eye in an opening's plane.
-const float kInPlane = 4.0e-4;
+// Metres: twice the distance at which the rule takes an eye for one in an opening's plane.
+const float kEyeInPlane = 2.0 * kInPlaneTolerance;
 // Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
 const float kGrazing = 1.0e-4;
 // Share of its distance by which a place on a plane is off, seen straight on: eight roundings, of the corners, the plane's
@@ -137,7 +136,7 @@ Step stepInwards(Shares shares) {
 float depthOnPlane(vec3 direction, float facing) {
     float onPlane = -vFacet.w / facing;
     bool grazes = !(facing > kGrazing * length(direction));
-    vec2 stretch = stretchOver(grazes, kBesideRay, vFacet.xyz, direction);
+    vec2 stretch = stretchOver(grazes, kSnapTolerance, vFacet.xyz, direction);
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
@@ -192,7 +191,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
         float perMetre = length(wall);
         float height = dot(wall, vCorners[i]); // how far the eye is behind the wall; in its plane it may be in an opening
         float before = dot(wall, at) - height;
-        if (height > kInPlane * perMetre && abs(before) < 1.0) {
+        if (height > kEyeInPlane * perMetre && abs(before) < 1.0) {
             farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
         }
     }
@@ -203,7 +202,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
 // be tested with that of a place before the pane. Yields how much nearer.
 float beforePlane(uint kind, vec3 direction) {
 #ifdef TRANSLUCENT
-    return kind == kKindFilling ? kInFilling / max(-dot(vFacet.xyz, direction), kGrazing) : 0.0;
+    return kind == kKindFilling ? kInPlaneTolerance / max(-dot(vFacet.xyz, direction), kGrazing) : 0.0;
 #else
     return 0.0;
 #endif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "frame/Rules.h"
+#include "geometry/Tolerances.h"
 #include "visibility/View.h"
 
 #include <cstdint>
@@ -20,9 +21,9 @@ struct Highlight {
 struct FrameView {
     visibility::View view;                   ///< eye in global metres; root is a world::SpaceIndex
     std::uint32_t width = 640, height = 360; ///< pixels
-    double nearPlane = 0.02; ///< metres; portals are met at any distance, surfaces only beyond it
-    double timeOfDay = 0.5;  ///< fraction of the day
-    double seconds = 0.0;    ///< for what moves by itself
+    double nearPlane = kDefaultNearPlane;    ///< metres; portals are met at any distance, surfaces beyond it
+    double timeOfDay = 0.5;                  ///< fraction of the day
+    double seconds = 0.0;                    ///< for what moves by itself
     std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shows where the world has a hole

@@ -1,6 +1,7 @@
 #include "frame/Ownership.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 #include "geometry/TwoFloats.h"
 #include "visibility/Graph.h"
 
@@ -14,14 +15,10 @@ namespace {
 /// that close lie so far off the screen that the rasteriser's own cuts are no longer exact.
 constexpr double kNearOpening = 0.05;
 
-/// What is kept before a parent's entry plane, in metres: openings that touch the plane must not be nibbled
-/// at by float rounding. Equal to the fragment test's own tolerance (shaders/include/gate.glsl).
-constexpr double kEntryTolerance = 0.001;
-
-/// Pixels by which a parent's edges are moved outwards. They are exact, while the parent itself was drawn with corners
-/// snapped to 1/256 of a pixel: a pixel it owns must not be lost to its child. No more than that, or the child takes
-/// pixels beside a thin jamb whose parent does not own them, and with them what lies behind the parent's plane there.
-constexpr double kGrowth = 1.0 / 128.0;
+/// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with snapped
+/// corners: the child must not lose a pixel that the parent owns. With a larger growth the child takes pixels beside
+/// a thin jamb that its parent does not own, and surfaces behind the parent's plane show there.
+constexpr double kGrowth = kSnapTolerance;
 
 /// Edges that fit a clip set beside the entry plane: GL guarantees eight clip distances.
 constexpr std::size_t kEdgesPerSet = 7;
@@ -65,7 +62,7 @@ private:
     /// region, of doubles, is then all there is to go by. Nobody sees by how much less it shares its edges with the walls': it
     /// is half of all directions, or so thin that it holds few pixels if any.
     [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
-        return visit.inPlane || std::abs(visit.entryPlane.d) < visibility::kBeforePlane;
+        return visit.inPlane || std::abs(visit.entryPlane.d) < kBeforePlaneTolerance;
     }
 
     void addVisit(const visibility::Visit& visit) {
@@ -91,9 +88,9 @@ private:
     [[nodiscard]] gpu::vec4 planeFor(std::uint32_t visit, const Plane& entry) const {
         const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
         const bool cuts = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
-            return entry.signedDistance(corner - frame_.view.eye) < -kEntryTolerance;
+            return entry.signedDistance(corner - frame_.view.eye) < -kEntryPlaneTolerance;
         });
-        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryTolerance) : gpu::vec4(0, 0, 0, 1);
+        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryPlaneTolerance) : gpu::vec4(0, 0, 0, 1);
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {

@@ -1,6 +1,7 @@
 #include "visibility/Admission.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 #include "visibility/Outline.h"
 #include "visibility/Region.h"
 
@@ -13,9 +14,6 @@ namespace {
 /// A portal must reach this far beyond the plane its visit was entered by, in metres: a ray that enters
 /// through a plane does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
-
-/// Where openings are cut with Rules::eyePlaneClip off, metres.
-constexpr double kPretendedNear = 0.02;
 
 /// True if clipping has taken nothing away but rounding.
 bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
@@ -44,7 +42,7 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
         return;
     }
     const double side = portal.plane.signedDistance(in_.view.eye);
-    if (side < -kInPlane)
+    if (side < -kInPlaneTolerance)
         return refuse(PortalFate::WrongSide);
     ++set_.counts.portalsTested;
     const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
@@ -82,7 +80,7 @@ PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) 
         return PortalFate::NoArea;
     if (isWayBack(visit, portalIndex))
         return PortalFate::WayBack;
-    if (portal.plane.signedDistance(in_.view.eye) < -kInPlane)
+    if (portal.plane.signedDistance(in_.view.eye) < -kInPlaneTolerance)
         return PortalFate::WrongSide;
     bool isBeyond = visit.parent == kNone, isAhead = false;
     for (const Vec3& v : in_.graph.polygon(portal)) {
@@ -124,7 +122,7 @@ void Admission::add(Candidate c, bool hole, CandidateList& children) const {
 /// True if the eye lies in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for those into it.
 bool Admission::holdsEye(const Graph::Portal& portal, double way) const {
     const double side = way * portal.plane.signedDistance(in_.view.eye);
-    return side >= -kInPlane && side <= portal.inPlane &&
+    return side >= -kInPlaneTolerance && side <= portal.inPlane &&
            containsProjection(in_.graph.polygon(portal), portal.plane.n, in_.view.eye, 0.0);
 }
 
@@ -170,9 +168,9 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         return false;
     // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
     // not quite in the planes of both.
-    clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
+    clipPolygon(s_.relative, visit.entryPlane, kInPlaneTolerance, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
-        clipPolygon(s_.beyond, {in_.view.forward, -kPretendedNear}, 0.0, s_.swap);
+        clipPolygon(s_.beyond, {in_.view.forward, -kDefaultNearPlane}, 0.0, s_.swap);
         s_.beyond.swap(s_.swap);
     }
     for (Vec3& v : s_.beyond)

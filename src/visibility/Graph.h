@@ -32,11 +32,6 @@ struct PortalDesc {
     std::uint32_t firstOutline = 0, outlineCount = 0;
 };
 
-/// An eye as far as this behind a portal's plane, in metres, is in it (docs/ray-rule.md, "Tolerances").
-inline constexpr double kInPlane = 0.0002;
-/// An eye before it is in it only as far as corners may be off it: by this, what floats make of them, and by what they are.
-inline constexpr double kBeforePlane = 0.00001;
-
 /// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
 /// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
 class Graph {

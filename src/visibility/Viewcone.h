@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/Tolerances.h"
 #include "visibility/VisibleSet.h"
 
 #include <algorithm>
@@ -135,6 +136,7 @@ private:
     /// beyond it.
     static constexpr double kSlackShare = 2e-6;
     static constexpr double kSlack = 0.004;
+    static_assert(kSlackShare > kEntryPlaneToleranceSlope && kSlack > kEntryPlaneTolerance);
     struct Cone {
         Plane entry;
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;

@@ -1,6 +1,7 @@
 #include "world/MeshArena.h"
 
 #include "core/Assert.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <bit>
@@ -44,7 +45,7 @@ struct EdgeHash {
 /// relative to the eye.
 constexpr double kFlatReach = 1e-5;
 /// The same at most, however uneven walls are: what is rightly seen beside such an edge may lie as near to it.
-constexpr double kMostReach = 1e-4;
+constexpr double kMostReach = kOverlapTolerance;
 
 /// The facet of each polygon's largest triangle: those of slivers are what rounding makes of them.
 std::vector<Vec3f> facetsByPolygon(std::span<const MeshVertex> vertices, std::size_t polygons) {

@@ -1,6 +1,7 @@
 #include "world/Triangulate.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,6 +12,7 @@ namespace {
 /// An ear whose diagonal passes this near to another corner would leave a sliver behind; metres. A little
 /// more than the weld tolerance, because stitched corners lie that far off their edges.
 constexpr double kClearance = 0.00025;
+static_assert(kClearance > kWeldTolerance);
 /// Triangles lower than this come from rounding alone; metres.
 constexpr double kFlat = 1e-7;
 

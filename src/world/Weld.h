@@ -1,16 +1,12 @@
 #pragma once
 
+#include "geometry/Tolerances.h"
 #include "geometry/Vec.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace limen::world {
-
-/// Vertices nearer to each other than this are one vertex; a vertex nearer to an edge than this lies on it.
-/// Metres. The dats store floats relative to frames of their own, so copies of one corner differ by some
-/// hundredths of a millimetre; real details are centimetres apart.
-inline constexpr double kWeldTolerance = 0.0002;
 
 /// The storable position next to a block-local one: within 0.1 nanometres, or, of one more than 32 km away, 0.1 micrometres. It
 /// is the exact sum of two floats, and exact relative to any origin within 1000 km that is a multiple of a block's size; so

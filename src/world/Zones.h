@@ -1,13 +1,9 @@
 #pragma once
 
+#include "geometry/Tolerances.h"
 #include "world/BlockContent.h"
 
 namespace limen::world {
-
-/// Cells that reach into each other by no more than this count as disjoint; metres (docs/ray-rule.md, "Zones"). Within a zone
-/// depth alone decides, so by as much may a hidden cell reach through the wall before it: no more than what the picture puts back
-/// behind that wall (MeshArena.cpp, kMostReach). Cells whose corners lie farther off stay apart, which is slower and exact.
-inline constexpr double kOverlapTolerance = 0.0001;
 
 /// True if it can be shown that two cells do not overlap: a plane parallel to a face of either, or to an edge
 /// of each, parts their vertices up to kOverlapTolerance. Never true for cells that overlap more; may be
