@@ -59,7 +59,7 @@ void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) 
     input.right = view.view.right;
     input.up = view.view.up;
     input.forward = view.view.forward;
-    dynamicsBuilder_.at(input, dynamics_);
+    dynamicsBuilder_.build(input, dynamics_);
 }
 
 void DrawnPart::flood(const frame::FrameView& view) {

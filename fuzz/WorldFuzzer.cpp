@@ -159,7 +159,7 @@ void check(const dat::Archive& archive, const test::MovingHut& hut) {
     input.rain = true;
     if (!world->sky.weather.empty())
         input.weather = world::SkyHour{world->sky.weather.front().dayGroup, 0.5};
-    dynamicsBuilder.at(input, dynamics);
+    dynamicsBuilder.build(input, dynamics);
     frame::Planner planner(*world);
     static_cast<void>(frame::buildScene(*world, planner.pieces()));
     reference::Scene scene(*world);

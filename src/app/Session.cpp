@@ -345,7 +345,7 @@ Result<void> Session::draw(const FrameEye& eye, const DrawOptions& options) {
         return tl::unexpected(target.error());
     shown_ = *target;
     const frame::FrameView view = frameView(eye, options);
-    loaded_->dynamicsBuilder.at(dynamicsInput(loaded_->world, eye), dynamics_);
+    loaded_->dynamicsBuilder.build(dynamicsInput(loaded_->world, eye), dynamics_);
     const Stopwatch flooding;
     visibility::flood(loaded_->graph, dynamics_.closed, view.view, {}, scratch_, visible_);
     floodMs_ = flooding.ms();

@@ -156,7 +156,7 @@ Result<void> trace(LoadedWorld& loaded, reference::Scene& scene, const WorldSour
     if (!eye)
         return tl::unexpected(eye.error());
     world::DynamicState dynamics;
-    loaded.dynamicsBuilder.at(dynamicsInput(loaded.world, *eye), dynamics);
+    loaded.dynamicsBuilder.build(dynamicsInput(loaded.world, *eye), dynamics);
     scene.setDynamics(dynamics);
     const TracedFrame frame = traceFrame(scene, *eye);
     const OutputPaths& outputs = listed.outputs;

@@ -135,7 +135,7 @@ const NaiveTracer& PictureWorld::tracer() const {
 }
 
 void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
-    motion::DynamicStateBuilder(world_).at(input, dynamics_);
+    motion::DynamicStateBuilder(world_).build(input, dynamics_);
     drawnDynamics_ = without(options_.omissions, world_, dynamics_);
     tracer_.reset();
     if (traced_)

@@ -79,7 +79,7 @@ private:
         input.right = view.view.right;
         input.up = view.view.up;
         input.forward = view.view.forward;
-        dynamicsBuilder_.at(input, dynamics_);
+        dynamicsBuilder_.build(input, dynamics_);
         visibility::flood(graph_, dynamics_.closed, view.view, {}, scratch_, visible_);
         planner_.plan(view, dynamics_, visible_, plan_);
         for (const bool ids : {false, true})
