@@ -30,12 +30,12 @@ constexpr std::size_t kMostViews = 100'000'000;
 constexpr std::uint64_t kMostPictures = 500; ///< of findings; a broken world would fill the disk
 constexpr std::size_t kStateLimit = 16u << 20;
 
-Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
-    std::vector<check::Kind> kinds;
+Result<std::vector<check::ViewKind>> kindsOf(const std::string& list) {
+    std::vector<check::ViewKind> kinds;
     for (std::size_t begin = 0; begin <= list.size() && !list.empty();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
         const std::string_view name = trimmed(std::string_view(list).substr(begin, end - begin));
-        const std::optional<check::Kind> kind = check::kindNamed(name);
+        const std::optional<check::ViewKind> kind = check::kindNamed(name);
         if (!kind)
             return fail(ErrorCode::BadArgument, "--kinds",
                         fmt::format("'{}' is none of random, outside, path, sweep, still", name));
@@ -44,7 +44,7 @@ Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
     }
     if (kinds.empty())
         for (std::size_t i = 0; i < check::kKindCount; ++i)
-            kinds.push_back(static_cast<check::Kind>(i));
+            kinds.push_back(static_cast<check::ViewKind>(i));
     return kinds;
 }
 
@@ -86,7 +86,7 @@ Result<check::RunRequest> addWalk(const CheckOptions& options,
         if (Result<void> drawn = session.draw(**eye, {}); !drawn)
             return tl::unexpected(drawn.error());
         views.push_back(viewOf(**eye, session.loaded().world));
-        views.back().kind = check::Kind::Path;
+        views.back().kind = check::ViewKind::Path;
         views.back().width = request.width;
         views.back().height = request.height;
         views.back().about = fmt::format("frame {} of the walk", i);
@@ -100,7 +100,7 @@ Result<check::RunRequest> addWalk(const CheckOptions& options,
 Result<check::RunRequest> requestOf(const CheckOptions& options,
                                     const std::shared_ptr<const WorldSource>& source,
                                     const Console& console) {
-    const Result<std::vector<check::Kind>> kinds = kindsOf(options.kinds);
+    const Result<std::vector<check::ViewKind>> kinds = kindsOf(options.kinds);
     if (!kinds)
         return tl::unexpected(kinds.error());
     check::RunRequest request;
@@ -134,7 +134,7 @@ Result<check::RunRequest> requestOf(const CheckOptions& options,
         return tl::unexpected(blocks.error());
     if (Result<void> left = restrictTo(options.block, *blocks); !left)
         return tl::unexpected(left.error());
-    const std::vector<check::Kind> placed = check::kindsWithPlaces(*kinds, *blocks);
+    const std::vector<check::ViewKind> placed = check::kindsWithPlaces(*kinds, *blocks);
     request.tasks =
         check::planTasks(*blocks, source->file.tour, check::shareAmongKinds(options.views, placed));
     if (request.tasks.empty())

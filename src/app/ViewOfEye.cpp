@@ -1,6 +1,6 @@
 #include "app/ViewOfEye.h"
 
-#include "check/Standing.h"
+#include "check/views/Viewpoints.h"
 #include "world/Loader.h"
 
 #include <algorithm>
