@@ -4,8 +4,8 @@
 
 namespace limen {
 
-/// Begins to load an object that lies anywhere in memory, so that what is done until it is read need not be waited for. Changes
-/// nothing but time.
+/// Prefetches an object into the cache: its memory latency overlaps with the work before its first use. Has
+/// no effect but on time.
 template <class T>
 void fetch(const T& object) {
     constexpr std::size_t kLine = 64; // bytes, of a cache
