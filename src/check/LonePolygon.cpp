@@ -35,7 +35,7 @@ std::array<Vec3, 4> squareAround(const reference::Camera& camera, double x, doub
     return {at(-1, 1), at(1, 1), at(1, -1), at(-1, -1)};
 }
 
-/// The part of the triangle before the eye that lies within the pyramid over the square, relative to the eye.
+/// The part of the triangle ahead of the eye inside the pyramid over the square, relative to the eye.
 std::vector<Vec3> partWithin(const Seen& seen, const std::array<Vec3, 4>& square) {
     std::vector<Vec3> part{seen.a, seen.a + seen.ab, seen.a + seen.ac}, clipped;
     for (std::size_t i = 0; i < square.size(); ++i) {

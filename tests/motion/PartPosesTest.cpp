@@ -209,7 +209,7 @@ TEST(CyclePoints, makeDoWithTheCyclesThereAre) {
     p.body.cycles = {kNone, one, kNone};
     EXPECT_EQ(at(Gait::Run).cycle, one);
     EXPECT_EQ(at(Gait::Run).seconds, 1.5);
-    EXPECT_EQ(at(Gait::Stand).cycle, kNone) << "nobody walks on the spot";
+    EXPECT_EQ(at(Gait::Stand).cycle, kNone) << "a standing body does not play the walk cycle";
     p.body.cycles = {kNone, kNone, one};
     EXPECT_EQ(at(Gait::Walk).cycle, one);
     p.body.cycles = {one, kNone, kNone};

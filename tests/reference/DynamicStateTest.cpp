@@ -160,7 +160,7 @@ TEST_F(Door, movingThingsAreMetInEverySpaceTheyAreMembersOfAndInNoOther) {
     EXPECT_NEAR(westward().t, 4.0, 1e-6);
     EXPECT_NE(westward().id, westOnly + 1);
     traced->scene().setDynamics({});
-    EXPECT_NEAR(westward().t, 7.0, 1e-9) << "gone with its moment";
+    EXPECT_NEAR(westward().t, 7.0, 1e-9) << "gone with its dynamic state";
 }
 
 TEST_F(Door, ofTwoSurfacesInOnePlaceTheLowerIdIsMetWhateverTheirOrder) {

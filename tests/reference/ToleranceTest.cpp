@@ -53,7 +53,7 @@ TEST_F(Doorway, anEyeInThePlaneAndInsideTheOpeningLeavesIfTheRayPointsOutward) {
 
 TEST_F(Doorway, beyondTheToleranceAnEyeBehindThePlaneDoesNotLeave) {
     const Answer answer = traced->trace(west, {4.00021, 2, 11}, {1, 0, 0});
-    EXPECT_EQ(answer.id, 0u) << "nothing of the western room lies there";
+    EXPECT_EQ(answer.id, 0u) << "the western room has no surface there";
     EXPECT_EQ(answer.spacesVisited, 1u);
     EXPECT_EQ(traced->trace(west, {3.99979, 2, 11}, {1e-7, 1, 0}).space, west)
         << "before the plane it is crossed where it is crossed";

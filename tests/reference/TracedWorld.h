@@ -52,7 +52,7 @@ public:
     }
     [[nodiscard]] world::InstanceKind kindOf(std::uint32_t id) const {
         const world::InstanceIndex i = instanceOf(id);
-        EXPECT_NE(i, world::kNone) << "id " << id << " is nobody's";
+        EXPECT_NE(i, world::kNone) << "id " << id << " belongs to no instance";
         return i == world::kNone ? world::InstanceKind::Sky : world_.instances[i].kind;
     }
     /// True if the id is of the shell of that cell.
