@@ -1,6 +1,7 @@
-// The ownership test (docs/ray-rule.md). A pixel's leaf visit has a chain of visits up to the root. A fragment is kept
-// if, for some visit of the chain, its instance is a member of the visit's zone, and the fragment is beyond the visit's
-// entry plane but not beyond the entry plane of the next visit.
+// The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
+// a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
+// visit's entry plane and not beyond the entry plane of the next visit of the chain.
+#include "Tolerances.h"
 #include "samples.glsl"
 
 #ifdef MULTISAMPLED
@@ -9,30 +10,21 @@ layout(binding = kUnitOwnership) uniform usampler2DMS ownership;
 layout(binding = kUnitOwnership) uniform usampler2D ownership;
 #endif
 
-// Metres. Surfaces in a portal's plane (jambs, sills, panes, the terrain at a threshold) belong to both sides.
-const float kPlaneTolerance = 0.001;
-// Metres per metre of distance: float positions and interpolation lose precision in proportion to the distance from the
-// eye.
-const float kPlaneToleranceSlope = 4.0e-7;
-// Pixels between a fragment's position and its ray. On a surface seen edge-on (a doorway's ceiling at eye level) this
-// shifts the fragment by far more than a millimetre, out of its own cell. A larger value would keep a strip of roof
-// seen edge-on that is metres beyond the opening by which its ray has left.
+// Pixels that a fragment's place may be beside its ray. On a surface seen edge-on (the ceiling of a doorway at eye level) that
+// moves it by far more than a millimetre, out of its own cell; too much of it, and a strip of roof seen edge-on is kept though it
+// lies metres beyond the opening by which its ray has left.
 #ifdef EXACT
 // Depth is taken up to kInward from the ray (onpolygon.glsl). Directions are floats, with an error of 0.00025 pixel in
 // a picture 4,000 pixels wide.
 const float kSnap = 1.0 / 2048.0;
 #else
-// Corners are snapped by up to 1/256 pixel in each axis, so a fragment stands for a point up to twice that from the
-// pixel's centre, while its position is extrapolated to the centre along the triangle's plane.
-const float kSnap = 1.0 / 128.0;
+// Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the pixel's centre,
+// while its position is extended to the centre along the triangle's plane.
+const float kSnap = kSnapTolerance;
 #endif
 
-// Metres. A surface up to this far before a closed opening's plane, or beyond it, is behind the filling
-// (docs/ray-rule.md, "Fillings").
-const float kInFilling = 0.0002;
-
-// Result of the test: the zone that kept the fragment, and the light set there.
-struct GateResult {
+// Where a fragment was kept, and by which light set it is lit there.
+struct Keep {
     bool kept;
     uint zone;
     uint lightSet;
@@ -75,15 +67,15 @@ float toleranceFor(vec3 normal, SurfacePoint point) {
 #ifdef LIMEN_WITHOUT_GATE_TOLERANCE // tests show the effect of leaving this out (docs/proof.md)
     return 0.0;
 #endif
-    float slope = abs(dot(normal, point.dx)) + abs(dot(normal, point.dy));
-    return kPlaneTolerance + kPlaneToleranceSlope * length(point.at) + kSnap * slope;
+    float slope = abs(dot(normal, place.dx)) + abs(dot(normal, place.dy));
+    return kEntryPlaneTolerance + kEntryPlaneToleranceSlope * length(place.at) + kSnap * slope;
 }
 
 // Tolerance in metres beyond the plane by which the rays leave a visit. `shutBy`: of the next visit.
 float leavingTolerance(Instance instance, vec3 normal, uint shutBy, SurfacePoint point) {
 #ifndef LIMEN_WITHOUT_FILLING_FIRST // tests show the effect of leaving this out (docs/proof.md)
     if (shutBy != 0u && shutBy != instance.idBase) {
-        return -kInFilling;
+        return -kInPlaneTolerance; // a surface in the plane of a shut opening is met after the filling
     }
 #endif
     return toleranceFor(normal, point);

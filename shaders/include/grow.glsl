@@ -3,9 +3,11 @@
 //
 // Before this is included: `vec3 outlineCorner(uint i)`, eye-relative.
 
-// Pixels by which edges move outwards. Snapping moves them by up to 1/256.
-const float kGrow = 1.0 / 128.0;
-// Pixels. An outline whose visible part is thinner is drawn as one triangle around it.
+#include "Tolerances.h"
+
+// Pixels that edges are moved outwards: no snapped corner leaves an edge uncovered.
+const float kGrow = kSnapTolerance;
+// Pixels: an outline whose seen part is thinner than this is drawn as one triangle around it.
 const float kThin = 2.0 * kGrow;
 // Sine of the turn at a corner. Below it a corner moves perpendicular to the edge instead of along both edges; at a
 // sharp corner the limit is kSharp.

@@ -1,19 +1,17 @@
-// Position and depth of a fragment on its polygon. The rasteriser extrapolates both from the snapped triangle's plane
-// to the pixel's centre. Here both come from the ray through the pixel and the triangle's own plane, and the outline
-// decides whether the ray passes over the polygon (outline.glsl). A pixel's content is then exact to the last bits of a
-// float.
+// Where a fragment lies on its polygon. The rasteriser extends depth and position from the snapped triangle's plane to the
+// pixel's centre. Here both are taken from the ray through the centre and the triangle's own plane, and whether the ray
+// passes over the polygon at all from its own outline (outline.glsl), so that what a pixel shows is told to the last bits
+// of a float.
+#include "Tolerances.h"
 #include "transform.glsl"
 
 #ifdef EXACT
 
-// Pixels to either side of the ray in which stretchOver finds the polygon. Corners are snapped by up to half of 1/256
-// pixel in each axis. Equals the gate's kSnap without EXACT.
-const float kBesideRay = 1.0 / 128.0;
-// Relative rounding error of a depth at the near plane. A fragment nearer by no more than this is kept.
+// Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
 const float kNearRounding = 1.0e-5;
-// Metres. Twice the rule's tolerance for an eye in an opening's plane.
-const float kInPlane = 4.0e-4;
-// Sine of the angle between ray and plane. Below it, rounding (1e-7) changes the depth by more than a thousandth.
+// Metres: twice the distance at which the rule takes an eye for one in an opening's plane.
+const float kEyeInPlane = 2.0 * kInPlaneTolerance;
+// Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
 const float kGrazing = 1.0e-4;
 // Relative error of a position on a plane seen frontally: eight roundings, of the corners, the plane's normal and
 // height, and the ray.
@@ -142,7 +140,7 @@ Step stepInwards(Shares shares) {
 float depthOnPlane(vec3 direction, float facing) {
     float onPlane = -vFacet.w / facing;
     bool grazes = !(facing > kGrazing * length(direction));
-    vec2 stretch = stretchOver(grazes, kBesideRay, vFacet.xyz, direction);
+    vec2 stretch = stretchOver(grazes, kSnapTolerance, vFacet.xyz, direction);
     return stretch.x <= stretch.y ? clamp(onPlane, stretch.x, stretch.y) : onPlane;
 }
 
@@ -199,7 +197,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
         // distance of the eye behind the wall; in its plane the eye may be in an opening
         float height = dot(wall, vCorners[i]);
         float before = dot(wall, at) - height;
-        if (height > kInPlane * perMetre && abs(before) < 1.0) {
+        if (height > kEyeInPlane * perMetre && abs(before) < 1.0) {
             farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
         }
     }
@@ -210,7 +208,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
 // depth, so a pane may be tested at a depth before the plane. Yields the reduction.
 float beforePlane(uint kind, vec3 direction) {
 #ifdef TRANSLUCENT
-    return kind == kKindFilling ? kInFilling / max(-dot(vFacet.xyz, direction), kGrazing) : 0.0;
+    return kind == kKindFilling ? kInPlaneTolerance / max(-dot(vFacet.xyz, direction), kGrazing) : 0.0;
 #else
     return 0.0;
 #endif

@@ -4,6 +4,7 @@
 
 #include "core/Assert.h"
 #include "core/Hash.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,11 +20,7 @@ namespace {
 
 using reference::Answer;
 
-/// Depths nearer to each other than this share are the same; what differs by more goes to the polygon itself, for its
-/// slope (check/LonePolygon.h).
-constexpr double kDepthShare = 1e-4;
-
-/// One picture being compared.
+/// Compares one picture, pixel by pixel.
 class Judge {
 public:
     Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer)
@@ -66,7 +63,7 @@ private:
         return false;
     }
 
-    /// The id is none of the traced ones around.
+    /// The verdict on a pixel whose id is none of the nine traced ones.
     Verdict secondLook(int x, int y, std::uint32_t id) {
         const Verdict worst = id == 0 ? Verdict::Void : Verdict::Disagrees;
         if (excused(x, y))
@@ -86,7 +83,7 @@ private:
         return worst;
     }
 
-    /// True if the rule does not judge this pixel: one of the rays of the 3×3 pixels.
+    /// True if the rule does not judge this pixel, because of one of the rays of the 3×3 pixels.
     [[nodiscard]] bool excused(int x, int y) {
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx)
@@ -115,7 +112,7 @@ private:
         const Answer& own = traced_.at(x, y);
         if (!std::isfinite(own.t) || !std::isfinite(drawn))
             return std::isinf(own.t) && std::isinf(drawn) && drawn > 0.0;
-        if (std::abs(drawn - own.t) <= kDepthShare * own.t)
+        if (std::abs(drawn - own.t) <= kDepthShareTolerance * own.t)
             return true;
         return retracer_.mayHaveDepth(x, y, own.id, drawn);
     }
@@ -145,8 +142,8 @@ private:
     Retracer& retracer_;
     Exact exact_;
     ByZone byZone_;
-    std::size_t inVain_ = 0;                   ///< second looks that explained nothing
-    std::vector<std::optional<bool>> excused_; ///< by pixel with border, what is known; empty until asked
+    std::size_t inVain_ = 0;                   ///< unsuccessful second looks
+    std::vector<std::optional<bool>> excused_; ///< by pixel with border, filled on demand
 };
 
 } // namespace
@@ -161,8 +158,7 @@ std::uint64_t Comparison::findings() const {
 void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
              Comparison& result) {
     const std::size_t pixels = static_cast<std::size_t>(drawn.width) * drawn.height;
-    LIMEN_ASSERT(traced.width == drawn.width && traced.height == drawn.height,
-                 "the pictures are of one size");
+    LIMEN_ASSERT(traced.width == drawn.width && traced.height == drawn.height, "the pictures have one size");
     LIMEN_ASSERT(drawn.ids.size() == pixels, "an id for every pixel");
     LIMEN_ASSERT(drawn.depth.empty() || drawn.depth.size() == pixels, "a depth for every pixel");
     LIMEN_ASSERT(drawn.layers.empty() || drawn.layers.size() == pixels, "layers for every pixel");
@@ -192,7 +188,7 @@ std::uint64_t hashOf(const DrawnImages& images) {
 std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second) {
     LIMEN_ASSERT(first.ids.size() == second.ids.size() && first.depth.size() == second.depth.size() &&
                      first.colour.size() == second.colour.size(),
-                 "the pictures are of one size");
+                 "the pictures have one size");
     const auto same = [&](std::size_t i) {
         if (!first.ids.empty() && first.ids[i] != second.ids[i])
             return false;

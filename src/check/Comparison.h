@@ -16,43 +16,44 @@ namespace limen::check {
 struct DrawnImages {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint32_t> ids; ///< 0 void, 1 sky
-    /// As stored: nearPlane / view depth, 0 where nothing was met; empty: unknown.
+    /// As stored in the depth buffer: nearPlane / view depth, 0 where nothing was drawn; empty: unknown.
     std::vector<float> depth;
-    double nearPlane = 0.02;               ///< metres
-    std::vector<reference::Layers> layers; ///< translucent surfaces met; empty: not counted
+    double nearPlane = kDefaultNearPlane;  ///< metres
+    std::vector<reference::Layers> layers; ///< translucent surfaces drawn; empty: not counted
     std::vector<std::uint8_t> colour;      ///< R,G,B,A; empty: not drawn
-    /// Of a multisampled picture, which has colour alone: where in a pixel the samples lie, from its centre, y downwards.
+    /// Sample positions of a multisampled picture, which has colour alone: pixels from the centre, y
+    /// downwards.
     std::vector<glm::vec2> samples;
-    std::vector<std::vector<Vec2>>
-        outlines; ///< regions of visits in NDC, for pictures of findings; may be empty
+    /// Regions of visits in NDC, for pictures of findings; may be empty.
+    std::vector<std::vector<Vec2>> outlines;
 };
 
-/// Of all that was drawn, to tell whether two runs drew the same to the bit.
+/// A hash of all images. Equal hashes: two runs drew the same bits.
 [[nodiscard]] std::uint64_t hashOf(const DrawnImages& images);
 
-/// What is said of one pixel. docs/ray-rule.md#how-pictures-are-held-against-it, docs/ray-rule.md#tolerances.
+/// The verdict on one pixel (docs/ray-rule.md, "How pictures are held against it" and "Tolerances").
 enum class Verdict : std::uint8_t {
     Agrees,    ///< the drawn id is among the traced ones of the 3×3 pixels
-    ByZone,    ///< an object seen where it pokes through a wall of its zone: the rule allows either
+    ByZone,    ///< an object that pokes through a wall of its zone: the rule allows both results
     Hole,      ///< drawn as void where the rule finds a void too: a defect of the data
-    Unjudged,  ///< seen past a wall that the near plane cuts, or out of the space of an eye on its wall
-    Sliver,    ///< finer rays within the 3×3 pixels find what was drawn
-    EdgeOn,    ///< disagrees; the drawn polygon is seen edge-on and its depth was taken beside it
-    Disagrees, ///< disagrees
+    Unjudged,  ///< past a wall that the near plane cuts, or out of the space of an eye on its wall
+    Sliver,    ///< finer rays within the 3×3 pixels meet the drawn polygon
+    EdgeOn,    ///< disagrees: the drawn polygon is seen edge-on, and its depth was taken beside it
+    Disagrees, ///< disagrees in any other way
     Void,      ///< disagrees: drawn as void, and no ray finds one
-    Depth,     ///< the id is the pixel's own, the depth is not
-    Layers     ///< the id is right, the translucent surfaces before it are not
+    Depth,     ///< the id is right, the depth is wrong
+    Layers     ///< the id is right, the translucent surfaces before it are wrong
 };
 inline constexpr std::size_t kVerdictCount = 10;
 inline constexpr std::array<std::string_view, kVerdictCount> kVerdictNames{
     "agrees", "by_zone", "holes", "unjudged", "slivers", "edge_on", "wrong_ids", "voids", "depth", "layers"};
 
-/// True for verdicts that say the picture is wrong.
+/// True for verdicts by which the picture is wrong.
 [[nodiscard]] constexpr bool isFinding(Verdict verdict) {
     return verdict >= Verdict::EdgeOn;
 }
 
-/// A picture's pixels by verdict.
+/// The verdicts on a picture's pixels.
 struct Comparison {
     std::array<std::uint64_t, kVerdictCount> counts{};
     std::vector<Verdict> verdicts; ///< by pixel, row 0 on top
@@ -63,15 +64,15 @@ struct Comparison {
     [[nodiscard]] std::uint64_t findings() const;
 };
 
-/// Pixels of one view that are looked at again with finer rays in vain; those beyond are taken as they are, which is the
-/// stricter way.
+/// Unsuccessful second looks in one view. Further pixels get their first verdict, which is the stricter one.
 inline constexpr std::size_t kMostSecondLooks = 400;
 
-/// Holds a drawn picture against the traced one. `result` is overwritten. Requires traced of the drawn size.
+/// Compares a drawn picture with the traced one; overwrites `result`. Requires both of one size.
 void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
              Comparison& result);
 
-/// Pixels at which two pictures of one view differ in any bit of id, depth or colour. Requires equal sizes.
+/// The number of pixels where two pictures of one view differ in any bit of id, depth or colour. Requires
+/// equal sizes.
 [[nodiscard]] std::size_t pixelsThatMoved(const DrawnImages& first, const DrawnImages& second);
 
 } // namespace limen::check

@@ -9,26 +9,27 @@
 
 namespace limen::check {
 
-/// What draws the views of a run: the renderer, or a test's stand-in. Called from the thread that made it.
+/// The interface to the renderer of a run's views, or to a test's substitute. All calls come from the thread
+/// that made it.
 class Drawer {
 public:
     virtual ~Drawer() = default;
 
-    /// Yields what was loaded; it stays as it is for as long as somebody holds it.
+    /// Loads the world around a block. The result never changes while it is held.
     [[nodiscard]] virtual Result<std::shared_ptr<const world::World>> load(dat::BlockCoord block) = 0;
-    /// Says what will be loaded next, so that it may be read while views of the block before are drawn.
+    /// Announces the next load, which may be prefetched while views of the current block are drawn.
     virtual void expect(dat::BlockCoord) {}
-    /// The view's axes, as they are drawn.
+    /// The camera with which the view is drawn.
     [[nodiscard]] virtual reference::Camera cameraOf(const View& view, world::SpaceIndex root) = 0;
-    /// Draws a view of the loaded world: ids and depth, and where `colour` is set colour. Or, all views alike, a multisampled
-    /// picture: colour, flat by id, and where its samples lie.
+    /// Draws a view of the loaded world: ids and depth, and colour if `colour` is set. A drawer of
+    /// multisampled pictures draws all views as colour, flat by id, with the sample positions.
     [[nodiscard]] virtual Result<DrawnImages> draw(const View& view, world::SpaceIndex root, bool colour) = 0;
-    /// What an id's colour is in a flat picture; for drawers of multisampled ones.
+    /// The colour of each id in flat pictures, for drawers of multisampled pictures; else null.
     [[nodiscard]] virtual IdColour idColour() const { return nullptr; }
-    /// Where everything was in the picture drawn last.
+    /// The dynamic state of the last picture.
     [[nodiscard]] virtual const world::DynamicState& dynamics() const = 0;
-    /// Makes another drawer that draws the same, for the thread that calls, of whatever this one has loaded last: its own load()
-    /// takes that over, and this one loads nothing new meanwhile. Null if it has none to offer.
+    /// Makes a second drawer with equal results, for the calling thread. Its load() takes over the world that
+    /// this drawer loaded last; this drawer must not load meanwhile. Null if it has no helper.
     [[nodiscard]] virtual Result<std::unique_ptr<Drawer>> makeHelper() { return nullptr; }
 };
 

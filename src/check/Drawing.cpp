@@ -18,9 +18,9 @@ Result<DrawnView> drawView(Drawer& drawer, const world::World& world, const View
     DrawnView drawn;
     drawn.view = view;
     const world::SpaceIndex root = rootOf(world, view);
-    LIMEN_ASSERT(root != world::kNone, "views have roots that are loaded");
+    LIMEN_ASSERT(root != world::kNone, "the root of a view is in the loaded world");
     drawn.camera = drawer.cameraOf(view, root);
-    const bool still = view.kind == Kind::Still;
+    const bool still = view.kind == ViewKind::Still;
     const Clock::time_point start = Clock::now();
     Result<DrawnImages> images = drawer.draw(view, root, still);
     if (!images)
@@ -43,15 +43,15 @@ Result<void> drawAll(ViewQueue& queue, Drawer& drawer, Judging& judging,
                      const std::function<Result<void>(std::size_t index)>& drawn) {
     for (std::size_t index = queue.take(); index < queue.views().size(); index = queue.take()) {
         Result<DrawnView> view = drawView(drawer, queue.world(), queue.views()[index]);
-        Result<void> told;
+        Result<void> reported;
         if (view) {
             judging.add(index, std::move(*view));
-            told = drawn ? drawn(index) : Result<void>{};
+            reported = drawn ? drawn(index) : Result<void>{};
         }
-        if (!view || !told) {
+        if (!view || !reported) {
             queue.close();
             judging.giveUp();
-            return tl::unexpected(view ? told.error() : view.error());
+            return tl::unexpected(view ? reported.error() : view.error());
         }
     }
     return {};

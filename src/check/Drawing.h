@@ -8,15 +8,15 @@
 
 namespace limen::check {
 
-/// The views of one loaded block, handed out to whoever draws. Any thread may take.
+/// Distributes the views of one loaded block among drawers. Safe to use from any thread.
 class ViewQueue {
 public:
     ViewQueue(const world::World& world, std::span<const View> views, std::size_t first)
         : world_(world), views_(views), next_(first) {}
 
-    /// The index of a view that nobody has drawn yet; none are left: views().size() or more.
+    /// The index of the next view to draw; views().size() or more if none is left.
     [[nodiscard]] std::size_t take() { return next_++; }
-    /// Hands out no more.
+    /// Makes take() find no further views.
     void close() { next_ = views_.size(); }
 
     [[nodiscard]] const world::World& world() const { return world_; }
@@ -28,8 +28,8 @@ private:
     std::atomic<std::size_t> next_;
 };
 
-/// Takes views, draws them and hands them on until there are no more, or one fails: then the queue is closed. `drawn` is told
-/// of each. Errors: the drawer's.
+/// Draws the queue's views and passes them to `judging` until none is left. `drawn` is called after each. The
+/// first error closes the queue. Errors: the drawer's and those of `drawn`.
 [[nodiscard]] Result<void> drawAll(ViewQueue& queue, Drawer& drawer, Judging& judging,
                                    const std::function<Result<void>(std::size_t index)>& drawn = {});
 

@@ -6,20 +6,20 @@
 
 namespace limen::check {
 
-/// A second drawer on a thread of its own. Drawing a small picture keeps one core busy for a part of the time only: two at once
-/// fill two cores.
+/// A second drawer on its own thread. One drawer of small pictures keeps a core busy for a part of the time
+/// only; two fill two cores.
 class DrawingHelper {
 public:
-    /// Nothing is drawn if the drawer has no helper to offer, or that fails: then the drawer does all of it.
+    /// Without a helper, or if making it fails, this object draws nothing and the drawer draws every view.
     explicit DrawingHelper(Drawer& drawer);
     ~DrawingHelper();
     DrawingHelper(const DrawingHelper&) = delete;
     DrawingHelper& operator=(const DrawingHelper&) = delete;
 
-    /// Lets it draw from the queue, once it has taken over what the drawer has loaded from `block`. All of these must live until
-    /// finish().
+    /// Starts drawing from the queue, after taking over the drawer's world around `block`. All arguments must
+    /// live until finish().
     void start(dat::BlockCoord block, ViewQueue& queue, Judging& judging);
-    /// Waits until it draws no more. Errors: what drawing met.
+    /// Waits for the end of drawing. Errors: the helper's.
     [[nodiscard]] Result<void> finish();
 
 private:
@@ -33,10 +33,10 @@ private:
     Drawer& drawer_;
     std::mutex lock_;
     std::condition_variable changed_;
-    std::optional<Job> job_; // under lock_; until it is done
+    std::optional<Job> job_; // under lock_; reset when done
     bool ending_ = false;    // under lock_
     Result<void> failure_;   // under lock_
-    std::thread thread_;     // last: starts when the rest is there
+    std::thread thread_;     // last: the thread uses the members above
 };
 
 } // namespace limen::check

@@ -1,6 +1,7 @@
 #include "check/EyeContact.h"
 
 #include "geometry/Segment.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace {
 bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
     for (std::size_t i = 0; i < corners.size(); ++i)
         if (distanceToSegment(point, corners[i], corners[(i + 1) % corners.size()]).distance <=
-            EyeContact::kReach)
+            kInPlaneTolerance)
             return true;
     return false;
 }
@@ -21,7 +22,7 @@ bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
 EyeContact::EyeContact(const world::World& world, const PolygonTable& polygons, world::SpaceIndex root,
                        const Vec3& eye) {
     std::vector<Triangle> touched;
-    polygons.trianglesAround(root, eye, kReach, touched);
+    polygons.trianglesAround(root, eye, kInPlaneTolerance, touched);
     for (const Triangle& triangle : touched)
         inward_.push_back(planeOf(triangle.corners).n);
     const world::Space& space = world.spaces[root];

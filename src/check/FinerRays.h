@@ -1,22 +1,24 @@
 #pragma once
 
+#include "geometry/Tolerances.h"
 #include "reference/Scene.h"
 
 #include <algorithm>
 #include <glm/vec2.hpp>
 #include <vector>
 
-// Second looks at a pixel: rays between those that were traced. Distances are in pixels; `trace(x, y)` yields the
-// reference::Answer of a ray, `test` says whether an answer is what was looked for.
+// Second looks at a pixel: rays between the traced ones. Distances are in pixels. `trace(x, y)` returns the
+// reference::Answer of a ray; `test` accepts the answers that explain the pixel.
 namespace limen::check {
 
-/// Between the rays of the finest grid, and how many of them lie either side of the middle: it reaches 1/128 of a pixel each way,
-/// twice what the rasteriser snaps corners to.
+/// Spacing of the finest grid in pixels, and its rays on either side of the middle. It covers kSnapTolerance
+/// each way.
 inline constexpr double kFinest = 1.0 / 2048.0;
 inline constexpr int kFinestReach = 16;
-/// Halvings of kFinest until two rays are 1e-13 of a pixel apart, which doubles hardly tell.
+static_assert(kFinest * kFinestReach == kSnapTolerance);
+/// Halvings of kFinest until two rays are 1e-13 of a pixel apart, near the resolution of doubles.
 inline constexpr int kHalvings = 32;
-/// Rays between two of the finest grid at most: enough for thirty lines that part surfaces.
+/// The most rays between two neighbours of the finest grid: enough for thirty boundaries of surfaces.
 inline constexpr int kMostBetween = 1024;
 
 /// True if any of (2·reach + 1)² rays, `step` apart around the centre of a pixel, passes the test.
@@ -50,7 +52,7 @@ public:
         return std::any_of(answers_.begin(), answers_.end(), test);
     }
 
-    /// True if a ray on a line that parts two surfaces passes the test, between any two neighbours of the grid.
+    /// True if a ray on a boundary of two surfaces passes the test, between any two neighbours of the grid.
     template <class Trace, class Test>
     [[nodiscard]] bool anyOnBoundaries(Trace trace, Test test) const {
         for (int j = 0; j < kSide; ++j) {
@@ -72,8 +74,9 @@ private:
         return answers_[static_cast<std::size_t>(p.y * kSide + p.x)];
     }
 
-    /// True if a ray between these two passes the test: one at a line on which two surfaces part. Strips between surfaces may be
-    /// narrower than any grid, and several of them may lie side by side, as the tops of planks that are seen from their own height.
+    /// True if a ray between two neighbours passes the test, found by halving towards boundaries of surfaces.
+    /// Strips between surfaces may be narrower than any grid, and several may be side by side: the tops of
+    /// planks at eye level.
     template <class Trace, class Test>
     [[nodiscard]] bool anyBetween(glm::ivec2 first, glm::ivec2 second, Trace trace, Test test) const {
         int rays = kMostBetween;
@@ -98,8 +101,8 @@ private:
     std::vector<reference::Answer> answers_;
 };
 
-/// True if a ray within the 3×3 pixels passes the test. Looked for around the middle, then wider, then over the whole, last
-/// along boundaries.
+/// True if a ray within the 3×3 pixels passes the test. Searches around the middle, then wider, then over all
+/// nine pixels, and last along boundaries.
 template <class Trace, class Test>
 [[nodiscard]] bool onFinerRays(int x, int y, Trace trace, Test test) {
     const FinestGrid finest(x, y, trace);

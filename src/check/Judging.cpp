@@ -6,9 +6,9 @@ namespace limen::check {
 
 namespace {
 
-/// Some hundred small views, or 18 of 640×360; 100 MiB. Hundreds in a row, about one opening, may take longer to trace than to
-/// draw, and the next hundreds the other way.
-constexpr std::size_t kMostWaiting = std::size_t{1} << 22; // pixels
+/// Pixels of waiting views: about a hundred small views, or 18 of 640×360; 100 MiB. Hundreds of views around
+/// one opening may trace slower than they draw, and the next hundreds faster.
+constexpr std::size_t kMostWaiting = std::size_t{1} << 22;
 
 std::size_t pixelsOf(const DrawnView& view) {
     return std::size_t{view.images.width} * view.images.height;
@@ -38,7 +38,7 @@ Judging::~Judging() {
 void Judging::add(std::size_t index, DrawnView view) {
     {
         std::unique_lock guard(lock_);
-        // The one that is judged next never waits: those behind it wait for it.
+        // The view that is judged next never blocks: all others wait for it.
         changed_.wait(guard, [&] { return waitingPixels_ < kMostWaiting || index == next_ || gaveUp_; });
         waitingPixels_ += pixelsOf(view);
         waiting_.emplace(index, std::move(view));

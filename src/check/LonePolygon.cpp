@@ -1,6 +1,7 @@
 #include "check/LonePolygon.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +13,8 @@ namespace limen::check {
 
 namespace {
 
-constexpr double kSnap = 1.0 / 128.0;       // pixels
-constexpr double kPolygonDepthShare = 1e-4; // of the depth
-constexpr double kTransformShare = 4e-7;    // of the farthest corner's distance
-constexpr double kBlockFloat = 2e-5;        // metres
-constexpr double kStoredRounding = 0x1p-22; // of the largest inverse depth
+constexpr double kTransformShare = 4e-7; // of the farthest corner's distance: rounding of a float transform
+constexpr double kStoredRounding = 0x1p-22; // of the largest inverse depth: rounding of a stored float
 
 /// A triangle relative to an eye, and its plane n·p = offset. n is not unit length.
 struct Seen {
@@ -28,15 +26,16 @@ struct Seen {
           ac(triangle.corners[2] - triangle.corners[0]), n(glm::cross(ab, ac)), offset(glm::dot(n, a)) {}
 };
 
-/// Directions through the corners of the square of half-width kSnap around a place, counter-clockwise as seen.
+/// Directions through the corners of the square of half-width kSnapTolerance around a place,
+/// counter-clockwise as seen.
 std::array<Vec3, 4> squareAround(const reference::Camera& camera, double x, double y) {
     const auto at = [&](double dx, double dy) {
-        return reference::rayThrough(camera, x + dx * kSnap, y + dy * kSnap).direction;
+        return reference::rayThrough(camera, x + dx * kSnapTolerance, y + dy * kSnapTolerance).direction;
     };
     return {at(-1, 1), at(1, 1), at(1, -1), at(-1, -1)};
 }
 
-/// The part of the triangle before the eye that lies within the pyramid over the square, relative to the eye.
+/// The part of the triangle ahead of the eye inside the pyramid over the square, relative to the eye.
 std::vector<Vec3> partWithin(const Seen& seen, const std::array<Vec3, 4>& square) {
     std::vector<Vec3> part{seen.a, seen.a + seen.ab, seen.a + seen.ac}, clipped;
     for (std::size_t i = 0; i < square.size(); ++i) {
@@ -45,7 +44,7 @@ std::vector<Vec3> partWithin(const Seen& seen, const std::array<Vec3, 4>& square
         clipPolygon(part, {glm::dot(inward, middle) > 0.0 ? inward : -inward, 0.0}, 0.0, clipped);
         part.swap(clipped);
     }
-    return part; // four planes through the eye leave only what is ahead
+    return part; // the four planes pass through the eye, so the part is ahead
 }
 
 bool reaches(const Seen& seen, const std::array<Vec3, 4>& square) {
@@ -93,8 +92,8 @@ bool triangleMayHaveDepth(const Seen& seen, const reference::Camera& camera, int
     const Range facing = over(seen, square);
     // On the plane n·d = offset / t: all terms in units of n.
     const double wanted = seen.offset / drawn;
-    const double slack = kPolygonDepthShare * std::abs(wanted) +
-                         glm::length(seen.n) * (transformRounding(seen) + kBlockFloat) / drawn +
+    const double slack = kDepthShareTolerance * std::abs(wanted) +
+                         glm::length(seen.n) * (transformRounding(seen) + kBlockFloatTolerance) / drawn +
                          kStoredRounding * overPicture(seen, camera).farthest();
     if (!(wanted >= facing.low - slack && wanted <= facing.high + slack))
         return false;
@@ -132,7 +131,7 @@ double outlineRounding(std::span<const Triangle> polygon, const reference::Camer
             most = std::max(most, transformRounding(seen) / std::max(pixelThere, transformRounding(seen)));
         }
     }
-    return std::min(most, kSnap);
+    return std::min(most, kSnapTolerance);
 }
 
 bool mayHaveDepth(std::span<const Triangle> polygon, const reference::Camera& camera, int x, int y,

@@ -1,6 +1,6 @@
 #include "check/Plan.h"
 
-#include "check/Views.h"
+#include "check/views/Views.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace limen::check {
 
 namespace {
 
-constexpr std::array<std::size_t, kKindCount> kParts{30, 20, 20, 28, 2};
+constexpr std::array<std::size_t, kKindCount> kParts{30, 20, 20, 28, 2}; ///< shares of the kinds, by ViewKind
 
-/// How many times the outside views of a block without buildings one with buildings gets: openings are where pictures go
-/// wrong, and every block costs a load.
+/// Outside views of a block with buildings for each one of a block without: pictures go wrong at openings,
+/// and every block costs a load.
 constexpr std::uint64_t kBuiltWeight = 12;
 
-/// Shares `amount` out by weight; the shares add up to it unless all weights are 0. `take` gets each share.
+/// Distributes `amount` by weight and calls take(i, share). The shares add up to it unless all weights are 0.
 template <class Take>
 void shareOut(std::size_t amount, std::span<const std::uint64_t> weights, Take take) {
     const std::uint64_t all = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});
@@ -74,9 +74,9 @@ Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive) {
     return blocks;
 }
 
-KindCounts shareAmongKinds(std::size_t views, std::span<const Kind> kinds) {
+KindCounts shareAmongKinds(std::size_t views, std::span<const ViewKind> kinds) {
     std::array<std::uint64_t, kKindCount> weights{};
-    for (const Kind kind : kinds)
+    for (const ViewKind kind : kinds)
         weights[static_cast<std::size_t>(kind)] = kParts[static_cast<std::size_t>(kind)];
     KindCounts counts{};
     shareOut(views, weights, [&](std::size_t i, std::size_t share) {
@@ -85,11 +85,11 @@ KindCounts shareAmongKinds(std::size_t views, std::span<const Kind> kinds) {
     return counts;
 }
 
-std::vector<Kind> kindsWithPlaces(std::span<const Kind> kinds, std::span<const BlockSummary> blocks) {
-    std::vector<Kind> placed;
-    std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(placed), [&](Kind kind) {
+std::vector<ViewKind> kindsWithPlaces(std::span<const ViewKind> kinds, std::span<const BlockSummary> blocks) {
+    std::vector<ViewKind> placed;
+    std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(placed), [&](ViewKind kind) {
         return std::any_of(blocks.begin(), blocks.end(), [&](const BlockSummary& block) {
-            return kind == Kind::Outside ? block.hasLandscape : block.cells > 0;
+            return kind == ViewKind::Outside ? block.hasLandscape : block.cells > 0;
         });
     });
     return placed;
@@ -123,11 +123,11 @@ std::vector<BlockTask> planTasks(std::span<const BlockSummary> blocks, std::span
         tasks.push_back({block.block, {}, 0});
     }
     KindCounts shared = counts;
-    const std::size_t path = static_cast<std::size_t>(Kind::Path);
+    const std::size_t path = static_cast<std::size_t>(ViewKind::Path);
     const std::size_t tourViews = tour.size() < 2 ? 0 : counts[path] / 2;
     shared[path] -= tourViews;
     for (std::size_t kind = 0; kind < kKindCount; ++kind) {
-        const bool outside = static_cast<Kind>(kind) == Kind::Outside;
+        const bool outside = static_cast<ViewKind>(kind) == ViewKind::Outside;
         shareOut(shared[kind], outside ? byLandscape : byCells,
                  [&](std::size_t i, std::size_t share) { tasks[i].counts[kind] = share; });
     }

@@ -10,44 +10,44 @@
 
 namespace limen::check {
 
-/// A landblock as far as its size matters for sharing views out.
+/// The properties of a landblock that decide its share of views.
 struct BlockSummary {
     dat::BlockCoord block;
     std::uint32_t cells = 0;
     bool hasBuildings = false;
-    bool hasLandscape = false; ///< a LandBlock record, and no dungeon
+    bool hasLandscape = false; ///< a LandBlock record that is no dungeon
 };
 
-/// The blocks of an archive that hold cells or buildings, and those with landscape next to one that has buildings;
-/// ascending. Errors: a damaged index. A block whose own record is damaged counts by its cells.
+/// The blocks of an archive with cells or buildings, and the landscape blocks next to one with buildings;
+/// ascending. A block whose own record is damaged counts by its cells. Errors: a damaged index.
 [[nodiscard]] Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive);
 
-/// How many views of each kind; 0: not wanted.
+/// The number of views of each kind; 0: none.
 using KindCounts = std::array<std::size_t, kKindCount>;
 
-/// Shares a budget out among kinds: 30 parts random, 20 outside, 20 path, 28 sweep, 2 still; a wanted kind gets at least
-/// one.
-[[nodiscard]] KindCounts shareAmongKinds(std::size_t views, std::span<const Kind> kinds);
+/// Distributes a number of views among kinds: 30 parts random, 20 outside, 20 path, 28 sweep, 2 still. Each
+/// kind of `kinds` gets at least one.
+[[nodiscard]] KindCounts shareAmongKinds(std::size_t views, std::span<const ViewKind> kinds);
 
-/// Those of `kinds` that have somewhere to stand: outside, in a block with landscape; the others, in a cell.
-[[nodiscard]] std::vector<Kind> kindsWithPlaces(std::span<const Kind> kinds,
-                                                std::span<const BlockSummary> blocks);
+/// The kinds that have viewpoints in the blocks: Outside needs a landscape, the others need a cell.
+[[nodiscard]] std::vector<ViewKind> kindsWithPlaces(std::span<const ViewKind> kinds,
+                                                    std::span<const BlockSummary> blocks);
 
-/// What is to be looked at from one block. Counts are what is asked for; legal eyes may be fewer.
+/// The views of one block. Counts are upper bounds: there may be fewer legal viewpoints.
 struct BlockTask {
     dat::BlockCoord block;
     KindCounts counts{};       ///< of Path: the walks
-    std::size_t tourViews = 0; ///< of the whole tour, 0: none of it here
-    std::vector<View> given{}; ///< looked at as they are, after all others
+    std::size_t tourViews = 0; ///< of the whole tour; 0: no point of it is in this block
+    std::vector<View> given{}; ///< views that are checked unchanged, after all others
     [[nodiscard]] std::size_t total() const;
 };
 
-/// Tasks for views that are there already, each loaded as `limen shot` would; they stay in order within a block.
+/// Tasks for given views, each loaded as by `limen shot`. Views of one block stay in order.
 [[nodiscard]] std::vector<BlockTask> tasksOf(std::span<const View> views);
 
-/// Shares views out among blocks: random, sweep and still ones and walks by the number of cells, outside ones among
-/// blocks with landscape, most to those with buildings, half of the path views along the tour where there is one.
-/// Blocks without a share are left out.
+/// Distributes views among blocks. Random, sweep and still views and walks follow the number of cells;
+/// outside views go to blocks with landscape, most of them to those with buildings; half of the path views
+/// follow the tour, if there is one. Blocks without views are left out.
 [[nodiscard]] std::vector<BlockTask> planTasks(std::span<const BlockSummary> blocks,
                                                std::span<const world::Place> tour, const KindCounts& counts);
 

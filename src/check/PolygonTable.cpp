@@ -8,7 +8,7 @@ namespace limen::check {
 
 namespace {
 
-/// Metres a metre of distance: more than a pixel of any sensible picture.
+/// Metres per metre of distance: more than a pixel of any usual picture.
 constexpr double kPixelShare = 0.02;
 
 } // namespace

@@ -14,20 +14,21 @@ struct Triangle {
     std::array<Vec3, 3> corners{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
 };
 
-/// Finds the triangles behind ids and around points. The world and the moment must outlive it; the moment may change.
+/// Finds triangles by id and around points. World and dynamic state must outlive it; the dynamic state may
+/// change.
 class PolygonTable {
 public:
     PolygonTable(const world::World& world, const world::DynamicState& dynamics);
 
-    /// The triangles that show as `id`; none for void, sky and ids that nothing has. `out` is overwritten.
+    /// The triangles with an id; none for void, sky and unused ids. Overwrites `out`.
     void trianglesOf(std::uint32_t id, std::vector<Triangle>& out) const;
-    /// The opaque and cut-out triangles that members of `space` have within `reach` metres of a point. `out` is
-    /// overwritten.
+    /// The opaque and cut-out triangles of members of `space` within `reach` metres of a point. Overwrites
+    /// `out`.
     void trianglesAround(world::SpaceIndex space, const Vec3& point, double reach,
                          std::vector<Triangle>& out) const;
 
-    /// The ids of all polygons of instances whose ball, and a pixel's width around it, a ray passes. `direction` need not be
-    /// of unit length. `out` is overwritten.
+    /// The ids of all polygons of instances whose bounding sphere, grown by a pixel, a ray passes.
+    /// `direction` may have any length. Overwrites `out`.
     void polygonsAlong(const Vec3& eye, const Vec3& direction, std::vector<std::uint32_t>& out) const;
 
 private:

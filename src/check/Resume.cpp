@@ -24,7 +24,7 @@ Json viewJson(const View& view) {
 
 View viewOf(const Json& json) {
     View view;
-    view.kind = kindNamed(json.at("kind").get<std::string>()).value_or(Kind::Random);
+    view.kind = kindNamed(json.at("kind").get<std::string>()).value_or(ViewKind::Random);
     view.eye = {json.at("eye").at(0).get<double>(), json.at("eye").at(1).get<double>(),
                 json.at("eye").at(2).get<double>()};
     view.yaw = json.at("yaw").get<double>();

@@ -7,29 +7,31 @@
 
 namespace limen::check {
 
-/// Answers about single rays of one view, for pixels that need a second look. (x, y) are pixels of the picture, centres at
-/// whole numbers. An interface, so that each verdict can be tested with answers made by hand.
+/// Queries about single rays of one view, for pixels that need a second look. (x, y) are pixels of the
+/// picture, with centres at whole numbers. An interface, so that tests can make up the answers.
 class Retracer {
 public:
     virtual ~Retracer() = default;
 
     /// The ray rule, as in the traced picture.
     [[nodiscard]] virtual reference::Answer exact(double x, double y) = 0;
-    /// The rule's other reading: objects met in every space of their zones (reference::RuleOptions::objectsByZone).
+    /// The rule's other option: objects are met in every space of their zones
+    /// (reference::RuleOptions::objectsByZone).
     [[nodiscard]] virtual reference::Answer byZone(double x, double y) = 0;
     /// True if the near plane cuts a surface on this ray.
     [[nodiscard]] virtual bool isCutByNearPlane(double x, double y) = 0;
-    /// False for a ray out of the space that an eye on a wall or on the edge of an opening is said to be in
+    /// False for a ray that leaves the root space of an eye on a wall or on the edge of an opening
     /// (check/EyeContact.h).
     [[nodiscard]] virtual bool leadsIntoTheRoot(double x, double y) = 0;
-    /// True if the polygon `id` covers the place but for the rasteriser's rounding, and its plane there lies before depth
-    /// `shown` (check/LonePolygon.h).
+    /// True if polygon `id` covers the place up to the rasteriser's rounding, and its plane there is nearer
+    /// than depth `shown` (check/LonePolygon.h).
     [[nodiscard]] virtual bool isEdgeOn(double x, double y, std::uint32_t id, double shown) = 0;
-    /// Pixels by which floats may move the outline of polygon `id` at the place, 1/128 at most (check/LonePolygon.h).
+    /// Pixels by which floats may move the outline of polygon `id` at the place, 1/128 at most
+    /// (check/LonePolygon.h).
     [[nodiscard]] virtual double outlineRounding(double x, double y, std::uint32_t id) = 0;
-    /// The ids of all polygons that the ray comes near, whichever space they are in. `ids` is overwritten. Slow.
+    /// The ids of all polygons near the ray, in any space. Overwrites `ids`. Slow.
     virtual void polygonsAlong(double x, double y, std::vector<std::uint32_t>& ids) = 0;
-    /// True if view depth `drawn` is one that the rasteriser may give polygon `id` at the pixel's centre
+    /// True if the rasteriser may give polygon `id` the view depth `drawn` at the pixel's centre
     /// (check/LonePolygon.h).
     [[nodiscard]] virtual bool mayHaveDepth(int x, int y, std::uint32_t id, double drawn) = 0;
 };

@@ -1,8 +1,8 @@
 #include "check/Run.h"
 
 #include "check/DrawingHelper.h"
-#include "check/RandomGenerator.h"
-#include "check/Views.h"
+#include "check/views/RandomGenerator.h"
+#include "check/views/Views.h"
 
 #include <chrono>
 #include <numeric>
@@ -14,14 +14,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kBetweenSaves = std::chrono::seconds(5);
-/// Views of a block from which on a helper is asked: it takes over what is loaded first, which takes as long as some dozens.
+/// Views of a block that are worth a helper: taking over the loaded world takes as long as some dozens of
+/// views.
 constexpr std::size_t kWorthHelp = 100;
 
 std::size_t askedOf(const RunRequest& request, const BlockTask& task) {
     return task.total() + tourPointsIn(request.tour, task.tourViews, task.block);
 }
 
-/// One run on its way.
+/// One run.
 class Runner {
 public:
     Runner(const RunRequest& request, Drawer& drawer, const RunEvents& events, Progress& progress)
@@ -44,7 +45,7 @@ public:
     }
 
 private:
-    /// A block of the run. Its last views are judged while the next block is made ready.
+    /// A block of the run. Its last views are judged while the next block is loaded.
     struct Block {
         explicit Block(std::shared_ptr<const world::World> loaded)
             : world(std::move(loaded)), traced(*world) {}
@@ -63,7 +64,7 @@ private:
             loaded ? viewsOf(request_, task, **loaded, next->traced.scene()) : std::vector<View>{};
         if (Result<void> finished = finishBlock(); !finished)
             return finished;
-        if (!loaded) { // one damaged block among thousands must not end the run; the report counts it
+        if (!loaded) { // one damaged block among thousands does not end the run; the report counts it
             ++progress_.totals.blocksLeftOut;
             if (events_.leftOut)
                 events_.leftOut(task.block, loaded.error());
@@ -92,7 +93,7 @@ private:
         return drawn ? std::move(helpersDrawn) : std::move(drawn);
     }
 
-    /// Waits until the block's views are judged, and lets go of it.
+    /// Waits until the block's views are judged, and releases it.
     Result<void> finishBlock() {
         if (!block_)
             return {};
@@ -130,8 +131,8 @@ private:
     const double secondsBefore_;
     const Clock::time_point start_ = Clock::now();
     Clock::time_point saved_ = start_;
-    std::size_t asked_ = 0;        ///< by the tasks that are done
-    std::unique_ptr<Block> block_; ///< whose views are drawn or judged
+    std::size_t asked_ = 0;        ///< views of the finished tasks
+    std::unique_ptr<Block> block_; ///< the block whose views are drawn or judged
     std::optional<DrawingHelper> helper_;
 };
 
@@ -146,17 +147,17 @@ std::size_t viewsAsked(const RunRequest& request) {
 std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, const world::World& world,
                           const reference::Scene& scene) {
     Surroundings around{world, scene, task.block, request.seed, request.width, request.height, request.tour};
-    const auto count = [&](Kind kind) { return task.counts[static_cast<std::size_t>(kind)]; };
+    const auto count = [&](ViewKind kind) { return task.counts[static_cast<std::size_t>(kind)]; };
     std::vector<View> views;
-    addRandomViews(around, Kind::Random, count(Kind::Random), views);
-    addOutsideViews(around, count(Kind::Outside), views);
+    addRandomViews(around, ViewKind::Random, count(ViewKind::Random), views);
+    addOutsideViews(around, count(ViewKind::Outside), views);
     if (task.tourViews > 0)
         addTourViews(around, task.tourViews, views);
-    addWalkViews(around, count(Kind::Path), views);
-    addRandomViews(around, Kind::Still, count(Kind::Still), views);
+    addWalkViews(around, count(ViewKind::Path), views);
+    addRandomViews(around, ViewKind::Still, count(ViewKind::Still), views);
     around.width = request.sweepWidth;
     around.height = request.sweepHeight;
-    addSweepViews(around, count(Kind::Sweep), views);
+    addSweepViews(around, count(ViewKind::Sweep), views);
     for (std::size_t i = 0; i < views.size(); ++i) {
         RandomGenerator random(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
         views[i].seconds = std::floor(random.between(0.0, request.longest) * 100.0) / 100.0;

@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-// The run itself, whoever draws.
+// The run itself, with any drawer.
 namespace limen::check {
 
 struct RunRequest {
@@ -17,14 +17,14 @@ struct RunRequest {
     std::uint32_t width = 640, height = 360;          ///< pixels
     std::uint32_t sweepWidth = 160, sweepHeight = 90; ///< pixels
     std::span<const world::Place> tour;
-    std::optional<double> doors; ///< how far all doors stand open; none: each as it rests
+    std::optional<double> doors; ///< openness of all doors; none: that of the world file
     std::uint32_t dayGroup = 0;
     bool rain = false;
     double longest = 600.0; ///< views are taken at times from 0 to this, seconds
-    unsigned threads = 2;   ///< that trace
+    unsigned threads = 2;   ///< for tracing
 };
 
-/// Everything about a view with findings, for pictures of it. Lives for the call only.
+/// A view with findings, for pictures of it. Valid during the call only.
 struct FindingPicture {
     const View& view;
     std::uint64_t number;
@@ -33,23 +33,25 @@ struct FindingPicture {
     const Comparison& comparison;
 };
 
-/// What a run tells while it goes. All may be empty. `picture` is called from the tracing thread, one call at a time.
+/// Callbacks of a run; each may be empty. `picture` is called from the tracing thread, one call at a time.
 struct RunEvents {
-    std::function<void(std::size_t done)> step;         ///< views judged or left out, of viewsAsked
-    std::function<Result<void>(const Progress&)> saved; ///< a state to keep; every few seconds and at the end
+    std::function<void(std::size_t done)> step; ///< views judged or left out, of viewsAsked
+    std::function<Result<void>(const Progress&)>
+        saved; ///< the state to save; every few seconds and at the end
     std::function<Result<void>(const FindingPicture&)> picture;
     std::function<void(dat::BlockCoord, const Error&)> leftOut; ///< a block that could not be loaded
 };
 
-/// Views that a plan asks for.
+/// The number of views in a plan.
 [[nodiscard]] std::size_t viewsAsked(const RunRequest& request);
 
-/// The views of one task, in order: the same for every call.
+/// The views of one task, in order; equal in every call.
 [[nodiscard]] std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task,
                                         const world::World& world, const reference::Scene& scene);
 
-/// Draws and judges all views from `progress` on, the next ones being drawn while one is traced, across blocks too; the drawer's
-/// helper, if it has one, draws every view that the drawer is too busy for. `progress` is brought up to date. Errors: the drawer's and the events'; what was judged until then is in `progress`.
+/// Draws and judges all views from `progress` on, and updates it. Drawing runs ahead of tracing, across
+/// blocks, too. The drawer's helper, if there is one, shares the drawing. Errors: the drawer's and the
+/// events'; `progress` then has all views judged so far.
 [[nodiscard]] Result<void> runCheck(const RunRequest& request, Drawer& drawer, const RunEvents& events,
                                     Progress& progress);
 

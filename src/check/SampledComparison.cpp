@@ -14,13 +14,13 @@ namespace limen::check {
 
 namespace {
 
-/// Pixels from a sample to the rays that are tried around it, ring by ring: edges are decided in floats, by corners that are
-/// rounded to some 1e-5 of a pixel, and what is seen there may be far narrower than that.
+/// Radii in pixels of the rings of rays around a sample. Edges are computed in floats from corners that are
+/// rounded to about 1e-5 of a pixel, and the surface seen there may be far narrower than that.
 constexpr std::array<double, 4> kRings{1e-7, 1e-6, 1e-5, 1e-4};
 constexpr int kSpokes = 16;
-/// Of 255: what rounding the mean of the samples' colours may differ by.
+/// Of 255: the rounding of the mean of the samples' colours.
 constexpr int kRounding = 1;
-/// Ids tried for one sample; more than that meet in no pixel that is not noise.
+/// The most ids tried for one sample; more meet only in pixels that are noise.
 constexpr std::size_t kMostIds = 12;
 
 using Ids = std::vector<std::uint32_t>;
@@ -30,7 +30,7 @@ void addOnce(Ids& ids, std::uint32_t id) {
         ids.push_back(id);
 }
 
-/// One pixel, and what each of its samples may show.
+/// One pixel, and the ids that each of its samples may show.
 class SampledPixel {
 public:
     SampledPixel(const DrawnImages& drawn, std::span<const reference::Picture> traced, IdColour colourOf,
@@ -70,7 +70,8 @@ private:
         return anyMean(0, glm::ivec3(0), chosen);
     }
 
-    /// Whether a choice of one id for each sample from `from` on gives the drawn colour. `chosen`: those before.
+    /// Whether a choice of one id for each sample from `from` on gives the drawn colour. `chosen`: the ids of
+    /// the samples before, with the colour sum `sum`.
     [[nodiscard]] bool anyMean(std::size_t from, const glm::ivec3& sum, Ids& chosen) const {
         const auto count = static_cast<int>(ids_.size());
         if (from == ids_.size()) {
@@ -86,7 +87,7 @@ private:
         });
     }
 
-    /// As for pictures of one sample: the rays of the 3×3 pixels.
+    /// As for pictures of one sample: by the rays of the 3×3 pixels.
     [[nodiscard]] bool isExcused() {
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx)
@@ -113,7 +114,7 @@ private:
         }
     }
 
-    /// Outlines of what is near the eye are rounded by more than the rings.
+    /// Adds ids from wider rings: outlines near the eye are rounded by more than kRings.
     void lookAsFarAsRounded(const Ids& near) {
         for (std::size_t s = 0; s < ids_.size(); ++s) {
             double reach = 0.0;
@@ -126,7 +127,7 @@ private:
         }
     }
 
-    /// Polygons that are met nowhere near a sample, but may have been drawn there.
+    /// Adds polygons that no ray near a sample meets, but that may have been drawn there.
     void addTied(const Ids& candidates) {
         for (const std::uint32_t id : candidates) {
             for (std::size_t s = 0; s < ids_.size(); ++s)

@@ -18,9 +18,9 @@ struct KindTotals {
     [[nodiscard]] std::uint64_t count(Verdict verdict) const {
         return counts[static_cast<std::size_t>(verdict)];
     }
-    /// Pixels whose id the rule forbids: edge-on ones and voids among them.
+    /// Pixels whose id the rule forbids, edge-on ones and voids included.
     [[nodiscard]] std::uint64_t disagreeing() const;
-    /// Everything that makes the check fail.
+    /// Pixels that make the check fail.
     [[nodiscard]] std::uint64_t findings() const;
     void add(const KindTotals& other);
 };
@@ -33,28 +33,28 @@ struct Finding {
     std::array<std::uint64_t, kVerdictCount> counts{};
     std::uint64_t moved = 0;
 
-    /// Pixels of it that are not the rasteriser's edge-on ones.
+    /// Findings without the rasteriser's edge-on pixels.
     [[nodiscard]] std::uint64_t grave() const {
         return count - counts[static_cast<std::size_t>(Verdict::EdgeOn)];
     }
 };
 
-/// What a run has found.
+/// The results of a run.
 struct Totals {
     static constexpr std::size_t kWorst = 50;
 
     std::array<KindTotals, kKindCount> kinds;
-    std::vector<Finding>
-        worst; ///< at most kWorst: most grave pixels first, then most pixels, then the earlier view
+    /// At most kWorst: most grave pixels first, then most pixels, then the earlier view.
+    std::vector<Finding> worst;
     std::uint64_t viewsWithFindings = 0;
-    std::uint64_t blocksLeftOut = 0; ///< that could not be loaded
-    std::uint64_t pictures =
-        0; ///< of all that was drawn, ids, depth, layers and colour: equal runs have the same
-    double drawSeconds = 0.0;  ///< of them with drawing and reading back
-    double traceSeconds = 0.0; ///< of them with tracing and comparing, while others are drawn
-    double seconds = 0.0;      ///< spent on it, over all parts of a resumed run
+    std::uint64_t blocksLeftOut = 0; ///< blocks that failed to load
+    /// A hash of all pictures: ids, depth, layers and colour. Equal runs have equal hashes.
+    std::uint64_t pictures = 0;
+    double drawSeconds = 0.0;  ///< drawing and reading back
+    double traceSeconds = 0.0; ///< tracing and comparing, at the same time
+    double seconds = 0.0;      ///< wall clock, summed over all parts of a resumed run
 
-    /// Adds one view. `moved`: of a view that was drawn twice. `picture`: a hash of what was drawn.
+    /// Adds one view. `moved`: pixels that differ in a second picture. `picture`: a hash of the picture.
     void add(const View& view, std::uint64_t number, const Comparison& comparison, std::uint64_t moved,
              std::uint64_t picture = 0);
     [[nodiscard]] KindTotals sum() const;

@@ -1,15 +1,9 @@
 #include "check/Traced.h"
 
 #include "check/LonePolygon.h"
+#include "geometry/Tolerances.h"
 
 namespace limen::check {
-
-namespace {
-
-/// How far floats may move a corner of a block, metres: half a block's width in float, twice over.
-constexpr double kNearRounding = 2e-5;
-
-} // namespace
 
 TracedWorld::TracedWorld(const world::World& world) : world_(world), scene_(world) {}
 
@@ -50,9 +44,9 @@ bool ViewRetracer::isCutByNearPlane(double x, double y) {
     };
     if (traceFrom(0.0).t < camera_.nearPlane)
         return true;
-    // A surface that lies in the near plane itself, a pane for one, is cut by it or not as floats round.
-    const reference::Answer before = traceFrom(camera_.nearPlane - kNearRounding);
-    const reference::Answer behind = traceFrom(camera_.nearPlane + kNearRounding);
+    // A surface in the near plane itself, such as a pane, may be cut or not, depending on float rounding.
+    const reference::Answer before = traceFrom(camera_.nearPlane - kBlockFloatTolerance);
+    const reference::Answer behind = traceFrom(camera_.nearPlane + kBlockFloatTolerance);
     return before.id != behind.id || !(before.layers == behind.layers);
 }
 

@@ -9,11 +9,11 @@
 
 namespace limen::check {
 
-/// A loaded world as the reference sees it. What is rarely needed is made when it is; so it serves one thread at a time.
-/// The world must outlive it.
+/// A loaded world, prepared for tracing. Parts are made on demand, so it serves one thread at a time. The
+/// world must outlive it.
 class TracedWorld {
 public:
-    /// Until a moment is set nothing moves and all openings are open.
+    /// Until setDynamics() is called nothing moves and all openings are open.
     explicit TracedWorld(const world::World& world);
     TracedWorld(const TracedWorld&) = delete;
     TracedWorld& operator=(const TracedWorld&) = delete;
@@ -29,7 +29,7 @@ private:
     world::DynamicState dynamics_;
     reference::Scene scene_;
     std::optional<reference::Scene> byZone_;
-    bool byZoneIsOld_ = true; ///< it has another moment
+    bool byZoneIsOld_ = true; ///< byZone_ has an older dynamic state
     std::optional<PolygonTable> polygons_;
 };
 
@@ -53,7 +53,7 @@ private:
     TracedWorld& traced_;
     reference::Camera camera_;
     std::optional<EyeContact> contact_;
-    std::uint32_t trianglesId_ = 0; ///< what triangles_ belong to
+    std::uint32_t trianglesId_ = 0; ///< the id of triangles_
     std::vector<Triangle> triangles_;
 };
 

@@ -8,11 +8,11 @@
 
 namespace limen::check {
 
-std::optional<Kind> kindNamed(std::string_view name) {
+std::optional<ViewKind> kindNamed(std::string_view name) {
     const auto found = std::find(kKindNames.begin(), kKindNames.end(), name);
     if (found == kKindNames.end())
         return std::nullopt;
-    return static_cast<Kind>(found - kKindNames.begin());
+    return static_cast<ViewKind>(found - kKindNames.begin());
 }
 
 dat::BlockCoord centreOf(const View& view) {

@@ -12,8 +12,8 @@
 
 namespace limen::check {
 
-/// The kinds of view (src/check/README.md), in the order they are run in.
-enum class Kind : std::uint8_t {
+/// The kinds of view (docs/interface.md, `limen check`), in the order in which they run.
+enum class ViewKind : std::uint8_t {
     Random,  ///< anywhere in a cell
     Outside, ///< anywhere above the landscape
     Path,    ///< along the tour and along random walks through portals
@@ -24,48 +24,48 @@ inline constexpr std::size_t kKindCount = 5;
 inline constexpr std::array<std::string_view, kKindCount> kKindNames{"random", "outside", "path", "sweep",
                                                                      "still"};
 
-[[nodiscard]] constexpr std::string_view nameOf(Kind kind) {
+[[nodiscard]] constexpr std::string_view nameOf(ViewKind kind) {
     return kKindNames[static_cast<std::size_t>(kind)];
 }
-[[nodiscard]] std::optional<Kind> kindNamed(std::string_view name);
+[[nodiscard]] std::optional<ViewKind> kindNamed(std::string_view name);
 
-/// One eye that is checked, in the terms of `limen shot`.
+/// One view that is checked, in the terms of `limen shot`.
 struct View {
-    Kind kind = Kind::Random;
+    ViewKind kind = ViewKind::Random;
     Vec3 eye{0.0};                           ///< global, metres
     double yaw = 0.0, pitch = 0.0;           ///< degrees: yaw 0 north, 90 east; pitch 90 straight up
     double fov = 60.0;                       ///< vertical, degrees
     std::uint32_t width = 640, height = 360; ///< pixels
-    dat::RecordId root = 0;                  ///< cell that the eye is in; 0: outside
+    dat::RecordId root = 0;                  ///< cell of the eye; 0: outside
     double time = 0.5;                       ///< of day, 0 and 1 midnight
     double seconds = 0.0;                    ///< since the world began
-    std::optional<double> doors;             ///< how far all doors stand open; none: each as it rests
+    std::optional<double> doors;             ///< openness of all doors; none: each its own
     struct DoorState {
         std::string name; ///< as in the world file
         double open = 0.0;
     };
-    std::vector<DoorState> eachDoor; ///< those that do not rest; where `doors` says nothing
-    std::uint32_t dayGroup = 0;      ///< of the Region's
+    std::vector<DoorState> eachDoor; ///< doors that differ from the world file; used without `doors`
+    std::uint32_t dayGroup = 0;      ///< of the Region
     bool rain = false;
-    std::optional<Vec3> player; ///< where the player is, global; none: at the eye
-    /// The player's body, if it has one.
+    std::optional<Vec3> player; ///< the player's position, global; none: the eye
+    /// The player's body, if it is drawn.
     struct Body {
         Vec3 feet{0.0};         ///< global
-        double yaw = 0.0;       ///< it faces that way, degrees
-        dat::RecordId root = 0; ///< cell that its middle is in; 0: outside
-        double opacity = 1.0;   ///< 0: not seen
-        double speed = 0.0;     ///< metres a second that it walks or runs; 0: it stands
-        double metres = 0.0;    ///< that it has walked
+        double yaw = 0.0;       ///< compass direction that it faces, degrees
+        dat::RecordId root = 0; ///< cell of its middle; 0: outside
+        double opacity = 1.0;   ///< 0: not drawn
+        double speed = 0.0;     ///< metres a second on foot; 0: it stands
+        double metres = 0.0;    ///< walked so far
     };
     std::optional<Body> body;
-    std::string about; ///< where it comes from, for people
+    std::string about; ///< its origin, as text for reports
 };
 
 /// The landblock that `limen shot` loads around for this view: the root cell's, else the eye's.
 [[nodiscard]] dat::BlockCoord centreOf(const View& view);
 
-/// The options of `limen shot` that draw this view again, the root named. Numbers are written so that they are read
-/// back as the very same.
+/// The options of `limen shot` that draw this view again, with its root. Reading the numbers back gives the
+/// same bits.
 [[nodiscard]] std::string shotOptions(const View& view);
 
 } // namespace limen::check

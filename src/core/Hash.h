@@ -8,17 +8,19 @@
 
 namespace limen {
 
-/// FNV-1a (Fowler, Noll, Vo 1991), to tell results apart; not for secrets. The same on machines of the same byte order.
+/// FNV-1a (Fowler, Noll, Vo 1991), to compare results; not for secrets. Equal on machines of the same byte
+/// order.
 class Hash {
 public:
-    /// Byte by byte: of a value that is its bytes, without padding.
+    /// Adds a value byte by byte. The type must not have padding.
     template <class T>
     void add(const T& value) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
         for (std::size_t i = 0; i < sizeof value; ++i)
             mix(bytes[i]);
     }
-    /// Much of it, eight bytes at a time, with what is short of the last eight as zeros; another value than byte by byte.
+    /// Adds many bytes, eight at a time; the last word is filled with zeros. The hash differs from that of
+    /// add().
     void addWords(std::span<const std::byte> bytes) {
         for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
             std::uint64_t word = 0;

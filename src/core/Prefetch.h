@@ -4,7 +4,8 @@
 
 namespace limen {
 
-/// Begins to load an object into the cache before it is read. Changes nothing but time.
+/// Prefetches an object into the cache: its memory latency overlaps with the work before its first use. Has
+/// no effect but on time.
 template <class T>
 void prefetch(const T& object) {
     constexpr std::size_t kLine = 64; // bytes of a cache line

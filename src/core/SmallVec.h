@@ -12,9 +12,9 @@
 
 namespace limen {
 
-/// A vector that keeps up to `N` elements inside itself and goes to the heap only beyond. For the many short
-/// lists of file records, where one allocation a list would cost more than reading it. The interface is
-/// std::vector's, as far as it goes; elements are plain values (numbers, glm vectors, small structs).
+/// A vector that stores up to `N` elements inside itself and uses the heap only for more. For the many short
+/// lists of file records: one allocation for each would cost more than reading it. The interface is a part of
+/// std::vector's. Elements are plain values (numbers, glm vectors, small structs).
 template <class T, std::uint32_t N>
 class SmallVec {
     static_assert(std::is_trivially_destructible_v<T> && std::is_standard_layout_v<T> && N > 0);
@@ -100,7 +100,7 @@ public:
         size_ = static_cast<std::uint32_t>(count);
     }
     void push_back(const T& value) {
-        const T kept = value; // it may be one of ours, about to move
+        const T kept = value; // it may be an element that grow() moves
         if (size_ == capacity_)
             grow(size_type{size_} + 1);
         std::construct_at(data() + size_, kept);
@@ -139,7 +139,7 @@ private:
         if (onHeap())
             std::allocator<T>{}.deallocate(storage_.heap, capacity_);
     }
-    /// Takes over another's content and leaves it empty; ours must have been released.
+    /// Moves the content of `other` here and leaves it empty. Requires release() before.
     void take(SmallVec& other) noexcept {
         if (other.onHeap())
             storage_.heap = other.storage_.heap;

@@ -1,6 +1,6 @@
 #include "engine/CheckView.h"
 
-#include "check/Standing.h"
+#include "check/views/Viewpoints.h"
 #include "core/Assert.h"
 #include "world/Loader.h"
 

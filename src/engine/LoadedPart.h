@@ -22,8 +22,7 @@ struct PartTarget {
 /// A part of a world in memory. Immutable, so that threads may share it. Never moves: `ids` and `scene` refer to `world`.
 struct LoadedPart {
     LoadedPart(world::World loaded, visibility::Graph portals, const PartTarget& asked)
-        : world(std::move(loaded)), graph(std::move(portals)), ids(world), scene(world),
-          target(asked) {}
+        : world(std::move(loaded)), graph(std::move(portals)), ids(world), scene(world), target(asked) {}
     LoadedPart(const LoadedPart&) = delete;
     LoadedPart& operator=(const LoadedPart&) = delete;
 

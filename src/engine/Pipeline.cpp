@@ -32,7 +32,7 @@ std::shared_ptr<const LoadedPart> Pipeline::sharePart() const {
 
 void Pipeline::updateDynamics(const motion::DynamicStateInput& input) {
     LIMEN_ASSERT(part_ != nullptr, "show a part first");
-    part_->dynamics.at(input, state_.dynamics);
+    part_->dynamics.build(input, state_.dynamics);
     isPlanned_ = false;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "frame/Rules.h"
+#include "geometry/Tolerances.h"
 #include "visibility/View.h"
 
 #include <cstdint>
@@ -31,9 +33,9 @@ struct Rules {
 struct FrameView {
     visibility::View view;                   ///< eye in global metres; root is a world::SpaceIndex
     std::uint32_t width = 640, height = 360; ///< pixels
-    double nearPlane = 0.02; ///< metres; clips surfaces only. Portals are followed at any distance
-    double timeOfDay = 0.5;  ///< fraction of the day
-    double seconds = 0.0;    ///< since the world began; the sky's animations follow it
+    double nearPlane = kDefaultNearPlane;    ///< metres; portals are met at any distance, surfaces beyond it
+    double timeOfDay = 0.5;                  ///< fraction of the day
+    double seconds = 0.0;                    ///< for what moves by itself
     std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole

@@ -1,6 +1,7 @@
 #include "frame/Ownership.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 #include "geometry/TwoFloats.h"
 #include "visibility/Graph.h"
 
@@ -14,15 +15,10 @@ namespace {
 /// of so near a polygon, as floats, are so far off the screen that the rasteriser does not clip it exactly.
 constexpr double kNearOpening = 0.05;
 
-/// Metres before a parent's entry plane that are kept. Otherwise float rounding would remove pixels of
-/// openings that touch the plane. Equal to the tolerance of the fragment test (shaders/include/gate.glsl).
-constexpr double kEntryTolerance = 0.001;
-
-/// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with
-/// corners snapped to 1/256 of a pixel, and its child must not lose a pixel that the parent owns. With a
-/// larger value the child would take pixels beside a thin jamb that the parent does not own, and show
-/// surfaces behind the parent's plane there.
-constexpr double kGrowth = 1.0 / 128.0;
+/// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with snapped
+/// corners: the child must not lose a pixel that the parent owns. With a larger growth the child takes pixels beside
+/// a thin jamb that its parent does not own, and surfaces behind the parent's plane show there.
+constexpr double kGrowth = kSnapTolerance;
 
 /// Edges of a clip set, whose last plane is the entry plane: GL guarantees eight clip distances.
 constexpr std::size_t kEdgesPerSet = 7;
@@ -66,7 +62,7 @@ private:
     /// the flood's region, computed in double, decides alone. Its edges are not exactly the walls', but that
     /// is not visible: such a region is half of all directions, or too thin to hold more than a few pixels.
     [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
-        return visit.inPlane || std::abs(visit.entryPlane.d) < visibility::kBeforePlane;
+        return visit.inPlane || std::abs(visit.entryPlane.d) < kBeforePlaneTolerance;
     }
 
     void addVisit(const visibility::Visit& visit) {
@@ -91,10 +87,10 @@ private:
     /// That matters for a polygon seen edge-on, whose depth is too inexact for a test that is not necessary.
     [[nodiscard]] gpu::vec4 planeFor(std::uint32_t visit, const Plane& entry) const {
         const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
-        const bool clips = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
-            return entry.signedDistance(corner - frame_.view.eye) < -kEntryTolerance;
+        const bool cuts = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+            return entry.signedDistance(corner - frame_.view.eye) < -kEntryPlaneTolerance;
         });
-        return clips ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryTolerance) : gpu::vec4(0, 0, 0, 1);
+        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryPlaneTolerance) : gpu::vec4(0, 0, 0, 1);
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {

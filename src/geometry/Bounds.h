@@ -6,7 +6,7 @@
 
 namespace limen {
 
-/// A ball. A negative radius is the empty ball.
+/// A sphere with its inside. A negative radius: empty.
 struct Sphere {
     Vec3 centre{0.0};
     double radius = -1.0;
@@ -34,8 +34,8 @@ struct Aabb {
     friend bool operator==(const Aabb&, const Aabb&) = default;
 };
 
-/// A ball that contains all points: the centre of their box and the farthest point from it (at most 1.74
-/// times the smallest radius). Empty for no points.
+/// A sphere that contains all points: around the centre of their box, at most 1.74 times as large as the
+/// smallest one. Empty for no points.
 [[nodiscard]] Sphere boundingSphere(std::span<const Vec3> points);
 
 } // namespace limen

@@ -7,7 +7,7 @@
 
 namespace limen {
 
-/// Turns what faces north (+y) to a compass direction: degrees, 90 is east (+x), about +z.
+/// The rotation about +z from north (+y) to a compass direction; degrees, 90 is east (+x).
 [[nodiscard]] inline Mat3 turnedTo(double yaw) {
     const double angle = -yaw * std::numbers::pi / 180.0;
     const double c = std::cos(angle), s = std::sin(angle);

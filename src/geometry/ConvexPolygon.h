@@ -8,12 +8,12 @@
 namespace limen {
 
 /// Clips a convex polygon to the closed half-space n·p + d >= -tolerance (Sutherland, Hodgman 1974).
-/// `out` is overwritten (keeps its capacity) and holds the part that is left, in the same winding; empty if
-/// nothing is. A vertex within the tolerance counts as inside and is kept as it is; new vertices lie on the
-/// plane n·p + d = 0 or at the tolerance. `out` must not alias `polygon`.
+/// Overwrites `out`, keeping its capacity, with the part inside, in the same winding; empty if there is none.
+/// Vertices inside keep their bits; new vertices are on the plane n·p + d = -tolerance. `out` must not alias
+/// `polygon`.
 void clipPolygon(std::span<const Vec3> polygon, const Plane& plane, double tolerance, std::vector<Vec3>& out);
 
-/// Twice the area's normal (Newell), i.e. its length is twice the polygon's area.
+/// The normal by Newell's sum; its length is twice the polygon's area.
 [[nodiscard]] Vec3 newellNormal(std::span<const Vec3> polygon);
 
 /// True if the point's projection onto the polygon's plane lies inside the convex polygon or within

@@ -6,7 +6,7 @@
 
 namespace limen {
 
-/// The plane n·p + d = 0; a point with n·p + d > 0 lies in front of it. n has unit length.
+/// The plane n·p + d = 0; a point with n·p + d > 0 is in front of it. n has unit length.
 struct Plane {
     Vec3 n{0.0, 0.0, 1.0};
     double d = 0.0;
@@ -18,9 +18,9 @@ struct Plane {
     friend bool operator==(const Plane&, const Plane&) = default;
 };
 
-/// The plane through a polygon by Newell's sum, normal towards the side from which the vertices run
-/// counter-clockwise. Exact for planar polygons, a mean for others. A polygon without area (fewer than three
-/// distinct directions) gives n = (0,0,0), d = 0: callers check `glm::dot(n, n) > 0`.
+/// The plane of a polygon by Newell's sum. The normal points to the side from which the vertices run
+/// counter-clockwise. Exact for planar polygons, a mean for others. A polygon without area gives n = (0,0,0),
+/// d = 0: callers check `glm::dot(n, n) > 0`.
 [[nodiscard]] Plane planeOf(std::span<const Vec3> polygon);
 
 } // namespace limen

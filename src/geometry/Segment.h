@@ -6,13 +6,13 @@
 
 namespace limen {
 
-/// How far a point is from a segment.
+/// The distance of a point from a segment.
 struct SegmentDistance {
     double distance = 0.0; ///< metres, to the segment's nearest point
-    double t = 0.0;        ///< that point is a + t (b - a), 0 <= t <= 1
+    double t = 0.0;        ///< the nearest point is a + t (b - a), 0 <= t <= 1
 };
 
-/// The ends may be one point.
+/// The ends may coincide.
 [[nodiscard]] inline SegmentDistance distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 along = b - a;
     const double squared = glm::dot(along, along);

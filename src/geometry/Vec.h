@@ -11,8 +11,8 @@
 
 namespace limen {
 
-// Vectors are glm's: Vec3 is double precision and the default of all geometry on the CPU; the float forms are
-// for what a file stores and what the GPU reads. Quat is (w, x, y, z), unit length.
+// Vectors are glm's. Vec3 has double precision and is the default of all geometry on the CPU; the float forms
+// are for the formats of files and of the GPU. Quat is (w, x, y, z), unit length.
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Vec4 = glm::dvec4;

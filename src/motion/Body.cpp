@@ -1,5 +1,6 @@
 #include "motion/Body.h"
 
+#include "core/Assert.h"
 #include "core/SmallVec.h"
 #include "geometry/Compass.h"
 #include "motion/Locate.h"
@@ -11,14 +12,17 @@ namespace limen::motion {
 namespace {
 
 constexpr double kLongestStep = 0.017; // seconds: whole steps at 30 and 60 frames a second
-constexpr double kSkin = 0.005;        // metres that are kept from what is bumped into
-constexpr int kMostSlides = 4;         // planes that a step slides along
-constexpr int kMostWaysOut = 4;        // tries to leave what is overlapped
-constexpr double kFlattest = 0.05;     // upward part of the normal of an edge that may be stood on
-constexpr double kBehindEdge = 0.02, kAboveEdge = 0.05; // metres
-constexpr double kStill = 1e-4;                         // metres: what stands does not move by less
-constexpr double kHeld = 0.01;                          // share of its way that who falls gets who is held
-constexpr double kDeepestFall = 100.0; // metres below where it stood last, and there is nothing
+constexpr double kSkin = 0.005;        // metres kept between a body and its obstacles
+constexpr int kMostSlides = 4;         // planes that one step slides along
+constexpr int kMostWaysOut = 4;        // attempts to leave overlaps
+constexpr double kFlattest = 0.05;     // least upward part of the normal of an edge that carries a body
+constexpr double kBehindEdge = 0.02;   // metres: where the surface behind an edge is probed
+constexpr double kAboveEdge =
+    0.05;                       // metres above the edge where the probe begins, and below it where it ends
+constexpr double kStill = 1e-4; // metres: settling by less leaves a standing body as it is, to the bit
+constexpr double kHeld = 0.01;  // share of its way that a falling body moves at most while it is wedged
+constexpr double kDeepestFall = 100.0; // metres below the last safe position: the body fell out of the world
+constexpr double kNoLength = 1e-6;     // metres, or parts of a unit normal: shorter vectors have no direction
 
 const Vec3 kUp(0.0, 0.0, 1.0);
 
@@ -30,7 +34,7 @@ public:
         : body_(body), around_(around), doors_(doors), shape_(shape) {}
 
     [[nodiscard]] BodyState take(const BodyInput& input, double seconds, bool isFirst) {
-        if (isFirst) // what moved or came since; its own steps overlap nothing
+        if (isFirst) // doors may have moved since; the body's own steps cause no overlap
             leaveOverlaps();
         steer(input, seconds);
         if (body_.isOnGround)
@@ -55,13 +59,13 @@ public:
 private:
     [[nodiscard]] bool isGround(const Vec3& normal) const { return normal.z >= shape_.steepest; }
 
-    /// Round feet touch the edge of a step askew: what counts is the surface behind the edge.
+    /// Round feet touch the edge of a step at a slant. There the surface behind the edge decides.
     [[nodiscard]] bool isGround(const Bump& bump) const {
         if (isGround(bump.normal))
             return true;
         const Vec3 beyond(-bump.normal.x, -bump.normal.y, 0.0);
         const double level = glm::length(beyond);
-        if (bump.normal.z < kFlattest || level < 1e-6)
+        if (bump.normal.z < kFlattest || level < kNoLength)
             return false;
         const Vec3 above = bump.at + beyond * (kBehindEdge / level) + kUp * kAboveEdge;
         const std::optional<Vec3> surface =
@@ -69,7 +73,7 @@ private:
         return surface && isGround(*surface);
     }
 
-    /// In a straight line, whatever is in the way.
+    /// Moves in a straight line through any obstacle, and tracks the space.
     void goTo(const Vec3& feet) {
         Standing& here = body_.standing;
         here.space =
@@ -77,7 +81,7 @@ private:
         here.feet = feet;
     }
 
-    /// In a straight line until something is in the way, short of it by the skin.
+    /// Moves in a straight line until the skin reaches an obstacle.
     std::optional<Bump> push(const Vec3& way) {
         const double length = glm::length(way);
         if (!(length > 0.0))
@@ -91,7 +95,8 @@ private:
         return bump;
     }
 
-    /// Along `way`, and where something is in the way along that. What is too steep to stand on is a wall to one who walks.
+    /// Moves along `way`, and along each obstacle that is met. A surface too steep to stand on is a vertical
+    /// wall to a walking body.
     void slide(Vec3 way, bool walks) {
         SmallVec<Vec3, kMostSlides> planes;
         for (int i = 0; i < kMostSlides && glm::length(way) > 1e-9; ++i) {
@@ -104,7 +109,7 @@ private:
             if (walks && !isGround(normal)) {
                 normal.z = 0.0;
                 const double level = glm::length(normal);
-                normal = level > 1e-6 ? normal / level : Vec3(0.0);
+                normal = level > kNoLength ? normal / level : Vec3(0.0);
             }
             planes.push_back(normal);
             way = along(way, {planes.begin(), planes.end()});
@@ -112,7 +117,7 @@ private:
         }
     }
 
-    /// What of a way is left along planes: in none of them, else in the crease of two, else none.
+    /// The part of a way that leads into no plane: along one plane, else along the crease of two, else none.
     [[nodiscard]] static Vec3 along(const Vec3& way, std::span<const Vec3> planes) {
         const auto isFree = [&](const Vec3& w) {
             return std::all_of(planes.begin(), planes.end(),
@@ -151,7 +156,7 @@ private:
         wish *= (input.run ? shape_.runSpeed : shape_.walkSpeed) / std::max(length, 1.0);
         if (!body_.isOnGround) {
             body_.velocity.z -= shape_.gravity * seconds;
-            return; // in the air there is nothing to push against
+            return; // no ground to push against
         }
         body_.velocity = {wish.x, wish.y, 0.0};
         if (input.jump) {
@@ -160,7 +165,8 @@ private:
         }
     }
 
-    /// One that does not fall, wedged between what is too steep to stand on, stands: in the air it could do nothing for itself for ever.
+    /// A body wedged between surfaces too steep to stand on counts as standing. In the air it could never
+    /// steer free.
     void fly(const Vec3& way) {
         const Vec3 before = body_.standing.feet;
         const bool falls = way.z < 0.0;
@@ -172,26 +178,28 @@ private:
         }
     }
 
-    /// On the level, and if that is shorter over a step; then down onto the ground again.
+    /// Moves on the level. If that is shorter than the way, tries again from the height of a step, and keeps
+    /// the longer of the two. Both end on the ground.
     void walk(const Vec3& way) {
         const BodyState start = body_;
         slide(way, true);
         settle(shape_.stepDown);
         const BodyState level = body_;
-        if (levelLength(level.standing.feet - start.standing.feet) >= levelLength(way) - 1e-6)
+        if (levelLength(level.standing.feet - start.standing.feet) >= levelLength(way) - kNoLength)
             return;
         body_ = start;
         push(kUp * shape_.stepUp);
         slide(way, true);
         settle(body_.standing.feet.z - start.standing.feet.z + shape_.stepDown);
         const bool isFarther = levelLength(body_.standing.feet - start.standing.feet) >
-                               levelLength(level.standing.feet - start.standing.feet) + 1e-6;
+                               levelLength(level.standing.feet - start.standing.feet) + kNoLength;
         const bool isTooHigh = touched_.z > start.standing.feet.z + shape_.stepUp + kSkin;
         if (!body_.isOnGround || !isFarther || isTooHigh)
             body_ = level;
     }
 
-    /// Down to the ground, if it is no deeper; else in the air from here on.
+    /// Moves down to ground that is at most `deepest` metres below. Without such ground the body is in the
+    /// air.
     void settle(double deepest) {
         const Standing before = body_.standing;
         const std::optional<Bump> bump = push(-kUp * deepest);
@@ -205,7 +213,7 @@ private:
     void leaveOverlaps() {
         for (int i = 0; i < kMostWaysOut; ++i) {
             const Vec3 out = around_.wayOut(shape_.capsule, body_.standing, doors_);
-            if (glm::length(out) < 1e-6)
+            if (glm::length(out) < kNoLength)
                 return;
             goTo(body_.standing.feet + out);
         }
@@ -221,7 +229,7 @@ private:
     [[nodiscard]] static double levelLength(const Vec3& v) { return std::hypot(v.x, v.y); }
 
     BodyState body_;
-    Vec3 touched_{0.0}; ///< by the feet, when they settled last
+    Vec3 touched_{0.0}; ///< the point that the feet touched when they last settled; global
     const Collisions& around_;
     std::span<const double> doors_;
     const BodyShape& shape_;
@@ -237,6 +245,8 @@ BodyState bodyAt(const Standing& standing) {
 
 BodyState moved(const BodyState& body, const BodyInput& input, double seconds, const Collisions& around,
                 std::span<const double> doors, const BodyShape& shape) {
+    LIMEN_ASSERT(std::isfinite(seconds), "a body moves for a finite time");
+    LIMEN_ASSERT(shape.capsule.height > 2.0 * shape.capsule.radius, "a capsule is higher than its two caps");
     BodyState now = body;
     const int steps = static_cast<int>(std::ceil(std::max(seconds, 0.0) / kLongestStep));
     for (int i = 0; i < steps; ++i)
@@ -246,6 +256,7 @@ BodyState moved(const BodyState& body, const BodyInput& input, double seconds, c
 
 BodyState shoved(const BodyState& body, const Vec3& way, const Collisions& around,
                  std::span<const double> doors, const BodyShape& shape) {
+    LIMEN_ASSERT(isFinite(way), "a push has a finite length");
     return Step(body, around, doors, shape).giveWay(way);
 }
 

@@ -1,5 +1,6 @@
 #include "motion/ChaseCamera.h"
 
+#include "core/Assert.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -8,15 +9,16 @@
 namespace limen::motion {
 namespace {
 
-constexpr double kBesideSphere = 0.005; // metres beside the ball: two sweeps of one way differ by less
+constexpr double kBesideSphere = 0.005; // metres kept beside the sphere: two sweeps of one way differ by less
+constexpr double kUnit = 1e-6;          // the square of a unit vector's length is off 1 by less
 
-/// A ball that goes where nothing is in its way.
-class Sphere_ {
+/// A sphere that is swept from obstacle to obstacle.
+class SweptSphere {
 public:
-    Sphere_(double radius, const Standing& start, const Collisions& around, std::span<const double> doors)
+    SweptSphere(double radius, const Standing& start, const Collisions& around, std::span<const double> doors)
         : shape_{radius, 2.0 * radius}, at_(start), around_(around), doors_(doors) {}
 
-    /// Metres of a straight way, along a unit vector, that are free, of at most so many.
+    /// The free part of a straight way along a unit vector; metres, at most `most`.
     [[nodiscard]] double freeAlong(const Vec3& direction, double most) const {
         const std::optional<Bump> bump =
             around_.sweep(shape_, at_, at_.feet + direction * (most + kBesideSphere), doors_);
@@ -39,8 +41,8 @@ private:
     std::span<const double> doors_;
 };
 
-/// What was so long, and may be as long as is free: shorter at once, longer by and by.
-double after(double length, double free, double seconds, const ChaseShape& shape) {
+/// A length `seconds` later: it shrinks to the free length at once, and grows towards it exponentially.
+double lengthAfter(double length, double free, double seconds, const ChaseShape& shape) {
     if (length >= free)
         return free;
     length = free - (free - length) * std::exp(-shape.quick * std::max(seconds, 0.0));
@@ -52,17 +54,19 @@ double after(double length, double free, double seconds, const ChaseShape& shape
 ChaseState chased(const ChaseState& before, const BodyState& body, const Vec3& forward, double seconds,
                   const Collisions& around, std::span<const double> doors, double headRise,
                   const BodyShape& bodyShape, const ChaseShape& shape) {
+    LIMEN_ASSERT(std::abs(glm::dot(forward, forward) - 1.0) < kUnit, "the gaze is a unit vector");
+    LIMEN_ASSERT(std::isfinite(seconds), "the camera moves for a finite time");
     const Vec3 up(0.0, 0.0, 1.0);
     const Capsule& capsule = bodyShape.capsule;
     const double radius = std::min(shape.radius, capsule.radius);
     const Vec3 middle = capsule.middle(body.standing.feet);
-    Sphere_ sphere(radius, {middle - up * radius, body.standing.space}, around, doors);
+    SweptSphere sphere(radius, {middle - up * radius, body.standing.space}, around, doors);
     const double head = bodyShape.eyeHeight - 0.5 * capsule.height + headRise;
     sphere.go(up * std::copysign(sphere.freeAlong(up * std::copysign(1.0, head), std::abs(head)), head));
     ChaseState now;
-    now.arm = after(before.arm, sphere.freeAlong(-forward, shape.distance), seconds, shape);
+    now.arm = lengthAfter(before.arm, sphere.freeAlong(-forward, shape.distance), seconds, shape);
     sphere.go(-forward * now.arm);
-    now.lift = after(before.lift, sphere.freeAlong(up, shape.rise), seconds, shape);
+    now.lift = lengthAfter(before.lift, sphere.freeAlong(up, shape.rise), seconds, shape);
     sphere.go(up * now.lift);
     now.eye = {sphere.middle(), sphere.space()};
     return now;

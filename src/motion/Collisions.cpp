@@ -1,7 +1,9 @@
 #include "motion/Collisions.h"
 
+#include "core/Assert.h"
 #include "geometry/Compass.h"
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 #include "motion/Locate.h"
 
 #include <algorithm>
@@ -10,11 +12,13 @@
 namespace limen::motion {
 namespace {
 
-/// A place of a surface is asked for this far before it, metres: in the space that the surface is seen from.
+/// Metres before a surface at which its space is looked up: the space that the surface is seen from.
 constexpr double kBefore = 0.001;
-constexpr double kInPlane =
-    0.0002; ///< metres from an opening's plane, and beyond its edge (docs/ray-rule.md#tolerances)
-constexpr double kAlong = 1e-6; ///< sine of the angle by which what slides along a plane may point into it
+/// Metres: least height of the cylinder between a capsule's caps. The chase camera's sphere has no cylinder
+/// of its own.
+constexpr double kLeastCylinder = 1e-3;
+/// Sine of the angle by which rounding may turn a way along a plane into the plane.
+constexpr double kAlong = 1e-6;
 
 btVector3 toBullet(const Vec3& v) {
     return {v.x, v.y, v.z};
@@ -25,7 +29,7 @@ Vec3 fromBullet(const btVector3& v) {
 
 } // namespace
 
-/// Bullet's collision world, and the leaves of doors. Its coordinates are relative to Solids::origin.
+/// Bullet's collision world, and the door leaves. Coordinates are relative to Solids::origin.
 struct Collisions::Bodies {
     Bodies(const world::World& of, world::Solids from) : world(of), solids(std::move(from)) {
         indices.resize(solids.corners.size());
@@ -44,6 +48,10 @@ struct Collisions::Bodies {
 
     void add(int index) {
         const world::Solid& solid = solids.solids[static_cast<std::size_t>(index)];
+        LIMEN_ASSERT(3 * (std::size_t{solid.firstTriangle} + solid.triangleCount) <= solids.corners.size(),
+                     "a solid's triangles are among the corners");
+        LIMEN_ASSERT(solid.leaf == world::kNone || solid.leaf < world.leaves.size(),
+                     "a swinging solid is a leaf of the world");
         btIndexedMesh part;
         part.m_numTriangles = static_cast<int>(solid.triangleCount);
         part.m_triangleIndexBase =
@@ -66,7 +74,7 @@ struct Collisions::Bodies {
             leaves.push_back({index, world.leaves[solid.leaf].hinge - solids.origin, reachOf(solid)});
     }
 
-    /// How far a leaf's corners are from its hinge.
+    /// The largest distance of a leaf's corners from its hinge; metres.
     [[nodiscard]] double reachOf(const world::Solid& solid) const {
         double reach = 0.0;
         for (std::uint32_t i = 3 * solid.firstTriangle; i < 3 * (solid.firstTriangle + solid.triangleCount);
@@ -77,7 +85,7 @@ struct Collisions::Bodies {
 
     const world::World& world;
     world::Solids solids;
-    std::vector<int> indices; ///< 0, 1, 2, ...: corners are in threes
+    std::vector<int> indices; ///< 0, 1, 2, ...: three corners a triangle, none shared
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
@@ -90,21 +98,22 @@ struct Collisions::Bodies {
         Vec3 hinge{0.0}; ///< relative to Solids::origin
         double reach = 0.0;
     };
-    /// `door`: kNone, of everything.
+    /// `door`: the only door to leave; kNone: all solids.
     [[nodiscard]] Vec3 wayOut(const Capsule& capsule, const Standing& standing, std::span<const double> open,
                               std::uint32_t door);
-    std::vector<HungLeaf> leaves; ///< not in Bullet's world: they are posed for each question
+    std::vector<HungLeaf> leaves; ///< not in Bullet's world: each query poses them anew
 };
 
 namespace {
 
-/// What a body in one place meets of all that is near.
+/// Decides which contacts of a body at one position count.
 class Meets {
 public:
-    /// `door`: of that door's alone; kNone: of all.
+    /// `door`: the only door whose solids count; kNone: all solids do.
     Meets(const world::World& world, const world::Solids& solids, const Capsule& capsule,
           const Standing& standing, std::span<const double> doors, std::uint32_t door = world::kNone)
         : world_(world), solids_(solids), capsule_(capsule), standing_(standing), doors_(doors), door_(door) {
+        LIMEN_ASSERT(standing.space < world.spaces.size(), "a body is in a space of the world");
     }
 
     [[nodiscard]] bool isThere(int index) const {
@@ -114,7 +123,7 @@ public:
         return solid.door == world::kNone || solid.leaf != world::kNone || openness(solid.door) <= 0.0;
     }
 
-    /// Where a leaf hangs, relative to Solids::origin.
+    /// The pose of a leaf, relative to Solids::origin.
     [[nodiscard]] btTransform poseOf(int index) const {
         const world::Solid& solid = solidAt(index);
         const world::Leaf& leaf = world_.leaves[solid.leaf];
@@ -124,7 +133,8 @@ public:
                            toBullet(leaf.hinge - solids_.origin));
     }
 
-    /// Whether it meets a solid at a place, relative to Solids::origin, with its feet there.
+    /// Whether the body collides with a solid at a point. `at`: the point, relative to Solids::origin.
+    /// `feet`: the body's feet at that time, global.
     [[nodiscard]] bool meets(int index, const Vec3& at, const Vec3& feet) const {
         const Vec3 start = capsule_.middle(standing_.feet), middle = capsule_.middle(feet);
         const Vec3 towards = solids_.origin + at - middle;
@@ -135,8 +145,8 @@ public:
         space = sweep(world_, space, middle, before);
         if (isMember(index, space) || isBehindAnOpeningAt(index, space, solids_.origin + at))
             return true;
-        const world::SpaceIndex there =
-            sweep(world_, space, before, solids_.origin + at); // less than kBefore behind an opening
+        // The point may be behind an opening, by less than kBefore.
+        const world::SpaceIndex there = sweep(world_, space, before, solids_.origin + at);
         return there != space && isMember(index, there);
     }
 
@@ -145,15 +155,16 @@ public:
     }
 
 private:
-    /// What lies in the plane of an opening is met from both sides: the wall around the smaller one of two that are not alike, and
-    /// the one between two rooms at the edge that the openings into both have in common.
+    /// A surface in the plane of an opening is met from both sides. Examples: the wall around the smaller
+    /// polygon of an inexact pair; the wall between two rooms, at the edge that the openings into both rooms
+    /// share.
     [[nodiscard]] bool isBehindAnOpeningAt(int index, world::SpaceIndex from, const Vec3& place) const {
         const world::Space& space = world_.spaces[from];
         for (world::PortalIndex p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
             const world::Portal& portal = world_.portals[p];
             if (portal.destination != world::kNone && isMember(index, portal.destination) &&
-                std::abs(portal.plane.signedDistance(place)) <= kInPlane &&
-                containsProjection(world::cornersOf(world_, portal), portal.plane.n, place, kInPlane))
+                std::abs(portal.plane.signedDistance(place)) <= kInPlaneTolerance &&
+                containsProjection(world::cornersOf(world_, portal), portal.plane.n, place, kGapTolerance))
                 return true;
         }
         return false;
@@ -178,7 +189,7 @@ int indexOf(const btCollisionObject* object) {
     return object->getUserIndex();
 }
 
-/// Keeps the first place of a sweep that is met.
+/// Keeps the first contact of a sweep that counts.
 struct FirstBump : btCollisionWorld::ConvexResultCallback {
     FirstBump(const Meets& what, const Vec3& start, const Vec3& end) : meets(what), from(start), to(end) {}
     bool needsCollision(btBroadphaseProxy* proxy) const override {
@@ -192,7 +203,8 @@ struct FirstBump : btCollisionWorld::ConvexResultCallback {
         if (!(length > 0.0))
             return m_closestHitFraction;
         n /= length;
-        // It only slides along, or away; a way that was bent along a plane may point into it by what is rounded.
+        // A way along the plane or away from it is no contact. Rounding may turn a way along it slightly
+        // inwards.
         const bool leaves = glm::dot(n, to - from) >= -kAlong * glm::length(to - from);
         const Vec3 feet = from + (to - from) * double{result.m_hitFraction};
         if (leaves ||
@@ -208,7 +220,7 @@ struct FirstBump : btCollisionWorld::ConvexResultCallback {
     Vec3 normal{0.0}, at{0.0};
 };
 
-/// Keeps the first surface that a line meets.
+/// Keeps the first surface on a line that counts.
 struct FirstSurface : btCollisionWorld::RayResultCallback {
     FirstSurface(const Meets& what, const Vec3& where, const Vec3& start, const Vec3& end)
         : meets(what), feet(where), from(start), to(end) {}
@@ -219,7 +231,7 @@ struct FirstSurface : btCollisionWorld::RayResultCallback {
         const Vec3 place = from + (to - from) * double{result.m_hitFraction};
         if (meets.meets(indexOf(result.m_collisionObject), place, feet)) {
             m_closestHitFraction = result.m_hitFraction;
-            normal = fromBullet(result.m_hitNormalLocal); // nothing is turned
+            normal = fromBullet(result.m_hitNormalLocal); // in world axes: Bullet has rotated it
             m_collisionObject = result.m_collisionObject;
         }
         return m_closestHitFraction;
@@ -229,7 +241,7 @@ struct FirstSurface : btCollisionWorld::RayResultCallback {
     Vec3 normal{0.0};
 };
 
-/// Adds up the ways out of what is overlapped, the deepest first in each direction.
+/// Sums the ways out of all overlaps; along each direction the deepest one counts.
 struct Overlaps : btCollisionWorld::ContactResultCallback {
     Overlaps(const Meets& what, const Vec3& where) : meets(what), feet(where) {}
     bool needsCollision(btBroadphaseProxy* proxy) const override {
@@ -257,10 +269,10 @@ btTransform at(const Vec3& middle) {
 }
 
 btCapsuleShapeZ shapeOf(const Capsule& capsule) {
-    return {capsule.radius, std::max(capsule.height - 2.0 * capsule.radius, 1e-3)};
+    return {capsule.radius, std::max(capsule.height - 2.0 * capsule.radius, kLeastCylinder)};
 }
 
-/// Calls visit(solid) for each leaf whose hinge is near a straight way, relative to Solids::origin.
+/// Calls visit(solid) for each leaf that comes near a straight way; all relative to Solids::origin.
 template <class Leaves, class Visit>
 void eachLeafNear(const Leaves& leaves, const Vec3& from, const Vec3& to, double radius, Visit&& visit) {
     const Vec3 middle = (from + to) * 0.5;
@@ -357,6 +369,7 @@ Vec3 Collisions::wayOut(const Capsule& capsule, const Standing& standing,
 
 Vec3 Collisions::wayOutOf(std::uint32_t door, const Capsule& capsule, const Standing& standing,
                           std::span<const double> doors) const {
+    LIMEN_ASSERT(door < bodies_->world.doors.size(), "overlaps with a door of the world");
     return bodies_->wayOut(capsule, standing, doors, door);
 }
 

@@ -1,5 +1,6 @@
 #include "motion/DoorSwing.h"
 
+#include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 
 #include <algorithm>
@@ -9,13 +10,13 @@
 namespace limen::motion {
 namespace {
 
-constexpr double kLeafStep = 0.01; // metres that no place of a leaf moves farther at once
-constexpr double kClear = 0.001;   // metres that a body may be deep in a leaf
-constexpr double kBeside = 0.005;  // metres that it is pushed clear of it
-constexpr double kMostDeep = 0.08; // metres: what is deeper was not pushed there by a leaf
-constexpr int kMostPushes = 8;     // each along what the last one met
+constexpr double kLeafStep = 0.01; // metres that any point of a leaf moves at most in one step
+constexpr double kClear = 0.001;   // metres of overlap of body and leaf that are tolerated
+constexpr double kBeside = 0.005;  // metres between leaf and body after a push
+constexpr double kMostDeep = 0.08; // metres: a deeper overlap was not caused by a step of a leaf
+constexpr int kMostPushes = 8;     // each along the obstacle that the last one met
 
-/// Metres around the axis of a leaf that swings all the way; the farthest of those of a door.
+/// Metres that the farthest point of a door's leaves moves in a full swing.
 double wayOfLeaves(const world::World& world, const world::Door& door) {
     double way = 0.0;
     for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l) {
@@ -27,7 +28,7 @@ double wayOfLeaves(const world::World& world, const world::Door& door) {
     return way;
 }
 
-/// Whether a door can touch a body, however far it is open.
+/// Whether a door can touch a body at any openness.
 bool isNear(const world::World& world, const world::Door& door, const Vec3& middle, const Capsule& capsule) {
     const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
     const bool isNearLeaf = std::any_of(leaves.begin(), leaves.end(), [&](const world::Leaf& leaf) {
@@ -40,12 +41,12 @@ bool isNear(const world::World& world, const world::Door& door, const Vec3& midd
             containsProjection(world::cornersOf(world, portal), portal.plane.n, middle, capsule.height));
 }
 
-/// Out of the door's way as it stands now. False, and some way gone, where that cannot be.
+/// Moves the body out of the door's way. False if it cannot; the body may then have moved in part.
 bool giveWay(std::uint32_t door, std::span<const double> doors, BodyState& body, const Collisions& around,
              const BodyShape& shape) {
     for (int i = 0; i <= kMostPushes; ++i) {
         Vec3 out = around.wayOutOf(door, shape.capsule, body.standing, doors);
-        out.z = 0.0; // leaves move on the level
+        out.z = 0.0; // leaves move horizontally
         const double depth = glm::length(out);
         if (depth <= kClear)
             return true;
@@ -61,6 +62,9 @@ bool giveWay(std::uint32_t door, std::span<const double> doors, BodyState& body,
 void swing(std::uint32_t door, double to, std::span<double> doors, BodyState& body, const Collisions& around,
            const BodyShape& shape) {
     const world::World& world = around.world();
+    LIMEN_ASSERT(doors.size() == world.doors.size(), "an openness for each door of the world");
+    LIMEN_ASSERT(door < doors.size(), "the door that swings is one of the world");
+    LIMEN_ASSERT(to >= 0.0 && to <= 1.0, "openness is 0..1");
     const double from = doors[door];
     const Vec3 middle = shape.capsule.middle(body.standing.feet);
     if (from == to || !isNear(world, world.doors[door], middle, shape.capsule)) {

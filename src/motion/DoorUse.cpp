@@ -1,16 +1,19 @@
 #include "motion/DoorUse.h"
 
+#include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limen::motion {
 namespace {
 
 constexpr double kSwing = 1.0;      // seconds from shut to open
 constexpr double kReach = 2.5;      // metres from the eye to the opening
-constexpr double kLeastAhead = 0.5; // cosine of the angle between the look and the opening
+constexpr double kLeastAhead = 0.5; // cosine of the angle between gaze and opening
+constexpr double kUnitGaze = 1e-6;  // the square of a unit vector's length is off 1 by less
 
 bool canSwing(const world::World& world, const world::Door& door) {
     const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
@@ -18,11 +21,11 @@ bool canSwing(const world::World& world, const world::Door& door) {
                        [](const world::Leaf& leaf) { return leaf.swing != 0.0; });
 }
 
-/// The cosine of the angle between a look and an opening: 1 if it goes through, else to the nearest of its corners and its
-/// middle. Less than kLeastAhead: out of reach.
+/// The cosine of the angle between the gaze and an opening: 1 if the gaze passes through, else that of the
+/// nearest of its corners and its middle. -1 if the opening is out of reach.
 double aheadOf(std::span<const Vec3> outline, const Plane& plane, const Vec3& eye, const Vec3& forward) {
     Vec3 middle(0.0);
-    double nearest = 1e9, ahead = -1.0;
+    double nearest = std::numeric_limits<double>::infinity(), ahead = -1.0;
     const auto consider = [&](const Vec3& point) {
         const double distance = glm::length(point - eye);
         nearest = std::min(nearest, distance);
@@ -51,18 +54,23 @@ void DoorUse::use(const world::Door& door) {
     swing->second.opens = !swing->second.opens;
 }
 
+void DoorUse::put(const world::Door& door, double open) {
+    LIMEN_ASSERT(open >= 0.0 && open <= 1.0, "openness is 0..1");
+    swings_[door.name] = {open, open > 0.0};
+}
+
 void DoorUse::putAll(const world::World& world, double open) {
     for (const world::Door& door : world.doors)
         put(door, open);
 }
 
-void DoorUse::swingOn(Swing& swing, double seconds) {
+void DoorUse::swingFurther(Swing& swing, double seconds) {
     swing.open = std::clamp(swing.open + (swing.opens ? seconds : -seconds) / kSwing, 0.0, 1.0);
 }
 
 void DoorUse::pass(double seconds) {
     for (auto& [name, swing] : swings_)
-        swingOn(swing, seconds);
+        swingFurther(swing, seconds);
 }
 
 void DoorUse::pass(double seconds, const Collisions& around, BodyState& body, const BodyShape& shape) {
@@ -70,7 +78,7 @@ void DoorUse::pass(double seconds, const Collisions& around, BodyState& body, co
     write(world, open_);
     for (auto& [name, swing] : swings_) {
         const double before = swing.open;
-        swingOn(swing, seconds);
+        swingFurther(swing, seconds);
         for (std::uint32_t i = 0; i < world.doors.size() && swing.open != before; ++i) {
             if (world.doors[i].name != name)
                 continue;
@@ -96,6 +104,7 @@ bool DoorUse::opens(const world::Door& door) const {
 
 std::optional<std::size_t> doorInReach(const world::World& world, world::SpaceIndex space, const Vec3& eye,
                                        const Vec3& forward) {
+    LIMEN_ASSERT(std::abs(glm::dot(forward, forward) - 1.0) < kUnitGaze, "the gaze is a unit vector");
     std::optional<std::size_t> best;
     double most = kLeastAhead;
     for (std::size_t i = 0; i < world.doors.size(); ++i) {

@@ -9,23 +9,24 @@
 
 namespace limen::motion {
 
-/// Doors that were opened and shut one by one, by their names in the world file, whatever part of the world is loaded; all others stand
-/// as they rest. What it says depends on the calls alone.
+/// The state of doors that were opened and shut one by one. Doors are known by their names in the world file,
+/// so the state survives a change of the loaded part of the world. Every other door has the world file's
+/// openness. The result depends on the calls alone.
 class DoorUse {
 public:
-    /// Opens a door, or shuts it if it stands open or is opening.
+    /// Opens a door, or shuts it if it is open or opening.
     void use(const world::Door& door);
-    /// One door, as far as `open`, 0..1, at once.
-    void put(const world::Door& door, double open) { swings_[door.name] = {open, open > 0.0}; }
-    /// Every door of a world, likewise.
+    /// Sets the openness of one door, 0..1, at once.
+    void put(const world::Door& door, double open);
+    /// Sets the openness of every door of a world, 0..1, at once.
     void putAll(const world::World& world, double open);
-    /// They swing on, a second from shut to open.
+    /// Swings all doors further; a full swing takes one second.
     void pass(double seconds);
-    /// The same beside a body, which gives way or holds them up (motion::swing).
+    /// The same beside a body, which gives way or stops them (motion::swing).
     void pass(double seconds, const Collisions& around, BodyState& body, const BodyShape& shape = {});
-    /// How far each door of a world stands open, for DynamicStateInput::doors.
+    /// Writes the openness of each of a world's doors, for DynamicStateInput::doors.
     void write(const world::World& world, std::vector<double>& openness) const;
-    /// Whether a door stands open, or is opening.
+    /// Whether a door is open or opening.
     [[nodiscard]] bool opens(const world::Door& door) const;
 
 private:
@@ -33,13 +34,14 @@ private:
         double open = 0.0;
         bool opens = false;
     };
-    static void swingOn(Swing& swing, double seconds);
-    std::map<std::string, Swing, std::less<>> swings_;
-    std::vector<double> open_; ///< by World::doors, for scratch
+    static void swingFurther(Swing& swing, double seconds);
+    std::map<std::string, Swing, std::less<>> swings_; ///< by name
+    std::vector<double> open_;                         ///< by World::doors; scratch
 };
 
-/// The door that one uses whose eye is in a space and looks forward (a unit vector): of those that can swing, lie at that space and are
-/// within reach the one nearest to where it looks, by its index; none: nullopt.
+/// The door that a player in a space would use: an index into World::doors. Among the doors of that space
+/// that can swing and are within 2.5 m of the eye, the one nearest to the gaze; at most 60 degrees from it.
+/// `forward`: unit vector.
 [[nodiscard]] std::optional<std::size_t> doorInReach(const world::World& world, world::SpaceIndex space,
                                                      const Vec3& eye, const Vec3& forward);
 

@@ -1,6 +1,7 @@
 #include "motion/Locate.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -9,27 +10,22 @@
 namespace limen::motion {
 namespace {
 
-/// A point this far in front of a plane's back side is still in front; metres (docs/formats/cells.md#point-in-cell).
-constexpr double kPlaneSlack = 0.0002;
-/// How far outside an opening's edges a segment may pass and still go through it; metres (docs/ray-rule.md#tolerances).
-constexpr double kOpeningSlack = 0.0002;
-
-/// Where a segment leaves a space.
+/// The point and the portal by which a segment leaves a space.
 struct Crossing {
     double t = 2.0; ///< along the segment
     world::PortalIndex portal = world::kNone;
 };
 
-/// The parameter at which from-to passes from the space's side of a portal to the other through the opening.
-/// A segment that starts in the plane and leaves, or that starts within the slack behind it, passes at once.
+/// The parameter at which a segment leaves a space through an opening, if it does. A segment that starts in
+/// the portal's plane, or up to the tolerance behind it, and leads away from the space, passes at 0.
 std::optional<double> crossingOf(const world::World& world, const world::Portal& portal, const Vec3& from,
                                  const Vec3& to) {
     const double before = portal.plane.signedDistance(from), after = portal.plane.signedDistance(to);
-    if (portal.plane.n == Vec3(0.0) || before < -kPlaneSlack || after >= 0.0 || after >= before)
+    if (portal.plane.n == Vec3(0.0) || before < -kInPlaneTolerance || after >= 0.0 || after >= before)
         return std::nullopt;
     const double t = std::clamp(before / (before - after), 0.0, 1.0);
     const Vec3 at = from + (to - from) * t;
-    if (!containsProjection(world::cornersOf(world, portal), portal.plane.n, at, kOpeningSlack))
+    if (!containsProjection(world::cornersOf(world, portal), portal.plane.n, at, kGapTolerance))
         return std::nullopt;
     return t;
 }
@@ -40,12 +36,12 @@ bool cellContains(const world::World& world, world::SpaceIndex index, const Vec3
     if (index >= world.spaces.size() || !isFinite(position))
         return false;
     const world::Space& space = world.spaces[index];
-    // Behind these the cell may go on: nodes that the point lies in the plane of, as good as in front of them. A point is in
-    // more such planes at once than this only where a tree says the same twice.
+    // Nodes whose plane contains the point: their front side is tried first, and these back sides later. A
+    // point is in more than 16 such planes only if the tree repeats a plane.
     std::array<std::uint32_t, 16> others{};
     std::size_t otherCount = 0;
     std::uint32_t node = 0;
-    // Children follow their parents, but the bound costs nothing.
+    // Children come after their parents, so the walk ends by itself. The bound guards against a damaged tree.
     for (std::uint32_t steps = 0; steps < space.bspNodeCount; ++steps) {
         if (node >= space.bspNodeCount) {
             if (otherCount == 0)
@@ -54,10 +50,11 @@ bool cellContains(const world::World& world, world::SpaceIndex index, const Vec3
         }
         const world::CellBspNode& at = world.cellBspNodes[space.firstBspNode + node];
         const double distance = at.plane.signedDistance(position);
-        const bool isInFront = distance >= -kPlaneSlack;
+        const bool isInFront = distance >= -kInPlaneTolerance;
         if (isInFront && at.positive == world::kNone)
             return true;
-        if (isInFront && distance <= kPlaneSlack && at.negative != world::kNone && otherCount < others.size())
+        if (isInFront && distance <= kInPlaneTolerance && at.negative != world::kNone &&
+            otherCount < others.size())
             others[otherCount++] = at.negative;
         node = isInFront ? at.positive : at.negative;
     }
@@ -84,7 +81,7 @@ world::SpaceIndex sweep(const world::World& world, world::SpaceIndex space, cons
         return space;
     Vec3 at = from;
     world::PortalIndex came = world::kNone;
-    // A straight line passes no plane twice, so no portal twice.
+    // A straight line crosses each plane once, so it passes each portal once.
     for (std::size_t steps = 0; steps <= world.portals.size(); ++steps) {
         Crossing first;
         const world::Space& current = world.spaces[space];

@@ -1,5 +1,7 @@
 #include "motion/PartPoses.h"
 
+#include "core/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,37 +15,39 @@ using world::MovingBody;
 using world::Stretch;
 using world::World;
 
-/// Slower, and a cycle says no velocity; metres a second.
+/// Metres a second: a slower cycle counts as one without velocity.
 constexpr double kLeastVelocity = 0.01;
 
 std::uint32_t cycleOf(const MovingBody& body, Gait gait) {
     return body.cycles[static_cast<std::size_t>(gait)];
 }
 
-/// What a cycle goes at; 0: it does not say.
+/// A cycle's speed in metres a second; 0: the cycle has no velocity.
 double velocityOf(const World& world, std::uint32_t cycle) {
     const double velocity = cycle != kNone ? glm::length(world.cycles[cycle].velocity) : 0.0;
     return velocity >= kLeastVelocity && std::isfinite(velocity) ? velocity : 0.0;
 }
 
-/// Steps from the first frame of what never ends: 0 <= steps < frameCount.
+/// The step within an endless stretch: 0 <= steps < frameCount.
 double stepsAround(const Stretch& stretch, double steps) {
     const double count = stretch.frameCount;
     double around = std::fmod(steps, count);
     if (around < 0.0)
         around += count;
-    return around >= 0.0 && around < count ? around : 0.0; // rounded up to a whole round, or no number
+    return around >= 0.0 && around < count ? around
+                                           : 0.0; // 0 after rounding up to a whole round, and for NaN
 }
 
-/// The stretch of a cycle that is played, and how many steps of it have been.
+/// The current stretch of a cycle, and the steps since its first frame.
 struct Played {
     std::uint32_t stretch = 0;
     double steps = 0.0;
 };
 Played playedAt(const World& world, const Cycle& cycle, double seconds) {
+    LIMEN_ASSERT(cycle.stretchCount > 0, "a cycle has a stretch");
     const std::uint32_t last = cycle.stretchCount - 1;
     const auto stretches = std::span(world.stretches).subspan(cycle.firstStretch, cycle.stretchCount);
-    // Before its first frame, a cycle is taken to have gone on for ever as it will after it.
+    // At negative times the cycle plays its last stretch, as it does after the others.
     for (std::uint32_t i = 0; i < last && seconds >= 0.0; ++i) {
         const double rate = std::abs(stretches[i].rate);
         if (seconds * rate < stretches[i].frameCount)
@@ -80,6 +84,7 @@ PartPoses::PartPoses(const World& world, const MovingBody& body, const CyclePoin
     : world_(world), body_(body) {
     if (at.cycle == kNone || body.firstPosed == kNone)
         return;
+    LIMEN_ASSERT(at.cycle < world.cycles.size(), "a body plays a cycle of the world");
     const Cycle& cycle = world.cycles[at.cycle];
     const Played played = playedAt(world, cycle, at.seconds);
     stretch_ = &world.stretches[cycle.firstStretch + played.stretch];
@@ -105,13 +110,14 @@ std::optional<world::PartFrame> PartPoses::frameOf(std::uint32_t part) const {
     world::PartFrame at = *from;
     const world::PartFrame* to = frame(*then_, thenStep_, part);
     if (to != nullptr && to != from && between_ > 0.0) {
-        at.orientation = glm::slerp(at.orientation, to->orientation, between_); // the shorter way round
+        at.orientation = glm::slerp(at.orientation, to->orientation, between_); // the shorter way
         at.origin += (to->origin - at.origin) * between_;
     }
     return at;
 }
 
 PartPose PartPoses::of(std::uint32_t index) const {
+    LIMEN_ASSERT(index < body_.partCount, "the part is one of the body");
     const world::Instance& resting = world_.movingParts[body_.firstPart + index];
     const PartPose rest{Mat3(resting.linear), Vec3(resting.origin)};
     if (stretch_ == nullptr)

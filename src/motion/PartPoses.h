@@ -4,42 +4,43 @@
 
 #include <optional>
 
-// How a body's parts stand while it stands still, walks or runs: playback of the cycles in a World (world/Cycle.h), after
-// docs/formats/effects_anim.md#playback. Pure functions that allocate nothing.
+// Poses of a body's parts while the body stands, walks or runs: playback of the cycles in a World
+// (world/Cycle.h), after formats/effects_anim.md. Pure functions that allocate nothing.
 namespace limen::motion {
 
-/// What a body does at a moment: the cycle that it plays, and how far into it.
+/// A cycle and the time within it.
 struct CyclePoint {
-    std::uint32_t cycle = world::kNone; ///< index into World::cycles; kNone: the body rests
-    double seconds = 0.0;               ///< since its first frame, at its own rate; may be negative
+    std::uint32_t cycle = world::kNone; ///< index into World::cycles; kNone: the resting pose
+    double seconds = 0.0;               ///< since the cycle's first frame, at its own rate; may be negative
 };
 
-/// What a body goes at: stands at `speed` 0, else walks or runs, whichever of its cycles' velocities is nearer. Speed in metres a
-/// second, of either sign; a body whose cycles say no velocities walks.
+/// The gait of a speed in metres a second, of either sign: standing at 0, else the gait whose cycle has the
+/// nearer velocity. A body whose cycles have no velocities walks.
 [[nodiscard]] world::Gait gaitAt(const world::World& world, const world::MovingBody& body, double speed);
 
-/// Where a body is in what it does. A cycle for going forward that says its velocity follows the `metres` gone, so that feet
-/// stay where they are set down, at any speed and whatever changes it; every other one follows the `seconds`. Both since whenever
-/// the caller counts from; metres may shrink (backwards) and either may be negative. A body without the cycle asked for runs as
-/// it walks, walks as it runs, and else does as it stands, by the seconds; without any it rests.
+/// The point of a body's cycle. Walk and run cycles with a velocity follow the `metres` walked, so feet do
+/// not slide at any speed. All other cycles follow `seconds`. Both count from any origin that the caller
+/// keeps; metres may decrease, and either may be negative. A missing walk or run cycle is replaced by the
+/// other, then by standing, then by the resting pose.
 [[nodiscard]] CyclePoint cyclePoint(const world::World& world, const world::MovingBody& body,
                                     world::Gait gait, double metres, double seconds);
 
-/// Where a part stands: the body's own space from part space.
+/// The body's own space from part space.
 struct PartPose {
     Mat3 linear{1.0};
     Vec3 origin{0.0};
 };
 
-/// All parts of one body at one moment. Between two frames they turn and move evenly from one to the other
-/// (docs/uncertain.md); parts that the frames do not have stand as they rest. World and body must outlive it.
+/// The poses of all parts of one body at one point of a cycle. Between two frames they are interpolated at
+/// constant rate (docs/uncertain.md). Parts that the frames lack have their resting pose. World and body must
+/// outlive it.
 class PartPoses {
 public:
     PartPoses(const world::World& world, const world::MovingBody& body, const CyclePoint& at);
 
-    /// Of the body's `index`-th part, 0..partCount-1.
+    /// The pose of the body's `index`-th part, 0..partCount-1.
     [[nodiscard]] PartPose of(std::uint32_t index) const;
-    /// The frame of a part of its Setup, whether it shows anything or not; nothing if that stands as it rests.
+    /// The frame of a part of the body's Setup, drawn or not; none if the part has its resting pose.
     [[nodiscard]] std::optional<world::PartFrame> frameOf(std::uint32_t part) const;
 
 private:
@@ -48,10 +49,10 @@ private:
 
     const world::World& world_;
     const world::MovingBody& body_;
-    const world::Stretch* stretch_ = nullptr; ///< of the frame that was played last; null: the body rests
-    const world::Stretch* then_ = nullptr;    ///< of the one that follows
-    std::uint32_t step_ = 0, thenStep_ = 0;
-    double between_ = 0.0; ///< 0 at the one .. 1 at the other
+    const world::Stretch* stretch_ = nullptr; ///< of the earlier frame; null: the resting pose
+    const world::Stretch* then_ = nullptr;    ///< of the later frame
+    std::uint32_t step_ = 0, thenStep_ = 0;   ///< of the two frames, within their stretches
+    double between_ = 0.0;                    ///< 0 at the earlier frame .. 1 at the later one
 };
 
 } // namespace limen::motion

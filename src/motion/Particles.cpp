@@ -1,5 +1,6 @@
 #include "motion/Particles.h"
 
+#include "core/Assert.h"
 #include "motion/Sprites.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ using world::ParticleSource;
 using world::ParticleStyle;
 using world::VectorRange;
 
-/// What chance decides about each particle.
+/// The random choices of a particle.
 enum Use : std::uint32_t {
     kLife,
     kAsideX,
@@ -33,11 +34,11 @@ enum Use : std::uint32_t {
     kUpwards
 };
 
-constexpr double kSmallest = 0.1, kLargest = 10.0; ///< scales
-constexpr double kNoDirection = 0.0002;            ///< shorter vectors have none
-/// More starts of one source at once than this are not worth showing.
+constexpr double kSmallest = 0.1, kLargest = 10.0; ///< scales, after formats/effects_anim.md
+constexpr double kNoDirection = 0.0002;            ///< shorter vectors have no direction
+/// Starts of one source that are drawn at once; older ones are left out.
 constexpr std::int64_t kMostStarts = 64;
-constexpr double kFarNumber = 1e15; ///< numbers stay whole in doubles
+constexpr double kFarNumber = 1e15; ///< up to here doubles hold every whole number
 
 double unit(const ParticleKey& key, Use use) {
     return hashedUnit(key.seed, key.number, use);
@@ -47,7 +48,7 @@ Vec3 drawn(const VectorRange& range, const ParticleKey& key, Use use) {
     return range.vector * (range.least + unit(key, use) * (range.most - range.least));
 }
 
-/// Aside from the emitter, in the frame of birth.
+/// The random offset of a birth, across the style's direction; in the frame of birth.
 Vec3 asideOf(const ParticleStyle& style, const ParticleKey& key) {
     Vec3 v(signedUnit(key, kAsideX), signedUnit(key, kAsideY), signedUnit(key, kAsideZ));
     const Vec3& along = style.offset.vector;
@@ -87,7 +88,7 @@ bool isLocal(ParticleType type, Use vector) {
     }
 }
 
-/// The way out of an explosion.
+/// The random direction of a particle of an explosion; zero if it has none.
 Vec3 burst(const Vec3& c, const ParticleKey& key) {
     const double around = std::numbers::pi * signedUnit(key, kAround),
                  up = std::numbers::pi * signedUnit(key, kUpwards);
@@ -102,7 +103,8 @@ bool turns(ParticleType type) {
            type == ParticleType::ParabolicGVGAGR;
 }
 
-/// `o`: where it was born, from its frame's origin; all global.
+/// The offset of a particle at age `t`. `o`: offset of its birth. All from the origin of the frame of birth,
+/// global axes.
 Vec3 placeOf(ParticleType type, const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c, double t,
              const ParticleKey& key) {
     switch (type) {
@@ -139,7 +141,10 @@ Births::Births(const ParticleStyle& style, const ParticleSource& source)
       secondRound_(std::max(static_cast<double>(most_ - initial_ + 1) * interval_,
                             life_ + (initial_ > 0 ? 0.0 : interval_))),
       end_(style.total > 0 ? std::int64_t{style.total} : std::numeric_limits<std::int64_t>::max()),
-      stop_(std::min(style.birthSeconds, source.stop)) {}
+      stop_(std::min(style.birthSeconds, source.stop)) {
+    LIMEN_ASSERT(style.most > 0, "a style lets particles live");
+    LIMEN_ASSERT(interval_ > 0.0, "births are some time apart");
+}
 
 double Births::of(std::int64_t number) const {
     const auto rounds = [this](std::int64_t n) {
@@ -187,10 +192,10 @@ SourceStarts startsAt(const ParticleStyle& style, const ParticleSource& source, 
     const double since = seconds - source.start;
     if (source.period <= 0.0)
         return since >= 0.0 ? SourceStarts{0, 0} : SourceStarts{};
-    // A start is over when the last of it has died.
+    // A start is over when its last particle has died.
     double births = std::min(style.birthSeconds, source.stop);
     if (source.interval == world::kNeverEnds)
-        births = 0.0; // the first are all there are
+        births = 0.0; // all particles are born at the start
     if (style.total > 0)
         births = std::min(births, Births(style, source).of(std::int64_t{style.total} - 1));
     const double over = std::min(source.gone, births + style.longestLife());

@@ -6,20 +6,23 @@
 #include <algorithm>
 #include <cstdint>
 
-// Particles of the records' emitters (world/Particles.h) as closed functions of time: each has a number, and all about it follows from
-// that, its source's seed and the time, after docs/formats/effects_anim.md. Nothing is remembered from moment to moment.
+// Particles of the records' emitters (world/Particles.h) as closed functions of time, after
+// formats/effects_anim.md. The state of a particle follows from its number, the seed of its source and the
+// time. Nothing is kept from frame to frame.
 namespace limen::motion {
 
-/// When particles of a source are born, in seconds from its start, by number, ascending. Of one that has always been burning numbers
-/// and times may be negative; else numbers count from 0. At most ParticleStyle::most live at once: one whose place is still
-/// taken is born when the longest life there can be is over.
+/// The times of birth of a source's particles, in seconds from its start, ascending by number. Numbers count
+/// from 0, but an ever-burning source has negative numbers and times, too. At most ParticleStyle::most
+/// particles live at once: a particle whose place is taken is born when the longest possible life in that
+/// place is over.
 class Births {
 public:
     Births(const world::ParticleStyle& style, const world::ParticleSource& source);
 
     [[nodiscard]] double of(std::int64_t number) const;
 
-    /// Numbers that may live `seconds` after the start: first .. last, empty if first > last.
+    /// The numbers of the particles that may live `seconds` after the start: first .. last, empty if first >
+    /// last.
     struct Range {
         std::int64_t first = 0, last = -1;
     };
@@ -32,12 +35,13 @@ private:
     double interval_, life_, round_;
     std::int64_t most_, initial_;
     bool isEverBurning_;
-    double secondRound_; ///< when the first places are taken again
+    double secondRound_; ///< seconds from the start when the first places are taken again
     std::int64_t end_;   ///< one past the last number
-    double stop_;        ///< no births later than this
+    double stop_;        ///< seconds from the start of the last birth
 };
 
-/// The starts of a source that may still have particles at a time, by number: first .. last, empty if first > last.
+/// The numbers of a source's starts that may have living particles at a time: first .. last, empty if first >
+/// last.
 struct SourceStarts {
     std::int64_t first = 0, last = -1;
 };
@@ -51,14 +55,14 @@ struct ParticleKey {
 };
 [[nodiscard]] ParticleKey keyOf(const world::ParticleSource& source, std::int64_t start, std::int64_t number);
 
-/// -1 <= u < 1, another one for each `use`.
+/// A random number -1 <= u < 1 of a particle, a different one for each `use`.
 [[nodiscard]] double signedUnit(const ParticleKey& key, std::uint32_t use);
 
-/// How long a particle lives, seconds.
+/// The length of a particle's life in seconds.
 [[nodiscard]] double lifeOf(const world::ParticleStyle& style, const ParticleKey& key);
 
-/// Calls visit(key, born, age, life) for each particle of one start of a source that lives then; `born` and `seconds`: since the world
-/// began.
+/// Calls visit(key, born, age, life) for each particle of one start of a source that lives at a time. `born`
+/// and `seconds` count from the beginning of the world.
 template <class Visit>
 void eachLiving(const world::ParticleStyle& style, const world::ParticleSource& source, std::int64_t start,
                 double seconds, Visit&& visit) {
@@ -78,12 +82,13 @@ void eachLiving(const world::ParticleStyle& style, const world::ParticleSource& 
 
 /// A particle at one age.
 struct ParticleState {
-    Vec3 offset{0.0};                     ///< global axes: from the origin of its place of birth's frame
+    Vec3 offset{0.0};                     ///< global axes; from the origin of the frame of birth
     Quat orientation{1.0, 0.0, 0.0, 0.0}; ///< global
     double scale = 1.0, opacity = 1.0;
 };
 
-/// `age`: seconds, 0..life. `born`: orientation of the frame it was born in. `offset`: the emitter's own, in that frame.
+/// `age`: seconds, 0..life. `born`: orientation of the frame of birth. `offset`: the emitter's own, in that
+/// frame.
 [[nodiscard]] ParticleState particleAt(const world::ParticleStyle& style, const ParticleKey& key, double age,
                                        double life, const Quat& born, const Vec3& offset);
 

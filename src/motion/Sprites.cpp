@@ -1,5 +1,7 @@
 #include "motion/Sprites.h"
 
+#include "core/Assert.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -8,7 +10,7 @@ namespace {
 
 enum SphereUse : std::uint32_t { kSphereAround, kSphereOut, kSphereUp, kSpreadX, kSpreadY, kSpreadZ };
 
-/// A point of the ball of radius 1.
+/// A random point of the sphere of radius 1, surface and inside.
 Vec3 inUnitSphere(std::uint32_t seed, std::int64_t number) {
     const double around = 2.0 * std::numbers::pi * hashedUnit(seed, number, kSphereAround);
     const double z = 2.0 * hashedUnit(seed, number, kSphereUp) - 1.0;
@@ -32,6 +34,7 @@ double hashedUnit(std::uint64_t seed, std::int64_t number, std::uint32_t use) {
 }
 
 SpriteRange livingAt(const world::Emitter& emitter, double seconds) {
+    LIMEN_ASSERT(emitter.rate > 0.0 && emitter.life > 0.0, "an emitter has a rate, and its sprites a life");
     return {static_cast<std::int64_t>(std::floor((seconds - emitter.life) * emitter.rate)) + 1,
             static_cast<std::int64_t>(std::floor(seconds * emitter.rate))};
 }

@@ -13,17 +13,17 @@ struct SpriteState {
     double size = 0.0, opacity = 1.0;
 };
 
-/// Sprites that live at a time, by number: first .. last, empty if first > last. One was born before time 0 like any
-/// other: an emitter has always been burning.
+/// The numbers of the sprites that live at a time: first .. last, empty if first > last. Numbers may be
+/// negative: an emitter has been burning for ever.
 struct SpriteRange {
     std::int64_t first = 0, last = -1;
 };
 [[nodiscard]] SpriteRange livingAt(const world::Emitter& emitter, double seconds);
 
-/// Sprite `number` at `seconds`. A pure function of both and the emitter's seed. Requires that it lives.
+/// A pure function of the sprite's number, the time and the emitter's seed. Requires that the sprite lives.
 [[nodiscard]] SpriteState spriteAt(const world::Emitter& emitter, std::int64_t number, double seconds);
 
-/// 0 <= r < 1, the same for the same arguments on every machine.
+/// A hash of the arguments as a number 0 <= r < 1, the same on every machine.
 [[nodiscard]] double hashedUnit(std::uint64_t seed, std::int64_t number, std::uint32_t use);
 
 } // namespace limen::motion

@@ -18,7 +18,8 @@ struct FootWalkOptions {
 struct FootWalk {
     WalkRecord record;
     std::vector<std::size_t> missed; ///< indices of way points that the body did not reach
-    std::vector<std::string> jumps;  ///< names of places to which the body jumped because it found no way on foot
+    std::vector<std::string>
+        jumps; ///< names of places to which the body jumped because it found no way on foot
 };
 
 /// Walks straight from way point to way point and opens doors in the way. A blocked body tries the following way

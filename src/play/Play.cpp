@@ -204,7 +204,8 @@ Result<void> Play::followEye() {
     request_.root = engine::rootIn(session_.part(), cell, eye);
     tracker_.place(request_.root);
     doors_.write(session_.part().world, request_.scene.eachDoor);
-    return walk_.isOn() ? walk_.step(session_, {}, request_) : Result<void>{}; // the index of its space has changed
+    return walk_.isOn() ? walk_.step(session_, {}, request_)
+                        : Result<void>{}; // the index of its space has changed
 }
 
 void Play::moveDoors(double seconds) {
@@ -230,8 +231,8 @@ void Play::findDoor() {
         return;
     const world::World& world = session_.part().world;
     const motion::BodyEye head = walk_.head(world);
-    door_ =
-        motion::doorInReach(world, head.space, head.position, engine::basisOf(request_.camera.heading).forward);
+    door_ = motion::doorInReach(world, head.space, head.position,
+                                engine::basisOf(request_.camera.heading).forward);
 }
 
 } // namespace limen::play

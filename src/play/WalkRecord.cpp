@@ -189,11 +189,13 @@ Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
         begin = end + 1;
         if (number == 0) {
             if (!readBeginning(json, record))
-                return fail(ErrorCode::Malformed, name, "is not a recorded walk; record one with limen view --record or limen walk");
+                return fail(ErrorCode::Malformed, name,
+                            "is not a recorded walk; record one with limen view --record or limen walk");
             continue;
         }
         if (!readFrame(json, record.frames.emplace_back()))
-            return fail(ErrorCode::Malformed, name, fmt::format("line {} is not a frame of a walk; record the walk again", number + 1));
+            return fail(ErrorCode::Malformed, name,
+                        fmt::format("line {} is not a frame of a walk; record the walk again", number + 1));
     }
     if (record.frames.empty())
         return fail(ErrorCode::Malformed, name, "contains no frame; record the walk again");

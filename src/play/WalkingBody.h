@@ -96,7 +96,8 @@ private:
     motion::BodyShape shape_;
     double yaw_ = 0.0;                  ///< heading of the body, degrees
     double speed_ = 0.0, metres_ = 0.0; ///< as in PlayerBody
-    double lag_ = 0.0; ///< metres of the eye above its place in the head; it decays, so that steps are climbed smoothly
+    double lag_ =
+        0.0; ///< metres of the eye above its place in the head; it decays, so that steps are climbed smoothly
     bool isChased_ = false;
     motion::ChaseState chase_;
     motion::ChaseShape chaseShape_;

@@ -5,7 +5,7 @@
 namespace limen::reference {
 namespace {
 
-/// Metres. The box's corners and the triangles' come about by the same sums in another order, in double.
+/// Metres. The corners of box and triangles are the same sums in another order, in double.
 constexpr double kBoxMargin = 1e-6;
 
 bool has(const world::Mesh& mesh, world::SurfaceClass surfaces) {
@@ -72,8 +72,8 @@ void Bodies::place(std::uint32_t body, Slot& slot) const {
 }
 
 void BodyLists::clear() {
-    for (const std::uint32_t place : used_) {
-        for (List* list : {&places_[place].solid, &places_[place].blended}) {
+    for (const std::uint32_t index : used_) {
+        for (List* list : {&pairs_[index].solid, &pairs_[index].blended}) {
             list->bodies.clear();
             list->tree.clear();
         }
@@ -81,11 +81,12 @@ void BodyLists::clear() {
     used_.clear();
 }
 
-void BodyLists::add(const Bodies& bodies, std::uint32_t place, std::uint32_t body) {
-    Place& here = places_[place];
+void BodyLists::add(const Bodies& bodies, std::uint32_t index, std::uint32_t body) {
+    LIMEN_ASSERT(index < pairs_.size(), "a list is of a space or zone of the world");
+    ListPair& here = pairs_[index];
     const bool solid = bodies.hasSolid(body), blended = bodies.hasBlended(body);
     if ((solid || blended) && here.solid.empty() && here.blended.empty())
-        used_.push_back(place);
+        used_.push_back(index);
     if (solid)
         here.solid.bodies.push_back(body);
     if (blended)
@@ -93,9 +94,9 @@ void BodyLists::add(const Bodies& bodies, std::uint32_t place, std::uint32_t bod
 }
 
 void BodyLists::build(const Bodies& bodies) {
-    for (const std::uint32_t place : used_) {
-        build(bodies, places_[place].solid);
-        build(bodies, places_[place].blended);
+    for (const std::uint32_t index : used_) {
+        build(bodies, pairs_[index].solid);
+        build(bodies, pairs_[index].blended);
     }
 }
 
@@ -103,7 +104,7 @@ void BodyLists::build(const Bodies& bodies, List& list) {
     boxes_.clear();
     for (const std::uint32_t body : list.bodies)
         boxes_.push_back(bodies.boxOf(body));
-    list.tree.build(boxes_, 1, order_); // a body costs more than a node
+    list.tree.build(boxes_, 1, order_); // one body a leaf: testing a body costs more than testing a node
     sorted_.clear();
     for (const std::uint32_t i : order_)
         sorted_.push_back(list.bodies[i]);

@@ -14,14 +14,14 @@ struct Surfaces {
     TriangleSet blended; ///< translucent
 };
 
-/// The instances of a world, or of a moment of it. The triangles of one are placed when the first ray comes near it, for
-/// few rays come near most of them.
+/// The instances of a world, or of a dynamic state. The triangles of an instance are placed when the first
+/// ray comes near it: rays come near few of all instances.
 class Bodies {
 public:
     /// `origin` is the scene's. The world must outlive it.
     Bodies(const world::World& world, const Vec3& origin);
 
-    /// Replaces what is there; `instances` must stay as they are until the next call. Keeps its capacity.
+    /// Replaces all instances. `instances` must stay unchanged until the next call. Keeps its capacity.
     void assign(std::span<const world::Instance> instances);
 
     /// The box of a body's vertices.
@@ -32,12 +32,12 @@ public:
         return instances_[body].kind == world::InstanceKind::Filling;
     }
 
-    /// Whether an eye there sees it at all: one level of detail of several.
+    /// Whether the instance is drawn for an eye at that position: it is one level of detail of several.
     [[nodiscard]] bool isInLevelRange(std::uint32_t body, const world::RangeSteps& eye) const {
         return world::isInLevelRange(world_, instances_[body], eye);
     }
 
-    /// Any thread may ask. Cost: that of placing it, once.
+    /// Safe to call from any thread. The first call for a body places its triangles.
     [[nodiscard]] const Surfaces& surfacesOf(std::uint32_t body) const {
         Slot& slot = slots_[body];
         if (!slot.isPlaced.load(std::memory_order_acquire))
@@ -62,11 +62,11 @@ private:
     std::size_t capacity_ = 0;
     std::unique_ptr<Slot[]> slots_;                ///< by body
     mutable std::mutex placing_;                   ///< one thread places at a time
-    mutable std::vector<MeshGroupings> groupings_; ///< by mesh, as far as known; under placing_
+    mutable std::vector<MeshGroupings> groupings_; ///< by mesh, made when first needed; under placing_
     mutable TriangleSet::Scratch scratch_;         ///< under placing_
 };
 
-/// What of the bodies can be met in each space (or zone), as hierarchies over their boxes.
+/// The bodies that a ray can meet in each space (or zone), as hierarchies over their boxes.
 class BodyLists {
 public:
     struct List {
@@ -82,23 +82,26 @@ public:
             });
         }
     };
-    struct Place {
-        List solid, blended; ///< one with both kinds of surface is in both
+    /// The bodies of one space or zone. A body with both kinds of surface is in both lists.
+    struct ListPair {
+        List solid, blended;
     };
 
-    void resize(std::size_t places) { places_.resize(places); }
+    /// `count`: of spaces or zones.
+    void resize(std::size_t count) { pairs_.resize(count); }
     void clear();
-    void add(const Bodies& bodies, std::uint32_t place, std::uint32_t body);
-    /// Makes the hierarchies of what was added; walks see nothing before.
+    /// `index`: a space or zone.
+    void add(const Bodies& bodies, std::uint32_t index, std::uint32_t body);
+    /// Builds the hierarchies; walks find no body that was added since.
     void build(const Bodies& bodies);
-    [[nodiscard]] const Place& at(std::uint32_t place) const { return places_[place]; }
+    [[nodiscard]] const ListPair& at(std::uint32_t index) const { return pairs_[index]; }
     [[nodiscard]] bool empty() const { return used_.empty(); }
 
 private:
     void build(const Bodies& bodies, List& list);
 
-    std::vector<Place> places_;
-    std::vector<std::uint32_t> used_; ///< places that hold something
+    std::vector<ListPair> pairs_;     ///< by space or zone
+    std::vector<std::uint32_t> used_; ///< spaces or zones with at least one body
     std::vector<Box> boxes_;          ///< scratch of build()
     std::vector<std::uint32_t> order_, sorted_;
 };

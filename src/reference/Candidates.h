@@ -6,12 +6,12 @@
 
 namespace limen::reference {
 
-/// What a ray may meet in a space: all that it does meet, and some of what lies near it. A ray by itself walks the
-/// hierarchies; one of a tile looks through what the tile has gathered. What it meets is decided by the Follower, with the
-/// same arithmetic for both, so that no answer depends on which it was.
+/// The triangles and portals that a ray may meet in a space: all that it meets, and some near it. A single
+/// ray walks the hierarchies; a ray of a tile goes through the candidates that the tile has gathered. The
+/// Follower tests both with the same arithmetic, so answers do not depend on the source.
 class Candidates {
 public:
-    /// For a ray by itself from an eye. `ray` must stay.
+    /// For a single ray. `ray` must outlive it.
     Candidates(const SceneData& scene, const RayFrame& ray, const world::RangeSteps& eye)
         : scene_(scene), ray_(ray), eye_(eye) {}
     /// For the ray of a tile's pixel (column + 8 · row).
@@ -25,8 +25,8 @@ public:
                      : scene_.openings.nearest(ray_, boxRay(), from);
     }
 
-    /// Calls visit(set, triangle) for solid triangles of a space, after `after` and not beyond `farthest`, which `visit`
-    /// may lower; roughly from near to far.
+    /// Calls visit(set, triangle) for solid triangles of a space, after `after` and not beyond `farthest`,
+    /// which `visit` may lower; roughly from near to far.
     template <class Visit>
     void forSolids(world::SpaceIndex space, double after, const double& farthest, Visit&& visit) {
         const auto visitAll = [&](const TriangleSet& set) {
@@ -38,16 +38,16 @@ public:
             });
             return;
         }
-        scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-            place.solid.walk(boxRay(), after, farthest, [&](std::uint32_t body) {
+        scene_.forLists(space, [&](const Bodies& bodies, const BodyLists::ListPair& lists) {
+            lists.solid.walk(boxRay(), after, farthest, [&](std::uint32_t body) {
                 if (bodies.isInLevelRange(body, eye_))
                     visitAll(bodies.surfacesOf(body).solid);
             });
         });
     }
 
-    /// Calls visit(triangle, isFilling) for translucent triangles of a space, after `after` and not beyond `most`; all
-    /// that lie at `nearest` or before, and those of fillings wherever they lie.
+    /// Calls visit(triangle, isFilling) for translucent triangles of a space, after `after` and not beyond
+    /// `most`: all triangles up to `nearest`, and those of fillings at any distance.
     template <class Visit>
     void forBlended(world::SpaceIndex space, double after, double most, double nearest, Visit&& visit) {
         const auto visitAll = [&](const TriangleSet& set, bool isFilling) {
@@ -61,8 +61,8 @@ public:
                                           });
             return;
         }
-        scene_.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-            place.blended.walk(boxRay(), after, most, [&](std::uint32_t body) {
+        scene_.forLists(space, [&](const Bodies& bodies, const BodyLists::ListPair& lists) {
+            lists.blended.walk(boxRay(), after, most, [&](std::uint32_t body) {
                 if (bodies.isInLevelRange(body, eye_))
                     visitAll(bodies.surfacesOf(body).blended, bodies.isFilling(body));
             });
@@ -79,7 +79,7 @@ private:
     const SceneData& scene_;
     const RayFrame& ray_;
     const world::RangeSteps eye_;
-    std::optional<BoxRay> boxRay_; ///< many a tile's ray needs none
+    std::optional<BoxRay> boxRay_; ///< made when first needed: many rays of tiles need none
     TileCandidates* tile_ = nullptr;
     std::uint32_t pixel_ = 0;
 };

@@ -44,11 +44,12 @@ void Follower::meetSurfaces(const Visit& visit, double most) {
                            });
 }
 
-/// Of what lies in a portal's plane the filling is met first, so a pane counts from the tolerance before it on.
+/// Of all surfaces in a portal's plane the filling is met first, so a pane counts as the tolerance nearer
+/// than it is.
 void Follower::meetLayer(const Triangle& triangle, bool isFilling, double t) {
     if (isFilling) {
         const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-        t -= kTolerance * glm::length(normal) / std::abs(glm::dot(normal, ray_.direction));
+        t -= kInPlaneTolerance * glm::length(normal) / std::abs(glm::dot(normal, ray_.direction));
     }
     if (t > nearest_.t)
         return;
@@ -60,16 +61,16 @@ void Follower::meetLayer(const Triangle& triangle, bool isFilling, double t) {
         known->t = std::min(known->t, t);
 }
 
-/// A closed filling makes its whole portal a surface: its triangle that the ray meets, else the polygon of it that faces
-/// the ray most.
+/// A closed filling makes its whole portal a surface. The pixel shows the filling's triangle that the ray
+/// meets, or else the triangle that faces the ray most.
 void Follower::meetFilling(const Exit& exit) {
     nearest_ = {exit.t, 0};
-    end_ = exit.before; // the filling is first of what lies in its plane
+    end_ = exit.before; // the filling is the first surface in its plane
     const world::InstanceIndex filling =
         scene_.fillings.empty() ? world::kNone : scene_.fillings[exit.portal];
     if (filling == world::kNone)
         return;
-    double most = -kInfinity; // one that faces away still stands for the object
+    double most = -kInfinity; // a triangle that faces away still represents the object
     bool met = false;
     const auto offer = [&](const Triangle& triangle) {
         Meeting at;
@@ -89,19 +90,20 @@ void Follower::meetFilling(const Exit& exit) {
         std::for_each(set->triangles().begin(), set->triangles().end(), offer);
 }
 
-/// A ray in a cell that meets nothing may have slipped through a gap narrower than the data's own rounding: then it
-/// belongs to the nearer of what lies around the gap. True if that is a portal.
+/// A ray in a cell that meets nothing may have slipped through a gap narrower than the data's own rounding.
+/// Then the nearer neighbour of the gap counts: a triangle, which becomes `nearest_`, or a portal, which
+/// becomes `exit`. True if a portal.
 bool Follower::closeGap(const Visit& visit, Exit& exit) {
-    const BoxRay wide(ray_.eye, ray_.direction, kTolerance);
+    const BoxRay wide(ray_.eye, ray_.direction, kGapTolerance);
     exit = scene_.openings.nearestGrown(ray_, wide, leavingFrom(visit));
     const Stretch stretch{visit.surfacesAfter, nearPlane_, exit.found() ? exit.t : kInfinity};
     double farthest = stretch.most;
-    scene_.forPlaces(visit.space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-        place.solid.walk(wide, stretch.after, farthest, [&](std::uint32_t body) {
+    scene_.forLists(visit.space, [&](const Bodies& bodies, const BodyLists::ListPair& lists) {
+        lists.solid.walk(wide, stretch.after, farthest, [&](std::uint32_t body) {
             if (!bodies.isInLevelRange(body, eye_))
                 return;
             const TriangleSet& solid = bodies.surfacesOf(body).solid;
-            solid.findNearestGrown(scene_.world, ray_, wide, stretch, kTolerance, nearest_);
+            solid.findNearestGrown(scene_.world, ray_, wide, stretch, kGapTolerance, nearest_);
             farthest = std::min(farthest, nearest_.t);
         });
     });
@@ -127,7 +129,7 @@ Answer Follower::follow(world::SpaceIndex root) {
     Answer answer;
     Visit visit{root, 0.0, 0.0, world::kNone};
     bool hole = false;
-    // A portal is left through once at its place on the ray, and once more at most by notAgain_.
+    // A ray leaves by a portal once where it crosses the plane, and once more at most by way of notAgain_.
     const std::size_t limit = 4 * world.portals.size() + 16;
     for (;;) {
         LIMEN_ASSERT(answer.spacesVisited < limit, "a straight ray crosses every portal's plane once");
@@ -138,8 +140,8 @@ Answer Follower::follow(world::SpaceIndex root) {
         bool slipped = false;
         if (!exit.found() && nearest_.id == 0 && visit.space != world::kOutside)
             slipped = closeGap(visit, exit);
-        // What lies within the tolerance of the portal's plane is met from both sides, so the ray goes on even if it
-        // has met something there; the nearest counts.
+        // Surfaces within the tolerance of the portal's plane are met from both sides. So the ray continues
+        // even if it has met one there, and the nearest counts.
         if (!exit.found() || nearest_.t < exit.before)
             break;
         if (isShut(exit.portal)) {

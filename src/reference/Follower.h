@@ -6,27 +6,27 @@
 
 namespace limen::reference {
 
-/// Follows one ray from space to space: the ray rule itself. Made for one ray and dropped after it.
+/// Follows one ray from space to space: the ray rule itself. An object serves one ray.
 class Follower {
 public:
-    /// A ray by itself.
+    /// A single ray.
     Follower(const SceneData& scene, const Ray& ray);
-    /// The ray of a tile's pixel (column + 8 · row), with what the tile has gathered. The same answer.
+    /// The ray of a tile's pixel (column + 8 · row), with the tile's candidates. The answer is the same.
     Follower(const SceneData& scene, const Ray& ray, TileCandidates& tile, std::uint32_t pixel);
     Follower(const Follower&) = delete; // candidates_ refers to ray_
     Follower& operator=(const Follower&) = delete;
     [[nodiscard]] Answer follow(world::SpaceIndex root);
 
 private:
-    /// A translucent polygon met, where it is met first.
+    /// A translucent polygon and the parameter at which it is first met.
     struct Layer {
         std::uint32_t id = 0;
         double t = 0.0;
     };
     struct Visit {
         world::SpaceIndex space = world::kOutside;
-        double after = 0.0;                       ///< where the ray entered; portals beyond it
-        double surfacesAfter = 0.0;               ///< surfaces may lie a little before the entry
+        double after = 0.0;                       ///< where the ray entered; portals beyond it count
+        double surfacesAfter = 0.0;               ///< surfaces beyond this count: a little before the entry
         world::PortalIndex cameBy = world::kNone; ///< kNone: the root
     };
     [[nodiscard]] Leaving leavingFrom(const Visit& visit) const;
@@ -45,7 +45,7 @@ private:
     Candidates candidates_;
     double nearPlane_;
     Nearest nearest_;
-    double end_ = std::numeric_limits<double>::infinity(); ///< layers at most here
+    double end_ = std::numeric_limits<double>::infinity(); ///< layers beyond this do not count
     SmallVec<Layer, 16> layers_;
     SmallVec<world::PortalIndex, 8> notAgain_;
 };

@@ -10,8 +10,8 @@
 namespace limen::reference {
 namespace {
 
-/// A float's next one is nearer than this share of it; rounding a double moves it by half of that at most. The second
-/// is for zero and what is next to it.
+/// Shares of a float: its successor is nearer than kStep, and rounding a double moves it by half of that at
+/// most. kLeast covers zero and denormal floats.
 constexpr float kStep = 0x1p-23f, kLeast = 1e-30f;
 
 float below(double value) {
@@ -23,7 +23,7 @@ float above(double value) {
     return rounded + (std::abs(rounded) * kStep + kLeast);
 }
 
-/// Half the surface, which is what the heuristic weighs boxes by.
+/// Half the surface area: the weight of a box in the heuristic.
 float weightOf(const Box& box) {
     const float x = box.max[0] - box.min[0], y = box.max[1] - box.min[1], z = box.max[2] - box.min[2];
     return x < 0.0f ? 0.0f : x * y + y * z + z * x;
@@ -50,19 +50,20 @@ Box Extent::box() const {
 BoxRay::BoxRay(const Vec3& eye, const Vec3& direction, double margin) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double at = eye[static_cast<int>(axis)], step = direction[static_cast<int>(axis)];
-        // The eye as a float is off by 2^-24 of itself; four times that, and a micrometre so that an eye in a flat
-        // box's side is clearly on both sides of it.
+        // The eye as a float is off by 2^-24 of itself; this is four times that, plus a micrometre, so that
+        // an eye in the side of a flat box is clearly on both sides.
         const double off = std::abs(at) * 0x1p-22 + 1e-6 + margin;
         negative[axis] = std::signbit(step) ? 1 : 0;
         const double sign = negative[axis] ? -1.0 : 1.0;
-        // A slower step is taken as this: over any distance there is it moves by less than the micrometre.
+        // Smaller components count as 1e-15: over any distance on the map that moves the ray by less than the
+        // micrometre.
         inverse[axis] = static_cast<float>(sign / std::max(std::abs(step), 1e-15));
         nearOrigin[axis] = static_cast<float>(at + sign * off);
         farOrigin[axis] = static_cast<float>(at - sign * off);
     }
 }
 
-/// What a build needs beside the nodes.
+/// The inputs of a build beside the nodes.
 struct Hierarchy::Build {
     std::span<const Box> boxes;
     std::vector<std::uint32_t>& order;
@@ -100,7 +101,7 @@ struct Bins {
     std::array<std::uint32_t, kBins> counts{};
 };
 
-/// Where centres fall among equal slices of [low, high].
+/// The equal slices of an interval, and the slice of a centre.
 struct Slices {
     float low, scale;
     [[nodiscard]] std::uint32_t of(float centre) const {
@@ -138,7 +139,7 @@ Cut cheapest(const Bins& bins) {
 
 } // namespace
 
-/// Puts the lower half along `axis` first. Yields where the other half begins.
+/// Puts the lower half along `axis` first. Returns the begin of the upper half.
 std::uint32_t Hierarchy::Build::halve(const Range& range, std::size_t axis) const {
     const auto begin = order.begin() + range.first, middle = begin + range.count / 2;
     std::nth_element(begin, middle, begin + range.count, [&](std::uint32_t a, std::uint32_t b) {
@@ -147,7 +148,7 @@ std::uint32_t Hierarchy::Build::halve(const Range& range, std::size_t axis) cons
     return range.first + range.count / 2;
 }
 
-/// Divides a range in two, neither of them empty. Yields where the second begins.
+/// Divides a range into two non-empty parts. Returns the begin of the second.
 std::uint32_t Hierarchy::Build::divide(const Range& range, std::uint32_t depth) const {
     if (range.count == 2)
         return range.first + 1;
@@ -217,7 +218,7 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
     LIMEN_ASSERT(depth < kMaxDepth, "a hierarchy is never deeper than its walk's stack");
     std::array<Range, kWidth> children{range};
     std::uint32_t used = 1;
-    while (used < kWidth) { // the heaviest that can be divided is divided
+    while (used < kWidth) { // divide the heaviest child that has more than a leaf's elements
         Range* heaviest = nullptr;
         for (std::uint32_t i = 0; i < used; ++i)
             if (children[i].count > build.leafSize &&
@@ -246,7 +247,7 @@ std::uint32_t Hierarchy::buildNode(Build& build, const Range& range, std::uint32
 }
 
 void Hierarchy::build(std::span<const Box> boxes, std::uint32_t leafSize, std::vector<std::uint32_t>& order) {
-    LIMEN_ASSERT(leafSize > 0, "a leaf holds something");
+    LIMEN_ASSERT(leafSize > 0, "a leaf has room for an element");
     nodes_.clear();
     order.resize(boxes.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -10,8 +10,8 @@
 
 namespace limen::reference {
 
-/// An axis-aligned box in floats, rounded outwards: it holds what it was made of, whatever the rounding. The fourth of
-/// each is there to fill the register.
+/// An axis-aligned box in floats, rounded outwards, so it contains all points that it was made from. The
+/// fourth number of each corner fills the register.
 struct Box {
     alignas(16) std::array<float, 4> min{1e30f, 1e30f, 1e30f, 1e30f};
     alignas(16) std::array<float, 4> max{-1e30f, -1e30f, -1e30f, -1e30f};
@@ -24,7 +24,7 @@ struct Box {
     void grow(double margin);
 };
 
-/// Gathers points for their box: in double, to be rounded once.
+/// The bounds of points in double; box() rounds them once.
 struct Extent {
     Vec3 least{1e30}, greatest{-1e30};
 
@@ -35,38 +35,40 @@ struct Extent {
     [[nodiscard]] Box box() const;
 };
 
-/// A ray as boxes are tested against it: in float, and for certain never missing a box that the ray in double meets.
+/// A ray prepared for box tests in float. The tests never miss a box that the ray in double meets.
 struct BoxRay {
-    /// `margin` (metres) has boxes tested as if they were larger by that much.
+    /// Boxes are tested as if they were larger by `margin` metres on each side.
     BoxRay(const Vec3& eye, const Vec3& direction, double margin);
 
-    // The nearer side of a slab is seen from `nearOrigin`, the farther one from `farOrigin`; they lie on either side
-    // of the eye, so that the interval is a little too long.
+    // The near side of a slab is tested from `nearOrigin` and the far side from `farOrigin`. The two are on
+    // either side of the eye, so the interval is slightly too long.
     std::array<float, 3> nearOrigin{}, farOrigin{}, inverse{};
     std::array<std::uint8_t, 3> negative{}; ///< 1 where the direction runs down its axis
 };
 
-/// A hierarchy of boxes, four children a node, over things that the owner keeps in its order. Ref: Dammertz, Hanika,
-/// Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays" (2008); the split is the
-/// binned surface area heuristic of Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007).
+/// A hierarchy of boxes with four children a node. The owner keeps the elements in the order of the leaves.
+/// Ref: Dammertz, Hanika, Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of
+/// Incoherent Rays" (2008); the split is the binned surface area heuristic of Wald, "On fast Construction of
+/// SAH-based Bounding Volume Hierarchies" (2007).
 class Hierarchy {
 public:
-    /// Rebuilds over `boxes`; at most `leafSize` of them are not divided further, `order` becomes the order in which
-    /// leaves hold them. Costs n log n; keeps its capacity. The same boxes always give the same hierarchy.
+    /// Rebuilds over `boxes`. A leaf has at most `leafSize` elements; `order` becomes their order in the
+    /// leaves. Costs n log n; keeps its capacity. The same boxes always give the same hierarchy.
     void build(std::span<const Box> boxes, std::uint32_t leafSize, std::vector<std::uint32_t>& order);
-    /// Groups as `other` does, over other boxes, given in the order of its leaves. Costs n.
+    /// Takes the grouping of `other` over different boxes, given in the order of its leaves. Costs n.
     void fit(const Hierarchy& other, std::span<const Box> boxes);
     void clear() { nodes_.clear(); }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
-    /// Calls leaf(first, count) for runs of things whose boxes the ray may meet at a parameter in [nearest, farthest],
-    /// roughly from near to far. `leaf` may lower `farthest`; what lies at `farthest` itself is still visited.
+    /// Calls leaf(first, count) for runs of elements whose boxes the ray may meet at a parameter in [nearest,
+    /// farthest], roughly from near to far. `leaf` may lower `farthest`; elements at `farthest` itself are
+    /// still visited.
     template <class Leaf>
     void walk(const BoxRay& ray, double nearest, const double& farthest, Leaf&& leaf) const;
 
-    /// One step of a walk of another kind. test(sides, least) says which of the node's four boxes count, as bits, and sets
-    /// a number for each; visit(child, count, least) is called for those that do. A count of 0: `child` is a node again,
-    /// else the first of a leaf's things. The root is node 0; there must be one.
+    /// One step of a caller's own walk. test(sides, least) returns the node's boxes that count, as bits, and
+    /// sets a number for each. visit(child, count, least) is called for each of them: `child` is a node if
+    /// `count` is 0, else the first element of a leaf. The root is node 0; the hierarchy must not be empty.
     template <class Test, class Visit>
     void open(std::uint32_t node, Test&& test, Visit&& visit) const {
         const Node& opened = nodes_[node];
@@ -79,21 +81,20 @@ public:
 
 private:
     static constexpr std::uint32_t kWidth = 4;
-    /// From this depth on ranges are halved, so that no data makes a hierarchy deeper than kMaxDepth.
+    /// From this depth on ranges are halved. So no data makes a hierarchy deeper than kMaxDepth.
     static constexpr std::uint32_t kHalvingDepth = 32, kMaxDepth = kHalvingDepth + 32;
 
     struct alignas(16) Node {
-        float sides[2][3][kWidth]; ///< [0] least, [1] greatest; an unused child's are the wrong way round
-        std::uint32_t
-            child[kWidth]{}; ///< a node, or the first thing of a leaf; the root, which is nobody's: unused
-        std::uint32_t count[kWidth]{}; ///< things in a leaf; 0: an inner node
+        float sides[2][3][kWidth];     ///< [0] least, [1] greatest; reversed for an unused child
+        std::uint32_t child[kWidth]{}; ///< a node, or the first element of a leaf; 0, the root: unused
+        std::uint32_t count[kWidth]{}; ///< elements in a leaf; 0: an inner node
     };
     struct Range {
         std::uint32_t first = 0, count = 0;
         Box box;
     };
     struct Build;
-    /// The box of a child, from those of the things in the order of the leaves, and of the nodes below.
+    /// The box of a child, from the elements' boxes in the order of the leaves, or from the node below.
     [[nodiscard]] Box boxOfChild(const Node& node, std::uint32_t child, std::span<const Box> boxes) const;
     static void setChildBox(Node& node, std::uint32_t child, const Box& box);
     std::uint32_t buildNode(Build& build, const Range& range, std::uint32_t depth);
@@ -109,12 +110,12 @@ void Hierarchy::walk(const BoxRay& ray, double nearest, const double& farthest, 
         std::uint32_t child, count;
         float entered;
     };
-    // Each level leaves at most three siblings behind.
+    // Each level leaves at most three siblings on the stack.
     Entry stack[(kWidth - 1) * kMaxDepth + kWidth];
     std::uint32_t height = 0;
     stack[height++] = {0, 0, -1e30f};
-    // A parameter in float carries three roundings (difference, reciprocal, product), 2^-24 of itself each; 2^-20
-    // covers them, and 1e-6 what is left of it around zero.
+    // A parameter in float carries three roundings (difference, reciprocal, product), 2^-24 of itself each.
+    // 2^-20 covers them; 1e-6 covers parameters near zero.
     constexpr float kWiden = 1.0f + 1.0f / (1 << 20), kNearZero = 1e-6f;
     const __m128 lower =
         _mm_set1_ps(static_cast<float>(nearest) - kNearZero - std::abs(static_cast<float>(nearest)) * 1e-6f);
@@ -147,7 +148,7 @@ void Hierarchy::walk(const BoxRay& ray, double nearest, const double& farthest, 
         const std::uint32_t base = height;
         for (; met != 0; met &= met - 1) {
             const auto i = static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(met)));
-            // Sorted as they are pushed, the nearest on top.
+            // Inserted in order, the nearest on top.
             std::uint32_t at = height++;
             for (; at > base && stack[at - 1].entered < entered[i]; --at)
                 stack[at] = stack[at - 1];

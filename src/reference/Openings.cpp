@@ -10,9 +10,9 @@
 namespace limen::reference {
 namespace {
 
-/// A space with no more portals than this has them asked one by one.
+/// Up to this many portals of a space are tested one by one.
 constexpr std::uint32_t kFewPortals = 6;
-/// Portals that a hierarchy's leaf holds at most.
+/// The most portals in a hierarchy's leaf.
 constexpr std::uint32_t kPortalsOfLeaf = 4;
 
 /// True if the ray meets the convex polygon that faces it, edges included.
@@ -27,8 +27,8 @@ bool meetsConvex(const RayFrame& ray, std::span<const Vec3> polygon) {
     return true;
 }
 
-/// The same for a polygon that is only nearly convex: it winds around the ray, or the ray meets an edge. Ref: Hormann,
-/// Agathos, "The Point in Polygon Problem for Arbitrary Polygons" (2001).
+/// The same for a polygon that is only nearly convex: it winds around the ray, or the ray meets an edge. Ref:
+/// Hormann, Agathos, "The Point in Polygon Problem for Arbitrary Polygons" (2001).
 bool meetsOutline(const RayFrame& ray, std::span<const Vec3> polygon) {
     int winding = 0;
     Sheared last = ray(polygon.back());
@@ -46,9 +46,10 @@ bool meetsOutline(const RayFrame& ray, std::span<const Vec3> polygon) {
     return winding != 0;
 }
 
-/// Where the ray is within kTolerance of a plane that it crosses at `t` with `speed` metres a unit.
+/// Sets the stretch in which the ray is within kInPlaneTolerance of a plane that it crosses at `t`; `speed`
+/// in metres per unit of the parameter.
 void setBand(Exit& exit, double t, double speed) {
-    const double half = kTolerance / std::abs(speed);
+    const double half = kInPlaneTolerance / std::abs(speed);
     exit.before = t - half;
     exit.beyond = t + half;
 }
@@ -74,7 +75,7 @@ void Openings::addOpening(const world::Portal& portal, const Vec3& origin) {
     const double off = std::transform_reduce(
         points.begin(), points.end(), 0.0, [](double a, double b) { return std::max(a, b); },
         [&](const Vec3& p) { return std::abs(opening.plane.signedDistance(p)); });
-    opening.before = std::min(kTolerance, kBefore + off);
+    opening.before = std::min(kInPlaneTolerance, kBeforePlaneTolerance + off);
     openings_.push_back(opening);
 }
 
@@ -97,7 +98,7 @@ Openings::Openings(const world::World& world, const Vec3& origin) : world_(world
             for (const Vec3& p : std::span(points_).subspan(opening.firstOutline, opening.outlineCount))
                 extent.include(p);
             Box box = extent.box();
-            box.grow(2.0 * kTolerance); // an eye in its plane is in the box
+            box.grow(2.0 * kInPlaneTolerance); // an eye in the opening's plane is in the box
             boxes.push_back(box);
             order_.push_back(i);
         }
@@ -130,9 +131,9 @@ void Openings::gather(world::SpaceIndex space, const Pyramid& pyramid,
     const SpaceOpenings& here = spaces_[space];
     const auto gatherRun = [&](std::uint32_t first, std::uint32_t count) {
         for (const world::PortalIndex portal : std::span(order_).subspan(here.first + first, count)) {
-            // An eye in its plane is within the tolerance of it.
-            if (pyramid.mayMeet(cornersOf(openings_[portal]), 2.0 * kTolerance) ||
-                pyramid.mayMeet(outlineOf(openings_[portal]), 2.0 * kTolerance))
+            // An eye in the opening's plane may be the tolerance off it.
+            if (pyramid.mayMeet(cornersOf(openings_[portal]), 2.0 * kInPlaneTolerance) ||
+                pyramid.mayMeet(outlineOf(openings_[portal]), 2.0 * kInPlaneTolerance))
                 portals.push_back(portal);
         }
     };
@@ -153,15 +154,15 @@ double Openings::speedOut(world::PortalIndex portal, const RayFrame& ray, const 
 }
 
 bool Openings::isOpenAt(const Opening& opening, const RayFrame& ray) const {
-    // The outline is what the walls around it end at, to the bit; the corners alone are the polygon as it was meant.
-    // Either counts: where a wall reaches into the corners' polygon it lies in its plane and is met from both sides.
+    // The walls end at the outline, to the bit; the corners alone are the polygon of the data. The ray may
+    // pass either. A wall that reaches into the corners' polygon is in its plane and met from both sides.
     return meetsConvex(ray, cornersOf(opening)) ||
            (opening.outlineCount > 0 && meetsOutline(ray, outlineOf(opening)));
 }
 
 bool Openings::holdsEye(const Opening& opening, const Vec3& eye, double way) const {
     const double side = way * opening.plane.signedDistance(eye);
-    return side >= -kTolerance && side <= opening.before &&
+    return side >= -kInPlaneTolerance && side <= opening.before &&
            containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
 }
 
@@ -172,7 +173,7 @@ void Openings::offer(world::PortalIndex i, const RayFrame& ray, const Leaving& f
     const Opening& opening = openings_[i];
     const double side = opening.plane.signedDistance(ray.eye);
     const bool shut = !from.shut.empty() && from.shut[i] != 0;
-    // Nothing leaves through a shut one, so that it cannot hold the eye either.
+    // No ray leaves by a shut portal, so it cannot hold the eye either.
     const bool inPlane =
         from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i);
     const double at = inPlane ? 0.0 : side / speed;
@@ -209,12 +210,12 @@ Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Lea
         Exit other{i, opening.plane.signedDistance(ray.eye) / speed, 0.0, 0.0};
         setBand(other, other.t, speed);
         const bool shut = !from.shut.empty() && from.shut[i] != 0;
-        // Two openings that share an edge are crossed at one parameter but for rounding: hence `beyond`.
+        // Two openings that share an edge are crossed at one parameter, up to rounding: hence `beyond`.
         if (other.t < 0.0 || other.beyond < from.after || (shut && other.t < from.nearPlane) ||
             other.t > exit.t || (other.t == exit.t && i > exit.portal))
             return;
         const Vec3 point = ray.eye + ray.direction * other.t;
-        if (containsProjection(cornersOf(opening), opening.plane.n, point, kTolerance))
+        if (containsProjection(cornersOf(opening), opening.plane.n, point, kGapTolerance))
             exit = other;
     });
     return exit;

@@ -6,21 +6,21 @@
 
 namespace limen::reference {
 
-/// An eye and its perspective, as frame::FrameView says them (the rooms share no types).
+/// An eye and its perspective. The same quantities as frame::FrameView; the rooms share no types.
 struct Camera {
     Vec3 eye{0.0};                                      ///< global
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< orthonormal
     double tanHalfX = 1.0, tanHalfY = 1.0;              ///< tangents of half the field of view
     std::uint32_t width = 640, height = 360;            ///< pixels
-    double nearPlane = 0.02;                            ///< metres
-    Vec2 place{0.0}; ///< where in each pixel its ray passes: pixels from the centre, y downwards
+    double nearPlane = kDefaultNearPlane;               ///< metres
+    Vec2 place{0.0}; ///< sample position: pixels from a pixel's centre, y downwards
     world::SpaceIndex root = world::kOutside;
 };
 
-/// The ray of a pixel; (0, 0) is the top left one. Beyond the border and between pixels is fine.
+/// The ray of a pixel; (0, 0) is the top left one. Fractions, and positions beyond the border, are allowed.
 [[nodiscard]] Ray rayThrough(const Camera& camera, double x, double y);
 
-/// What every pixel must show, with a border of one pixel all around.
+/// The right answer for each pixel, with a border of one pixel all around.
 struct Picture {
     std::uint32_t width = 0, height = 0; ///< without the border
     std::vector<Answer> answers;         ///< (width + 2) × (height + 2), top row first
@@ -29,7 +29,8 @@ struct Picture {
     }
 };
 
-/// Traces a whole picture on `threads` threads; `out` is overwritten. The same answers whatever their number.
+/// Traces a whole picture on `threads` threads; overwrites `out`. The answers do not depend on the number of
+/// threads.
 void tracePicture(const Scene& scene, const Camera& camera, unsigned threads, Picture& out);
 
 } // namespace limen::reference

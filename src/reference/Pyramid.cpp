@@ -6,8 +6,8 @@
 namespace limen::reference {
 namespace {
 
-constexpr std::size_t kAxis = 4; ///< among the planes that boxes are tested with
-/// What lies less ahead than this share of its distance has no place in the tile that is good enough.
+constexpr std::size_t kAxis = 4; ///< index of the axis among the planes of the box test
+/// A point less ahead than this share of its distance has no sufficiently exact place in the tile.
 constexpr double kAhead = 1e-3;
 constexpr double kLast = Tile::kSide - 1;
 
@@ -26,19 +26,22 @@ Pyramid::Pyramid(const Tile& tile, const Vec3& origin)
     column_ = (camera.right - camera.forward * firstX) / stepX;
     row_ = (-camera.up - camera.forward * firstY) / stepY;
     hand_ = glm::dot(glm::cross(camera.right, camera.forward), camera.up) < 0.0 ? -1.0 : 1.0;
-    // Corners carry some four roundings of 2^-53 each, times at most this factor; an edge's value at a pixel is a sum of
-    // six products of two of them, times at most 7. RayFrame's own roundings are fewer. 2^-42 is sixteen times all that.
+    // A corner carries about four roundings of 2^-53, times at most this factor. An edge's value at a pixel
+    // is a sum of six products of two corners' numbers, times at most 7. RayFrame's own roundings are fewer.
+    // 2^-42 is sixteen times the sum.
     const double factor = std::max({sumOf(column_), sumOf(row_), 1.0});
-    // A corner's roundings and those of the ray's direction, through its depth, which is at least kAhead of its reach.
+    // The roundings of a corner and of the ray's direction, divided by the depth, which is at least kAhead of
+    // the reach.
     blur_ = 0x1p-48 * factor / kAhead;
     rounding_ = 0x1p-42 * factor * factor;
 
     const double lastX = firstX + kLast * stepX, lastY = firstY + kLast * stepY;
     const double mostX = std::max(std::abs(firstX), std::abs(lastX)),
                  mostY = std::max(std::abs(firstY), std::abs(lastY));
-    // Float arithmetic is off by some 2^-22 of the summands of a plane's product. Where they cancel they are no greater
-    // than the plane's normal times the distance of the point in the box that a ray meets, both of which are at most
-    // sqrt(1 + x² + y²), of 1 and of that point's depth. Sixteen times that, and all planes are moved out by as much.
+    // Float arithmetic is off by about 2^-22 of the summands of a plane's product. Where the summands cancel,
+    // they are at most the length of the plane's normal times the distance of the point in the box that a ray
+    // meets. Both are at most sqrt(1 + x² + y²), times 1 and times that point's depth. All planes are moved
+    // out by sixteen times that.
     slack_ = 0x1p-18 * (1.0 + mostX * mostX + mostY * mostY);
     sides_ = {camera.right - camera.forward * (firstX - slack_),
               camera.forward * (lastX + slack_) - camera.right,
@@ -48,7 +51,7 @@ Pyramid::Pyramid(const Tile& tile, const Vec3& origin)
         for (std::size_t side = 0; side < sides_.size(); ++side)
             planes_[side][axis] = static_cast<float>(sides_[side][i]);
         planes_[kAxis][axis] = static_cast<float>(forward_[i]);
-        // As in BoxRay: the eye as a float, and a micrometre.
+        // As in BoxRay: the rounding of the eye, and a micrometre.
         const double off = std::abs(eye_[i]) * 0x1p-22 + 1e-6;
         below_[axis] = static_cast<float>(eye_[i] - off);
         above_[axis] = static_cast<float>(eye_[i] + off);
@@ -56,12 +59,12 @@ Pyramid::Pyramid(const Tile& tile, const Vec3& origin)
 }
 
 int Pyramid::meetsBoxes(const float (&sides)[2][3][4], float (&least)[4]) const {
-    __m128 low[3], high[3]; // relative to the eye, a little too low and too high
+    __m128 low[3], high[3]; // relative to the eye, slightly too low and too high
     for (std::size_t axis = 0; axis < 3; ++axis) {
         low[axis] = _mm_sub_ps(_mm_load_ps(sides[0][axis]), _mm_set1_ps(above_[axis]));
         high[axis] = _mm_sub_ps(_mm_load_ps(sides[1][axis]), _mm_set1_ps(below_[axis]));
     }
-    // The greatest product of a normal with a point of the box, or the least.
+    // The greatest or least product of a normal with a point of the box.
     const auto extreme = [&](const std::array<float, 3>& normal, bool greatest) {
         __m128 sum = _mm_setzero_ps();
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -73,7 +76,7 @@ int Pyramid::meetsBoxes(const float (&sides)[2][3][4], float (&least)[4]) const 
     __m128 inmost = extreme(planes_[0], true);
     for (std::size_t side = 1; side < kAxis; ++side)
         inmost = _mm_min_ps(inmost, extreme(planes_[side], true));
-    inmost = _mm_min_ps(inmost, extreme(planes_[kAxis], true)); // not all of it behind the eye
+    inmost = _mm_min_ps(inmost, extreme(planes_[kAxis], true)); // some of the box is not behind the eye
     _mm_storeu_ps(least, _mm_mul_ps(extreme(planes_[kAxis], false),
                                     _mm_set1_ps(static_cast<float>(std::max(1.0 - slack_, 0.0)))));
     return _mm_movemask_ps(_mm_cmpge_ps(inmost, _mm_setzero_ps()));
@@ -87,7 +90,7 @@ PixelMask Pyramid::pixelsOf(const Box& box) const {
         };
         const Corner at = cornerOf(Vec3(side(0), side(1), side(2)));
         if (at.z <= kAhead * at.reach)
-            return ~PixelMask{0}; // not all of it lies ahead
+            return ~PixelMask{0}; // some of the box is not ahead
         left = std::min(left, at.x / at.z);
         right = std::max(right, at.x / at.z);
         top = std::min(top, at.y / at.z);
@@ -120,10 +123,11 @@ Pyramid::Corner Pyramid::cornerOf(const Vec3& p) const {
 }
 
 Pyramid::Edge Pyramid::edgeOf(const Corner& a, const Corner& b) const {
-    // The volume of both corners and the ray's direction (column, row, 1); its sign is edgeSide()'s of the ray.
+    // The volume spanned by both corners and the ray's direction (column, row, 1). It has the sign of
+    // edgeSide().
     const double across = hand_ * (b.y * a.z - b.z * a.y), down = hand_ * (b.z * a.x - b.x * a.z),
                  first = hand_ * (b.x * a.y - b.y * a.x);
-    // What double may be off by, and what the float sums of a pixel may: up to ten roundings of 2^-24.
+    // The error of double arithmetic, and that of a pixel's float sums: up to ten roundings of 2^-24.
     const double slack = rounding_ * a.reach * b.reach +
                          0x1p-20 * (std::abs(first) + Tile::kSide * (std::abs(across) + std::abs(down)));
     return {static_cast<float>(first + slack), static_cast<float>(across), static_cast<float>(down)};
@@ -132,7 +136,7 @@ Pyramid::Edge Pyramid::edgeOf(const Corner& a, const Corner& b) const {
 Pyramid::Cover Pyramid::coverOf(const Triangle& triangle) const {
     const Corner a = cornerOf(triangle.a), b = cornerOf(triangle.b), c = cornerOf(triangle.c);
     Edge edges[3];
-    std::size_t crossing = 0; // those that part the tile
+    std::size_t crossing = 0; // edges that divide the tile
     const auto isOutside = [&](const Corner& from, const Corner& to) {
         const Edge edge = edgeOf(from, to);
         constexpr auto last = static_cast<float>(kLast);
@@ -145,7 +149,7 @@ Pyramid::Cover Pyramid::coverOf(const Triangle& triangle) const {
     if (isOutside(b, c) || isOutside(c, a) || isOutside(a, b))
         return {};
     Cover cover{~PixelMask{0}, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z})};
-    // A parameter is a mean of the corners' depths, but for rounding.
+    // A parameter is a mean of the corners' depths, up to rounding.
     const double off = 1e-9 * (a.reach + b.reach + c.reach);
     cover.least -= off;
     cover.most += off;

@@ -8,23 +8,24 @@
 
 namespace limen::reference {
 
-/// A point as the ray sees it: x and y across, z along (in units of the ray's parameter times the direction's largest
-/// component). The ray is x = y = 0.
+/// A point in a ray's coordinates: x and y across, z along (in units of the ray's parameter times the
+/// direction's largest component). The ray is x = y = 0.
 struct Sheared {
     double x, y, z;
 };
 
-/// The coordinates in which a ray is the z axis, as in Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013).
-/// A corner goes through the same arithmetic whatever polygon it belongs to, and an edge has the very same sign with
-/// opposite direction for the two polygons that share it: rays cannot slip between them, with no tolerance at all. Walls
-/// and openings share their corners to the bit (src/world/README.md#invariants), so this holds between a wall and an opening, too.
+/// The coordinates in which a ray is the z axis, as in Woop, Benthin, Wald, "Watertight Ray/Triangle
+/// Intersection" (2013). A corner goes through the same arithmetic for each polygon that has it, and an edge
+/// has exactly opposite signs for the two polygons that share it. So rays cannot slip between the two, and no
+/// tolerance is needed. Walls and openings share their corners to the bit (world/README.md), so the same
+/// holds between a wall and an opening.
 struct RayFrame {
     RayFrame(const Vec3& from, const Vec3& along) : eye(from), direction(along) {
         const Vec3 size = glm::abs(along);
         z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         x = (z + 1) % 3;
         y = (z + 2) % 3;
-        if (along[z] < 0.0) // keeps what is counter-clockwise counter-clockwise
+        if (along[z] < 0.0) // keeps the winding
             std::swap(x, y);
         shearX = along[x] / along[z];
         shearY = along[y] / along[z];
@@ -41,8 +42,8 @@ struct RayFrame {
     double shearX = 0.0, shearY = 0.0, scale = 0.0;
 };
 
-/// Positive if the ray passes to the inner side of the edge from `a` to `b` of a polygon that faces the eye, zero if it
-/// meets the edge's line. edgeSide(a, b) == -edgeSide(b, a), exactly.
+/// Positive if the ray passes on the inner side of the edge from `a` to `b` of a polygon that faces the eye,
+/// zero if the ray meets the edge's line. edgeSide(a, b) == -edgeSide(b, a), exactly.
 [[nodiscard]] inline double edgeSide(const Sheared& a, const Sheared& b) {
     return b.x * a.y - b.y * a.x;
 }

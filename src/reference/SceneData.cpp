@@ -36,7 +36,7 @@ void SceneData::listFixed() {
         }
     }
     for (world::InstanceIndex i = 0; i < world.instances.size(); ++i)
-        if (isListed[i] != 0) // else it is of the moment
+        if (isListed[i] != 0) // else it is listed in the dynamic state
             addByZone(fixed, world.instances[i], i, world.members, fixedByZone);
     fixedBySpace.build(fixed);
     fixedByZone.build(fixed);
@@ -70,9 +70,9 @@ void SceneData::addByZone(const Bodies& bodies, const world::Instance& instance,
 
 void SceneData::takeDynamics(const world::DynamicState& dynamics) {
     LIMEN_ASSERT(dynamics.firstInSpace.empty() || dynamics.firstInSpace.size() == world.spaces.size() + 1,
-                 "a moment is of the scene's world");
+                 "a dynamic state is of the scene's world");
     LIMEN_ASSERT(dynamics.closed.empty() || dynamics.closed.size() == world.portals.size(),
-                 "a moment is of the scene's world");
+                 "a dynamic state is of the scene's world");
     movingInstances_.assign(dynamics.instances.begin(), dynamics.instances.end());
     moving.assign(movingInstances_);
     movingBySpace.clear();
@@ -90,7 +90,7 @@ void SceneData::takeDynamics(const world::DynamicState& dynamics) {
     fillings = dynamics.fillings;
     for (const world::InstanceIndex filling : fillings)
         LIMEN_ASSERT(filling == world::kNone || filling < dynamics.instances.size(),
-                     "a filling is one of the moment's instances");
+                     "a filling is an instance of the dynamic state");
 }
 
 } // namespace limen::reference

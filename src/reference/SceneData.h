@@ -8,14 +8,14 @@
 
 namespace limen::reference {
 
-/// What a Scene has made of its world and moment.
+/// The prepared data of a Scene: world and dynamic state by space.
 struct SceneData {
     SceneData(const world::World& of, const RuleOptions& with);
     void takeDynamics(const world::DynamicState& dynamics);
 
-    /// Calls act(bodies, place) for all that a ray can meet in the space.
+    /// Calls act(bodies, lists) for each pair of lists whose bodies a ray can meet in the space.
     template <class Do>
-    void forPlaces(world::SpaceIndex space, Do&& act) const {
+    void forLists(world::SpaceIndex space, Do&& act) const {
         act(fixed, fixedBySpace.at(space));
         if (!movingBySpace.empty())
             act(moving, movingBySpace.at(space));
@@ -28,16 +28,17 @@ struct SceneData {
 
     const world::World& world;
     const RuleOptions options;
-    /// All coordinates inside the scene are relative to it: the same blocks elsewhere on the map give the same numbers.
+    /// All coordinates inside the scene are relative to this point, so equal blocks anywhere on the map give
+    /// equal numbers.
     const Vec3 origin;
     const Openings openings;
 
-    /// What the world holds, and what the moment holds.
+    /// The instances of the world, and those of the dynamic state.
     Bodies fixed, moving;
     BodyLists fixedBySpace, movingBySpace;
-    BodyLists fixedByZone, movingByZone; ///< by RuleOptions::objectsByZone: objects are in these alone
+    BodyLists fixedByZone, movingByZone; ///< with RuleOptions::objectsByZone, objects are in these alone
     std::vector<std::uint8_t> shut;      ///< by portal; empty: all open
-    /// By portal: the one of `moving` that fills the shut opening, or kNone; empty: none.
+    /// By portal: the body of `moving` that fills the shut opening, or kNone; empty: no portal is shut.
     std::vector<world::InstanceIndex> fillings;
 
 private:
@@ -48,7 +49,7 @@ private:
                    std::span<const world::SpaceIndex> members, BodyLists& byZone) const;
     [[nodiscard]] bool goesByZone(const world::Instance& instance) const;
 
-    std::vector<world::Instance> movingInstances_; ///< of the moment
+    std::vector<world::Instance> movingInstances_; ///< copied from the dynamic state
 };
 
 struct Scene::Data : SceneData {

@@ -9,8 +9,8 @@
 namespace limen::reference {
 namespace {
 
-/// Rays look for their own triangles in a body that has more than this many for each pixel it may cover: measured; a
-/// ray's walk costs about as much as testing that many triangles against the whole tile.
+/// Triangles for each pixel that a body may cover; with more, each ray searches the body by itself. Measured:
+/// the walk of a ray costs about as much as testing this many triangles against the whole tile.
 constexpr std::size_t kFewTriangles = 8;
 
 constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b.least; };
@@ -18,21 +18,21 @@ constexpr auto isFarther = [](const auto& a, const auto& b) { return a.least > b
 } // namespace
 
 void TileSurfaces::begin(const SceneData& scene, const Pyramid& pyramid, const world::RangeSteps& eye,
-                         world::SpaceIndex space, Kind kind) {
+                         world::SpaceIndex space, SurfaceKind kind) {
     pyramid_ = &pyramid;
     eye_ = eye;
     kind_ = kind;
-    places_.clear();
+    lists_.clear();
     pending_.clear();
     found_.clear();
     bits_.clear();
-    scene.forPlaces(space, [&](const Bodies& bodies, const BodyLists::Place& place) {
-        const BodyLists::List& list = kind == Kind::Solid ? place.solid : place.blended;
+    scene.forLists(space, [&](const Bodies& bodies, const BodyLists::ListPair& lists) {
+        const BodyLists::List& list = kind == SurfaceKind::Solid ? lists.solid : lists.blended;
         if (list.empty())
             return;
-        const auto index = static_cast<std::uint16_t>(places_.size());
-        places_.push_back({&bodies, &list, kind == Kind::Blended && &bodies == &scene.moving});
-        open(list.tree, {.place = index});
+        const auto index = static_cast<std::uint16_t>(lists_.size());
+        lists_.push_back({&bodies, &list, kind == SurfaceKind::Blended && &bodies == &scene.moving});
+        open(list.tree, {.list = index});
     });
 }
 
@@ -47,10 +47,10 @@ bool TileSurfaces::gather(double farthest) {
         if (next.set)
             next.count > 0 ? find(next) : open(next.set->tree(), next);
         else if (next.count == 0)
-            open(places_[next.place].list->tree, next);
+            open(lists_[next.list].list->tree, next);
         else
             for (std::uint32_t i = next.child; i < next.child + next.count; ++i)
-                openBody(next, places_[next.place].list->bodies[i]);
+                openBody(next, lists_[next.list].list->bodies[i]);
     }
     return true;
 }
@@ -64,23 +64,24 @@ void TileSurfaces::open(const Hierarchy& tree, const Pending& node) {
             Pending part = node;
             part.child = child;
             part.count = count;
-            if (!places_[node.place].isEager)
-                part.least = std::max(node.least, least); // both are bounds, and the order stays one
+            if (!lists_[node.list].isEager)
+                part.least = std::max(node.least,
+                                      least); // both are bounds, and a child is never nearer than its parent
             pending_.push_back(part);
             std::push_heap(pending_.begin(), pending_.end(), isFarther);
         });
 }
 
 void TileSurfaces::openBody(const Pending& leaf, std::uint32_t body) {
-    const Bodies& bodies = *places_[leaf.place].bodies;
+    const Bodies& bodies = *lists_[leaf.list].bodies;
     if (!bodies.isInLevelRange(body, eye_))
         return;
     const Surfaces& surfaces = bodies.surfacesOf(body);
     Pending root;
     root.least = leaf.least;
-    root.place = leaf.place;
+    root.list = leaf.list;
     root.isFilling = bodies.isFilling(body);
-    root.set = kind_ == Kind::Solid ? &surfaces.solid : &surfaces.blended;
+    root.set = kind_ == SurfaceKind::Solid ? &surfaces.solid : &surfaces.blended;
     const std::size_t triangles = root.set->triangles().size();
     if (triangles > kFewTriangles) {
         const PixelMask pixels = pyramid_->pixelsOf(root.set->box());
@@ -127,8 +128,8 @@ TileCandidates::Space& TileCandidates::in(world::SpaceIndex space) {
         spaces_.push_back(std::make_unique<Space>());
     Space& here = *spaces_[used_++];
     here.space = space;
-    here.solid.begin(scene_, *pyramid_, eye_, space, TileSurfaces::Kind::Solid);
-    here.blended.begin(scene_, *pyramid_, eye_, space, TileSurfaces::Kind::Blended);
+    here.solid.begin(scene_, *pyramid_, eye_, space, TileSurfaces::SurfaceKind::Solid);
+    here.blended.begin(scene_, *pyramid_, eye_, space, TileSurfaces::SurfaceKind::Blended);
     here.portals.clear();
     scene_.openings.gather(space, *pyramid_, here.portals);
     return here;

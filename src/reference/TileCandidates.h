@@ -9,48 +9,49 @@
 
 namespace limen::reference {
 
-/// What the rays of a tile may meet in one space, of one kind of surface, from near to far. It is gathered as far as a
-/// ray has asked for it; the next rays find it there. Every triangle that a ray of the tile meets is among what it is
-/// offered.
+/// The triangles of one kind of surface that the rays of a tile may meet in one space, from near to far. They
+/// are gathered as far as the rays so far needed them, and kept for the next rays. A ray is offered every
+/// triangle that it meets.
 class TileSurfaces {
 public:
-    enum class Kind : std::uint8_t { Solid, Blended };
+    enum class SurfaceKind : std::uint8_t { Solid, Blended };
 
-    /// Begins anew; keeps its capacity. `pyramid` must stay as it is.
+    /// Begins with a space; keeps its capacity. `pyramid` must stay unchanged.
     void begin(const SceneData& scene, const Pyramid& pyramid, const world::RangeSteps& eye,
-               world::SpaceIndex space, Kind kind);
+               world::SpaceIndex space, SurfaceKind kind);
 
-    /// A triangle, or a whole body's whose triangles are so small that each ray had better find its own.
+    /// A triangle, or a whole set of triangles so small that each ray finds its own faster.
     struct Found {
-        float least = 0.0f; ///< nothing that follows is met before
+        float least = 0.0f; ///< no later candidate is met before this parameter
         bool isFilling = false;
-        double from = 0.0, to = 0.0; ///< it is met between these
+        double from = 0.0, to = 0.0; ///< the parameters between which it is met
         const TriangleSet* set = nullptr;
-        const Triangle* triangle = nullptr; ///< null: all of the set
+        const Triangle* triangle = nullptr; ///< null: the whole set
     };
-    /// Calls visit(found) for what the ray of a pixel may meet after `after`, not beyond `farthest`, which `visit` may
-    /// lower; roughly from near to far. Fillings are visited however far they lie.
+    /// Calls visit(found) for the candidates of a pixel's ray after `after` and up to `farthest`, which
+    /// `visit` may lower; roughly from near to far. Fillings are visited at any distance.
     template <class Visit>
     void walk(std::uint32_t pixel, double after, const double& farthest, Visit&& visit);
 
 private:
-    /// A node or leaf that has not been opened yet: of a body's triangles, or of the bodies of a place.
+    /// An unopened node or leaf, of a body's triangles or of a list of bodies.
     struct Pending {
-        float least = 0.0f; ///< nothing in it is met before
+        float least = 0.0f; ///< nothing in it is met before this parameter
         std::uint32_t child = 0, count = 0;
-        std::uint16_t place = 0;
+        std::uint16_t list = 0; ///< index into lists_
         bool isFilling = false;
-        const TriangleSet* set = nullptr; ///< null: bodies
+        const TriangleSet* set = nullptr; ///< null: a node or leaf of bodies
     };
-    struct Place {
+    /// A list of bodies that is searched.
+    struct SearchedList {
         const Bodies* bodies = nullptr;
         const BodyLists::List* list = nullptr;
-        bool isEager = false; ///< may hold fillings: is opened however far it lies
+        bool isEager = false; ///< may contain fillings: opened at any distance
     };
-    static constexpr std::uint32_t kBlock = 64; ///< things found whose bits are kept together
+    static constexpr std::uint32_t kBlock = 64; ///< candidates whose bits share a word
     using Bits = std::array<std::uint64_t, Tile::kPixels>;
 
-    /// Finds more if some may be met at `farthest` or before. False: there is none.
+    /// Gathers the next candidates that may be met up to `farthest`. False: there are none.
     bool gather(double farthest);
     void open(const Hierarchy& tree, const Pending& node);
     void openBody(const Pending& leaf, std::uint32_t body);
@@ -59,17 +60,17 @@ private:
 
     const Pyramid* pyramid_ = nullptr;
     world::RangeSteps eye_;
-    Kind kind_ = Kind::Solid;
-    std::vector<Place> places_;
+    SurfaceKind kind_ = SurfaceKind::Solid;
+    std::vector<SearchedList> lists_;
     std::vector<Pending> pending_; ///< a heap, the nearest first
     std::vector<Found> found_;
-    std::vector<Bits> bits_; ///< by block and pixel: which of the block's things the pixel's ray may meet
+    std::vector<Bits> bits_; ///< by block and pixel: the block's candidates that the pixel's ray may meet
 };
 
-/// What the rays of a tile may meet, space by space. For one thread.
+/// The candidates of a tile's rays, space by space. For one thread.
 class TileCandidates {
 public:
-    /// begin() must follow.
+    /// Call begin() before use.
     explicit TileCandidates(const SceneData& scene) : scene_(scene) {}
     /// Begins with another tile; keeps its capacity.
     void begin(const Tile& tile);
@@ -79,14 +80,14 @@ public:
         TileSurfaces solid, blended;
         std::vector<world::PortalIndex> portals;
     };
-    /// Stays valid until begin().
+    /// Valid until the next begin().
     [[nodiscard]] Space& in(world::SpaceIndex space);
 
 private:
     const SceneData& scene_;
     std::optional<Pyramid> pyramid_;
     world::RangeSteps eye_;
-    std::vector<std::unique_ptr<Space>> spaces_; ///< the first used_ of them are the tile's
+    std::vector<std::unique_ptr<Space>> spaces_; ///< the first used_ belong to the current tile
     std::size_t used_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ Box boxOf(const Triangle& triangle) {
     return extent.box();
 }
 
-/// The texel's number along one side that holds the coordinate.
+/// The index of the texel at a coordinate, along one side of an image.
 std::uint32_t texelAt(double coordinate, std::uint32_t size, bool clamp) {
     const double within = clamp ? std::clamp(coordinate, 0.0, 1.0) : coordinate - std::floor(coordinate);
     return std::min(static_cast<std::uint32_t>(within * size), size - 1);
@@ -34,7 +35,8 @@ void TriangleSet::add(const world::World& world, const world::Instance& instance
     const world::Mesh::Range& range = mesh.ranges[static_cast<std::size_t>(surfaces)];
     const Mat3 linear(instance.linear);
     const Vec3 at = world.blocks[instance.block].origin() + Vec3(instance.origin);
-    // By way of the global position, as openings have it: a corner that a wall and an opening share gets the same bits.
+    // Through the global position, as for openings: a corner that a wall and an opening share gets the same
+    // bits.
     const auto place = [&](const world::MeshVertex& v) { return (at + linear * v.corner()) - origin; };
     triangles_.reserve(triangles_.size() + range.indexCount / 3);
     for (std::uint32_t i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3) {
@@ -99,7 +101,8 @@ bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, co
     const bool clamp = (material.flags & world::Material::kClamp) != 0;
     const std::size_t texel =
         std::size_t{texelAt(uv.y, image.height, clamp)} * image.width + texelAt(uv.x, image.width, clamp);
-    return image.rgba[texel * 4 + 3] < 128; // 127 of 255 is the last below one half
+    constexpr int kLeastAlpha = static_cast<int>(255 * kCutOutAlpha) + 1; // of 255
+    return image.rgba[texel * 4 + 3] < kLeastAlpha;
 }
 
 void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
@@ -118,7 +121,8 @@ void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ra
             const Vec3 corners[] = {triangle.a, triangle.b, triangle.c}, p = ray.eye + ray.direction * t;
             if (!containsProjection(corners, plane.n, p, margin))
                 continue;
-            // Weights by areas; beside the triangle they run a little out of 0..1, and so does the texel.
+            // Weights by areas. Beside the triangle they are slightly outside 0..1, and so is the texture
+            // coordinate.
             const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
             const double whole = glm::dot(normal, normal);
             const double b = glm::dot(glm::cross(p - triangle.a, triangle.c - triangle.a), normal) / whole;

@@ -13,17 +13,17 @@ namespace limen::reference {
 /// A triangle of an instance, relative to the scene's origin.
 struct Triangle {
     Vec3 a{0.0}, b{0.0}, c{0.0};         ///< counter-clockwise from the front
-    std::uint32_t id = 0;                ///< as the pixel shows it
+    std::uint32_t id = 0;                ///< in the id image
     std::uint32_t cutOut = world::kNone; ///< index into TriangleSet::cutOuts; kNone: solid
 };
 
-/// What a triangle of a cut-out needs to find its texel.
+/// Texture coordinates and material of a triangle of a cut-out.
 struct CutOut {
     Vec2f a{0.0f}, b{0.0f}, c{0.0f};
     std::uint32_t material = world::kNone;
 };
 
-/// Where on a triangle a ray meets it: parameter and barycentric weights.
+/// The point where a ray meets a triangle: parameter and barycentric weights.
 struct Meeting {
     double t = 0.0, a = 0.0, b = 0.0, c = 0.0;
 };
@@ -39,8 +39,8 @@ struct Meeting {
     return true;
 }
 
-/// The nearest surface so far. Of two at the same parameter the one with the lower id counts, so that no order of
-/// testing shows.
+/// The nearest surface so far. At equal parameters the lower id counts, so results do not depend on the order
+/// of tests.
 struct Nearest {
     double t = std::numeric_limits<double>::infinity();
     std::uint32_t id = 0;
@@ -52,7 +52,7 @@ struct Nearest {
     }
 };
 
-/// The parameters in which surfaces are met: after `after`, at least `least`, at most `most`.
+/// The parameters at which surfaces count: after `after`, at least `least`, at most `most`.
 struct Stretch {
     double after = 0.0, least = 0.0, most = std::numeric_limits<double>::infinity();
     [[nodiscard]] bool holds(double t) const { return t > after && t >= least && t <= most; }
@@ -61,21 +61,21 @@ struct Stretch {
 /// Triangles of one class of surface, and a hierarchy over them.
 class TriangleSet {
 public:
-    /// How triangles are grouped: the same for all instances of a mesh.
+    /// The grouping of triangles, shared by all instances of a mesh.
     struct Grouping {
         Hierarchy tree;
-        std::vector<std::uint32_t> order; ///< of the triangles, in the leaves
+        std::vector<std::uint32_t> order; ///< triangles in the order of the leaves
         bool isKnown = false;
     };
-    /// What build() needs for its time; for many sets in turn.
+    /// Scratch memory of build(), reused for many sets.
     struct Scratch {
         std::vector<Box> boxes;
         std::vector<Triangle> triangles;
     };
-    /// Adds an instance's triangles of one class; `origin` is the scene's. build() must follow.
+    /// Adds an instance's triangles of one class; `origin` is the scene's. Call build() afterwards.
     void add(const world::World& world, const world::Instance& instance, world::SurfaceClass surfaces,
              const Vec3& origin);
-    /// Takes over the grouping; finds one first if it is not known.
+    /// Groups the triangles by `grouping`, which is made first if it is not known.
     void build(Grouping& grouping, Scratch& scratch);
     void clear();
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
@@ -84,7 +84,7 @@ public:
     [[nodiscard]] const Box& box() const { return box_; }
     [[nodiscard]] const Hierarchy& tree() const { return tree_; }
 
-    /// Calls visit(triangle) for those that the ray may meet, as Hierarchy::walk calls its leaf.
+    /// Calls visit(triangle) for triangles that the ray may meet, as Hierarchy::walk calls its leaf.
     template <class Visit>
     void walk(const BoxRay& boxRay, double nearest, const double& farthest, Visit&& visit) const {
         tree_.walk(boxRay, nearest, farthest, [&](std::uint32_t first, std::uint32_t count) {
@@ -93,11 +93,12 @@ public:
         });
     }
 
-    /// Whether a triangle of the set lets the ray through where the ray meets it: the texel there is cut out.
+    /// Whether the ray passes the triangle because the texel at the meeting point is cut out.
     [[nodiscard]] bool isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const;
 
-    /// Lowers `nearest` to the nearest front face in the stretch, cut-outs tested, as if triangles were larger by `margin` metres all around. `boxRay` must have that margin.
-    /// Slow: for the rays that would meet nothing.
+    /// Lowers `nearest` to the nearest front face in the stretch, as if triangles were larger by `margin`
+    /// metres all around. Cut-outs are tested. `boxRay` must have that margin. Slow: meant for the few rays
+    /// that meet nothing otherwise.
     void findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
                           const Stretch& stretch, double margin, Nearest& nearest) const;
 

@@ -58,9 +58,8 @@ enum class When : std::uint8_t { Always, Walking, Flying };
 struct ActionFacts {
     std::string_view name; ///< name in key files
     When when = When::Always;
-    std::string_view does; ///< description in the help
-    std::array<std::string_view, 2>
-        keys; ///< default keys; the second may be empty
+    std::string_view does;                ///< description in the help
+    std::array<std::string_view, 2> keys; ///< default keys; the second may be empty
 };
 [[nodiscard]] const ActionFacts& factsOf(Action action);
 [[nodiscard]] std::optional<Action> actionNamed(std::string_view name);

@@ -101,8 +101,9 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     else if (switches.ids && !facts.ids.empty())
         drawOver(output::pictureOfIds(facts.request.size.width, facts.request.size.height, facts.ids), 255);
     else if (switches.depth && !facts.distances.empty())
-        drawOver(output::pictureOfDistances(facts.request.size.width, facts.request.size.height, facts.distances),
-                 255);
+        drawOver(
+            output::pictureOfDistances(facts.request.size.width, facts.request.size.height, facts.distances),
+            255);
     panel::drawLines(facts, switches);
     PanelChoice choice;
     choice.time = facts.request.scene.time;

@@ -205,7 +205,8 @@ void drawPortalList(const PanelFacts& facts) {
 void drawBlockHint(const ResidentBlock& block) {
     ImGui::BeginTooltip();
     line(fmt::format("{:02X}{:02X}{}{}", block.coord.x & 0xFF, block.coord.y & 0xFF,
-                     block.holdsEye ? ", contains the eye" : "", block.holdsPlayer ? ", contains the player" : ""));
+                     block.holdsEye ? ", contains the eye" : "",
+                     block.holdsPlayer ? ", contains the player" : ""));
     if (block.state == ResidentBlock::State::Absent)
         line("not loaded");
     else

@@ -1,6 +1,7 @@
 #include "visibility/Admission.h"
 
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 #include "visibility/Outline.h"
 #include "visibility/Region.h"
 
@@ -14,10 +15,7 @@ namespace {
 /// does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
 
-/// Metres before the eye at which openings are clipped if Rules::eyePlaneClip is off.
-constexpr double kTestNear = 0.02;
-
-/// True if the regions differ by rounding only.
+/// True if clipping has taken nothing away but rounding.
 bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
     constexpr double kRounding = 1e-12; // radians
     return std::equal(
@@ -44,7 +42,7 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
         return;
     }
     const double side = portal.plane.signedDistance(in_.view.eye);
-    if (side < -kInPlane)
+    if (side < -kInPlaneTolerance)
         return refuse(PortalFate::WrongSide);
     ++set_.counts.portalsTested;
     const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
@@ -82,7 +80,7 @@ PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) 
         return PortalFate::NoArea;
     if (isWayBack(visit, portalIndex))
         return PortalFate::WayBack;
-    if (portal.plane.signedDistance(in_.view.eye) < -kInPlane)
+    if (portal.plane.signedDistance(in_.view.eye) < -kInPlaneTolerance)
         return PortalFate::WrongSide;
     bool isBeyond = visit.parent == kNone, isAhead = false;
     for (const Vec3& v : in_.graph.polygon(portal)) {
@@ -125,7 +123,7 @@ void Admission::add(Candidate c, bool hole, CandidateList& children) const {
 /// rays into it.
 bool Admission::holdsEye(const Graph::Portal& portal, double way) const {
     const double side = way * portal.plane.signedDistance(in_.view.eye);
-    return side >= -kInPlane && side <= portal.inPlane &&
+    return side >= -kInPlaneTolerance && side <= portal.inPlane &&
            containsProjection(in_.graph.polygon(portal), portal.plane.n, in_.view.eye, 0.0);
 }
 
@@ -170,11 +168,11 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
     if (farthest <= kBeyondEntry)
         return false;
-    // The part within the tolerance of the entry plane is kept: corners that two openings share are not
-    // exactly in the planes of both.
-    clipPolygon(s_.relative, visit.entryPlane, kInPlane, s_.beyond);
+    // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
+    // not quite in the planes of both.
+    clipPolygon(s_.relative, visit.entryPlane, kInPlaneTolerance, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
-        clipPolygon(s_.beyond, {in_.view.forward, -kTestNear}, 0.0, s_.swap);
+        clipPolygon(s_.beyond, {in_.view.forward, -kDefaultNearPlane}, 0.0, s_.swap);
         s_.beyond.swap(s_.swap);
     }
     for (Vec3& v : s_.beyond)

@@ -1,5 +1,7 @@
 #include "visibility/Graph.h"
 
+#include "geometry/Tolerances.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -99,10 +101,10 @@ void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
     });
     const auto outline = desc.outlineCount > 0 ? vertices.subspan(desc.firstOutline, desc.outlineCount)
                                                : polygon.first(isFlat ? 0 : polygon.size());
-    portals_.push_back({plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex,
-                        desc.vertexCount, desc.exact, static_cast<std::uint32_t>(outlines_.size()),
-                        static_cast<std::uint32_t>(outline.size()),
-                        std::min(kInPlane, kBeforePlane + unevenness(plane, polygon, outline))});
+    portals_.push_back(
+        {plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex, desc.vertexCount, desc.exact,
+         static_cast<std::uint32_t>(outlines_.size()), static_cast<std::uint32_t>(outline.size()),
+         std::min(kInPlaneTolerance, kBeforePlaneTolerance + unevenness(plane, polygon, outline))});
     outlines_.insert(outlines_.end(), outline.begin(), outline.end());
 }
 

@@ -33,13 +33,7 @@ struct PortalDesc {
     std::uint32_t firstOutline = 0, outlineCount = 0;
 };
 
-/// Metres. An eye up to this far behind a portal's plane is in the plane (docs/ray-rule.md, "Tolerances").
-inline constexpr double kInPlane = 0.0002;
-/// Metres. An eye up to this far before a portal's plane is in the plane: the float error of the polygon's
-/// corners. The distance of uneven corners from the plane is added (Portal::inPlane).
-inline constexpr double kBeforePlane = 0.00001;
-
-/// Spaces joined by portals, ready for the flood: the caller's arrays checked and copied, with planes and,
+/// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
 /// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
 class Graph {
 public:

@@ -16,7 +16,7 @@ using test::tracedOf;
 
 constexpr std::uint32_t kWall = 5, kOther = 7;
 
-/// A wall drawn and traced, 6 × 4 pixels, with one pixel (2, 1) drawn as something else.
+/// A wall drawn and traced, 6 × 4 pixels, with pixel (2, 1) drawn as another id.
 struct OneOddPixel {
     DrawnImages drawn = drawnOf(6, 4, kWall);
     reference::Picture traced = tracedOf(6, 4, kWall);

@@ -5,7 +5,7 @@
 namespace limen::check {
 namespace {
 
-/// Strips across the pixel, one above the other: the number of the one that a ray meets.
+/// Strips across the pixel, one above the other: the index of the strip that a ray meets.
 reference::Answer strips(double y, const std::vector<double>& edges) {
     reference::Answer answer;
     answer.id =

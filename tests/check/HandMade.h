@@ -41,7 +41,7 @@ inline DrawnImages drawnOf(std::uint32_t width, std::uint32_t height, std::uint3
     return images;
 }
 
-/// Second looks answered by functions; what is not set finds nothing that excuses.
+/// Second looks answered by functions. A function that is not set excuses nothing.
 struct HandMadeRetracer final : Retracer {
     std::function<std::uint32_t(double, double)> exactId, byZoneId;
     std::function<bool(double, double)> cut, into;

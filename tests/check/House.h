@@ -1,13 +1,14 @@
 #pragma once
 
-#include "check/Standing.h"
+#include "check/views/Viewpoints.h"
 #include "support/LoadTestWorld.h"
 
 #include <memory>
 
 namespace limen::check::test {
 
-/// A house of two rooms with a door between them and one to the outside, on flat ground, and a tour through both doors.
+/// A house of two rooms with a door between them and one to the outside, on flat ground, and a tour through
+/// both doors.
 struct House {
     limen::test::TestWorld source;
     limen::test::TestWorld::Cell front = source.addBox({90, 80, 10}, {96, 86, 13}, "brown"),

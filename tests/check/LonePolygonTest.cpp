@@ -59,7 +59,8 @@ TEST(LonePolygon, neverHasADepthThatIsNoNumber) {
 }
 
 TEST(LonePolygon, aStripThinnerThanTheSnappingCoversEdgeOn) {
-    // The centre ray of pixel (31, 31) runs at -1/64 east and +1/64 up a metre; the floor's edge passes it closely.
+    // The centre ray of pixel (31, 31) runs at -1/64 east and +1/64 up a metre; the floor's edge passes it
+    // closely.
     const double up = 1.0 / 64;
     const std::vector<Triangle> sheet{triangle({-5, 1, up - 1e-4}, {5, 1, up - 1e-4}, {0, 8, 8 * up - 1e-4})};
     EXPECT_TRUE(coversEdgeOn(sheet, north(), 31, 31, 9.0));
@@ -86,8 +87,8 @@ TEST(LonePolygon, doesNotCoverEdgeOnWhatLiesBeforeItsPlane) {
 }
 
 TEST(LonePolygon, itsOutlineIsRoundedTheMoreTheNearerItIs) {
-    // A pixel is 1/32 m wide at 1 m. The centre ray of pixel (31, 31) runs at -1/64 east and +1/64 up a metre; each pole has its edge
-    // there, and a foot 2 m below.
+    // A pixel is 1/32 m wide at 1 m. The centre ray of pixel (31, 31) runs at -1/64 east and +1/64 up a
+    // metre; each pole has its edge there, and a foot 2 m below.
     const auto pole = [](double away) {
         const double edge = -away / 64;
         return std::vector<Triangle>{triangle({edge, away, -2}, {edge + 0.1, away, -2}, {edge, away, away})};

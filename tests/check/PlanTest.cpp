@@ -7,8 +7,8 @@
 namespace limen::check {
 namespace {
 
-constexpr std::array<Kind, kKindCount> kEveryKind{Kind::Random, Kind::Outside, Kind::Path, Kind::Sweep,
-                                                  Kind::Still};
+constexpr std::array<ViewKind, kKindCount> kEveryKind{ViewKind::Random, ViewKind::Outside, ViewKind::Path,
+                                                      ViewKind::Sweep, ViewKind::Still};
 
 std::size_t sum(const KindCounts& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
@@ -16,9 +16,9 @@ std::size_t sum(const KindCounts& counts) {
 
 TEST(Plan, kindsShareTheBudget) {
     EXPECT_EQ(sum(shareAmongKinds(1000, kEveryKind)), 1000u);
-    const std::array<Kind, 1> sweep{Kind::Sweep};
+    const std::array<ViewKind, 1> sweep{ViewKind::Sweep};
     const KindCounts only = shareAmongKinds(77, sweep);
-    EXPECT_EQ(only[static_cast<std::size_t>(Kind::Sweep)], 77u);
+    EXPECT_EQ(only[static_cast<std::size_t>(ViewKind::Sweep)], 77u);
     EXPECT_EQ(sum(only), 77u);
 }
 
@@ -29,10 +29,11 @@ TEST(Plan, everyWantedKindGetsAView) {
 
 TEST(Plan, kindsWithoutAPlaceLeaveTheirShareToOthers) {
     const BlockSummary dungeon{{1, 1}, 30, false, false}, hills{{2, 2}, 0, false, true};
-    const std::vector<Kind> below = kindsWithPlaces(kEveryKind, std::vector{dungeon});
-    EXPECT_EQ(below, (std::vector<Kind>{Kind::Random, Kind::Path, Kind::Sweep, Kind::Still}));
+    const std::vector<ViewKind> below = kindsWithPlaces(kEveryKind, std::vector{dungeon});
+    EXPECT_EQ(below,
+              (std::vector<ViewKind>{ViewKind::Random, ViewKind::Path, ViewKind::Sweep, ViewKind::Still}));
     EXPECT_EQ(sum(shareAmongKinds(50, below)), 50u);
-    EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{hills}), std::vector<Kind>{Kind::Outside});
+    EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{hills}), std::vector<ViewKind>{ViewKind::Outside});
     EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{dungeon, hills}).size(), kEveryKind.size());
 }
 
@@ -40,8 +41,8 @@ TEST(Plan, blocksShareByCells) {
     const std::vector<BlockSummary> blocks{
         {{1, 1}, 30, true, true}, {{1, 2}, 0, false, true}, {{9, 9}, 10, false, false}};
     KindCounts counts{};
-    counts[static_cast<std::size_t>(Kind::Random)] = 40;
-    counts[static_cast<std::size_t>(Kind::Outside)] = 26;
+    counts[static_cast<std::size_t>(ViewKind::Random)] = 40;
+    counts[static_cast<std::size_t>(ViewKind::Outside)] = 26;
     const std::vector<BlockTask> tasks = planTasks(blocks, {}, counts);
     ASSERT_EQ(tasks.size(), 3u);
     EXPECT_EQ(tasks[0].counts[0], 30u);
@@ -55,7 +56,7 @@ TEST(Plan, blocksShareByCells) {
 TEST(Plan, leavesOutBlocksWithoutAShare) {
     const std::vector<BlockSummary> blocks{{{1, 1}, 1, true, true}, {{1, 2}, 1, true, true}};
     KindCounts counts{};
-    counts[static_cast<std::size_t>(Kind::Random)] = 1;
+    counts[static_cast<std::size_t>(ViewKind::Random)] = 1;
     EXPECT_EQ(planTasks(blocks, {}, counts).size(), 1u);
     EXPECT_TRUE(planTasks({}, {}, counts).empty());
 }
@@ -64,7 +65,7 @@ TEST(Plan, halfOfThePathIsTheTourWhereThereIsOne) {
     const test::House house;
     const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
     KindCounts counts{};
-    counts[static_cast<std::size_t>(Kind::Path)] = 20;
+    counts[static_cast<std::size_t>(ViewKind::Path)] = 20;
     const auto with = planTasks(blocks, house.tour, counts), without = planTasks(blocks, {}, counts);
     ASSERT_EQ(with.size(), 1u);
     EXPECT_EQ(with[0].tourViews, 10u);

@@ -8,12 +8,12 @@ namespace {
 
 using testing::HasSubstr;
 
-View viewWith(Kind kind, double x) {
+View viewWith(ViewKind kind, double x) {
     View view;
     view.kind = kind;
     view.eye = {x, 2.0 / 3.0, -1e-9};
     view.yaw = 1.0 / 7.0;
-    view.root = kind == Kind::Outside ? 0 : 0xA9B40105;
+    view.root = kind == ViewKind::Outside ? 0 : 0xA9B40105;
     view.about = "here";
     return view;
 }
@@ -28,10 +28,10 @@ Comparison comparisonWith(Verdict verdict, std::uint64_t count) {
 
 Totals someTotals() {
     Totals totals;
-    totals.add(viewWith(Kind::Random, 1), 0, comparisonWith(Verdict::Sliver, 3), 0);
-    totals.add(viewWith(Kind::Sweep, 2), 1, comparisonWith(Verdict::Disagrees, 4), 0);
-    totals.add(viewWith(Kind::Outside, 3), 2, comparisonWith(Verdict::Void, 9), 0);
-    totals.add(viewWith(Kind::Path, 4), 3, comparisonWith(Verdict::EdgeOn, 2), 0);
+    totals.add(viewWith(ViewKind::Random, 1), 0, comparisonWith(Verdict::Sliver, 3), 0);
+    totals.add(viewWith(ViewKind::Sweep, 2), 1, comparisonWith(Verdict::Disagrees, 4), 0);
+    totals.add(viewWith(ViewKind::Outside, 3), 2, comparisonWith(Verdict::Void, 9), 0);
+    totals.add(viewWith(ViewKind::Path, 4), 3, comparisonWith(Verdict::EdgeOn, 2), 0);
     totals.seconds = 2.0;
     return totals;
 }
@@ -49,7 +49,7 @@ TEST(Totals, keepTheWorstFirst) {
 TEST(Totals, keepOnlySoMany) {
     Totals totals;
     for (std::size_t i = 0; i < Totals::kWorst + 10; ++i)
-        totals.add(viewWith(Kind::Random, 1), i, comparisonWith(Verdict::Disagrees, i + 1), 0);
+        totals.add(viewWith(ViewKind::Random, 1), i, comparisonWith(Verdict::Disagrees, i + 1), 0);
     EXPECT_EQ(totals.worst.size(), Totals::kWorst);
     EXPECT_EQ(totals.worst.front().count, Totals::kWorst + 10);
 }
@@ -58,11 +58,11 @@ TEST(Totals, everyFindingCounts) {
     for (const Verdict verdict :
          {Verdict::EdgeOn, Verdict::Disagrees, Verdict::Void, Verdict::Depth, Verdict::Layers}) {
         Totals totals;
-        totals.add(viewWith(Kind::Random, 1), 0, comparisonWith(verdict, 1), 0);
+        totals.add(viewWith(ViewKind::Random, 1), 0, comparisonWith(verdict, 1), 0);
         EXPECT_EQ(totals.sum().findings(), 1u);
     }
     Totals moved;
-    moved.add(viewWith(Kind::Still, 1), 0, comparisonWith(Verdict::Agrees, 0), 5);
+    moved.add(viewWith(ViewKind::Still, 1), 0, comparisonWith(Verdict::Agrees, 0), 5);
     EXPECT_EQ(moved.sum().findings(), 5u);
     EXPECT_EQ(moved.sum().disagreeing(), 0u);
 }
@@ -71,7 +71,7 @@ TEST(Totals, whatIsExcusedIsNoFinding) {
     for (const Verdict verdict :
          {Verdict::Agrees, Verdict::ByZone, Verdict::Hole, Verdict::Unjudged, Verdict::Sliver}) {
         Totals totals;
-        totals.add(viewWith(Kind::Random, 1), 0, comparisonWith(verdict, 1), 0);
+        totals.add(viewWith(ViewKind::Random, 1), 0, comparisonWith(verdict, 1), 0);
         EXPECT_EQ(totals.sum().findings(), 0u);
         EXPECT_TRUE(totals.worst.empty());
     }

@@ -13,7 +13,7 @@ namespace {
 
 using test::House;
 
-/// Draws by tracing: right to the bit, unless it is told to break something.
+/// A drawer that traces: right to the bit, except for the faults that a test switches on.
 struct TracingDrawer final : Drawer {
     const House& house;
     std::function<void(const View&, std::size_t shot, DrawnImages&)> breakIt;
@@ -80,8 +80,8 @@ struct SmallRun {
 
     explicit SmallRun(std::size_t views = 60) {
         const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
-        constexpr std::array<Kind, kKindCount> kAll{Kind::Random, Kind::Outside, Kind::Path, Kind::Sweep,
-                                                    Kind::Still};
+        constexpr std::array<ViewKind, kKindCount> kAll{ViewKind::Random, ViewKind::Outside, ViewKind::Path,
+                                                        ViewKind::Sweep, ViewKind::Still};
         request.tasks = planTasks(blocks, house.tour, shareAmongKinds(views, kAll));
         request.width = request.sweepWidth = 24;
         request.height = request.sweepHeight = 16;
@@ -146,8 +146,8 @@ TEST(Run, aPictureThatChangesWhileNothingMovesIsAFinding) {
             images.colour[0] = static_cast<std::uint8_t>(shot);
     };
     const Totals totals = small.run();
-    EXPECT_EQ(totals.kinds[static_cast<std::size_t>(Kind::Still)].moved,
-              totals.kinds[static_cast<std::size_t>(Kind::Still)].views);
+    EXPECT_EQ(totals.kinds[static_cast<std::size_t>(ViewKind::Still)].moved,
+              totals.kinds[static_cast<std::size_t>(ViewKind::Still)].views);
     EXPECT_GT(totals.sum().findings(), 0u);
 }
 
@@ -162,7 +162,7 @@ TEST(Run, everyVoidIsSeen) {
 
 TEST(Run, aStoppedRunContinuesAndEndsAsAWholeOne) {
     const auto breakSome = [](const View& view, std::size_t, DrawnImages& images) {
-        if (view.kind == Kind::Sweep)
+        if (view.kind == ViewKind::Sweep)
             images.ids[3] = 0xFFFFFF;
     };
     SmallRun whole, stopped;
@@ -194,7 +194,7 @@ TEST(Run, aFinishedRunIsNotDoneAgain) {
 
 TEST(Run, blocksFollowEachOtherInOrderAndAreLetGo) {
     const auto breakSome = [](const View& view, std::size_t, DrawnImages& images) {
-        if (view.kind == Kind::Path)
+        if (view.kind == ViewKind::Path)
             images.ids[3] = 0xFFFFFF;
     };
     SmallRun once, twice;
@@ -239,7 +239,7 @@ struct HelpedRun : SmallRun {
         };
     }
     static void breakSome(const View& view, DrawnImages& images) {
-        if (view.kind == Kind::Sweep)
+        if (view.kind == ViewKind::Sweep)
             images.ids[3] = 0xFFFFFF;
     }
     bool waits = true;

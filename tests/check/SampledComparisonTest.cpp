@@ -18,7 +18,7 @@ std::array<std::uint8_t, 3> grey(std::uint32_t id) {
     return {v, v, v};
 }
 
-/// 6 × 4 pixels of four samples, all of a wall; pixel (2, 1) is to be looked at.
+/// 6 × 4 pixels of four samples, all of a wall; tests change pixel (2, 1).
 struct Sampled {
     DrawnImages drawn;
     std::vector<reference::Picture> traced{4, tracedOf(6, 4, kSampledWall)};

@@ -1,4 +1,4 @@
-#include "check/Views.h"
+#include "check/views/Views.h"
 
 #include "check/House.h"
 #include "check/Report.h"
@@ -17,7 +17,7 @@ using test::House;
 
 std::vector<View> allViews(const Surroundings& around) {
     std::vector<View> views;
-    addRandomViews(around, Kind::Random, 20, views);
+    addRandomViews(around, ViewKind::Random, 20, views);
     addOutsideViews(around, 20, views);
     addTourViews(around, 30, views);
     addWalkViews(around, 120, views);
@@ -48,7 +48,7 @@ TEST(Views, allLoadTheBlockTheyBelongTo) {
 TEST(Views, randomOnesLieInEveryCell) {
     const House house;
     std::vector<View> views;
-    addRandomViews(house.around(), Kind::Random, 20, views);
+    addRandomViews(house.around(), ViewKind::Random, 20, views);
     ASSERT_EQ(views.size(), 20u);
     std::set<dat::RecordId> cells;
     for (const View& view : views) {
@@ -68,13 +68,13 @@ TEST(Views, randomOnesAreFoundInACellWithoutATree) {
     const world::World world = limen::test::loadTestWorld(source);
     const reference::Scene scene(world);
     std::vector<View> views;
-    addRandomViews({world, scene, source.home()}, Kind::Random, 10, views);
+    addRandomViews({world, scene, source.home()}, ViewKind::Random, 10, views);
     EXPECT_GE(views.size(), 8u);
     for (const View& view : views)
         EXPECT_TRUE(world.spaces[world::findCell(world, view.root)].bounds.contains(view.eye));
 }
 
-TEST(Standing, randomPlacesKeepClearOfWallsAndOpenings) {
+TEST(Viewpoints, randomOnesKeepClearOfWallsAndOpenings) {
     limen::test::TestWorld source;
     const auto flat = source.addBox({0, 0, 0}, {4, 4, 0.006}, "brown");
     const world::World world = limen::test::loadTestWorld(source);
@@ -83,7 +83,7 @@ TEST(Standing, randomPlacesKeepClearOfWallsAndOpenings) {
     const world::SpaceIndex cell = world::findCell(world, source.id(flat));
     for (std::uint64_t i = 0; i < 50; ++i) {
         RandomGenerator random(1, {i});
-        const auto eye = placeInCell(around, cell, random);
+        const auto eye = viewpointInCell(around, cell, random);
         ASSERT_TRUE(eye.has_value());
         EXPECT_GE(eye->z, 0.0017);
         EXPECT_LE(eye->z, 0.0043);
@@ -103,7 +103,7 @@ TEST(Views, outsideOnesStandInTheOpen) {
     }
 }
 
-TEST(Standing, anEyeWithinSomethingSolidDoesNotStandFree) {
+TEST(Viewpoints, anEyeInsideASolidIsNotFree) {
     House house;
     const auto box = house.source.addModel(limen::test::boxExterior({-1, -1, -1}, {1, 1, 1}));
     house.source.addObject(box, limen::test::frameAt({110, 90, 12}));
@@ -111,14 +111,15 @@ TEST(Standing, anEyeWithinSomethingSolidDoesNotStandFree) {
     const reference::Scene scene(world);
     const Surroundings around{world, scene, house.source.home()};
     RandomGenerator random(1, {});
-    EXPECT_FALSE(standsFree(around, world::kOutside, house.at({110.2, 90.1, 12.3}), random)) << "in the box";
-    EXPECT_TRUE(standsFree(around, world::kOutside, house.at({113, 90, 12}), random));
-    EXPECT_FALSE(standsFree(around, world::kOutside, house.at({93, 83, 11}), random))
+    EXPECT_FALSE(isFreeViewpoint(around, world::kOutside, house.at({110.2, 90.1, 12.3}), random))
+        << "in the box";
+    EXPECT_TRUE(isFreeViewpoint(around, world::kOutside, house.at({113, 90, 12}), random));
+    EXPECT_FALSE(isFreeViewpoint(around, world::kOutside, house.at({93, 83, 11}), random))
         << "in the house, said outside";
-    EXPECT_TRUE(standsFree(around, house.space(house.front), house.at({93, 83, 11}), random));
+    EXPECT_TRUE(isFreeViewpoint(around, house.space(house.front), house.at({93, 83, 11}), random));
 }
 
-TEST(Standing, aWalkEndsAtAWallAndGoesThroughADoor) {
+TEST(Viewpoints, aWalkEndsAtAWallAndGoesThroughADoor) {
     const House house;
     const Surroundings around = house.around();
     const world::SpaceIndex front = house.space(house.front);
@@ -181,18 +182,18 @@ TEST(Views, sweepsComeCloseFromBothSidesAndTouchThePlane) {
     EXPECT_GT(far, 200u);
 }
 
-/// Calls `see` with what `limen shot` understands of a command.
-void readAsShot(const std::string& command, const std::function<void(const engine::ViewRequest&)>& see) {
-    const auto words = cli::splitArguments(command);
+/// Calls `see` with the request that `limen shot` reads from a command.
+void readAsShot(const std::string& command, const std::function<void(const app::ViewRequest&)>& see) {
+    const auto words = app::splitArguments(command);
     ASSERT_TRUE(words);
     ASSERT_EQ((*words)[0], "limen");
     ASSERT_EQ((*words)[1], "shot");
     CLI::App program;
-    cli::ViewArguments arguments;
-    cli::OutputPaths outputs;
-    cli::addViewOptions(program, arguments);
-    cli::addOutputOptions(program, outputs);
-    std::vector<std::string> rest(words->rbegin(), words->rend() - 2); // CLI11 takes them last first
+    app::ViewArguments arguments;
+    app::OutputPaths outputs;
+    app::addViewOptions(program, arguments);
+    app::addOutputOptions(program, outputs);
+    std::vector<std::string> rest(words->rbegin(), words->rend() - 2); // CLI11 expects reversed order
     program.parse(rest);
     EXPECT_EQ(outputs.ids, "ids.npy");
     const auto request = cli::checkView(arguments);

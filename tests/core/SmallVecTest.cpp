@@ -35,7 +35,7 @@ TEST(SmallVec, copiesAndMovesBothWays) {
         EXPECT_EQ(copy, a);
         Short moved = std::move(copy);
         EXPECT_EQ(moved, a);
-        EXPECT_TRUE(copy.empty()); // NOLINT: moved from, and said to be empty
+        EXPECT_TRUE(copy.empty()); // NOLINT: the contract of a moved-from SmallVec
         for (const std::size_t other : {0u, 4u, 9u}) {
             Short b(other, 9);
             b = a;

@@ -18,7 +18,7 @@ using test::TestWorld;
 using test::Walker;
 using world::kOutside;
 
-constexpr double kNear = 0.02; // metres: the skin, and what Bullet rounds
+constexpr double kNear = 0.02; // metres: the skin, and Bullet's rounding
 
 TEST(Body, fallsOntoTheFloorAndStands) {
     Hut hut;
@@ -30,7 +30,7 @@ TEST(Body, fallsOntoTheFloorAndStands) {
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
     const Vec3 before = walker.body.standing.feet;
     walker.stand(3.0);
-    EXPECT_EQ(walker.body.standing.feet, before) << "at rest, to the bit";
+    EXPECT_EQ(walker.body.standing.feet, before) << "motionless, to the bit";
 }
 
 TEST(Body, goesAsFastAsItIsAskedTo) {
@@ -100,7 +100,7 @@ TEST(Body, isStoppedByTheWallAroundTheSmallerOfTwoOpeningsThatAreNotAlike) {
 TEST(Body, isStoppedByAWallHalfAMillimetreBehindAnOpening) {
     TestWorld source;
     test::Walls niche = test::boxWalls({14, 10, 2}, {15, 14, 5});
-    // Not quite parallel, or the opening would be cut out of it too.
+    // Slightly rotated: in a parallel plane the opening would be cut out of it as well.
     niche.push_back({{{14.0004, 10, 2}, {14.0004, 10, 5}, {14.0012, 14, 5}, {14.0012, 14, 2}}});
     const auto room = source.addBox({10, 10, 2}, {14, 14, 5}), beyond = source.addCell(niche);
     source.link(room, test::rectangle({14, 10, 2}, {14, 14, 5}), beyond);
@@ -211,7 +211,7 @@ TEST(Body, getsOutOfANotchThatIsTooSteepToStandIn) {
     const Vec3 held = walker.feet();
     EXPECT_GT(held.z, 3.1);
     walker.stand(1.0);
-    EXPECT_EQ(walker.feet(), held) << "at rest, to the bit";
+    EXPECT_EQ(walker.feet(), held) << "motionless, to the bit";
     walker.go(kYawNorth, 3.0);
     EXPECT_GT(walker.feet().y, 42.0);
     EXPECT_NEAR(walker.feet().z, 2.0, kNear);
@@ -269,8 +269,7 @@ TEST(Body, isPutBackWhereItStoodWhenItFallsOutOfTheWorld) {
     TestWorld source;
     source.omitRegion();
     const auto room = source.addBox({0, 0, -12}, {10, 10, -9});
-    source.walls(room).erase(
-        source.walls(room).begin()); // whichever it is, six of them are left out in turn below
+    source.walls(room).erase(source.walls(room).begin()); // any wall: below, six of them are left out in turn
     Walker walker(source);
     walker.put({5, 5, -11.9}, walker.space(room));
     walker.body.safe = {walker.at(5, 5, -11.9), walker.space(room)};
@@ -293,15 +292,15 @@ TEST(Body, isTheSameForTheSameInput) {
     EXPECT_EQ(a.body.standing.space, b.body.standing.space);
 }
 
-// Wherever it wanders, it is in the space that its place says, in no wall, and on something.
+// On a random walk the body's space fits its position, it overlaps no wall, and it ends on the ground.
 TEST(Body, neverLeavesTheWorld) {
     Hut hut;
     const std::uint32_t table = hut.source.addModel(boxExterior({-0.6, -0.4, 0}, {0.6, 0.4, 0.8}));
     hut.source.addStatic(hut.rear, table, frameAt({16, 12.5, 2}, 30));
     Walker walker(hut.source);
-    std::mt19937 random(7);
+    std::mt19937 generator(7);
     const auto random = [&](double least, double most) {
-        return std::uniform_real_distribution<>(least, most)(random);
+        return std::uniform_real_distribution<>(least, most)(generator);
     };
     for (int life = 0; life < 12; ++life) {
         walker.put({random(10.4, 13.6), random(10.4, 11.5), 2.05}, walker.space(hut.front));
@@ -328,7 +327,7 @@ TEST(Body, neverLeavesTheWorld) {
 TEST(Body, hasItsEyeInTheSpaceItsEyeIsIn) {
     Hut hut;
     Walker walker(hut.source);
-    walker.put({12.5, 12.5, 0.9}, walker.space(hut.cellar)); // its head is through the trapdoor
+    walker.put({12.5, 12.5, 0.9}, walker.space(hut.cellar)); // the head is above the trapdoor
     const BodyEye eye = eyeOf(walker.body, walker.world());
     EXPECT_EQ(eye.space, walker.space(hut.front));
     EXPECT_NEAR(eye.position.z, 2.6, 1e-9);

@@ -1,4 +1,5 @@
-// Hard cases 23 and 27 of docs/cases.md: a camera behind a body that walks through doors, backs against walls and rests.
+// Hard cases 23 and 27 of docs/cases.md: a third-person camera behind a body that walks through doors, backs
+// against walls and stands still.
 #include "motion/ChaseCamera.h"
 
 #include "geometry/Compass.h"
@@ -47,7 +48,7 @@ struct Chase {
     }
     [[nodiscard]] Vec3 eye() const { return camera.eye.position - walker.at(0, 0, 0); }
     [[nodiscard]] Vec3 head() const { return walker.feet() + Vec3(0.0, 0.0, BodyShape().eyeHeight); }
-    /// Whether what a ball around it touches stays out of it, but for what Bullet rounds.
+    /// Whether the camera's sphere overlaps nothing, up to Bullet's rounding.
     [[nodiscard]] bool isInNothing() const {
         const Capsule sphere{kCameraRadius, 2.0 * kCameraRadius};
         const Standing at{camera.eye.position - Vec3(0.0, 0.0, kCameraRadius), camera.eye.space};
@@ -187,7 +188,7 @@ TEST(ChaseCamera, goesUnderTheGroundInACellarAndNotOutside) {
     EXPECT_NEAR(chase.eye().x, 9.5, 0.1) << "under the meadow";
     EXPECT_EQ(chase.camera.eye.space, chase.walker.space(hut.cellar));
     chase.put({40, 40, 2.01}, kOutside);
-    chase.go(kYawEast, 3.0, 60.0); // it looks up; its place would be below
+    chase.go(kYawEast, 3.0, 60.0); // gaze upwards: the camera would be below the ground
     EXPECT_GE(chase.eye().z, 2.0 + kCameraRadius - 1e-3);
     EXPECT_EQ(chase.camera.eye.space, kOutside);
 }
@@ -203,15 +204,15 @@ TEST(ChaseCamera, bendsDownUnderALowCeiling) {
     EXPECT_LE(chase.eye().z, 2.0 + 1.8 - kCameraRadius + 1e-3);
 }
 
-// Whatever it does: in nothing, and in the space that its place says.
+// On a random walk the camera overlaps nothing, and its space fits its position.
 TEST(ChaseCamera, isNeverInAnything) {
     Hut hut;
     const std::uint32_t table = hut.source.addModel(boxExterior({-0.6, -0.4, 0}, {0.6, 0.4, 0.8}));
     hut.source.addStatic(hut.rear, table, frameAt({16, 12.5, 2}, 30));
     Chase chase(hut);
-    std::mt19937 random(11);
+    std::mt19937 generator(11);
     const auto random = [&](double least, double most) {
-        return std::uniform_real_distribution<>(least, most)(random);
+        return std::uniform_real_distribution<>(least, most)(generator);
     };
     int apart = 0;
     for (int life = 0; life < 8; ++life) {

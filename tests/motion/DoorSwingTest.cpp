@@ -1,4 +1,4 @@
-// Leaves of doors as solids: what they stop, what they push, and what stops them.
+// Door leaves as solids: they stop bodies, push them, and are stopped by them.
 #include "motion/ChaseCamera.h"
 #include "motion/DoorUse.h"
 #include "motion/Hut.h"
@@ -21,7 +21,8 @@ using world::kOutside;
 constexpr double kNearLeaf = 0.02, kBodyRadius = 0.3, kHalfLeaf = 0.03;
 constexpr double kSwingFrame = 1.0 / 30.0;
 
-/// A hut whose front door, in the wall x = 10 from y = 11 to 12, hangs at y = 11 and opens outwards by a right angle, or inwards.
+/// A hut with a front door in the wall x = 10, from y = 11 to 12. The hinge is at y = 11; the door opens
+/// outwards or inwards by a right angle.
 struct DoorHut : Hut {
     std::uint32_t leaf = source.addModel(boxExterior({-kHalfLeaf, 0, 0}, {kHalfLeaf, 1, 2}));
     world::MovingEntries moving;
@@ -34,7 +35,7 @@ struct DoorHut : Hut {
 
 struct Swung {
     explicit Swung(DoorHut& of) : hut(of), walker(of.source, of.moving) { walker.doors = {0.0}; }
-    /// Swings for a while, by frames, and lets the body stand meanwhile.
+    /// Swings the door frame by frame; the body stands.
     void swingTo(double to, double seconds = 1.5) {
         for (double t = 0.0; t < seconds; t += kSwingFrame) {
             const double way = std::clamp(to - walker.doors[0], -kSwingFrame, kSwingFrame);
@@ -50,7 +51,7 @@ struct Swung {
     }
     DoorHut& hut;
     Walker walker;
-    double deepest = 0.0; ///< that the body was in anything
+    double deepest = 0.0; ///< deepest overlap of the body so far; metres
 };
 
 TEST(DoorLeaf, aShutOneStopsABodyAtItsFace) {
@@ -74,7 +75,7 @@ TEST(DoorLeaf, anOpenOneLeavesTheDoorwayFreeAndStopsWhoWalksIntoItsFace) {
         EXPECT_NEAR(s.walker.feet().y, 11.0 + from * (kHalfLeaf + kBodyRadius), kNearLeaf);
     }
     s.walker.doors = {0.5};
-    s.put({9.5, 10.0, 2.01}, kOutside); // half open it stands askew before the doorway
+    s.put({9.5, 10.0, 2.01}, kOutside); // half open, the leaf is oblique before the doorway
     s.walker.go(kYawNorth, 1.0);
     EXPECT_LT(s.walker.feet().y, 12.0) << "it slides along it";
     EXPECT_LT(s.walker.feet().x, 9.4);
@@ -211,7 +212,7 @@ TEST(DoorSwing, theChaseCamerasBallKeepsOffAnOpenLeaf) {
     EXPECT_NEAR(camera.eye.position.y - s.walker.at(0, 0, 0).y, 8.5, 0.01) << "out of the way";
 }
 
-// Whoever is about while a door swings to and fro: never in leaf or wall.
+// A body near a swinging door is never inside a leaf or a wall.
 TEST(DoorSwing, neverPushesABodyIntoAnything) {
     for (const double swingBy : {-90.0, 90.0}) {
         DoorHut hut(swingBy);
@@ -219,9 +220,9 @@ TEST(DoorSwing, neverPushesABodyIntoAnything) {
         hut.source.addObject(table, frameAt({9.1, 10.3, 2}, 20));
         hut.source.addStatic(hut.front, table, frameAt({10.8, 10.6, 2}, 20));
         Swung s(hut);
-        std::mt19937 random(5);
+        std::mt19937 generator(5);
         const auto random = [&](double least, double most) {
-            return std::uniform_real_distribution<>(least, most)(random);
+            return std::uniform_real_distribution<>(least, most)(generator);
         };
         for (int life = 0; life < 10; ++life) {
             s.walker.doors = {0.0};

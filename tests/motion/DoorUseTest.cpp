@@ -89,7 +89,7 @@ TEST(DoorUse, theMomentFollows) {
     const auto isShut = [&] {
         f.use.write(f.world, open);
         input.doors = open;
-        dynamicsBuilder.at(input, dynamics);
+        dynamicsBuilder.build(input, dynamics);
         return dynamics.closed[f.door(0).portal] != 0;
     };
     EXPECT_TRUE(isShut());

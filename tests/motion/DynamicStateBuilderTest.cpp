@@ -1,4 +1,5 @@
 #include "motion/DynamicStateBuilder.h"
+#include "motion/Villagers.h"
 
 #include "support/MovingHut.h"
 #include "world/Loader.h"
@@ -30,7 +31,7 @@ struct Fixture {
         input.allDoors = doors;
         input.rain = rain;
         input.eye = hut.at({12, 12, 3.7});
-        dynamicsBuilder.at(input, dynamics);
+        dynamicsBuilder.build(input, dynamics);
     }
     [[nodiscard]] std::vector<world::Instance> of(std::uint32_t record) const {
         std::vector<world::Instance> found;
@@ -72,7 +73,7 @@ TEST(DynamicStateBuilder, doorsRestAsTheWorldFileSaysUnlessTold) {
     DynamicStateInput input;
     const double told[] = {1.0, 0.0};
     input.doors = told;
-    f.dynamicsBuilder.at(input, f.dynamics);
+    f.dynamicsBuilder.build(input, f.dynamics);
     EXPECT_FALSE(f.dynamics.isClosed(f.world.doors[0].portal));
     EXPECT_TRUE(f.dynamics.isClosed(f.world.doors[1].portal));
 }
@@ -109,8 +110,8 @@ TEST(DynamicStateBuilder, aClosedDoorStopsMembership) {
 TEST(DynamicStateBuilder, villagersWalkTheirWayThereAndBackThroughSpaces) {
     Fixture f;
     const world::Villager& anna = f.world.villagers[0];
-    const auto at = [&](double seconds) { return f.dynamicsBuilder.standing(anna, seconds); };
-    EXPECT_EQ(f.local(at(0).position), Vec3(4, 11.5, 2));
+    const auto at = [&](double seconds) { return placeOf(f.world, anna, seconds); };
+    EXPECT_EQ(f.local(at(0).feet), Vec3(4, 11.5, 2));
     EXPECT_EQ(at(0).space, kOutside);
     EXPECT_NEAR(at(0).yaw, 90.0, 1e-9);
     EXPECT_EQ(at(5.9).space, kOutside);
@@ -119,8 +120,8 @@ TEST(DynamicStateBuilder, villagersWalkTheirWayThereAndBackThroughSpaces) {
     EXPECT_EQ(at(10.1).space, f.rear);
     EXPECT_EQ(at(14.1).space, f.front) << "on the way back";
     EXPECT_NEAR(at(14.1).yaw, -90.0, 1e-9);
-    EXPECT_EQ(f.local(at(24).position), Vec3(4, 11.5, 2)) << "once there and back";
-    EXPECT_NEAR(f.local(at(-1).position).x, 5.0, 1e-9) << "before time 0 too";
+    EXPECT_EQ(f.local(at(24).feet), Vec3(4, 11.5, 2)) << "once there and back";
+    EXPECT_NEAR(f.local(at(-1).feet).x, 5.0, 1e-9) << "before time 0 too";
 }
 
 TEST(DynamicStateBuilder, aVillagerInADoorwayBelongsToBothSidesWhileItIsOpen) {
@@ -252,7 +253,7 @@ TEST(DynamicStateBuilder, aWorldWithoutMovingThingsHasAnEmptyOne) {
     const world::World world = hut.load();
     DynamicStateBuilder dynamicsBuilder(world);
     world::DynamicState dynamics;
-    dynamicsBuilder.at({}, dynamics);
+    dynamicsBuilder.build({}, dynamics);
     EXPECT_TRUE(dynamics.instances.empty() && dynamics.closed.empty() && dynamics.firstInSpace.empty());
 }
 
@@ -260,10 +261,10 @@ TEST(DynamicStateBuilder, thePlayersBodyIsThereWhenItIsSaidTo) {
     Fixture f;
     DynamicStateInput input;
     input.allDoors = 1.0;
-    f.dynamicsBuilder.at(input, f.dynamics);
+    f.dynamicsBuilder.build(input, f.dynamics);
     const std::size_t before = f.of(f.hut.body).size(); // the villager
     input.player = PlayerBody{f.hut.at({16, 12.5, 2}), 90.0, f.rear, 1.0};
-    f.dynamicsBuilder.at(input, f.dynamics);
+    f.dynamicsBuilder.build(input, f.dynamics);
     const std::vector<world::Instance> bodies = f.of(f.hut.body);
     ASSERT_EQ(bodies.size(), before + 1);
     const world::Instance& player = bodies.back();
@@ -275,7 +276,7 @@ TEST(DynamicStateBuilder, thePlayersBodyIsThereWhenItIsSaidTo) {
         0u);
     EXPECT_EQ(player.opacity, 1.0f);
     input.player->opacity = 0.0;
-    f.dynamicsBuilder.at(input, f.dynamics);
+    f.dynamicsBuilder.build(input, f.dynamics);
     EXPECT_EQ(f.of(f.hut.body).size(), before) << "not seen";
 }
 
@@ -283,7 +284,7 @@ TEST(DynamicStateBuilder, aFadedBodyIsGlass) {
     Fixture f;
     DynamicStateInput input;
     input.player = PlayerBody{f.hut.at({16, 12.5, 2}), 0.0, f.rear, 0.25};
-    f.dynamicsBuilder.at(input, f.dynamics);
+    f.dynamicsBuilder.build(input, f.dynamics);
     const world::Instance ghost = f.of(f.hut.body).back();
     const auto& ranges = f.world.meshes[ghost.mesh].ranges;
     EXPECT_EQ(ghost.opacity, 0.25f);
@@ -300,7 +301,7 @@ TEST(DynamicStateBuilder, thePlayersBodyIsInEverySpaceItReaches) {
     for (const double doors : {1.0, 0.0}) {
         input.allDoors = doors;
         input.player = PlayerBody{f.hut.at({10.2, 11.5, 2}), 0.0, f.front, 1.0};
-        f.dynamicsBuilder.at(input, f.dynamics);
+        f.dynamicsBuilder.build(input, f.dynamics);
         if (doors > 0.0)
             EXPECT_THAT(f.membersOf(f.of(f.hut.body).back()), UnorderedElementsAre(f.front, kOutside));
         else

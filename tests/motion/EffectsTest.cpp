@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <numbers>
 
-// What moves of the records' own accord: particles, and objects that move where they stand.
+// Motion that the records define: particles and idle objects.
 namespace limen::motion {
 namespace {
 
@@ -34,7 +34,7 @@ struct Loaded {
         input.allDoors = doors;
         input.right = {0, 1, 0};
         input.forward = {-1, 0, 0};
-        dynamicsBuilder.at(input, dynamics);
+        dynamicsBuilder.build(input, dynamics);
     }
     [[nodiscard]] std::vector<world::Instance> of(std::uint32_t record) const {
         std::vector<world::Instance> found;
@@ -205,7 +205,8 @@ TEST(Effects, framesOfACycleStartParticlesWhereTheBodyIsThen) {
     steps.frames[2].hooks = {EffectsHut::create(dust.id)};
     steps.frames[2].hooks[0].direction = -1; // not this way
     puppet.hut.source.portalFile().add(steps);
-    // Four frames at 4 a second, 2 m each round: she walks at 1 m/s, so one round takes 2 s, frame 1 is passed after 1 s.
+    // Four frames at 4 a second, 2 m each round: she walks at 1 m/s, so one round takes 2 s, frame 1 is
+    // passed after 1 s.
     puppet.cycle(test::kPuppetWalks, {{steps.id, 0, -1, 4.0f}}, {0.0f, 2.0f, 0.0f});
     Loaded loaded{[&]() -> test::MovingHut& {
         puppet.hut.source.portalFile().add(puppet.table);
@@ -238,7 +239,7 @@ TEST(Effects, birthsByTheMetreFollowTheWay) {
     loaded.at(7.1);
     std::vector<double> at;
     for (const world::Instance& spark : loaded.of(effects.spark)) {
-        EXPECT_NEAR(loaded.place(spark).y, 11.5, 1e-3) << "what stands sends out none";
+        EXPECT_NEAR(loaded.place(spark).y, 11.5, 1e-3) << "a standing carrier emits none";
         at.push_back(loaded.place(spark).x);
     }
     ASSERT_THAT(at, SizeIs(4)) << "two seconds, a metre";
@@ -325,7 +326,7 @@ TEST(IdleObjects, moveTheirPartsWhereTheyStand) {
     Loaded loaded(mill.effects.hut);
     EXPECT_TRUE(std::none_of(loaded.world.instances.begin(), loaded.world.instances.end(),
                              [&](const auto& i) { return i.record == mill.rim; }))
-        << "not among what stands";
+        << "not among the static instances";
     ASSERT_THAT(loaded.world.idleObjects, SizeIs(1));
     // Its own x is the world's y. 30 frames a second: 1/30 s is a quarter turn.
     const double frame = 1.0 / 30.0;

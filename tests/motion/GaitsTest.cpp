@@ -1,6 +1,7 @@
-// Bodies that stand, walk and run, in a moment of a loaded world.
+// Bodies that stand, walk and run, in the dynamic state of a loaded world.
 #include "geometry/Compass.h"
 #include "motion/DynamicStateBuilder.h"
+#include "motion/Villagers.h"
 #include "support/Puppet.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +29,7 @@ void addSwing(Puppet& puppet) {
                                   0, -1, 2.0f}});
 }
 
-/// A puppet's world, and the moment of it.
+/// A world with a puppet, and its dynamic state.
 struct Stage {
     Puppet& puppet;
     world::World world = puppet.load();
@@ -40,13 +41,13 @@ struct Stage {
         DynamicStateInput input;
         input.seconds = seconds;
         input.allDoors = doors;
-        dynamicsBuilder.at(input, dynamics);
+        dynamicsBuilder.build(input, dynamics);
     }
     [[nodiscard]] const world::Instance& part(std::uint32_t record) const {
         for (const world::Instance& instance : dynamics.instances)
             if (instance.record == record)
                 return instance;
-        std::abort(); // the world has it, or the test is wrong
+        std::abort(); // a part that the test has added
     }
     [[nodiscard]] Vec3 globalOf(const world::Instance& part, const Vec3& p) const {
         return world.blocks[part.block].origin() + Vec3(part.origin) + Mat3(part.linear) * p;
@@ -56,15 +57,15 @@ struct Stage {
         at(seconds);
         const world::Instance& leg = part(puppet.leg);
         const Vec3 offset = globalOf(leg, {0, 0, -0.9}) - globalOf(leg, {0, 0, 0});
-        return glm::dot(offset,
-                        turnedTo(dynamicsBuilder.standing(world.villagers[0], seconds).yaw) * Vec3(0, 1, 0));
+        return glm::dot(offset, turnedTo(placeOf(world, world.villagers[0], seconds).yaw) * Vec3(0, 1, 0));
     }
-    /// The farthest that a corner of a body's part lies outside its own ball, and outside the body's; negative: inside.
+    /// The largest distance of a part's corner outside its own bounds and outside the body's; negative:
+    /// inside.
     [[nodiscard]] double outside(double seconds) {
         at(seconds);
         const world::Villager& villager = world.villagers[0];
-        const DynamicStateBuilder::Standing standing = dynamicsBuilder.standing(villager, seconds);
-        const Vec3 centre = standing.position + turnedTo(standing.yaw) * villager.body.bounds.centre;
+        const VillagerPlace place = placeOf(world, villager, seconds);
+        const Vec3 centre = place.feet + turnedTo(place.yaw) * villager.body.bounds.centre;
         double worst = -1e300;
         for (const std::uint32_t record : puppet.setup.parts) {
             const world::Instance& instance = part(record);
@@ -79,7 +80,7 @@ struct Stage {
     }
 };
 
-/// Metres that floats of a landblock are off.
+/// The rounding of floats in a landblock; metres.
 constexpr double kFloats = 5e-5;
 
 TEST(Gaits, ofWhatWalksFollowTheWayItWent) {
@@ -138,7 +139,8 @@ TEST(Gaits, runWhereTheBodyIsFastEnough) {
     EXPECT_NEAR(stage.part(puppet.leg).origin.z, 2.0 + 1.2, 1e-6);
 }
 
-/// Half of the cycle the foot is on the ground: it goes back as fast as the body goes on.
+/// For half of the cycle the foot is on the ground: relative to the body it moves back as fast as the body
+/// advances.
 TEST(Gaits, keepFeetWhereTheyAreSetDown) {
     for (const double speed : {0.4, 1.0, 1.9}) {
         Puppet puppet;
@@ -208,8 +210,8 @@ TEST(Gaits, areAPureFunctionOfTheMomentsInput) {
 }
 
 TEST(Gaits, membershipFollowsTheBallOfAllPoses) {
-    // Two metres before the door. As it rests its ball ends a metre before it; with a leg that is once stretched out so far it
-    // reaches in, at any moment.
+    // Two metres before the door. In the resting pose the bounds end a metre before it. The bounds of the
+    // whole cycle include a leg that is once stretched out that far, so they reach into the door at any time.
     for (const bool stretches : {false, true}) {
         Puppet puppet;
         puppet.hut.moving.villagers[0].speed = 0.0;
@@ -253,7 +255,7 @@ RC_GTEST_PROP(Gaits, stayWithinTheirBoundsWhateverTheFrames, ()) {
     std::vector<dat::AnimationRange> sequence;
     const int stretches = *rc::gen::inRange(1, 4);
     for (int s = 0; s < stretches; ++s) {
-        // Some tell of the first part only.
+        // Some frames have the first part only.
         const std::size_t parts = *rc::gen::inRange<std::size_t>(1, 3);
         std::vector<std::vector<dat::Frame>> frames(*rc::gen::inRange<std::size_t>(1, 5));
         for (auto& frame : frames)

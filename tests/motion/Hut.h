@@ -4,7 +4,8 @@
 
 namespace limen::test {
 
-/// Two rooms with a door between them, a front door, and a cellar under the ground with a trapdoor; a meadow around.
+/// Two rooms with a door between them, a front door, and a cellar under the ground with a trapdoor; a meadow
+/// around.
 ///
 ///            y
 ///   14 +---------+---------+

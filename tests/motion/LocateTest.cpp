@@ -11,7 +11,8 @@ using world::kNone;
 using world::kOutside;
 using world::World;
 
-/// A hut of two rooms with a door between them, a trapdoor to a cellar, and a front door; a dungeon cell far off.
+/// A hut of two rooms with a door between them, a trapdoor to a cellar, and a front door; a dungeon cell far
+/// off.
 struct HutAlone {
     TestWorld source;
     TestWorld::Cell front = source.addBox({10, 10, 2}, {14, 14, 5}),
@@ -47,7 +48,8 @@ TEST(Locate, neverGuessesADungeonCell) {
 
 TEST(Locate, saysWhenTwoCellsClaimThePlace) {
     HutAlone hut;
-    const Located between = locate(hut.world, hut.at(14, 12, 3)); // in the plane of the door: both hold it
+    const Located between =
+        locate(hut.world, hut.at(14, 12, 3)); // in the plane of the door: both cells contain it
     EXPECT_EQ(between.space, 1u);
     EXPECT_TRUE(between.ambiguous);
     EXPECT_FALSE(locate(hut.world, hut.at(14.001, 12, 3)).ambiguous);
@@ -68,8 +70,8 @@ TEST(CellContains, reachesATenthOfAMillimetreBeyondItsWalls) {
     EXPECT_FALSE(cellContains(hut.world, 1, hut.at(9.9995, 12, 3)));
 }
 
-/// An L: the box 0..4 each way but for the quarter x > 2, y > 2. Seen from within: in front of the plane x = 2 all is kept; behind it,
-/// what is south of y = 2.
+/// An L: the box 0..4 each way without the quarter x > 2, y > 2. In front of the plane x = 2 every point is
+/// inside; behind it, the points south of y = 2 are.
 world::World ell() {
     world::World world;
     world.spaces.resize(2);
@@ -92,7 +94,7 @@ TEST(CellContains, goesOnBehindAPlaneOfACellThatIsNotConvex) {
 
 TEST(CellContains, triesBothSidesOfAPlaneThatThePointLiesIn) {
     world::World world = ell();
-    std::swap(world.cellBspNodes[2], world.cellBspNodes[3]); // now the first ends where the second goes on
+    std::swap(world.cellBspNodes[2], world.cellBspNodes[3]); // now the front child is the longer branch
     world.cellBspNodes[2] = {{{-1, 0, 0}, 2.0}, 4, 3};
     world.cellBspNodes[3] = {{{0, -1, 0}, 2.0}, kNone, kNone};
     world.cellBspNodes.push_back({{{0, 1, 0}, -3.0}, kNone, kNone}); // x < 2 only north of y = 3
@@ -151,7 +153,7 @@ TEST(Sweep, neverPassesTheSameOpeningBackAtOnce) {
     EXPECT_EQ(sweep(hut.world, 1, inPlane, hut.at(14.001, 11.5, 3)), 2u);
     EXPECT_EQ(sweep(hut.world, 2, inPlane, hut.at(13.999, 11.5, 3)), 1u);
     EXPECT_EQ(sweep(hut.world, 1, inPlane, hut.at(14, 11.6, 3)), 1u) << "a movement within the plane stays";
-    // A walk of tenths of a millimetre through the door changes the space exactly once.
+    // Steps of a tenth of a millimetre through the door change the space exactly once.
     world::SpaceIndex space = 1;
     int changes = 0;
     for (int i = -50; i < 50; ++i) {

@@ -10,8 +10,8 @@ namespace {
 using world::Gait;
 using world::kNone;
 
-/// A world with nothing but one body of two parts; frames are given by hand. In frame k of any animation the first part is at (k, 0, 0), the
-/// second at (0, k, 0).
+/// A world with one body of two parts and frames made by hand. In frame k of any animation the first part is
+/// at (k, 0, 0), the second at (0, k, 0).
 struct HandMade {
     world::World world;
     world::MovingBody body;
@@ -20,7 +20,7 @@ struct HandMade {
         body.partCount = 2;
         body.firstPosed = 0;
         world.movingParts.resize(2);
-        world.movingParts[1].origin = Vec3f(0, 0, 7); // as it rests
+        world.movingParts[1].origin = Vec3f(0, 0, 7); // the resting pose
         world.posedParts = {{0, Vec3(1.0)}, {1, Vec3(1.0)}};
         for (int k = 0; k < 16; ++k) {
             world.partFrames.push_back({Quat(1, 0, 0, 0), Vec3(k, 0, 0)});
@@ -57,7 +57,7 @@ TEST(PartPoses, playForwardsAndBeginAgainAfterTheLast) {
     EXPECT_NEAR(p.at(cycle, -0.1), 5.0, 1e-12) << "before time 0 too";
 }
 
-/// docs/uncertain.md: the original shows the frame that was reached.
+/// docs/uncertain.md: the original program shows the last frame, without interpolation.
 TEST(PartPoses, goEvenlyFromFrameToFrame) {
     HandMade p;
     const std::uint32_t cycle = p.add({HandMade::stretch(0, 3, 10.0)});
@@ -81,7 +81,7 @@ TEST(PartPoses, playASequenceOnceAndItsLastForEver) {
     const std::uint32_t cycle =
         p.add({HandMade::stretch(0, 1, 10.0), HandMade::stretch(4, 6, -20.0), HandMade::stretch(8, 9, 10.0)});
     EXPECT_EQ(p.at(cycle, 0.0), 0.0);
-    EXPECT_NEAR(p.at(cycle, 0.15), 3.5, 1e-12) << "from frame 1 to the first of what follows, frame 6";
+    EXPECT_NEAR(p.at(cycle, 0.15), 3.5, 1e-12) << "from frame 1 to the first of the next stretch, frame 6";
     EXPECT_NEAR(p.at(cycle, 0.2), 6.0, 1e-12);
     EXPECT_NEAR(p.at(cycle, 0.3), 4.0, 1e-12);
     EXPECT_NEAR(p.at(cycle, 0.35), 8.0, 1e-12);
@@ -97,7 +97,7 @@ TEST(PartPoses, stayWhereTheRateIsNone) {
     const std::uint32_t stuck = p.add({HandMade::stretch(3, 5, 0.0), HandMade::stretch(8, 9, 10.0)});
     for (const double seconds : {0.0, 1.0, 1e9}) {
         EXPECT_EQ(p.at(still, seconds), 3.0);
-        EXPECT_EQ(p.at(stuck, seconds), 3.0) << "what follows is never reached";
+        EXPECT_EQ(p.at(stuck, seconds), 3.0) << "the next stretch is never reached";
     }
 }
 
@@ -115,7 +115,7 @@ TEST(PartPoses, turnTheShorterWay) {
     HandMade p;
     const auto about = [](double degrees) { return glm::angleAxis(glm::radians(degrees), Vec3(1, 0, 0)); };
     p.world.partFrames[0].orientation = about(10.0);
-    p.world.partFrames[2].orientation = -about(70.0); // the same turn, told the other way
+    p.world.partFrames[2].orientation = -about(70.0); // the same rotation with the opposite sign
     const std::uint32_t cycle = p.add({HandMade::stretch(0, 1, 1.0)});
     const Mat3 quarter = p.pose(cycle, 0.25).linear, expected = glm::mat3_cast(about(25.0));
     for (int axis = 0; axis < 3; ++axis)
@@ -124,11 +124,11 @@ TEST(PartPoses, turnTheShorterWay) {
 
 TEST(PartPoses, restWhereFramesHaveFewerParts) {
     HandMade p;
-    // Frames of one part: every second of the list is the second part's no more.
+    // Frames of one part only: the list no longer alternates between two parts.
     const std::uint32_t one = p.add({{0, 1, 4, 10.0}});
     EXPECT_EQ(p.pose(one, 0.1, 1).origin, Vec3(0, 0, 7));
     EXPECT_NEAR(p.pose(one, 0.2, 0).origin.x, 1.0, 1e-12);
-    // The part stays as it was last told until it is told again.
+    // The part keeps its last frame until the next one.
     const std::uint32_t both = p.add({HandMade::stretch(3, 3, 10.0), {0, 1, 1, 10.0}});
     EXPECT_EQ(p.pose(both, 0.05, 1).origin, Vec3(0, 3, 0));
     EXPECT_EQ(p.pose(both, 0.15, 1).origin, Vec3(0, 0, 7));
@@ -137,7 +137,7 @@ TEST(PartPoses, restWhereFramesHaveFewerParts) {
 
 TEST(PartPoses, haveTheSizeOfTheirPart) {
     HandMade p;
-    p.world.posedParts[0] = {1, Vec3(2, 3, 4)}; // a level of detail of the second part, say
+    p.world.posedParts[0] = {1, Vec3(2, 3, 4)}; // such as a level of detail of the second part
     p.world.partFrames[3].orientation = glm::angleAxis(glm::radians(90.0), Vec3(0, 0, 1));
     const PartPose pose = p.pose(p.add({HandMade::stretch(1, 1, 1.0)}), 0.5);
     EXPECT_EQ(pose.origin, Vec3(0, 1, 0)) << "places are not scaled";
@@ -146,7 +146,7 @@ TEST(PartPoses, haveTheSizeOfTheirPart) {
     EXPECT_NEAR(glm::length(pose.linear * Vec3(0, 0, 1) - Vec3(0, 0, 4)), 0.0, 1e-12);
 }
 
-/// The format page's rule as it is written, tick by tick: frame += fps·dt, past high+1 from low again, backwards from
+/// The rule of the format page, tick by tick: frame += fps·dt, past high+1 from low again, backwards from
 /// high+1-0.0002 down to low, and the pose is floor(frame).
 int framesOfTheOriginal(int low, int high, double fps, int ticks, double ticksPerFrame) {
     double frame = fps > 0.0 ? low : high + 1 - 0.0002;
@@ -167,7 +167,7 @@ RC_GTEST_PROP(PartPoses, areTheOriginalsAtEveryWholeFrame, ()) {
     const int steps = *rc::gen::inRange(0, 60);
     const std::uint32_t cycle =
         p.add({HandMade::stretch(static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high), fps)});
-    // Half a frame on, so that neither rounds to the one before.
+    // Half a frame later, so that neither rounds to the frame before.
     const int frame = framesOfTheOriginal(low, high, fps, 4 * steps + 2, 4.0);
     RC_ASSERT(std::abs(p.at(cycle, steps / std::abs(fps) + 1e-10) - frame) < 1e-6);
 }
@@ -199,7 +199,7 @@ TEST(CyclePoints, followTheWayThatIsGoneWhereTheCycleSaysHowFast) {
     EXPECT_EQ(at(Gait::Run).cycle, run);
     EXPECT_EQ(at(Gait::Run).seconds, 20.0) << "it does not say how fast it goes";
     EXPECT_EQ(at(Gait::Stand).cycle, stand);
-    EXPECT_EQ(at(Gait::Stand).seconds, 20.0) << "what stands goes nowhere, whatever its cycle says";
+    EXPECT_EQ(at(Gait::Stand).seconds, 20.0) << "speed 0 stands, for every cycle";
 }
 
 TEST(CyclePoints, makeDoWithTheCyclesThereAre) {
@@ -209,7 +209,7 @@ TEST(CyclePoints, makeDoWithTheCyclesThereAre) {
     p.body.cycles = {kNone, one, kNone};
     EXPECT_EQ(at(Gait::Run).cycle, one);
     EXPECT_EQ(at(Gait::Run).seconds, 1.5);
-    EXPECT_EQ(at(Gait::Stand).cycle, kNone) << "nobody walks on the spot";
+    EXPECT_EQ(at(Gait::Stand).cycle, kNone) << "a standing body does not play the walk cycle";
     p.body.cycles = {kNone, kNone, one};
     EXPECT_EQ(at(Gait::Walk).cycle, one);
     p.body.cycles = {one, kNone, kNone};

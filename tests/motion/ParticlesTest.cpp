@@ -13,7 +13,7 @@ using world::kNeverEnds;
 using world::ParticleSource;
 using world::ParticleStyle;
 
-/// Without anything left to chance but what is asked for.
+/// A style whose random ranges are zero, except those of the arguments.
 ParticleStyle plain(ParticleType type = ParticleType::Still) {
     ParticleStyle style;
     style.type = type;
@@ -49,7 +49,8 @@ void expectNear(const Vec3& got, const Vec3& wanted) {
         << ", " << wanted.z << ")";
 }
 
-/// What the rule says, one by one: births no nearer than the interval, and never more alive than may be.
+/// The rule, birth by birth: births are at least the interval apart, and at most `most` particles live at
+/// once.
 std::vector<double> birthsOneByOne(const ParticleStyle& style, std::size_t count) {
     std::vector<double> births;
     for (std::size_t k = 0; k < count; ++k) {
@@ -176,8 +177,8 @@ TEST(Particles, standStillWhereTheyWereBorn) {
     expectNear(offsetAt(plain(), 2.0, quarter, {1, 0, 3}), {0, 1, 3});
 }
 
-/// One of each type, with A = (1, 2, 3), B = (4, 5, 6), C = (0.5, 0.25, 2), two seconds old, born aside by (1, 0, 0) in a frame
-/// that is turned by a quarter: x becomes y, y becomes -x.
+/// A particle of each type, with A = (1, 2, 3), B = (4, 5, 6), C = (0.5, 0.25, 2), two seconds old, born at
+/// an offset of (1, 0, 0) in a frame that is rotated by a quarter turn: x becomes y, y becomes -x.
 TEST(Particles, moveByTheFormulasOfTheirTypes) {
     const Quat born = glm::angleAxis(std::numbers::pi / 2, Vec3(0, 0, 1));
     const Vec3 o(0, 1, 0), a(1, 2, 3), b(4, 5, 6), c(0.5, 0.25, 2);
@@ -227,9 +228,9 @@ TEST(Particles, turnByTheirThirdVectorWhereTheirTypeSaysSo) {
         return particleAt(style, {3, 5}, 1.0, 3.0, born, {}).orientation * Vec3(0, 1, 0);
     };
     expectNear(at(ParticleType::ParabolicLVGA), {-1, 0, 0});
-    expectNear(at(ParticleType::ParabolicLVGAGR), {-1, 0, 0}); // about the very axis it points along
+    expectNear(at(ParticleType::ParabolicLVGAGR), {-1, 0, 0}); // about the axis that it points along
     expectNear(at(ParticleType::ParabolicGVGAGR), {-1, 0, 0});
-    expectNear(at(ParticleType::ParabolicLVLALR), {0, 0, 1}); // about what was x when it was born
+    expectNear(at(ParticleType::ParabolicLVLALR), {0, 0, 1}); // about the x axis of its frame of birth
 }
 
 TEST(Particles, areBornAsideAcrossTheDirection) {
@@ -252,7 +253,7 @@ TEST(Particles, growAndFadeOverTheirLives) {
     style.translucency = {0.5f, 1.0f, 0.0f};
     const ParticleState half = particleAt(style, {3, 5}, 1.5, 3.0, {1, 0, 0, 0}, {});
     EXPECT_NEAR(half.scale, 2.0, 1e-12);
-    EXPECT_NEAR(half.opacity, 0.25, 1e-12) << "translucency is 0 for what is opaque";
+    EXPECT_NEAR(half.opacity, 0.25, 1e-12) << "translucency 0 is opaque";
     style.scale = {0.0f, 100.0f, 0.0f};
     style.translucency = {-1.0f, 2.0f, 0.0f};
     EXPECT_NEAR(particleAt(style, {3, 5}, 0.0, 3.0, {1, 0, 0, 0}, {}).scale, 0.1, 1e-12);

@@ -1,7 +1,7 @@
-// Bodies that are dropped into worlds and walk, run, jump and use doors at random for a minute each: none may leave the world, be in a
-// wall, be stuck where there is room, or be in a space that its position contradicts.
-// LIMEN_TEST_BODIES: how many in each kind of world (48); LIMEN_TEST_SHARE=K/N: only the K-th, from 0, of N parts of them;
-// LIMEN_TEST_BODY: only the one of that number.
+// Bodies that walk, run, jump and use doors at random for a minute each. None may leave the world, overlap a
+// wall, be stuck where there is room, or be in a space that its position contradicts. LIMEN_TEST_BODIES:
+// number of bodies in each kind of world (48). LIMEN_TEST_SHARE=K/N: only the K-th part of N, from 0.
+// LIMEN_TEST_BODY: only the body with this number.
 #include "geometry/Compass.h"
 #include "motion/DoorUse.h"
 #include "motion/Locate.h"
@@ -20,10 +20,10 @@ using worlds::GeneratedKind;
 using worlds::test::GeneratedWorld;
 
 constexpr double kBodyFrame = 1.0 / 30.0;
-constexpr int kFrames = 1800, kFramesEach = 15; ///< of a life; of what is done at random
-constexpr double kMostDeep = 0.01;              ///< metres in anything: the skin, and what Bullet rounds
-constexpr double kLeastWay = 0.1;               ///< metres that who is not stuck gets
-constexpr double kBorder = 6.0;                 ///< metres from the end of the land where one turns
+constexpr int kFrames = 1800, kFramesEach = 15; ///< of a life; of one random action
+constexpr double kMostDeep = 0.01;              ///< metres of overlap: the skin, and Bullet's rounding
+constexpr double kLeastWay = 0.1;               ///< metres that a body moves if it is not stuck
+constexpr double kBorder = 6.0;                 ///< metres from the end of the land where bodies turn back
 
 const Vec3 kUp(0.0, 0.0, 1.0);
 
@@ -38,12 +38,12 @@ struct Part {
     Collisions collisions;
 };
 
-/// One body with its dice.
+/// One body with its random generator.
 class Life {
 public:
     Life(const Part& part, std::uint32_t number) : part_(part), random_(number) {}
 
-    /// False: no place was found for it.
+    /// False: no free position was found.
     [[nodiscard]] bool begin() {
         if (random() < 0.3)
             use_.putAll(part_.world, 1.0);
@@ -59,7 +59,7 @@ public:
         return false;
     }
 
-    /// A minute; what was wrong with it, empty: nothing.
+    /// Lives for a minute. Returns the fault; empty: none.
     [[nodiscard]] std::string live() {
         std::string wrong;
         for (int frame = 0; frame < kFrames && wrong.empty(); ++frame) {
@@ -114,7 +114,7 @@ private:
         if (door.empty())
             return {};
         const Vec3 at = door[below(door.size())] + Vec3(random(-6, 6), random(-6, 6), random(-3, 3));
-        // Where the hulls of two cells overlap only one of them need have a floor.
+        // Where the hulls of two cells overlap, one of the two may have no floor.
         for (world::SpaceIndex s = 1; s < part_.world.spaces.size(); ++s)
             if (cellContains(part_.world, s, at) != (s == space))
                 return {};
@@ -128,7 +128,7 @@ private:
         return Standing{{at.x, at.y, world::terrainHeight(part_.world, at.x, at.y) + 40.0}, kOutside};
     }
 
-    /// Whether the ground goes on for a while in all directions.
+    /// Whether there is ground on all sides.
     [[nodiscard]] bool isLand(const Vec3& at) const {
         for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
             const Vec3 there = at + Vec3(way * kBorder, 0.0);
@@ -181,7 +181,7 @@ private:
     }
 
     [[nodiscard]] bool isElsewhere() const {
-        constexpr double kAside = 0.001; // metres: in a plane between two spaces it may be in either
+        constexpr double kAside = 0.001; // metres: in the plane between two spaces either is right
         const Vec3 at = middle(body_.standing);
         for (const Vec3& way : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
                                 Vec3(0, 0, 1), Vec3(0, 0, -1)})
@@ -189,9 +189,10 @@ private:
                 return false;
         return true;
     }
-    /// Where the ground runs through a cell who walks on it is outside, though the cell holds him: nothing but an opening leads in.
+    /// A body on terrain that passes through a cell is outside, though the cell contains it: only openings
+    /// lead in.
     [[nodiscard]] bool isCrossedByGround(world::SpaceIndex cell, const Vec3& at) const {
-        constexpr double kAboveFloor = 0.5; // metres: floors of houses that stand on the ground are no lower
+        constexpr double kAboveFloor = 0.5; // metres: floors of houses on the ground are no lower
         return world::terrainHeight(part_.world, at.x, at.y) >
                part_.world.spaces[cell].bounds.min.z + kAboveFloor;
     }
@@ -204,7 +205,7 @@ private:
         return part_.world.spaces[space].bspNodeCount == 0 || cellContains(part_.world, space, at);
     }
 
-    /// It gets nowhere, in no direction, on foot or jumping, though a slimmer one could go.
+    /// The body cannot move in any direction, walking or jumping, though a slimmer body could.
     [[nodiscard]] bool isStuck() const {
         Capsule slim = shape_.capsule;
         slim.radius -= 0.02;
@@ -242,7 +243,7 @@ std::uint32_t asked(const char* name, std::uint32_t otherwise) {
     return text != nullptr ? static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10)) : otherwise;
 }
 
-/// Which bodies are to live here.
+/// The selection of bodies to run.
 struct Share {
     Share() {
         if (const char* text = std::getenv("LIMEN_TEST_SHARE")) {
@@ -254,7 +255,7 @@ struct Share {
     std::uint32_t all = asked("LIMEN_TEST_BODIES", 48), which = 0, of = 1;
 };
 
-/// Lives that begin around one block; `number` names a life for good.
+/// Lives that begin around one block; `number` identifies a life in every run.
 void liveIn(const Part& part, const std::string& name, std::uint32_t first, std::uint32_t end,
             std::uint32_t by, std::uint32_t& lived) {
     const std::uint32_t only = asked("LIMEN_TEST_BODY", world::kNone);

@@ -9,7 +9,7 @@
 namespace limen::motion {
 namespace {
 
-/// Two rooms that stand askew, and a flat pane in the window between them.
+/// Two rotated rooms, and a flat pane in the window between them.
 struct AskewWindow {
     static constexpr double kTurn = 33.0; // degrees, counter-clockwise
     static Vec3 askew(const Vec3& p) {
@@ -82,10 +82,10 @@ TEST(ShutPanes, turnAboutTheirHingeOnceTheyOpen) {
     const AskewWindow scene;
     DynamicStateBuilder dynamicsBuilder(scene.world);
     world::DynamicState shut, open;
-    dynamicsBuilder.at({}, shut);
+    dynamicsBuilder.build({}, shut);
     DynamicStateInput input;
     input.allDoors = 0.5;
-    dynamicsBuilder.at(input, open);
+    dynamicsBuilder.build(input, open);
     ASSERT_EQ(shut.instances.size(), 1u);
     ASSERT_EQ(open.instances.size(), 1u);
     EXPECT_EQ(shut.instances[0].linear, glm::mat3(1.0f));

@@ -9,8 +9,8 @@ using test::boxExterior;
 using test::frameAt;
 using test::TestWorld;
 
-/// What is met at home, of a kind.
-std::vector<Solid> ofKind(const Solids& solids, Kind kind) {
+/// The solids of one kind in the home block.
+std::vector<Solid> ofKind(const Solids& solids, InstanceKind kind) {
     std::vector<Solid> found;
     for (const Solid& solid : solids.solids)
         if (solid.kind == kind)
@@ -45,8 +45,8 @@ TEST(Solids, cellsGroundAndExteriorsAreMetInTheirSpaces) {
     source.setFlatTerrain(source.home(), 1);
     World world;
     const Solids solids = read(source, world);
-    const auto shells = ofKind(solids, Kind::Shell), grounds = ofKind(solids, Kind::Terrain),
-               exteriors = ofKind(solids, Kind::Exterior);
+    const auto shells = ofKind(solids, InstanceKind::Shell), grounds = ofKind(solids, InstanceKind::Terrain),
+               exteriors = ofKind(solids, InstanceKind::Exterior);
     ASSERT_EQ(shells.size(), 1u);
     EXPECT_EQ(solids.members[shells[0].firstMember], findCell(world, source.id(room)));
     EXPECT_NEAR(boundsOf(solids, shells[0]).max.z, 5.0, 1e-6);
@@ -65,7 +65,7 @@ TEST(Solids, groundLiesOnTheTrianglesThatAreDrawn) {
         land.heights[i] = static_cast<std::uint8_t>((i * 37) % 11);
     World world;
     const Solids solids = read(source, world);
-    const Solid ground = ofKind(solids, Kind::Terrain).at(0);
+    const Solid ground = ofKind(solids, InstanceKind::Terrain).at(0);
     for (std::uint32_t i = 3 * ground.firstTriangle; i < 3 * (ground.firstTriangle + ground.triangleCount);
          i += 3) {
         const Vec3 middle =
@@ -93,7 +93,7 @@ TEST(Solids, setupsAreTheirPartsOrCylindersOrSpheres) {
     }
     World world;
     const Solids solids = read(source, world);
-    const auto statics = ofKind(solids, Kind::Static);
+    const auto statics = ofKind(solids, InstanceKind::Static);
     ASSERT_EQ(statics.size(), 3u) << "the last has no shape";
     for (std::size_t i = 0; i < 3; ++i) {
         const Aabb bounds = boundsOf(solids, statics[i]);

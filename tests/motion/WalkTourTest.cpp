@@ -1,5 +1,5 @@
-// A body walks the built-in world's tour, through rooms, up and down stairs, into a cellar, an inn, a tower, a cave and a dungeon, and
-// over the land between them.
+// A body walks the built-in world's tour, through rooms, up and down stairs, into a cellar, an inn, a tower,
+// a cave and a dungeon, and over the land between them.
 #include "motion/Body.h"
 #include "motion/Locate.h"
 #include "support/LoadTestWorld.h"
@@ -24,7 +24,7 @@ public:
         body = bodyAt({feet, sweep(here_->world, space, place.eye, shape_.capsule.middle(feet))});
     }
 
-    /// Straight towards a place. False if it gets no nearer, or ends above or below.
+    /// Walks straight to a place. False if the body gets stuck, or ends above or below.
     [[nodiscard]] bool goTo(const world::Place& place) {
         const Standing& at = body.standing;
         const dat::RecordId cell = here_->world.spaces[at.space].cellId;
@@ -42,7 +42,7 @@ public:
         return false;
     }
 
-    /// Whether it is in the space that its place says; true of cells that do not know.
+    /// Whether the body's space fits its position; true for cells without a tree.
     [[nodiscard]] bool isWhereItSays() const {
         const Vec3 middle = shape_.capsule.middle(body.standing.feet);
         const world::Space& space = here_->world.spaces[body.standing.space];
@@ -81,7 +81,8 @@ private:
     const BodyShape shape_;
 };
 
-/// Way points that nobody can walk to: the camera passes over a table in the inn, and flies from the tower's top to the cave.
+/// Way points that a body cannot reach on foot: the camera passes over a table in the inn, and flies from the
+/// tower's top to the cave.
 bool isFlown(std::size_t point) {
     return (point >= 787 && point <= 788) || (point >= 1389 && point <= 1565);
 }

@@ -8,7 +8,7 @@ namespace limen::test {
 
 inline constexpr double kYawNorth = 0.0, kYawEast = 90.0, kYawSouth = 180.0, kYawWest = 270.0; ///< degrees
 
-/// Something with a body in a small world.
+/// A body in a small world.
 class Walker {
 public:
     explicit Walker(TestWorld& source, const world::MovingEntries& moving = {}) : source_(source) {
@@ -33,7 +33,7 @@ public:
     void put(const Vec3& local, world::SpaceIndex space) {
         body = motion::bodyAt({at(local.x, local.y, local.z), space});
     }
-    /// Goes on for a while, by frames of 30 ms.
+    /// Moves for `seconds`, in frames of 30 ms.
     void go(double yaw, double seconds, bool run = false, bool jump = false) {
         motion::BodyInput input{.forward = 1.0, .right = 0.0, .yaw = yaw, .run = run, .jump = jump};
         for (double t = 0.0; t < seconds; t += 0.03) {
@@ -45,11 +45,11 @@ public:
         for (double t = 0.0; t < seconds; t += 0.03)
             body = motion::moved(body, {}, 0.03, *collisions_, doors);
     }
-    /// Where its feet are, block-local.
+    /// The feet, block-local.
     [[nodiscard]] Vec3 feet() const { return body.standing.feet - at(0, 0, 0); }
 
     motion::BodyState body;
-    std::vector<double> doors; ///< how far each is open; those beyond its end stand as they rest
+    std::vector<double> doors; ///< openness of each door; beyond the end that of the world file
 
 private:
     TestWorld& source_;

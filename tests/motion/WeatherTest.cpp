@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-// What the Region's day groups let fall around the eye.
+// The weather of the Region's day groups, around the eye.
 namespace limen::motion {
 namespace {
 
@@ -18,7 +18,8 @@ using world::kOutside;
 
 constexpr double kRainRadius = 10.0;
 
-/// A hut under a sky with two day groups; in the second an object lets sparks hang in the air, up to a radius from the eye.
+/// A hut under a sky with two day groups. In the second, an object has sparks that hang in the air within a
+/// radius of the eye.
 struct Sky {
     EffectsHut effects;
     dat::SkyObject object;
@@ -46,13 +47,13 @@ struct Falling {
     explicit Falling(Sky sky)
         : record(sky.effects.spark), world(sky.load()), home(sky.effects.hut.at(Vec3(0.0))) {}
 
-    /// Where its particles are around an eye, block-local.
+    /// The positions of the particles around an eye, block-local.
     std::vector<Vec3> around(const Vec3& eye, std::optional<world::SkyHour> hour = world::SkyHour{1, 0.5}) {
         DynamicStateInput input;
         input.seconds = 100.0;
         input.eye = home + eye;
         input.weather = hour;
-        dynamicsBuilder.at(input, dynamics);
+        dynamicsBuilder.build(input, dynamics);
         std::vector<Vec3> places;
         for (const world::Instance& i : dynamics.instances) {
             if (i.record != record)
@@ -80,7 +81,7 @@ TEST(Weather, asMuchLiesAroundTheEyeAsItsEmitterHas) {
     Falling falling{Sky()};
     for (const Vec3& eye : {Vec3(60, 60, 4), Vec3(93, 47, 4), Vec3(20.5, 110.25, 4)}) {
         const std::vector<Vec3> places = falling.around(eye);
-        EXPECT_NEAR(static_cast<double>(places.size()), 300.0, 75.0); // chance
+        EXPECT_NEAR(static_cast<double>(places.size()), 300.0, 75.0); // random
         std::size_t near = 0;
         for (const Vec3& place : places) {
             EXPECT_LE(level(place - eye), kRainRadius + 1e-3);

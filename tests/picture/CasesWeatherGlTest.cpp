@@ -45,7 +45,7 @@ Sum sumOf(const Picture& picture) {
 /// Drops positioned inside the hut's rooms, which a picture must not show there.
 std::size_t dropsInRooms(const PictureWorld& pictures, const motion::DynamicStateInput& input) {
     world::DynamicState dynamics;
-    motion::DynamicStateBuilder(pictures.world()).at(input, dynamics);
+    motion::DynamicStateBuilder(pictures.world()).build(input, dynamics);
     return static_cast<std::size_t>(
         std::count_if(dynamics.instances.begin(), dynamics.instances.end(), [&](const world::Instance& in) {
             const Vec3 p = in.bounds.centre - pictures.homeOrigin();

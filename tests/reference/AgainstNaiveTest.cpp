@@ -1,10 +1,10 @@
-// The rule implemented twice: this room's answers held against tests/picture/NaiveTracer, which tries every triangle of
-// every space it is in.
+// The rule implemented twice: this room's answers compared with tests/picture/NaiveTracer, which tests every
+// triangle of every space on the ray.
 //
-// Ids and depths must be equal. The exceptions, each counted only where it is shown to hold for the ray in question:
+// Ids and depths must be equal. The exceptions, each counted only after a proof for that ray:
 // - Rounding: a ray within 1e-7 of a polygon's edge. The naive tracer must find our answer for a ray that near.
 // - Touching: a ray aimed exactly at the rim of an opening, where polygons of both spaces touch. Both tracers must end
-//   in the same point; which of the polygons there it is said to be is open.
+//   in the same point; the id may be that of any polygon there.
 // - Gaps: the naive tracer falls through gaps that are narrower than the data's own rounding and finds a hole. It must
 //   find our answer for a ray 0.3 mm aside.
 
@@ -22,7 +22,7 @@ namespace {
 
 struct Tally {
     std::size_t rays = 0, rounded = 0, touching = 0, gaps = 0, wrong = 0, deep = 0;
-    std::size_t atRims = 0; ///< rays aimed at rims; where those are rounded does not count
+    std::size_t atRims = 0; ///< rays aimed at rims; their rounding does not count
     std::string first;
 };
 
@@ -59,7 +59,8 @@ private:
         std::snprintf(buffer, sizeof buffer, "(%.17g, %.17g, %.17g)", v.x, v.y, v.z);
         return buffer;
     }
-    /// True if the naive tracer finds `id` for a ray that begins up to `aside` metres from this one, or turns by `turn`.
+    /// True if the naive tracer finds `id` for a ray that begins up to `aside` metres from this one, or turns
+    /// by `turn`.
     bool isNear(world::SpaceIndex root, const Vec3& eye, const Vec3& direction, std::uint32_t id,
                 double aside, double turn) const {
         for (int x = -1; x <= 1; ++x) {
@@ -87,8 +88,8 @@ double between(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Eyes all over a world: in its cells (which may be roots from just outside their walls, too), before its portals,
-/// towards rims of portals, and in the open.
+/// Eyes all over a world: in its cells (which may be roots from just outside their walls, too), before its
+/// portals, towards rims of portals, and in the open.
 Tally compareAllOver(const world::World& world, int eyes, unsigned seed) {
     const Comparer comparer(world);
     std::mt19937 random(seed);
@@ -127,7 +128,8 @@ Tally compareAllOver(const world::World& world, int eyes, unsigned seed) {
 
 void expectAgreement(const Tally& tally) {
     EXPECT_EQ(tally.wrong, 0u) << tally.first;
-    // Seven in a million of an eye's rays come within 1e-7 of a given edge; a world shows some dozens of them.
+    // Seven in a million of an eye's rays come within 1e-7 of a given edge; a world shows some dozens of
+    // them.
     EXPECT_LE(tally.rounded, tally.rays / 5000);
     EXPECT_LE(tally.touching, tally.atRims / 50);
     EXPECT_LE(tally.gaps, tally.rays / 5000);

@@ -5,14 +5,14 @@
 
 namespace limen::test {
 
-/// Makes a moment by hand. Its instances borrow the meshes of a world's statics, so a test puts the models it needs into
-/// a closed room far away.
+/// Makes a dynamic state by hand. Its instances use the meshes of a world's static instances, so a test puts
+/// the models that it needs into a closed room far away.
 class DynamicStateMaker {
 public:
     explicit DynamicStateMaker(const world::World& world) : world_(world), nextId_(world.idEnd) {}
 
-    /// An instance of the mesh of the static whose idBase shows as `like`, at `position` (local to its block), upright.
-    /// Yields its idBase.
+    /// An instance of the mesh of the static whose idBase shows as `like`, at `position` (local to its
+    /// block), upright. Returns its idBase.
     std::uint32_t add(world::InstanceIndex like, const Vec3& position, std::vector<world::SpaceIndex> members,
                       world::InstanceKind kind = world::InstanceKind::Dynamic) {
         world::Instance instance = world_.instances[like];
@@ -61,7 +61,7 @@ private:
     return {wall, insideOut({wall}).front()};
 }
 
-/// The static instance made from a model. One of them must be there.
+/// The static instance made from a model. Requires that there is one.
 [[nodiscard]] inline world::InstanceIndex staticOf(const world::World& world, std::uint32_t model) {
     for (world::InstanceIndex i = 0; i < world.instances.size(); ++i)
         if (world.instances[i].record == model && world.instances[i].kind == world::InstanceKind::Static)

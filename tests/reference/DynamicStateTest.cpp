@@ -1,4 +1,4 @@
-// What changes from moment to moment: shut openings and their fillings, moving things, and what is translucent.
+// Dynamic states: shut openings and their fillings, moving instances, translucent surfaces.
 #include "reference/DynamicStateMaker.h"
 
 #include <set>
@@ -9,8 +9,8 @@ namespace {
 using reference::Answer;
 using reference::layerHash;
 
-/// Two rooms and a door, and a store with models for moments to borrow: a leaf that is the door's polygon, a panel, and a
-/// pane of glass.
+/// Two rooms and a door, and a closed room with models that dynamic states copy: a leaf with the door's
+/// polygon, a panel, and a pane of glass.
 struct Door : ::testing::Test {
     TwoRooms rooms;
     TestWorld::Cell store = rooms.world.addBox({100, 100, 10}, {110, 110, 14});
@@ -46,7 +46,7 @@ struct Door : ::testing::Test {
     [[nodiscard]] world::InstanceIndex like(std::uint32_t model) const {
         return staticOf(traced->world(), model);
     }
-    /// Shuts the door; yields the leaf's idBase.
+    /// Shuts the door; returns the leaf's idBase.
     std::uint32_t shutDoor(DynamicStateMaker& dynamics) const {
         const std::uint32_t leaf =
             dynamics.add(like(leafModel), Vec3(0.0), {west, east}, world::InstanceKind::Filling);
@@ -154,12 +154,13 @@ TEST_F(Door, movingThingsAreMetInEverySpaceTheyAreMembersOfAndInNoOther) {
     traced->scene().setDynamics(dynamics.build());
     EXPECT_EQ(eastward().id, both);
     EXPECT_NEAR(eastward().t, 2.0, 1e-6);
-    // From the east: through the door and then the panel that is both rooms'; the one at 5 m is the west's alone.
+    // From the east: through the door and then the panel that is both rooms'; the one at 5 m is the west's
+    // alone.
     EXPECT_EQ(westward().id, both + 1);
     EXPECT_NEAR(westward().t, 4.0, 1e-6);
     EXPECT_NE(westward().id, westOnly + 1);
     traced->scene().setDynamics({});
-    EXPECT_NEAR(westward().t, 7.0, 1e-9) << "gone with its moment";
+    EXPECT_NEAR(westward().t, 7.0, 1e-9) << "gone with its dynamic state";
 }
 
 TEST_F(Door, ofTwoSurfacesInOnePlaceTheLowerIdIsMetWhateverTheirOrder) {

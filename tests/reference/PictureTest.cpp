@@ -51,8 +51,8 @@ TEST(Picture, everyPixelIsItsRayWhateverTheThreads) {
 }
 
 TEST(Picture, twoRoomsStatedByHand) {
-    // From the middle of a room 8 m wide and high, 4 m before its far wall, 90 degrees, 8 × 8 pixels: each is 1 m of that
-    // wall. The opening is its middle 4 × 4 m; 4 m behind it is the next room's far wall.
+    // From the middle of a room 8 m wide and high, 4 m before its far wall, 90 degrees, 8 × 8 pixels: each is
+    // 1 m of that wall. The opening is its middle 4 × 4 m; 4 m behind it is the next room's far wall.
     TestWorld source;
     const auto a = source.addBox({0, 0, 0}, {8, 8, 8}, "brown");
     const auto b = source.addBox({0, 8, 0}, {8, 12, 8}, "blue");

@@ -1,4 +1,4 @@
-// What must hold for any ray.
+// Properties of every ray.
 #include "reference/DynamicStateMaker.h"
 
 #include <random>
@@ -9,7 +9,7 @@ namespace {
 
 using reference::Answer;
 
-/// A number between 0 and `most` that has 20 binary places, so that it stays the same when whole landblocks are added.
+/// A number between 0 and `most` with 20 binary places: adding whole landblocks keeps it exact.
 double onGrid(std::mt19937& random, double most) {
     return std::floor(std::uniform_real_distribution<double>(0, most)(random) * 1048576.0) / 1048576.0;
 }
@@ -62,7 +62,7 @@ RC_GTEST_PROP(ReferenceProperty, wholeLandblocksAwayTheAnswersAreTheSame, (unsig
         const RandomRay ray = randomRay(random, here.cells.size());
         const Answer x = a.trace(ray.root, ray.eye, ray.direction),
                      y = b.trace(ray.root, ray.eye, ray.direction);
-        // How the ground is cut into triangles depends on the block; what it is does not.
+        // The division of the ground into triangles depends on the block; its surface does not.
         const bool ground = x.id > 1 && a.kindOf(x.id) == world::InstanceKind::Terrain;
         const bool agree = ground ? y.id > 1 && b.kindOf(y.id) == world::InstanceKind::Terrain : x.id == y.id;
         RC_ASSERT(agree);

@@ -1,4 +1,5 @@
-// The tests that stand before a tile's rays: whatever a ray meets passes them, and most else does not.
+// The conservative tests of a tile's rays: everything that a ray meets passes them, and most other things do
+// not.
 #include "reference/Pyramid.h"
 
 #include <bit>
@@ -53,7 +54,7 @@ Box boxAround(std::span<const Vec3> points) {
     return extent.box();
 }
 
-/// Of a box alone among the four of a node.
+/// Tests one box, as the only one of a node's four.
 int meetsBox(const Pyramid& pyramid, const Box& box, float& least) {
     alignas(16) float sides[2][3][4];
     alignas(16) float leasts[4];
@@ -78,7 +79,8 @@ TEST(Pyramid, neverMissesWhatARayMeets) {
         const auto pixel = static_cast<std::uint32_t>(random() % Tile::kPixels);
         const Vec3 direction = of.direction(pixel);
         const reference::RayFrame ray(of.eye(), direction);
-        // A triangle around a point of the ray, often aslant or tiny, or with the ray through an edge or a corner.
+        // A triangle around a point of the ray, often aslant or tiny, or with the ray through an edge or a
+        // corner.
         const double t = std::exp(between(random, -6, 8)), size = std::exp(between(random, -9, 5));
         const Vec3 point = of.eye() + direction * t;
         const Vec3 a = point + within(random, size), b = point + within(random, size);
@@ -115,7 +117,7 @@ TEST(Pyramid, neverMissesABoxAroundTheEye) {
         const RandomTile of(random);
         const Pyramid pyramid(of.tile, of.origin);
         const Vec3 eye = of.eye(), flat(between(random, 0, 3), 0.0, between(random, 0, 3));
-        const Vec3 corners[] = {eye - flat, eye + flat}; // flat: the eye is in both of its sides
+        const Vec3 corners[] = {eye - flat, eye + flat}; // flat: the eye is in both of the box's sides
         float least = 0.0f;
         EXPECT_NE(meetsBox(pyramid, boxAround(corners), least), 0);
         EXPECT_LE(least, 0.0f);

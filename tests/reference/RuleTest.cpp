@@ -1,4 +1,4 @@
-// The ray rule, sentence by sentence, on worlds small enough to work the answers out by hand.
+// The ray rule, sentence by sentence, on worlds small enough for answers computed by hand.
 #include "reference/TracedWorld.h"
 
 namespace limen::test {
@@ -72,7 +72,7 @@ TEST(Rule, aDoorLeadsIntoTheNextRoomAndAWallDoesNot) {
 }
 
 TEST(Rule, raysAlongTheRimOfADoorNeverSlip) {
-    // The rim is shared by wall and opening to the bit; a ray meets one of them, whatever the rounding.
+    // Wall and opening share the rim to the bit. A ray meets one of them, independent of rounding.
     TwoRooms rooms;
     const TracedWorld traced(rooms.world);
     const world::SpaceIndex west = traced.space(rooms.world.id(rooms.west)),
@@ -205,7 +205,8 @@ TEST(Rule, aOneWayPortalLeadsThroughAndIsAHoleFromBehind) {
 }
 
 TEST(Rule, aTexelOfACutOutDecides) {
-    // 4 × 1 texels, alpha 255, 128, 127, 0: two count, two do not. The panel looks west, so that u falls along y.
+    // 4 × 1 texels, alpha 255, 128, 127, 0: two count, two do not. The panel looks west, so that u falls
+    // along y.
     TestWorld source;
     dat::RenderSurface image = solidImage(4, 1, 0xFFFFFFFFu);
     image.pixels[4 * 1 + 3] = 128;

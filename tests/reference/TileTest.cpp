@@ -1,6 +1,6 @@
-// Pictures are traced tile by tile, the rays of a tile sharing what they may meet. Every answer must be that of its ray by
-// itself, to the bit: eyes in rooms, in doorways, in openings' planes and in the open; shut doors, panes, rain; wide
-// angles and telescopes.
+// Pictures are traced tile by tile, and the rays of a tile share their candidates. Every answer must equal
+// that of the single ray, to the bit: eyes in rooms, in doorways, in openings' planes and outside; shut
+// doors, panes, rain; wide angles and telescopes.
 #include "reference/Picture.h"
 
 #include "motion/DynamicStateBuilder.h"
@@ -18,7 +18,7 @@ namespace {
 using reference::Answer;
 using reference::Camera;
 
-/// What pictures have shown so far, so that a test can tell that it has tested something.
+/// Counts of the cases that the pictures have shown, to prove that a test covers them.
 struct Seen {
     std::size_t rays = 0, wrong = 0, deep = 0, layered = 0, moving = 0, sky = 0;
     std::string first;
@@ -138,7 +138,7 @@ Seen compareAllOver(const world::World& world, int views, unsigned seed, bool wi
             input.allDoors = random() % 2 ? 0.0 : randomBetween(random, 0, 1);
             input.rain = random() % 2 == 0;
             input.eye = camera.eye;
-            dynamicsBuilder.at(input, dynamics);
+            dynamicsBuilder.build(input, dynamics);
             scene.setDynamics(dynamics);
         }
         camera.place = randomPlace(random);

@@ -8,7 +8,7 @@ using reference::Answer;
 
 struct Doorway : ::testing::Test {
     TwoRooms rooms;
-    /// A closed room far away, with a two-sided panel of half a metre each way for moments to borrow.
+    /// A closed room far away, with a two-sided panel of half a metre each way that dynamic states copy.
     TestWorld::Cell store = rooms.world.addBox({100, 100, 10}, {104, 104, 14});
     std::uint32_t model = rooms.world.addModel(bothWays(panel(0.25, "pink", false)));
     std::unique_ptr<TracedWorld> traced;
@@ -19,7 +19,7 @@ struct Doorway : ::testing::Test {
         west = traced->space(rooms.world.id(rooms.west));
         east = traced->space(rooms.world.id(rooms.east));
     }
-    /// What a ray along ±x meets with a panel at x that is a member of one room only.
+    /// The answer for a ray along ±x, with a panel at x that is a member of one room only.
     Answer withPanel(double x, world::SpaceIndex member, world::SpaceIndex root, std::uint32_t& panelId) {
         DynamicStateMaker dynamics(traced->world());
         panelId = dynamics.add(staticOf(traced->world(), model), {x, 2, 11}, {member});
@@ -44,7 +44,8 @@ TEST_F(Doorway, anEyeInThePlaneAndInsideTheOpeningLeavesIfTheRayPointsOutward) {
         const Answer other = traced->trace(east, eye, {-1, 0.1, 0});
         EXPECT_EQ(other.space, west) << "the same eye said to be in the other room";
         EXPECT_NEAR(other.t, 4 + off, 1e-9);
-        // Almost along the plane, which is crossed far away or never: in it or behind it out at once, before it not.
+        // Almost along the plane, which is crossed far away or never: in it or behind it out at once, before
+        // it not.
         EXPECT_EQ(traced->trace(west, eye, {1e-7, 1, 0}).space, off < -0.00001 ? west : east);
         EXPECT_EQ(traced->trace(west, eye, {-1e-7, 1, 0}).space, west);
     }
@@ -52,7 +53,7 @@ TEST_F(Doorway, anEyeInThePlaneAndInsideTheOpeningLeavesIfTheRayPointsOutward) {
 
 TEST_F(Doorway, beyondTheToleranceAnEyeBehindThePlaneDoesNotLeave) {
     const Answer answer = traced->trace(west, {4.00021, 2, 11}, {1, 0, 0});
-    EXPECT_EQ(answer.id, 0u) << "nothing of the western room lies there";
+    EXPECT_EQ(answer.id, 0u) << "the western room has no surface there";
     EXPECT_EQ(answer.spacesVisited, 1u);
     EXPECT_EQ(traced->trace(west, {3.99979, 2, 11}, {1e-7, 1, 0}).space, west)
         << "before the plane it is crossed where it is crossed";
@@ -67,7 +68,8 @@ TEST_F(Doorway, anEyeInThePlaneButBesideTheOpeningDoesNotLeave) {
 }
 
 TEST_F(Doorway, aRayNeverGoesStraightBackThroughTheOpeningItCameBy) {
-    // The way back is tilted by half a degree, so that a ray that slants by less crosses both polygons outward.
+    // The way back is tilted by half a degree, so that a ray that slants by less crosses both polygons
+    // outward.
     world::World world = loadTestWorld(rooms.world, {.radius = 1});
     const world::SpaceIndex a = world::findCell(world, rooms.world.id(rooms.west)),
                             b = world::findCell(world, rooms.world.id(rooms.east));
@@ -148,7 +150,7 @@ TEST_F(Doorway, ofTwoSurfacesInThePlaneTheNearerIsMet) {
 }
 
 TEST(Tolerance, portalsInOnePlaneThatLeadInACircleEnd) {
-    // Both doors look the same way in the same place: the ray must not go round for ever, even with its eye there.
+    // Both doors look the same way in the same place: the ray must end, even with the eye there.
     TwoRooms rooms;
     world::World world = loadTestWorld(rooms.world, {.radius = 1});
     const world::SpaceIndex a = world::findCell(world, rooms.world.id(rooms.west)),

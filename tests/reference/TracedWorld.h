@@ -12,7 +12,7 @@
 
 namespace limen::test {
 
-/// To the bit.
+/// Compares to the bit.
 inline bool same(const reference::Answer& a, const reference::Answer& b) {
     return a.id == b.id && std::memcmp(&a.t, &b.t, sizeof a.t) == 0 && a.space == b.space &&
            a.reachedOutside == b.reachedOutside && a.spacesVisited == b.spacesVisited && a.layers == b.layers;
@@ -35,13 +35,13 @@ public:
         return found;
     }
 
-    /// The ray from `eye` along `direction`, which need not have length 1; t is in its lengths.
+    /// The ray from `eye` along `direction`, of any length; t counts lengths of `direction`.
     [[nodiscard]] reference::Answer trace(world::SpaceIndex root, const Vec3& eye, const Vec3& direction,
                                           double nearPlane = 0.02) const {
         return scene_.trace(root, {origin_ + eye, direction, nearPlane});
     }
 
-    /// The instance that shows as `id`, of the world alone; kNone for void, sky and what moves.
+    /// The world's instance with an id; kNone for void, sky and moving instances.
     [[nodiscard]] world::InstanceIndex instanceOf(std::uint32_t id) const {
         for (world::InstanceIndex i = 0; i < world_.instances.size(); ++i) {
             const world::Instance& in = world_.instances[i];
@@ -52,7 +52,7 @@ public:
     }
     [[nodiscard]] world::InstanceKind kindOf(std::uint32_t id) const {
         const world::InstanceIndex i = instanceOf(id);
-        EXPECT_NE(i, world::kNone) << "id " << id << " is nobody's";
+        EXPECT_NE(i, world::kNone) << "id " << id << " belongs to no instance";
         return i == world::kNone ? world::InstanceKind::Sky : world_.instances[i].kind;
     }
     /// True if the id is of the shell of that cell.
@@ -76,8 +76,8 @@ struct TwoRooms {
     }
 };
 
-/// One room, 6 × 6 × 3 m, on flat ground at z = 0 (its floor 0.1 m higher), with a door in its northern wall (y = 86)
-/// and a window in its southern one (y = 80), and its building around it.
+/// One room, 6 × 6 × 3 m, on flat ground at z = 0 (its floor 0.1 m higher), with a door in its northern wall
+/// (y = 86) and a window in its southern one (y = 80), and its building around it.
 struct House {
     TestWorld world;
     TestWorld::Cell room = world.addBox({90, 80, 0.1}, {96, 86, 3.1}, "brown");

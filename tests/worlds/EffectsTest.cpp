@@ -64,7 +64,7 @@ TEST(Effects, areAllPlayed) {
         motion::DynamicStateInput input;
         input.seconds = seconds;
         input.weather = world::SkyHour{1, 0.5}; // snow
-        dynamicsBuilder.at(input, dynamics);
+        dynamicsBuilder.build(input, dynamics);
         for (const world::Instance& instance : dynamics.instances)
             objects.insert(instance.object);
     }

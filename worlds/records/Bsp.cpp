@@ -7,9 +7,9 @@ namespace limen::worlds {
 
 namespace {
 
-/// Metres. A fragment whose corners are all nearer than this to a plane counts as in the plane.
-constexpr double kInPlane = 1e-3;
-/// The number of faces that are tried as the next splitting plane.
+/// Metres: a fragment of a wall within this of a splitting plane is in the plane. Used by this builder alone.
+constexpr double kInSplitPlane = 1e-3;
+/// How many faces are tried as the next splitting plane.
 constexpr std::size_t kCandidates = 24;
 
 struct Fragment {
@@ -27,8 +27,8 @@ Where classify(const Fragment& f, const Plane& plane) {
     bool back = false;
     for (const Vec3& p : f.points) {
         const double d = plane.signedDistance(p);
-        front = front || d > kInPlane;
-        back = back || d < -kInPlane;
+        front = front || d > kInSplitPlane;
+        back = back || d < -kInSplitPlane;
     }
     return front && back ? Where::Across : front ? Where::Front : back ? Where::Back : Where::InPlane;
 }
@@ -231,12 +231,12 @@ dat::BspTree buildCellBsp(std::span<const Face> faces) {
     for (const Face& face : faces) {
         const Plane plane = planeOf(face.points);
         const bool known = std::any_of(planes.begin(), planes.end(), [&](const Plane& p) {
-            return glm::dot(p.n, plane.n) > 1.0 - 1e-9 && std::abs(p.d - plane.d) < kInPlane;
+            return glm::dot(p.n, plane.n) > 1.0 - 1e-9 && std::abs(p.d - plane.d) < kInSplitPlane;
         });
         // Parts of the cell are behind a face of a recess.
         const bool outermost = std::all_of(faces.begin(), faces.end(), [&](const Face& other) {
             return std::all_of(other.points.begin(), other.points.end(),
-                               [&](const Vec3& p) { return plane.signedDistance(p) > -kInPlane; });
+                               [&](const Vec3& p) { return plane.signedDistance(p) > -kInSplitPlane; });
         });
         if (!known && outermost)
             planes.push_back(plane);

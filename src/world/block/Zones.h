@@ -1,14 +1,9 @@
 #pragma once
 
+#include "geometry/Tolerances.h"
 #include "world/block/BlockContent.h"
 
 namespace limen::world {
-
-/// Metres. Cells that overlap by no more than this count as disjoint (docs/ray-rule.md, "Zones"). Depth alone
-/// decides within a zone, so a hidden cell may reach through the wall in front of it by as much; the picture
-/// moves that much back behind the wall (MeshArena.cpp, kMostReach). Cells that overlap more are in different
-/// zones, which is slower and exact.
-inline constexpr double kOverlapTolerance = 0.0001;
 
 /// True if a plane that is parallel to a face of either cell, or to an edge of each, separates their vertices
 /// up to kOverlapTolerance. Never true for cells that overlap more. May be false for disjoint cells that wind

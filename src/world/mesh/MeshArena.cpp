@@ -1,6 +1,7 @@
 #include "world/mesh/MeshArena.h"
 
 #include "core/Assert.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <bit>
@@ -43,8 +44,8 @@ struct EdgeHash {
 /// are flat. Records store corners as floats, with errors of 0.001 mm within 16 m of a cell's origin and
 /// 0.004 mm within 64 m. Subtracting the eye adds the same again.
 constexpr double kFlatReach = 1e-5;
-/// Metres. The bound for uneven walls: surfaces that are rightly visible beside such an edge may be as near.
-constexpr double kMostReach = 1e-4;
+/// The same at most, however uneven walls are: what is rightly seen beside such an edge may lie as near to it.
+constexpr double kMostReach = kOverlapTolerance;
 
 /// The facet of each polygon's largest triangle. Facets of slivers are dominated by rounding.
 std::vector<Vec3f> facetsByPolygon(std::span<const MeshVertex> vertices, std::size_t polygons) {

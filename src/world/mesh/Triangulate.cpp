@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,7 +13,8 @@ namespace {
 /// Metres. An ear whose diagonal passes a corner within this distance would leave a sliver. A little more
 /// than the weld tolerance, the greatest distance of a stitched corner from its edge.
 constexpr double kClearance = 0.00025;
-/// Metres. Triangles with a smaller altitude are rounding errors.
+static_assert(kClearance > kWeldTolerance);
+/// Triangles lower than this come from rounding alone; metres.
 constexpr double kFlat = 1e-7;
 
 double cross(const Vec2& a, const Vec2& b) {

@@ -1,17 +1,13 @@
 #pragma once
 
 #include "core/Assert.h"
+#include "geometry/Tolerances.h"
 #include "geometry/Vec.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace limen::world {
-
-/// Vertices nearer to each other than this are one vertex; a vertex nearer to an edge than this is on it.
-/// Metres. Records store floats relative to their own frames, so copies of one corner differ by some
-/// hundredths of a millimetre. Details that are meant to differ are centimetres apart.
-inline constexpr double kWeldTolerance = 0.0002;
 
 /// The storable position nearest to a block-local one: within 0.1 nm, or 0.1 um beyond 32 km. It is the exact
 /// sum of two floats, and exact relative to every origin within 1000 km that is a multiple of a block's size.

@@ -1,4 +1,4 @@
-#include "check/Standing.h"
+#include "check/views/Viewpoints.h"
 
 #include "motion/Locate.h"
 #include "world/Loader.h"
@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kTriesOfView = 40;
 
-/// Anywhere, now and then straight up or down.
+/// A random gaze, sometimes straight up or down.
 Gaze anyGaze(RandomGenerator& random) {
     const double pitch =
         random.unit() < 0.04 ? (random.unit() < 0.5 ? -90.0 : 90.0) : random.between(-75.0, 75.0);
     return {random.between(0.0, 360.0), pitch};
 }
 
-View lookFrom(const Surroundings& around, Kind kind, const Vec3& eye, const Gaze& gaze, double fov,
+View lookFrom(const Surroundings& around, ViewKind kind, const Vec3& eye, const Gaze& gaze, double fov,
               world::SpaceIndex root) {
     View view;
     view.kind = kind;
@@ -40,7 +40,8 @@ std::vector<world::PortalIndex> doorsOf(const world::World& world, dat::BlockCoo
     return doors;
 }
 
-/// A place above the block's ground; near `door` if there is one. NaN height where there is no ground.
+/// A random position above the block's ground; near `door` if it is not null. NaN height where there is no
+/// ground.
 Vec3 placeAboveGround(const Surroundings& around, const world::Portal* door, RandomGenerator& random) {
     Vec3 eye = Vec3(around.block.x, around.block.y, 0.0) * world::kBlockSize +
                Vec3(random.unit(), random.unit(), 0.0) * world::kBlockSize;
@@ -54,13 +55,13 @@ Vec3 placeAboveGround(const Surroundings& around, const world::Portal* door, Ran
 
 } // namespace
 
-void addRandomViews(const Surroundings& around, Kind kind, std::size_t count, std::vector<View>& out) {
+void addRandomViews(const Surroundings& around, ViewKind kind, std::size_t count, std::vector<View>& out) {
     const std::vector<world::SpaceIndex> cells = cellsOf(around.world, around.block);
     for (std::size_t i = 0; i < count && !cells.empty(); ++i) {
         RandomGenerator random(around.seed,
                                {static_cast<std::uint64_t>(kind), dat::blockWord(around.block), i});
         const world::SpaceIndex cell = cells[(i + random.below(2)) % cells.size()];
-        const std::optional<Vec3> eye = placeInCell(around, cell, random);
+        const std::optional<Vec3> eye = viewpointInCell(around, cell, random);
         if (eye)
             out.push_back(lookFrom(around, kind, *eye, anyGaze(random), random.between(40.0, 100.0), cell));
     }
@@ -69,8 +70,8 @@ void addRandomViews(const Surroundings& around, Kind kind, std::size_t count, st
 void addOutsideViews(const Surroundings& around, std::size_t count, std::vector<View>& out) {
     const std::vector<world::PortalIndex> doors = doorsOf(around.world, around.block);
     for (std::size_t i = 0; i < count; ++i) {
-        RandomGenerator random(around.seed,
-                               {static_cast<std::uint64_t>(Kind::Outside), dat::blockWord(around.block), i});
+        RandomGenerator random(
+            around.seed, {static_cast<std::uint64_t>(ViewKind::Outside), dat::blockWord(around.block), i});
         for (int attempt = 0; attempt < kTriesOfView; ++attempt) {
             const world::Portal* door = doors.empty() || random.unit() < 0.4
                                             ? nullptr
@@ -78,12 +79,12 @@ void addOutsideViews(const Surroundings& around, std::size_t count, std::vector<
             const Vec3 eye = placeAboveGround(around, door, random);
             if (!isFinite(eye) || world::blockAt(eye) != around.block ||
                 motion::locate(around.world, eye).space != world::kOutside ||
-                !standsFree(around, world::kOutside, eye, random))
+                !isFreeViewpoint(around, world::kOutside, eye, random))
                 continue;
             const bool atDoor = door != nullptr && random.unit() < 0.5;
             const Gaze gaze = atDoor ? gazeAlong(middleOf(around.world, *door) - eye) : anyGaze(random);
             out.push_back(
-                lookFrom(around, Kind::Outside, eye, gaze, random.between(40.0, 100.0), world::kOutside));
+                lookFrom(around, ViewKind::Outside, eye, gaze, random.between(40.0, 100.0), world::kOutside));
             break;
         }
     }

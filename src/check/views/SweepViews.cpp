@@ -1,4 +1,4 @@
-#include "check/Standing.h"
+#include "check/views/Viewpoints.h"
 
 #include <algorithm>
 
@@ -9,11 +9,10 @@ namespace limen::check {
 namespace {
 
 constexpr double kFovOfSweeps = 75.0; // degrees
-constexpr double kBesideLeast = 0.004,
-                 kBesideMost = 0.06; // metres from an edge or a corner: the near plane, 2 cm, cuts
-                                     // the wall beside some of them
-constexpr double kAnchor =
-    0.005; // metres from the opening's plane: in the space on that side, if no wall leans over it
+/// Metres from an edge or a corner. The near plane, at 2 cm, cuts the wall beside some of them.
+constexpr double kBesideLeast = 0.004, kBesideMost = 0.06;
+/// Metres from the opening's plane: a point there is in the space on that side, unless a wall leans over it.
+constexpr double kAnchor = 0.005;
 constexpr int kTriesOfSweep = 24; // combinations tried for one view
 
 enum class Line : std::uint8_t { Square, Aslant, BesideEdge, BesideCorner, OnEdge, OnCorner };
@@ -22,7 +21,7 @@ constexpr std::array<const char*, 6> kLineNames{"square",          "aslant",    
 enum class Look : std::uint8_t { Along, Against, Sideways, GrazingOut, GrazingIn, Aslant, Anyhow };
 constexpr std::size_t kLooks = 7;
 
-/// Distances from an opening's plane, positive before it; metres.
+/// Distances of viewpoints from an opening's plane, positive before it; metres.
 std::vector<double> distances() {
     std::vector<double> all;
     for (int cm = -30; cm <= 30; ++cm)
@@ -37,10 +36,10 @@ std::vector<double> distances() {
     return all;
 }
 
-/// One of all combinations.
+/// One combination of portal, side, line, distance and gaze.
 struct Combination {
     world::PortalIndex portal = 0;
-    bool fromBehind = false; ///< the eye comes from the space that the portal leads to
+    bool fromBehind = false; ///< the line begins in the space that the portal leads to
     Line line = Line::Square;
     double distance = 0.0;
     Look look = Look::Along;
@@ -62,9 +61,9 @@ Combination combinationAt(std::span<const world::PortalIndex> openings, std::spa
     return c;
 }
 
-/// Where a line meets the opening's plane, and where it comes from.
+/// A line through an opening.
 struct Course {
-    Vec3 foot{0.0};
+    Vec3 foot{0.0};  ///< where the line meets the opening's plane
     Vec3 inner{0.0}; ///< a point of the opening near the foot, clear of its edges
     Vec3 way{0.0};   ///< towards the portal's space, 1 m along the normal
 };
@@ -77,7 +76,7 @@ Vec3 anyTangent(const Vec3& n, RandomGenerator& random) {
     }
 }
 
-/// Moves a point towards another, but not past the middle of the way.
+/// Moves a point towards another, at most half of the way.
 Vec3 towards(const Vec3& from, const Vec3& to, double metres) {
     const double length = glm::length(to - from);
     return length > 0.0 ? from + (to - from) * std::min(0.5, metres / length) : from;
@@ -137,8 +136,9 @@ Vec3 directionOf(Look look, const Vec3& n, RandomGenerator& random) {
     return random.direction();
 }
 
-/// The space that the eye is in when it comes along the course; nothing if a wall stands in the way. A point of the
-/// opening itself is in both spaces, but a place before it need not be: walls may meet it at a sharp angle.
+/// The space of an eye that moves along the course; none if a wall is in the way. A point of the opening
+/// itself is in both spaces, but a point before it may be in neither: walls may meet the opening at a sharp
+/// angle.
 std::optional<world::SpaceIndex> spaceAt(const Surroundings& around, const Combination& c,
                                          const Course& course, const Vec3& eye) {
     const world::Portal& portal = around.world.portals[c.portal];
@@ -158,7 +158,7 @@ std::optional<View> viewOf(const Surroundings& around, const Combination& c, Ran
         return std::nullopt;
     const Gaze gaze = gazeAlong(directionOf(c.look, portal.plane.n, random));
     View view;
-    view.kind = Kind::Sweep;
+    view.kind = ViewKind::Sweep;
     view.eye = eye;
     view.yaw = gaze.yaw;
     view.pitch = gaze.pitch;
@@ -182,9 +182,10 @@ void addSweepViews(const Surroundings& around, std::size_t count, std::vector<Vi
     const std::vector<double> all = distances();
     const std::size_t combinations = openings.size() * kLineNames.size() * 2 * all.size() * kLooks;
     for (std::size_t i = 0; i < count; ++i) {
-        RandomGenerator random(around.seed,
-                               {static_cast<std::uint64_t>(Kind::Sweep), dat::blockWord(around.block), i});
-        // One of each of `count` equal runs; a combination without a legal eye gives way to any other.
+        RandomGenerator random(
+            around.seed, {static_cast<std::uint64_t>(ViewKind::Sweep), dat::blockWord(around.block), i});
+        // One of each of `count` equal runs. A combination without a legal viewpoint is replaced by a random
+        // one.
         double place = (static_cast<double>(i) + random.unit()) / static_cast<double>(count);
         for (int attempt = 0; attempt < kTriesOfSweep; ++attempt, place = random.unit()) {
             const auto index = std::min(combinations - 1,

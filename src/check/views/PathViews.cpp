@@ -1,4 +1,4 @@
-#include "check/Standing.h"
+#include "check/views/Viewpoints.h"
 
 #include "motion/Locate.h"
 #include "world/Loader.h"
@@ -15,7 +15,7 @@ constexpr double kStep = 0.01;            // metres between the views of a walk
 constexpr std::size_t kLongestWalk = 150; // views
 constexpr double kFovOfWalks = 75.0;      // degrees
 
-/// A point of the tour: the leg it is on and how far along.
+/// A point of the tour: its leg, and the share of the leg before it.
 struct TourPoint {
     std::size_t leg = 0; ///< from way point `leg` to the next
     double share = 0.0;  ///< 0..1
@@ -40,7 +40,7 @@ std::vector<TourPoint> pointsAlong(std::span<const world::Place> tour, std::size
     return points;
 }
 
-/// The angle `share` of the way from a to b, the short way round; degrees.
+/// The angle at a share of the shorter way from a to b; degrees.
 double turned(double a, double b, double share) {
     return a + std::remainder(b - a, 360.0) * share;
 }
@@ -49,11 +49,11 @@ double turned(double a, double b, double share) {
 class Walker {
 public:
     Walker(const Surroundings& around, std::uint64_t number)
-        : around_(around), random_(around.seed, {static_cast<std::uint64_t>(Kind::Path),
+        : around_(around), random_(around.seed, {static_cast<std::uint64_t>(ViewKind::Path),
                                                  dat::blockWord(around.block), number}),
           sway_(random_.between(0.0, 6.28)) {}
 
-    /// Walks up to `most` steps through `first` and on; appends a view for each step.
+    /// Walks up to `most` steps, through `first` and further openings; appends a view for each step.
     void go(world::PortalIndex first, std::size_t most, std::vector<View>& out) {
         if (!startBefore(around_.world.portals[first], 0.5 * kStep * static_cast<double>(most)))
             return;
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// Stands up to a metre before an opening.
+    /// Starts up to a metre before an opening. False if there is no free place.
     bool startBefore(const world::Portal& portal, double farthest) {
         const Vec3 opening = pointIn(portal) + portal.plane.n * 0.005;
         for (int i = 0; i < 16; ++i) {
@@ -86,14 +86,14 @@ private:
         return false;
     }
 
-    /// A point well within an opening.
+    /// A random point of an opening, off its edges.
     Vec3 pointIn(const world::Portal& portal) {
         const Vec3 middle = middleOf(around_.world, portal);
         const std::span<const Vec3> corners = cornersOf(around_.world, portal);
         return middle + (corners[random_.below(corners.size())] - middle) * random_.between(0.0, 0.7);
     }
 
-    /// False if something is in the way, the block is left, or enough views are made.
+    /// Walks to a point. False at an obstacle, at the end of the block, or with enough views.
     bool stepTo(const Vec3& goal, std::size_t end, std::vector<View>& out) {
         const Vec3 way = goal - at_;
         const double length = glm::length(way);
@@ -118,7 +118,7 @@ private:
         sway_ += 0.05;
         const Gaze ahead = gazeAlong(way);
         View view;
-        view.kind = Kind::Path;
+        view.kind = ViewKind::Path;
         view.eye = at_;
         view.yaw = ahead.yaw + 50.0 * std::sin(sway_);
         view.pitch = std::clamp(ahead.pitch + 20.0 * std::sin(sway_ * 0.7), -89.0, 89.0);
@@ -130,7 +130,7 @@ private:
         return view;
     }
 
-    /// Another opening of the space that was come to, not the one come through if there is a choice.
+    /// Chooses another opening of the current space than `back`. False if there is none.
     bool chooseNext(world::PortalIndex back, world::PortalIndex& through) {
         const world::Space& space = around_.world.spaces[space_];
         if (space_ == world::kOutside || space.portalCount == 0)
@@ -155,7 +155,8 @@ private:
     world::SpaceIndex space_ = world::kOutside;
 };
 
-/// The space of a way point that names none: tours stay in buildings and outdoors. kNone where several cells claim it.
+/// The space of a way point without a cell: tours stay in buildings and outdoors. kNone if several cells
+/// contain it.
 world::SpaceIndex locateOnTour(const world::World& world, const Vec3& eye) {
     const motion::Located located = motion::locate(world, eye);
     return located.ambiguous ? world::kNone : located.space;
@@ -186,7 +187,7 @@ void addTourViews(const Surroundings& around, std::size_t count, std::vector<Vie
         if (!root)
             continue;
         View view;
-        view.kind = Kind::Path;
+        view.kind = ViewKind::Path;
         view.eye = point.eye;
         view.yaw = turned(from.yaw, to.yaw, point.share);
         view.pitch = turned(from.pitch, to.pitch, point.share);
@@ -205,11 +206,12 @@ void addWalkViews(const Surroundings& around, std::size_t count, std::vector<Vie
     if (openings.empty())
         return;
     const std::size_t end = out.size() + count;
-    // Walks that end early make room for others; a block where none gets anywhere ends the search.
+    // Walks that end early are replaced by others. The bound ends the search in a block where every walk
+    // fails.
     for (std::uint64_t number = 0; out.size() < end && number < 4 * (count / kLongestWalk + 1) + 16;
          ++number) {
         RandomGenerator random(
-            around.seed, {static_cast<std::uint64_t>(Kind::Path), dat::blockWord(around.block), ~number});
+            around.seed, {static_cast<std::uint64_t>(ViewKind::Path), dat::blockWord(around.block), ~number});
         Walker(around, number)
             .go(openings[random.below(openings.size())], std::min(kLongestWalk, end - out.size()), out);
     }

@@ -10,8 +10,8 @@
 
 namespace limen::check {
 
-/// Random numbers that follow from a seed and the numbers that name what they are for, and from nothing else: view 7 of
-/// a block is the same whatever was drawn before it. SplitMix64 (Steele, Lea, Flood 2014).
+/// Random numbers that depend on a seed and on numbers that name their purpose, and on nothing else: view 7
+/// of a block is the same after any other views. SplitMix64 (Steele, Lea, Flood 2014).
 class RandomGenerator {
 public:
     RandomGenerator(std::uint64_t seed, std::initializer_list<std::uint64_t> purpose) : state_(seed) {

@@ -1,0 +1,79 @@
+// The tolerances that more than one part of the program must agree on, each with its unit, its space and its
+// reason. Read by C++ (src/geometry/Tolerances.h) and by GLSL. A guard against rounding that only one file
+// needs stays in that file. tests/architecture/TolerancesTest.cpp finds copies.
+#ifdef __cplusplus
+#define LIMEN_TOLERANCE inline constexpr double
+namespace limen {
+#else
+#define LIMEN_TOLERANCE const float
+#endif
+
+// ---- The world: metres in world space -------------------------------------------------------------------------------
+
+// A point at most this far from a plane is in the plane. An eye this far behind a portal's plane can still
+// leave through the portal, a surface this near to the plane is met from both sides, and a shut filling is
+// met before everything else there. The point-in-cell test uses the same distance at the planes of a cell's
+// BSP tree. Source: docs/ray-rule.md, "Tolerances"; formats/cells.md, "Point in cell".
+LIMEN_TOLERANCE kInPlaneTolerance = 0.0002;
+
+// An eye before a portal's plane is in the plane only up to this distance, plus the distance of the portal's
+// corners from the plane. Floats of corners near the eye are off by about this much. Source:
+// docs/ray-rule.md, "Tolerances".
+LIMEN_TOLERANCE kBeforePlaneTolerance = 0.00001;
+
+// Two vertices at most this far apart are one vertex, and a vertex this near to an edge is on the edge. The
+// files store floats in local frames, so copies of one corner differ by hundredths of a millimetre. Real
+// details are centimetres apart.
+LIMEN_TOLERANCE kWeldTolerance = 0.0002;
+
+// A ray or a movement that slips between two polygons by no more than this belongs to the nearer polygon. A
+// narrower gap is a rounding of the data: the loader welds corners that are this near.
+LIMEN_TOLERANCE kGapTolerance = kWeldTolerance;
+
+// Two cells that overlap by no more than this count as disjoint and may share a zone. Within a zone depth
+// alone decides, so a hidden cell may reach this far through the wall before it. The fragment shader moves it
+// back behind the wall by no more than this distance (docs/ray-rule.md, "Zones"). Cells that overlap more
+// stay apart, which is slower and exact.
+LIMEN_TOLERANCE kOverlapTolerance = 0.0001;
+
+// A fragment at most this far on the wrong side of an entry plane belongs to both sides: jambs, sills, panes
+// and the terrain at a threshold are in the portal's plane. The ownership stage clips openings with the same
+// margin, so that rounding removes nothing from an opening that touches the plane. Source: docs/ray-rule.md,
+// "Tolerances".
+LIMEN_TOLERANCE kEntryPlaneTolerance = 0.001;
+
+// Metres that the entry-plane tolerance grows with each metre of distance from the eye: float positions and
+// interpolation lose precision in proportion to the distance.
+LIMEN_TOLERANCE kEntryPlaneToleranceSlope = 4.0e-7;
+
+// The spacing of floats in a landblock, rounded up: floats of 128 m to 192 m are 0.000015 m apart. A corner
+// stored in block coordinates is off by less than this.
+LIMEN_TOLERANCE kBlockFloatTolerance = 0.00002;
+
+// ---- The view -------------------------------------------------------------------------------------------------------
+
+// Metres of view depth. Surfaces nearer than this are not drawn and not met; portals are met at any distance.
+// This is the default of every picture, drawn or traced. Source: docs/ray-rule.md, "Tolerances".
+LIMEN_TOLERANCE kDefaultNearPlane = 0.02;
+
+// Depths that differ by no more than this share are equal. It covers the float arithmetic of the depth
+// buffer.
+LIMEN_TOLERANCE kDepthShareTolerance = 1.0e-4;
+
+// ---- The picture: pixels --------------------------------------------------------------------------------------------
+
+// The distance on the screen between a fragment and the point of the true triangle that it stands for.
+// Rasterisers snap corners to 1/256 of a pixel each way; twice that also covers corners far outside the
+// picture, whose screen coordinates are rounded floats.
+LIMEN_TOLERANCE kSnapTolerance = 1.0 / 128.0;
+
+// ---- Surfaces: shares of full opacity -------------------------------------------------------------------------------
+
+// A cut-out surface counts where the alpha of its texel is at least this. Source: docs/ray-rule.md, "The
+// rule".
+LIMEN_TOLERANCE kCutOutAlpha = 0.5;
+
+#ifdef __cplusplus
+} // namespace limen
+#endif
+#undef LIMEN_TOLERANCE

@@ -1,0 +1,69 @@
+#include "motion/DoorInstances.h"
+
+#include "core/Assert.h"
+#include "geometry/Compass.h"
+
+namespace limen::motion {
+namespace {
+
+using world::kNone;
+
+double opennessOf(const world::World& world, const DynamicStateInput& input, std::size_t door) {
+    if (input.allDoors)
+        return *input.allDoors;
+    return door < input.doors.size() ? input.doors[door] : world.doors[door].open;
+}
+
+/// Leaves belong to both sides of their portal, shut or not, and to the spaces that they reach from there.
+void addLeaves(const world::Door& door, double open, DynamicInstances& instances) {
+    const world::World& world = instances.world();
+    const world::Portal& portal = world.portals[door.portal];
+    for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l) {
+        const world::Leaf& leaf = world.leaves[l];
+        const BodyPose pose{turnedTo(leaf.yaw + leaf.swing * open), leaf.hinge};
+        const bool isShut = open == 0.0 && leaf.shut.partCount > 0;
+        const std::size_t first =
+            isShut ? instances.addInPlace(leaf.shut) : instances.addBody(leaf.body, pose, {}, portal.space);
+        instances.setSpaces(first, instances.reachedFromSidesOf(portal, pose.placed(leaf.body.bounds)));
+    }
+}
+
+/// The filling belongs to both sides of its portal and, being in its plane, to no other space.
+void addFilling(const world::Door& door, DynamicInstances& instances) {
+    world::DynamicState& state = instances.state();
+    const std::size_t first = instances.addInPlace({door.filling, 1, {}});
+    state.fillings[door.portal] = static_cast<world::InstanceIndex>(first);
+    if (door.reciprocal != kNone)
+        state.fillings[door.reciprocal] = state.fillings[door.portal];
+    instances.setSpaces(first, instances.sidesOf(instances.world().portals[door.portal]));
+}
+
+} // namespace
+
+void shutPortals(const world::World& world, const DynamicStateInput& input, world::DynamicState& out) {
+    out.closed.assign(world.doors.empty() ? 0 : world.portals.size(), 0);
+    out.fillings.assign(out.closed.size(), kNone);
+    for (std::size_t i = 0; i < world.doors.size(); ++i) {
+        const world::Door& door = world.doors[i];
+        LIMEN_ASSERT(door.portal < world.portals.size(), "a door fills a portal of the world");
+        LIMEN_ASSERT(door.reciprocal == kNone || door.reciprocal < world.portals.size(),
+                     "a door's reciprocal is a portal of the world");
+        if (!door.opaque || opennessOf(world, input, i) > 0.0)
+            continue;
+        out.closed[door.portal] = 1;
+        if (door.reciprocal != kNone)
+            out.closed[door.reciprocal] = 1;
+    }
+}
+
+void addDoors(const DynamicStateInput& input, DynamicInstances& instances) {
+    const world::World& world = instances.world();
+    for (std::size_t i = 0; i < world.doors.size(); ++i) {
+        const world::Door& door = world.doors[i];
+        addLeaves(door, opennessOf(world, input, i), instances);
+        if (instances.state().closed[door.portal] != 0 && door.filling != kNone)
+            addFilling(door, instances);
+    }
+}
+
+} // namespace limen::motion
