@@ -147,8 +147,8 @@ const NaiveTracer& PictureWorld::tracer() const {
 }
 
 void PictureWorld::setDynamics(const motion::DynamicStateInput& input) {
-    motion::DynamicStateBuilder(world_).build(input, dynamics_);
-    drawnDynamics_ = without(options_.omissions, world_, dynamics_);
+    motion::DynamicStateBuilder(world()).build(input, dynamics_);
+    drawnDynamics_ = without(options_.omissions, world(), dynamics_);
     tracer_.reset();
     if (traced_)
         traced_->setDynamics(dynamics_);
