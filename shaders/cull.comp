@@ -187,19 +187,21 @@ void main() {
         coverTile(group * kCullThreads + gl_LocalInvocationID.x);
         return;
     }
-    uint begins = groups.z == kCullFirst ? 0u : device.firstHideable;
-    uint ends = groups.z == kCullFirst ? device.firstHideable : device.slotCount;
-    // More groups than slots, for rows and layers of equal length, do the last one again: they write the same.
+    bool isFirst = cullMode == kCullOccluders;
+    uint begins = isFirst ? 0u : device.firstOccludee;
+    uint ends = isFirst ? device.firstOccludee : device.slotCount;
+    // Rows have equal length, so there may be more groups than slots. The surplus repeats the last slot and writes the
+    // same values.
     uint slot = min(begins + group, ends - 1u);
     uint rects;
-    RunPlace place = placeOf(slot, rects);
-    DrawPiece piece = pieceAt((slot + place.piece) & ~kGated);
-    bool drawsAsIs = (device.flags & kFrameKeepsTriangles) != 0u;
-    bool keepsAll = (piece.triangles & kKeepsAll) != 0u;
-    uint triangles = piece.triangles & ~kKeepsAll;
-    Instance instance = instanceAt(keepsAll ? 0u : piece.instance);
-    bool isHere = keepsAll || isInLevelRange(instance);
-    uint toLookAt = drawsAsIs || !isHere ? 0u : triangles;
+    RunOffsets offsets = offsetsOf(slot, rects);
+    DrawPiece piece = pieceAt((slot + offsets.piece) & ~kGated);
+    bool drawsStaticIndices = (device.flags & kFrameStaticIndices) != 0u;
+    bool neverCulled = (piece.triangles & kNeverCulled) != 0u;
+    uint triangles = piece.triangles & ~kNeverCulled;
+    Instance instance = instanceAt(neverCulled ? 0u : piece.instance);
+    bool isHere = neverCulled || isInLevelRange(instance);
+    uint toLookAt = drawsStaticIndices || !isHere ? 0u : triangles;
     uint me = gl_LocalInvocationID.x;
     uint each = (toLookAt + kCullThreads - 1u) / kCullThreads;
     uint begin = min(me * each, toLookAt);

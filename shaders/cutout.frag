@@ -1,7 +1,7 @@
-// Cut-out surfaces: a texel counts where alpha >= 0.5, else there is nothing. With kFrameExactCutOuts the texel that
-// holds the pixel's centre decides, at mip 0, as the reference does. Out: colour; the polygon's id. FLAT: the colour is
-// the id's, and cut-outs are exact in any case: drivers that run every branch for all fragments would spend most of such a
-// frame on filtering textures that nobody sees.
+// Cut-out surfaces: a texel is present if alpha >= 0.5. With kFrameExactCutOuts the texel at the pixel's centre
+// decides, at mip level 0, as in the reference. Out: colour; the polygon's id. FLAT: colour of the id, always with
+// exact cut-outs. Drivers that execute every branch for all fragments would otherwise spend most of a flat frame on
+// filtering unused textures.
 #include "Tolerances.h"
 #include "surface.glsl"
 #include "idcolour.glsl"

@@ -12,11 +12,11 @@ namespace {
 namespace layout = frame::gpu;
 
 constexpr std::size_t kBytesPerTexel = 16;
-/// Storage bindings that each group binds again; the frame's constants and the materials are among them.
+/// Bindings of a group's own: the frame's constants come first, its materials next.
 constexpr std::size_t kGroupRanges = layout::kBindMaterialRefs + 1;
 static_assert(layout::kBindFrame < kGroupRanges && layout::kBindMaterials < kGroupRanges);
 
-/// A copy with only the data that the frame's constants and the plain sky depend on.
+/// What the frame's constants, and the plain sky, follow from.
 world::World withoutContent(const world::World& world) {
     world::World bare;
     bare.blocks = world.blocks;
@@ -38,7 +38,7 @@ std::uint32_t texelAt(std::size_t offset) {
 
 Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, const world::World& world,
                                                          const world::DynamicState& dynamics) {
-    LIMEN_ASSERT(world.spaces.size() == 1, "the classic path draws worlds without cells");
+    LIMEN_ASSERT(world.spaces.size() == 1, "there are no cells");
     Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, dynamics);
     if (!scene)
         return tl::unexpected(scene.error());
@@ -91,9 +91,8 @@ ClassicPath::Sides ClassicPath::sidesOf(const visibility::View& view) {
 
 Result<void> ClassicPath::render(const frame::FrameView& view, const world::DynamicState& dynamics,
                                  const visibility::VisibleSet& visible, gpu::RenderTarget& target) {
-    LIMEN_ASSERT(visible.visits.size() == 1, "the only visit is the outside");
-    LIMEN_ASSERT(dynamics.instances.size() == scene_->moving().size(),
-                 "the number of dynamic instances does not change");
+    LIMEN_ASSERT(visible.visits.size() == 1, "all there is to see is outside");
+    LIMEN_ASSERT(dynamics.instances.size() == scene_->moving().size(), "as much moves as before");
     planner_.plan(view, visible, base_);
     if (Result<void> reserved = device_.reserveRing(places_.size); !reserved)
         return reserved;
@@ -109,14 +108,15 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Dyna
 void ClassicPath::begin(gpu::RenderTarget& target) {
     device_.setGeometry(scene_->vertices(), scene_->indices());
     memory_ = device_.beginFrame(target.handle());
-    layout::FrameConstants constants = base_.constants;
-    target.place(constants);
-    constants.staticInstances = 0; // all instances are in the frame's memory
-    constants.staticMembers = scene_->staticMembers();
-    constants.firstBlock = texelAt(places_.blocks);
-    constants.firstVisit = texelAt(places_.visit);
-    constants.firstMover = texelAt(places_.instances);
-    constants.firstMoverMember = texelAt(places_.members);
+    layout::FrameConstants constants;
+    constants.view = base_.constants;
+    constants.view.staticInstances = 0; // all are in the frame's memory
+    constants.view.staticMembers = scene_->staticMembers();
+    target.place(constants.view, constants.device);
+    constants.device.firstBlock = texelAt(places_.blocks);
+    constants.device.firstVisit = texelAt(places_.visit);
+    constants.device.firstInstance = texelAt(places_.instances);
+    constants.device.firstMember = texelAt(places_.members);
     write(places_.constants, std::span<const layout::FrameConstants>(&constants, 1));
     write(places_.blocks, std::span<const layout::vec4>(base_.blocks));
     write(places_.visit, std::span<const layout::Visit>(base_.visits));
@@ -134,7 +134,7 @@ void ClassicPath::drawGroups(const Sides& sides, const world::DynamicState& dyna
     for (const ClassicGroup& group : scene_->groups()) {
         const std::size_t known = zones_.size();
         if (const std::uint32_t count = gather(group, sides, dynamics); count > 0) {
-            // A driver can start a draw at once, so the memory that it reads is written before.
+            // A driver may begin with a draw at once: all that it reads is written before.
             write(places_.members + known * sizeof(layout::Member),
                   std::span<const layout::Member>(zones_).subspan(known));
             drawGroup(group, count);

@@ -43,9 +43,9 @@ LIMEN_CONST kStorageBindings = 14;
 // Texture units. Several are buffers read as texels of four words: software drivers read a storage buffer lane by lane,
 // and texels several times faster. Array pages are last (none in bindless mode).
 LIMEN_CONST kUnitOwnership = 0; // the ownership target
-LIMEN_CONST kUnitRing = 1;      // this frame's arrays; DeviceConstants has their first texels
-LIMEN_CONST kUnitDepth = 2;     // the target's depth; not sampled while anything is drawn
-LIMEN_CONST kUnitVertices = 3;  // Vertex: the arena that is also the vertex fetch (static)
+LIMEN_CONST kUnitRing = 1;      // this frame's arrays; DeviceConstants has the first texel of each
+LIMEN_CONST kUnitDepth = 2;     // the target's depth; sampled only between draws
+LIMEN_CONST kUnitVertices = 3;  // Vertex (static); the vertex fetch reads the same buffer
 LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
@@ -106,12 +106,11 @@ LIMEN_CONST kSkyId = 1u;
 LIMEN_CONST kVoidId = 0u;
 
 // ViewConstants.flags
-LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs tested at mip 0, nearest texel (ids and depth)
+LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs are tested at mip level 0, nearest texel (for ids and depth)
 
 // DeviceConstants.flags
-LIMEN_CONST kFrameKeepsTriangles = 2u; // draws read the static indices: no triangle is culled
-LIMEN_CONST kFrameSplits =
-    4u; // surfaces with kMaterialSplit are drawn as cut-outs where they are nearly opaque
+LIMEN_CONST kFrameStaticIndices = 2u; // draws use the static indices, uncompacted
+LIMEN_CONST kFrameSplits = 4u;        // nearly opaque texels of kMaterialSplit surfaces are drawn as cut-outs
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
@@ -151,7 +150,7 @@ LIMEN_STRUCT(DeviceConstants) {
         LIMEN_ZERO; // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
     vec4 rayRight LIMEN_ZERO; // and the steps of one pixel
     vec4 rayUp LIMEN_ZERO;
-    uint flags LIMEN_ZERO;  // kFrameKeepsTriangles, kFrameSplits
+    uint flags LIMEN_ZERO;  // kFrameStaticIndices, kFrameSplits
     float pixel LIMEN_ZERO; // metres that a pixel covers at a view depth of one metre
     uint samplesX
         LIMEN_ZERO; // sample positions of a multisampled target, a byte each: 1/256 of a pixel from the pixel's
@@ -167,7 +166,7 @@ LIMEN_STRUCT(DeviceConstants) {
     uint firstSlotGroup LIMEN_ZERO;   // SlotGroup
     uint firstRun LIMEN_ZERO;         // DrawRun
     uint slotCount LIMEN_ZERO;
-    uint firstHideable LIMEN_ZERO; // slots from here on are culled against the draws of those before
+    uint firstOccludee LIMEN_ZERO; // slots from here on are culled against the draws of those before
     uint reserved0 LIMEN_ZERO;
 };
 
@@ -195,10 +194,10 @@ LIMEN_STRUCT(Instance) {
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
-    uint membersAndKind LIMEN_ZERO; // the count of its members, and in the high half its kind
-    uint levelRange
-        LIMEN_ZERO; // steps: drawn if the eye is farther than the low half, or that is 0, and not farther than the
-                    // high half, or that is kEndlessRange; kFromAnywhere
+    uint membersAndKind LIMEN_ZERO; // member count; the high half is the instance's kind
+    // level-of-detail range in steps: drawn if distance > low half (or that is 0) and distance <= high half; or
+    // kFromAnywhere
+    uint levelRange LIMEN_ZERO;
     uint highlight LIMEN_ZERO; // RGBA8, alpha = strength; 0 none
     float opacity LIMEN_ZERO;  // factor for the opacity of its blended surfaces
 };

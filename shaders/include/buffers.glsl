@@ -81,10 +81,10 @@ Instance instanceAt(uint index) {
 }
 
 #ifdef COMPUTE_STAGE
-// Of the run that a slot is of.
-RunPlace placeOf(uint slot, out uint rects) {
+// Offsets and rectangles of a slot's run.
+RunOffsets offsetsOf(uint slot, out uint rects) {
     uvec4 group = ringTexel(device.firstSlotGroup + slot / kSlotsPerGroup);
-    RunPlace place = RunPlace(group.x, group.y);
+    RunOffsets offsets = RunOffsets(group.x, group.y);
     uint low = group.z;
     uint high = group.w;
     while (low < high) { // `offsets` belongs to `low`
@@ -98,7 +98,7 @@ RunPlace placeOf(uint slot, out uint rects) {
         }
     }
     rects = ringTexel(device.firstRun + low).w;
-    return place;
+    return offsets;
 }
 
 // The record that draws an instance in this frame.

@@ -1,6 +1,6 @@
-// The ownership test (docs: "every pixel has an owner"). A pixel's leaf visit names a chain of visits up to the root;
-// a fragment stays when some visit of the chain is in a zone its instance belongs to, and the fragment lies beyond that
-// visit's entry plane and not beyond the entry plane of the next visit of the chain.
+// The ownership test (docs/ray-rule.md). A pixel's leaf visit has a chain of visits up to the root. A fragment is kept
+// if, for some visit of the chain, its instance is a member of the visit's zone, and the fragment is beyond the visit's
+// entry plane but not beyond the entry plane of the next visit.
 #include "Tolerances.h"
 #include "samples.glsl"
 
@@ -10,21 +10,21 @@ layout(binding = kUnitOwnership) uniform usampler2DMS ownership;
 layout(binding = kUnitOwnership) uniform usampler2D ownership;
 #endif
 
-// Pixels that a fragment's place may be beside its ray. On a surface seen edge-on (the ceiling of a doorway at eye level) that
-// moves it by far more than a millimetre, out of its own cell; too much of it, and a strip of roof seen edge-on is kept though it
-// lies metres beyond the opening by which its ray has left.
+// Pixels between a fragment's position and its ray. On a surface seen edge-on (a doorway's ceiling at eye level) this
+// shifts the fragment by far more than a millimetre, out of its own cell. A larger value would keep a strip of roof
+// seen edge-on that is metres beyond the opening by which its ray has left.
 #ifdef EXACT
 // Depth is taken up to kInward from the ray (onpolygon.glsl). Directions are floats, with an error of 0.00025 pixel in
 // a picture 4,000 pixels wide.
 const float kSnap = 1.0 / 2048.0;
 #else
-// Corners are snapped to 1/256 of a pixel each way, so a fragment stands for a point up to twice that from the pixel's centre,
-// while its position is extended to the centre along the triangle's plane.
+// Corners are snapped by up to 1/256 pixel in each axis, so a fragment stands for a point up to twice that from the
+// pixel's centre, while its position is extrapolated to the centre along the triangle's plane.
 const float kSnap = kSnapTolerance;
 #endif
 
-// Where a fragment was kept, and by which light set it is lit there.
-struct Keep {
+// Result of the test: the zone that kept the fragment, and the light set there.
+struct GateResult {
     bool kept;
     uint zone;
     uint lightSet;
@@ -67,8 +67,8 @@ float toleranceFor(vec3 normal, SurfacePoint point) {
 #ifdef LIMEN_WITHOUT_GATE_TOLERANCE // tests show the effect of leaving this out (docs/proof.md)
     return 0.0;
 #endif
-    float slope = abs(dot(normal, place.dx)) + abs(dot(normal, place.dy));
-    return kEntryPlaneTolerance + kEntryPlaneToleranceSlope * length(place.at) + kSnap * slope;
+    float slope = abs(dot(normal, point.dx)) + abs(dot(normal, point.dy));
+    return kEntryPlaneTolerance + kEntryPlaneToleranceSlope * length(point.at) + kSnap * slope;
 }
 
 // Tolerance in metres beyond the plane by which the rays leave a visit. `shutBy`: of the next visit.

@@ -5,9 +5,9 @@
 
 #include "Tolerances.h"
 
-// Pixels that edges are moved outwards: no snapped corner leaves an edge uncovered.
+// Pixels by which edges move outwards. Snapping moves them by up to 1/256.
 const float kGrow = kSnapTolerance;
-// Pixels: an outline whose seen part is thinner than this is drawn as one triangle around it.
+// Pixels. An outline whose visible part is thinner is drawn as one triangle around it.
 const float kThin = 2.0 * kGrow;
 // Sine of the turn at a corner. Below it a corner moves perpendicular to the edge instead of along both edges; at a
 // sharp corner the limit is kSharp.

@@ -1,17 +1,17 @@
-// Where a fragment lies on its polygon. The rasteriser extends depth and position from the snapped triangle's plane to the
-// pixel's centre. Here both are taken from the ray through the centre and the triangle's own plane, and whether the ray
-// passes over the polygon at all from its own outline (outline.glsl), so that what a pixel shows is told to the last bits
-// of a float.
+// Position and depth of a fragment on its polygon. The rasteriser extrapolates both from the snapped triangle's plane
+// to the pixel's centre. Here both come from the ray through the pixel and the triangle's own plane, and the outline
+// decides whether the ray passes over the polygon (outline.glsl). A pixel's content is then exact to the last bits of a
+// float.
 #include "Tolerances.h"
 #include "transform.glsl"
 
 #ifdef EXACT
 
-// Share of the near plane's distance by which a depth may round. What is so little before the plane is met rather than lost.
+// Relative rounding error of a depth at the near plane. A fragment nearer by no more than this is kept.
 const float kNearRounding = 1.0e-5;
-// Metres: twice the distance at which the rule takes an eye for one in an opening's plane.
+// Metres. Twice the rule's tolerance for an eye in an opening's plane.
 const float kEyeInPlane = 2.0 * kInPlaneTolerance;
-// Sine of the angle between ray and plane below which rounding (1e-7) makes more of the depth than a thousandth.
+// Sine of the angle between ray and plane. Below it, rounding (1e-7) changes the depth by more than a thousandth.
 const float kGrazing = 1.0e-4;
 // Relative error of a position on a plane seen frontally: eight roundings, of the corners, the plane's normal and
 // height, and the ray.
@@ -109,16 +109,16 @@ float inwardRadians() {
     return min(kInward * device.pixel, kInwardRadians);
 }
 
-// Two triangles that share an edge may both lie on one side of it as seen, one behind the other. Closer to the edge than
-// floats tell their depths apart, either could show. So depth is taken no closer to an edge than kInward, or kInwardRadians: there
-// both are asked at the same place, and they differ.
-// Two edges may also be in line as seen, of a near triangle and of a far one, where the eye is in the plane of what joins
-// them. Each is computed from corners of its own, and a ray can slip through between them. So triangles have a fringe, by which
-// they fill what nothing covers: kInward wide, and as much as rounding may make of more.
-Step stepInwards(Shares shares) {
-    Step inwards = Step(vec2(0.0), true);
+// Two triangles that share an edge may both appear on the same side of it, one behind the other. Closer to the edge
+// than floats can separate their depths, either could show. So depth is sampled no closer to an edge than kInward or
+// kInwardRadians: both triangles are sampled at the same point, where their depths differ. Edges of a near and a far
+// triangle may also appear collinear, if the eye is in the plane of the surface that joins them. Each edge is computed
+// from different corners, and a ray can pass between the two. So triangles have a fringe that fills uncovered pixels:
+// kInward wide, plus the rounding error.
+InwardStep stepInwards(Shares shares) {
+    InwardStep inwards = InwardStep(vec2(0.0), true);
     float most = inwardRadians() / device.pixel;
-#ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show that it is needed (docs/proof.md)
+#ifdef LIMEN_WITHOUT_DEPTH_INWARDS // tests show the effect of leaving this out (docs/proof.md)
     inwards.isSmall = false;
     return inwards;
 #endif
@@ -151,11 +151,11 @@ struct Intersection {
     bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than its fringe
 };
 
-// From the plane the depth is off by the more the flatter the plane is seen; within that, what the corners' depths say
-// counts, which is the same for all triangles that share an edge, close to that.
-Meeting meetPolygon(vec3 direction) {
-    Shares shares = sharesAt(windowPlace());
-    Step inwards = stepInwards(shares);
+// The depth from the plane has an error that grows as the plane is seen more edge-on. Within that error the depth
+// interpolated from the corners is used. Near a shared edge it is the same for both triangles.
+Intersection intersectPolygon(vec3 direction) {
+    Shares shares = sharesAt(windowPosition());
+    InwardStep inwards = stepInwards(shares);
     vec3 nearby = direction + device.rayRight.xyz * inwards.by.x + device.rayUp.xyz * inwards.by.y;
     float facing = -dot(vFacet.xyz, nearby);
     float depth = depthOnPlane(nearby, facing);
@@ -240,10 +240,10 @@ bool findOnPolygon(uint kind, out SurfacePoint point) {
     vec3 direction = rayThrough(windowPosition());
     Intersection met = intersectPolygon(direction);
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
-    // Along the plane: what the rasteriser interpolates may be infinite beside a thin triangle.
-    place = Place(direction * met.depth, met.depth * (device.rayRight.xyz + direction * (dot(vFacet.xyz, device.rayRight.xyz) / facing)),
+    // Derivatives along the plane: the rasteriser's may be infinite beside a thin triangle.
+    point = SurfacePoint(direction * met.depth, met.depth * (device.rayRight.xyz + direction * (dot(vFacet.xyz, device.rayRight.xyz) / facing)),
                   met.depth * (device.rayUp.xyz + direction * (dot(vFacet.xyz, device.rayUp.xyz) / facing)));
-    float tested = met.depth + behindNeighbours(kind == kKindShell, place.at, direction) - beforePlane(kind, direction) +
+    float tested = met.depth + behindNeighbours(kind == kKindShell, point.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
     bool isOver = met.isAhead && isOverOutline(3u, windowPosition());
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);

@@ -115,7 +115,7 @@ struct FramePlan {
     std::vector<Stage> stages; ///< in order, one of each kind
     /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its
     /// occluders.
-    std::uint32_t firstHideable = 0;
+    std::uint32_t firstOccludee = 0;
     PlanCounts counts;
 
     void clear();

@@ -45,13 +45,13 @@ public:
     [[nodiscard]] BufferHandle keptIndices() const { return kept_.get(); }
     /// Sets the bindings of its own buffers.
     void bind(StorageBindings& storage) const;
-    /// Tells the shader what is to be done.
+    /// Sets the constants that the shader reads.
     void describe(frame::gpu::DeviceConstants& constants) const;
-    /// Within a frame whose runs, pieces, commands and indices are bound: writes the commands and indices that are drawn,
-    /// of the batches that wait for nothing.
-    void runFirst();
-    /// Of the others, if leavesOutHidden(), when those before are drawn.
-    void runBehind();
+    /// Writes commands and indices of all batches, or with occlusion those before firstOccludee. Within a
+    /// frame whose runs, pieces, commands and indices are bound.
+    void cull();
+    /// Writes those of the other batches. Requires usesOcclusion(), and that the earlier batches are drawn.
+    void cullOccluded();
 
 private:
     static constexpr std::size_t kIndexSize = sizeof(std::uint32_t);

@@ -20,11 +20,11 @@ public:
     [[nodiscard]] std::span<frame::gpu::SlotGroup> slotGroups(std::span<std::byte> memory) const;
     [[nodiscard]] std::span<frame::gpu::DrawRun> runs(std::span<std::byte> memory) const;
 
-    /// Tells the shaders where the arrays are that they read as texels.
+    /// Sets the first texel of each array that shaders read as texels.
     void locate(frame::gpu::DeviceConstants& constants) const;
-    /// Binds the arrays that shaders read as storage.
+    /// Sets the bindings of the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    /// Writes all arrays but runs, their groups and draw commands.
+    /// Writes all arrays except runs, slot groups and draw commands.
     void write(const frame::gpu::DeviceConstants& constants, std::span<std::byte> memory) const;
 
 private:

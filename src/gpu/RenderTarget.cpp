@@ -78,8 +78,8 @@ std::vector<glm::vec2> RenderTarget::samplePositions() const {
 void RenderTarget::place(const frame::gpu::ViewConstants& view, frame::gpu::DeviceConstants& device) const {
     const double width = width_, height = height_;
     device.viewport = {width, height, 1.0 / width, 1.0 / height};
-    // Rows: what x, y and w of the clip position are made of. A direction of view depth 1 at (x, y) of the window solves
-    // rows * direction = (x, y, 1).
+    // Rows for x, y and w of the clip position. The direction of view depth 1 through (x, y) of the window
+    // solves rows * direction = (x, y, 1).
     const glm::dmat4 clip(view.clipFromEye);
     const glm::dmat3 eyeFromWindow = glm::inverse(glm::dmat3(
         clip[0].x, clip[0].y, clip[0].w, clip[1].x, clip[1].y, clip[1].w, clip[2].x, clip[2].y, clip[2].w));

@@ -32,8 +32,8 @@ public:
     /// downwards. Empty if the target is not multisampled.
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
 
-    /// Fills in what depends on the target: the viewport, its pixels' size and the rays through them (from clipFromEye, whose rounding
-    /// they share), and where its samples lie; samplesX and samplesY must be 0.
+    /// Sets the constants that depend on the target: viewport, pixel size, the rays through its pixels (from
+    /// clipFromEye, with the same rounding) and its sample positions. Requires samplesX and samplesY of 0.
     void place(const frame::gpu::ViewConstants& view, frame::gpu::DeviceConstants& device) const;
 
     /// R,G,B,A bytes; of a multisampled target the mean of its samples.
@@ -46,8 +46,8 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> readOwnership() const;
     /// Transparent layers of a frame that counted them. Requires a target with a layers image.
     [[nodiscard]] std::vector<LayerSum> readLayers() const;
-    /// Metres from the eye along the ray of the pixel (frame::gpu::kPixelPlace), of the frame drawn with these constants;
-    /// +inf where nothing was met.
+    /// Metres from the eye along the pixel's ray (frame::gpu::kPixelPlace), for the constants of the frame
+    /// drawn last; +inf where no surface was hit.
     [[nodiscard]] std::vector<float> readDistances(const frame::gpu::ViewConstants& view) const;
 
 private:

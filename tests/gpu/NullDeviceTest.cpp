@@ -182,7 +182,7 @@ TEST_F(NullDeviceTest, moreTrianglesThanTheCapacityAreDrawnUnculled) {
     const std::uint32_t mesh = scene.addQuads('A', std::vector(layout::kTrianglesPerPiece / 2, quad));
     const auto keepsTriangles = [&] {
         const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0].device;
-        return (constants.flags & layout::kFrameKeepsTriangles) != 0;
+        return (constants.flags & layout::kFrameStaticIndices) != 0;
     };
     draw(scene);
     EXPECT_FALSE(keepsTriangles());
@@ -227,8 +227,8 @@ TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {
         Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
         ASSERT_TRUE(renderer.render(scene.finish(), *target));
         const auto constants = arrayAt<layout::FrameConstants, 1>(layout::kBindFrame)[0].device;
-        EXPECT_NE(constants.flags & layout::kFrameKeepsTriangles, 0u);
-        EXPECT_EQ(of(Kind::Compute).size(), 1u);
+        EXPECT_NE(constants.flags & layout::kFrameStaticIndices, 0u);
+        EXPECT_EQ(of(CommandKind::Compute).size(), 1u);
     }
 }
 

@@ -59,7 +59,7 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
 
 bool NaiveTracer::isInLevelRange(const Body& body, const Vec3& eye) {
     const Vec3 steps = glm::floor(body.origin * 16.0) - glm::floor(eye * 16.0);
-    const double away = glm::dot(steps, steps); // whole, and exact
+    const double away = glm::dot(steps, steps); // complete and exact
     const double beyond = body.levelRange.beyond, upTo = body.levelRange.upTo;
     return (beyond == 0.0 || away > beyond * beyond) &&
            (body.levelRange.upTo == world::LevelRange::kEndless || away <= upTo * upTo);

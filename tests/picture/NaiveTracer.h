@@ -43,7 +43,7 @@ private:
         Sphere bounds;
         std::size_t firstTriangle = 0, triangleCount = 0;
         bool filling = false;
-        Vec3 origin{0.0}; ///< its instance's, global
+        Vec3 origin{0.0}; ///< of its instance, global
         world::LevelRange levelRange;
     };
     /// Adjacent bodies of one space, so that a ray does not test thousands one by one.
