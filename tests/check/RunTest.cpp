@@ -76,7 +76,7 @@ struct SmallRun {
     House house;
     TracingDrawer drawer{house};
     RunRequest request;
-    cli::Progress progress;
+    Progress progress;
 
     explicit SmallRun(std::size_t views = 60) {
         const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
@@ -283,9 +283,9 @@ TEST(Run, withoutAHelpersWorldTheDrawerDrawsAll) {
 
 TEST(Run, savesItsStateAtTheEnd) {
     SmallRun small(10);
-    cli::Progress last;
+    Progress last;
     RunEvents events;
-    events.saved = [&](const cli::Progress& state) {
+    events.saved = [&](const Progress& state) {
         last = state;
         return Result<void>{};
     };

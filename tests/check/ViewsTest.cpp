@@ -183,16 +183,16 @@ TEST(Views, sweepsComeCloseFromBothSidesAndTouchThePlane) {
 }
 
 /// Calls `see` with the request that `limen shot` reads from a command.
-void readAsShot(const std::string& command, const std::function<void(const app::ViewRequest&)>& see) {
-    const auto words = app::splitArguments(command);
+void readAsShot(const std::string& command, const std::function<void(const engine::ViewRequest&)>& see) {
+    const auto words = cli::splitArguments(command);
     ASSERT_TRUE(words);
     ASSERT_EQ((*words)[0], "limen");
     ASSERT_EQ((*words)[1], "shot");
     CLI::App program;
-    app::ViewArguments arguments;
-    app::OutputPaths outputs;
-    app::addViewOptions(program, arguments);
-    app::addOutputOptions(program, outputs);
+    cli::ViewArguments arguments;
+    cli::OutputPaths outputs;
+    cli::addViewOptions(program, arguments);
+    cli::addOutputOptions(program, outputs);
     std::vector<std::string> rest(words->rbegin(), words->rend() - 2); // CLI11 expects reversed order
     program.parse(rest);
     EXPECT_EQ(outputs.ids, "ids.npy");
@@ -205,14 +205,14 @@ TEST(Views, theReproducingCommandGivesTheSameViewToTheBit) {
     const House house;
     for (const View& view : allViews(house.around())) {
         readAsShot(shotCommand(view, ""), [&](const engine::ViewRequest& request) {
-            ASSERT_TRUE(request.eye && request.yaw && request.pitch && request.root);
-            EXPECT_EQ(*request.eye, view.eye);
+            ASSERT_TRUE(request.place.empty() && request.yaw && request.pitch && request.root);
+            EXPECT_EQ(request.eye, view.eye);
             EXPECT_EQ(*request.yaw, view.yaw);
             EXPECT_EQ(*request.pitch, view.pitch);
             EXPECT_EQ(request.fov, view.fov);
             EXPECT_EQ(request.size.width, view.width);
             EXPECT_EQ(request.size.height, view.height);
-            EXPECT_EQ(request.root->kind == engine::RootChoice::Rule::Cell ? request.root->cell : 0,
+            EXPECT_EQ(request.root->rule == engine::RootChoice::Rule::Cell ? request.root->cell : 0,
                       view.root);
         });
     }
