@@ -53,12 +53,13 @@ struct Batch {
     std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
 };
 
-/// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic state, in
-/// the world's layout: each visible one is read once, and its record is written into the ring memory at once. Fetching
-/// scattered instances is most of a frame in which everything moves. They must stay unchanged until then.
+/// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic
+/// state, in the world's layout, and must stay unchanged until then. So each visible one is read once: fetching
+/// scattered instances is most of a frame in which everything moves.
 struct DynamicRecords {
     const void* instances = nullptr; ///< of the dynamic state
-    /// Writes the records of the instances with these numbers; `records` has as many elements, at a multiple of 16 bytes.
+    /// Writes the records of the instances with these numbers; `records` has as many elements, at a multiple
+    /// of 16 bytes.
     void (*write)(const void* instances, std::span<const std::uint32_t> numbers,
                   std::span<gpu::Instance> records) = nullptr;
 };

@@ -22,11 +22,13 @@ namespace {
 /// Instances prefetched ahead of the one that is packed: the visible ones are scattered.
 constexpr std::size_t kInstancesAhead = 16;
 
-/// Bytes of records from which on they are written with stores that bypass the cache: half of a core's own cache.
-/// For a hundred thousand dynamic instances that saves 50 of 700 microseconds; for fewer it makes no difference.
+/// Bytes of records from which on they are written with stores that bypass the cache: half of a core's own
+/// cache. For a hundred thousand dynamic instances that saves 50 of 700 microseconds; for fewer it makes no
+/// difference.
 constexpr std::size_t kBypassCache = std::size_t{1} << 20;
 
-/// A dynamic instance's record has one member, the space that it is placed in; the planner adds others (DynamicChange).
+/// A dynamic instance's record has one member, the space that it is placed in; the planner adds others
+/// (DynamicChange).
 constexpr std::uint32_t kOneMember = 1;
 constexpr std::uint32_t kNoHighlight = 0;
 
@@ -35,7 +37,8 @@ std::uint32_t packRange(const world::LevelRange& range) {
 }
 
 #ifdef __SSE2__
-/// packInstance, four words at a time. A record that is assembled word by word and then copied in vectors would stall.
+/// packInstance, four words at a time. A record that is assembled word by word and then copied in vectors
+/// would stall.
 template <class Store>
 void packByVectors(const world::Instance& in, gpu::Instance& out, const Store& store) {
     static_assert(sizeof(gpu::Instance) == 5 * sizeof(__m128i));

@@ -24,8 +24,8 @@ struct OwnMembers {
 struct MemberRun {
     std::uint32_t first = 0, count = 0;
 };
-/// The member records of an instance in these spaces: their zones, each once, that of the first space first, each with
-/// the light set of the first space in that zone.
+/// The member records of an instance in these spaces: their zones, each once, that of the first space first,
+/// each with the light set of the first space in that zone.
 [[nodiscard]] MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> spaces,
                                     const OwnMembers& own);
 

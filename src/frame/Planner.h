@@ -21,8 +21,8 @@ public:
     Planner(const Planner&) = delete;
     Planner& operator=(const Planner&) = delete;
 
-    /// Plans one frame; `plan` is overwritten and refers to the instances of `dynamics`. `set` must be the flood of the
-    /// same world and dynamic state from `frame.view`.
+    /// Plans one frame; `plan` is overwritten and refers to the instances of `dynamics`. `set` must be the
+    /// flood of the same world and dynamic state from `frame.view`.
     void plan(const FrameView& frame, const world::DynamicState& dynamics, const visibility::VisibleSet& set,
               FramePlan& plan);
     /// Plans a frame without dynamic instances.

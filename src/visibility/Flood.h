@@ -28,11 +28,11 @@ private:
 /// Follows every ray of the view through the graph's portals and finds the tree of visits (docs/ray-rule.md).
 /// A pure function: the same input gives the same bits. `closed[p] != 0` closes portal p; an empty span means
 /// that all are open. `out` is overwritten. With a `trace`, which is overwritten, every portal of the spaces
-/// that are seen gets an entry; the trace changes nothing else, but allocates. Cost: portals tested times a
-/// convex clip. Errors: BadArgument for a root that is not a space of the graph, for a view whose eye is not
-/// finite, whose axes are not orthonormal or whose tangents are not positive and finite, and for a wrong
-/// length of `closed`. `out` is then empty. Ref: Luebke, Georges, "Portals and Mirrors" (1995), for portal
-/// floods.
+/// that are seen gets an entry; the trace changes nothing else, but allocates.
+///
+/// Cost: portals tested times a convex clip. Errors: BadArgument, with `out` empty, for a root that is not a
+/// space of the graph, an eye that is not finite, axes that are not orthonormal, tangents that are not positive
+/// and finite, and a wrong length of `closed`. Ref: Luebke, Georges, "Portals and Mirrors" (1995).
 [[nodiscard]] Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view,
                                  const Limits& limits, FloodScratch& scratch, VisibleSet& out,
                                  FloodTrace* trace = nullptr);

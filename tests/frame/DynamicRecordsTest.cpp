@@ -22,7 +22,8 @@ struct DynamicRecordsTest : ::testing::Test {
                 return i;
         return world::kNone;
     }
-    /// A copy of the table, in the given spaces; its bounds are ahead of the eye of planInFirst, behind the door.
+    /// A copy of the table, in the given spaces; its bounds are ahead of the eye of planInFirst, behind the
+    /// door.
     void addTable(const std::vector<world::SpaceIndex>& spaces) {
         world::Instance copy = planned.world.instances.at(table());
         copy.bounds.centre = planned.origin + Vec3(92, 96, 1);
