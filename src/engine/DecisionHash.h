@@ -1,6 +1,10 @@
 #pragma once
 
-#include "engine/FrameReport.h"
+#include "engine/FrameRequest.h"
+#include "visibility/VisibleSet.h"
+#include "world/DynamicState.h"
+
+#include <cstdint>
 
 namespace limen::engine {
 

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "engine/FrameReport.h"
+#include "engine/IdTable.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,9 +15,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t kHole = 1, kShut = 2;
 
-/// The spaces of a visit's chain, with the numbers of the portals between them: "0xA9B40100 -0-> outside -1->
-/// 0xA9B40106". If a visit leaves its zone from another cell than the one it entered, that cell precedes the
-/// portal: "outside -3-> 0xA9B40106, 0xA9B40108 -1-> outside".
+/// The spaces of a visit's chain, with the numbers of the portals between them:
+/// "0xA9B40100 -0-> outside -1-> 0xA9B40106". If a visit leaves its zone from another cell than the one it
+/// entered, that cell precedes the portal: "outside -3-> 0xA9B40106, 0xA9B40108 -1-> outside".
 std::string chainOf(const ProbeFacts& facts, std::uint32_t visit) {
     const visibility::Visit& of = facts.visible.visits[visit];
     if (of.parent >= facts.visible.visits.size())

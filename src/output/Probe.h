@@ -1,6 +1,8 @@
 #pragma once
 
-#include "engine/FrameReport.h"
+#include "engine/FrameRequest.h"
+#include "frame/FramePlan.h"
+#include "visibility/VisibleSet.h"
 
 #include <string>
 #include <vector>

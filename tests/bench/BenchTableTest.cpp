@@ -40,7 +40,7 @@ TEST(BenchTable, ratioComparesWithTheBestOfTheOthers) {
     bench::BenchRow alone = rowOf(1.0, 2.0, true);
     alone.against.clear();
     EXPECT_FALSE(ratioOf(alone));
-    EXPECT_FALSE(ratioOf(rowOf(0.0, 2.0, true))); // infinitely better is no figure
+    EXPECT_FALSE(ratioOf(rowOf(0.0, 2.0, true))); // an infinite ratio is not reported
 }
 
 TEST(BenchTable, jsonHasTheAgreedKeysInOrder) {

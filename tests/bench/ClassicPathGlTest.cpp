@@ -7,13 +7,13 @@
 namespace limen::bench::test {
 namespace {
 
-/// Of a frame, beside those for each group: waiting for the ring's fence, viewport, shared bindings, clearing, three programs, the
-/// sky, and the fence.
+/// Calls of a frame besides those of the groups: the wait for the ring's fence, viewport, shared bindings,
+/// clears, three programs, the sky, and the new fence.
 constexpr std::uint32_t kCallsBeside = 15;
 
 class ClassicPathGlTest : public gpu::test::GlTest {
 protected:
-    /// Draws a view both ways; yields its ids.
+    /// Draws a view with both paths and compares the images. Returns the ids.
     static std::vector<std::uint32_t> expectSame(TwoWays& ways, const FieldView& view) {
         EXPECT_TRUE(ways.drawReal(view));
         const std::vector<std::uint32_t> ids = ways.target().readIds();
@@ -27,7 +27,7 @@ protected:
     }
 };
 
-/// How many boxes an id image shows.
+/// Number of boxes in an id image.
 std::size_t boxesIn(const ObjectField& field, const std::vector<std::uint32_t>& ids) {
     const std::set<std::uint32_t> shown(ids.begin(), ids.end());
     std::size_t count = 0;
@@ -52,7 +52,7 @@ TEST_F(ClassicPathGlTest, showsTheSameAsTheRenderer) {
             EXPECT_EQ(device_->glCalls(), kCallsBeside + 3 * (*ways)->classic().counts().draws);
             pictures.insert(ids);
         }
-        EXPECT_EQ(pictures.size(), views.size()) << "every heading shows something else";
+        EXPECT_EQ(pictures.size(), views.size()) << "each heading has a picture of its own";
     }
 }
 
@@ -62,7 +62,7 @@ TEST_F(ClassicPathGlTest, showsTheSameWhereADriverBeginsToDrawBeforeTheFrameIsWh
     ASSERT_TRUE(ways) << ways.error().message();
     const std::vector<FieldView> views = fieldViews(field, 4, 320, 180);
     for (std::size_t i = 0; i < gpu::kFramesInFlight; ++i)
-        ASSERT_TRUE((*ways)->drawReal(views[0])); // leaves something else in the memory of every frame
+        ASSERT_TRUE((*ways)->drawReal(views[0])); // leaves other data in the memory of all frames in flight
     EXPECT_GT(boxesIn(field, expectSame(**ways, views[1])), 300u);
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 using Kind = gpu::NullDevice::CommandKind;
 
-/// Whether a ball reaches into the frustum's four sides, told by how far its centre is to the right and up of the gaze.
+/// Whether a sphere intersects the four sides of the frustum, from the offsets of its centre along right and
+/// up.
 bool isSeen(const visibility::View& view, const Sphere& sphere) {
     const Vec3 centre = sphere.centre - view.eye;
     const double ahead = glm::dot(centre, view.forward);
@@ -41,7 +42,7 @@ Expected expectedFrom(const ObjectField& field, const visibility::View& view) {
     return expected;
 }
 
-/// The commands of the last frame's draws.
+/// The draw commands of the last frame.
 std::vector<frame::gpu::DrawCommand> drawsOf(const gpu::NullDevice& device) {
     std::vector<frame::gpu::DrawCommand> draws;
     for (const gpu::NullDevice::Command& command : device.commands()) {
@@ -60,7 +61,7 @@ TEST(ClassicPath, issuesOneDrawForEachVisibleGroup) {
         const auto ways = TwoWays::create(device, field, 320, 180);
         ASSERT_TRUE(ways) << ways.error().message();
         for (FieldView& view : fieldViews(field, 8, 320, 180)) {
-            view.frame.view.tanHalfX = 0.2; // narrow, so that groups are missed
+            view.frame.view.tanHalfX = 0.2; // narrow, so that some groups are not visible
             ASSERT_TRUE((*ways)->drawClassic(view));
             const Expected expected = expectedFrom(field, view.frame.view);
             const std::vector<frame::gpu::DrawCommand> draws = drawsOf(device);

@@ -9,7 +9,7 @@ inline FieldSpec smallField(double movingShare = 0.0) {
     return {.objects = 200, .groups = 20, .side = 40.0, .movingShare = movingShare};
 }
 
-/// Every box of a field, those that stand still first.
+/// All boxes of a field, static ones first.
 inline std::vector<world::Instance> boxesOf(const ObjectField& field) {
     std::vector<world::Instance> boxes;
     for (const world::Instance& instance : field.world.instances)

@@ -12,7 +12,7 @@ using test::getText;
 using test::putText;
 using test::TemporaryDirectory;
 
-/// Writes three small files and counts how often it was asked to.
+/// Writes three small files and counts its calls.
 struct CountingWriter {
     std::shared_ptr<std::atomic<int>> calls = std::make_shared<std::atomic<int>>(0);
     Result<void> operator()(const std::filesystem::path& directory) const {

@@ -1,4 +1,8 @@
 #include "engine/FrameReport.h"
+
+#include "engine/CheckView.h"
+#include "engine/IdTable.h"
+#include "output/FrameJson.h"
 #include "output/RegionOverlay.h"
 #include "support/SmallWorld.h"
 
@@ -16,13 +20,13 @@ using test::twoVisits;
 nlohmann::ordered_json reportOf(std::span<const std::uint32_t> ids) {
     const world::World world = smallWorld();
     const IdTable table(world);
-    FrameRequest eye;
-    eye.camera.eye = {1, 2, 3};
-    eye.root = 1;
+    FrameRequest request;
+    request.camera.eye = {1, 2, 3};
+    request.root = 1;
     FrameFigures figures;
     figures.driver = "a driver";
     figures.stages = {{"solid", 3, 0.5, std::numeric_limits<double>::quiet_NaN()}};
-    return frameJson(world, table, eye, {}, twoVisits(), {}, figures, ids);
+    return output::frameJson(world, table, request, {}, twoVisits(), {}, figures, ids);
 }
 
 TEST(IdTable, tellsEveryIdApart) {
@@ -54,7 +58,7 @@ TEST(FrameReport, hasTheAgreedShape) {
     EXPECT_EQ(json["visits"][1]["parent"], 0);
     EXPECT_EQ(json["visits"][1]["portal"]["space"], "0xA9B40105");
     EXPECT_EQ(json["visits"][1]["portal"]["index"], 2);
-    // The corner at the eye itself has no place on the screen; the others are divided by w.
+    // The corner at the eye (w = 0) is left out; the others are divided by w.
     EXPECT_EQ(json["visits"][1]["region"],
               (nlohmann::ordered_json::array({{0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}})));
     EXPECT_EQ(json["stages"][0]["name"], "solid");
@@ -74,22 +78,22 @@ TEST(FrameReport, withoutAnIdImageItSaysNothingOfIds) {
 }
 
 TEST(FrameReport, reproductionNamesTheRoot) {
-    FrameRequest eye;
-    eye.camera.eye = {-1.25, 2, 0.1};
-    eye.camera.heading = {30, -5};
-    eye.root = 1;
-    eye.scene.player = eye.camera.eye;
-    EXPECT_EQ(reproduction(smallWorld(), eye, " --dat d"),
+    FrameRequest request;
+    request.camera.eye = {-1.25, 2, 0.1};
+    request.camera.heading = {30, -5};
+    request.root = 1;
+    request.scene.player = request.camera.eye;
+    EXPECT_EQ(reproduction(smallWorld(), request, " --dat d"),
               "limen shot --dat d --eye=-1.25,2,0.1 --yaw=30 --pitch=-5 --fov=60 --size=1280x720 "
               "--root=0xA9B40105");
-    eye.scene.player = {1, 2, 3};
-    eye.scene.seconds = 2.5;
-    eye.scene.doors = 0.5;
-    eye.scene.dayGroup = 3;
-    eye.scene.weather = Weather::Rain;
-    eye.scene.time = 0.25;
+    request.scene.player = {1, 2, 3};
+    request.scene.seconds = 2.5;
+    request.scene.doors = 0.5;
+    request.scene.dayGroup = 3;
+    request.scene.weather = Weather::Rain;
+    request.scene.time = 0.25;
     EXPECT_TRUE(
-        reproduction(smallWorld(), eye, "")
+        reproduction(smallWorld(), request, "")
             .ends_with(" --time=0.25 --seconds=2.5 --doors=0.5 --day=3 --weather=rain --player=1,2,3"));
 }
 

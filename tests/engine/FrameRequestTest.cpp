@@ -1,4 +1,4 @@
-// Hard cases 18 and 23 of docs/cases.md: weather follows the player; all else follows the eye.
+// Hard cases 18 and 23 of docs/cases.md: weather depends on the player, everything else on the eye.
 #include "engine/FrameRequest.h"
 #include "motion/Locate.h"
 #include "support/MovingHut.h"
@@ -36,7 +36,7 @@ TEST(DynamicStateInput, case18_itRainsExactlyWhileThePlayerIsOutside) {
 
 TEST(DynamicStateInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOutside) {
     HutWorld f;
-    EXPECT_FALSE(dynamicsInput(f.world, f.eye(f.outside, f.outside)).weather) << "there is none";
+    EXPECT_FALSE(dynamicsInput(f.world, f.eye(f.outside, f.outside)).weather) << "the region has no weather";
     f.world.sky.weather.resize(1);
     for (const Vec3& at : {f.inside, f.outside}) {
         FrameRequest eye = f.eye(at, f.outside, Weather::Clear);
@@ -53,7 +53,7 @@ TEST(DynamicStateInput, case18_theRegionsWeatherFallsExactlyWhileThePlayerIsOuts
 TEST(DynamicStateInput, case18_aPlayerAtTheEyeIsInTheEyesSpace) {
     const HutWorld f;
     FrameRequest eye = f.eye(f.inside, f.inside);
-    eye.root = world::kOutside; // as an explicit root says, whatever the position says
+    eye.root = world::kOutside; // an explicit root overrides the position
     EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
 }
 
@@ -61,9 +61,9 @@ TEST(DynamicStateInput, case18_aBodyIsInTheSpaceItSays) {
     const HutWorld f;
     FrameRequest eye = f.eye(f.outside, f.outside);
     eye.scene.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
-    EXPECT_FALSE(dynamicsInput(f.world, eye).rain) << "the body is inside, whatever else is said";
+    EXPECT_FALSE(dynamicsInput(f.world, eye).rain) << "the body is inside; the other inputs do not matter";
     EXPECT_EQ(dynamicsInput(f.world, eye).player, eye.scene.body);
-    eye.scene.body->space = world::kOutside; // as in a cave whose cells are nowhere by their place
+    eye.scene.body->space = world::kOutside; // as in a cave, whose cells have no position in the landscape
     EXPECT_TRUE(dynamicsInput(f.world, eye).rain);
 }
 

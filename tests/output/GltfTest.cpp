@@ -18,7 +18,7 @@
 namespace limen::output {
 namespace {
 
-/// Takes pictures as they are.
+/// Keeps the encoded pictures without decoding them.
 bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                int size, void*) {
     image->image.assign(bytes, bytes + size);

@@ -9,7 +9,7 @@
 namespace limen::output {
 namespace {
 
-/// What a reader of the format finds: the header's text and the elements behind it.
+/// The parts of an encoded file: the header's text, and the elements after it.
 struct NpyContents {
     std::string header;
     std::span<const std::byte> data;

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 
 const std::string kCell = "0xA9B40105";
 
-// A cell, and outside seen through its opening.
+// A cell, and the outside seen through its opening.
 struct Probed {
     world::World world = test::smallWorld();
     visibility::VisibleSet visible = test::twoVisits();
@@ -77,7 +77,7 @@ TEST(Probe, theFirstFrameTellsAllThatIsDecided) {
 TEST(Probe, aFrameLikeTheOneBeforeTellsNothing) {
     Probed f;
     f.see();
-    f.eye.camera.eye.x += 1; // nothing is decided otherwise
+    f.eye.camera.eye.x += 1; // the decisions stay the same
     f.plan.counts.instancesDrawn = 5;
     EXPECT_THAT(f.see(), IsEmpty());
 }
@@ -128,7 +128,7 @@ TEST(Probe, aShutOpeningAndOneThatLeadsNowhereAreTold) {
 TEST(Probe, visitsAndSpacesHaveTheirNamesWhateverPartOfTheWorldIsLoaded) {
     Probed f;
     f.see();
-    world::World& world = f.world; // one space and one opening more before those that there were
+    world::World& world = f.world; // one more space and one more portal at the front
     world.spaces.insert(world.spaces.begin() + 1, world::Space());
     world.portals.insert(world.portals.begin(), world::Portal());
     world.portals[2].space = 2;

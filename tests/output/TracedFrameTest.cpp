@@ -48,7 +48,7 @@ TEST(TracedFrame, theCameraIsTheDrawnOnes) {
     EXPECT_EQ(camera.root, 5u);
     const visibility::View view = engine::viewOf(eye.camera, eye.size, eye.root);
     for (const std::uint32_t row : {0u, 179u}) {
-        // Where it passes on the flood's screen, -1 to 1 either way, up to the right.
+        // The ray's position on the flood's screen, -1..1, y up.
         const Vec3 passes = view.screenFromEye() * reference::rayThrough(camera, 17, row).direction;
         EXPECT_NEAR((passes.x / passes.z + 1.0) / 2.0 * 320.0, 17.5 + 7.0 / 4096.0, 1e-10);
         EXPECT_NEAR((1.0 - passes.y / passes.z) / 2.0 * 180.0, row + 0.5 - 3.0 / 4096.0, 1e-10);
@@ -70,7 +70,7 @@ TEST(TracedFrame, thePaintingTellsIdsApartAndDarkensWhatIsSeenEdgeOn) {
     const Picture squarely = frame.painting();
     EXPECT_NE(squarely.at(0, 0), squarely.at(1, 0));
     EXPECT_NE(squarely.at(1, 0), squarely.at(1, 1));
-    // The same polygon as a wall 1 m to the left, along the line of sight.
+    // The same polygon is now a wall 1 m to the left, parallel to the view direction.
     for (std::size_t row = 0; row < 4; ++row) {
         frame.picture.answers[row * 4].t = 1.0 / 1.5; // the border
         frame.picture.answers[row * 4 + 1].t = 1.0 / 0.5;
