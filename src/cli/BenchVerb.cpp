@@ -38,8 +38,8 @@ Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
 } // namespace
 
 void addBenchVerb(CLI::App& program, const Console&, Choice& choice) {
-    CLI::App* verb =
-        program.add_subcommand("bench", "run benchmarks and compare the results with targets (exit 1 if a target is missed)");
+    CLI::App* verb = program.add_subcommand(
+        "bench", "run benchmarks and compare the results with targets (exit 1 if a target is missed)");
     verb->set_help_flag();      // the benchmark program prints its own help
     verb->prefix_command(true); // and reads its own options
     verb->callback(

@@ -30,7 +30,7 @@ struct CheckOptions {
 };
 
 constexpr std::size_t kMostViews = 100'000'000;
-constexpr std::uint64_t kMostPictures = 500; ///< limit of finding pictures, because a broken world would fill the disk
+constexpr std::uint64_t kMostPictures = 500; ///< of findings; a broken world would fill the disk
 constexpr std::size_t kStateLimit = 16u << 20;
 
 Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
@@ -40,8 +40,9 @@ Result<std::vector<check::Kind>> kindsOf(const std::string& list) {
         const std::string_view name = trimmed(std::string_view(list).substr(begin, end - begin));
         const std::optional<check::Kind> kind = check::kindNamed(name);
         if (!kind)
-            return fail(ErrorCode::BadArgument, "--kinds",
-                        fmt::format("unknown kind '{}'; choose from random, outside, path, sweep, still", name));
+            return fail(
+                ErrorCode::BadArgument, "--kinds",
+                fmt::format("unknown kind '{}'; choose from random, outside, path, sweep, still", name));
         kinds.push_back(*kind);
         begin = end + 1;
     }
@@ -64,8 +65,10 @@ Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary
     std::erase_if(blocks,
                   [&](const check::BlockSummary& b) { return dat::blockWord(b.block) != *word << 16; });
     if (blocks.empty())
-        return fail(ErrorCode::NotFound, "--block",
-                    fmt::format("landblock {:04X} has no cells and no buildings in this world; choose another block", *word));
+        return fail(
+            ErrorCode::NotFound, "--block",
+            fmt::format("landblock {:04X} has no cells and no buildings in this world; choose another block",
+                        *word));
     return {};
 }
 
@@ -145,7 +148,8 @@ Result<check::RunRequest> requestOf(const CheckOptions& options,
     request.tasks =
         check::planTasks(*blocks, source->file.tour, check::shareAmongKinds(options.views, placed));
     if (request.tasks.empty())
-        return fail(ErrorCode::NotFound, "check", "this world has no content for these kinds of view; choose other --kinds");
+        return fail(ErrorCode::NotFound, "check",
+                    "this world has no content for these kinds of view; choose other --kinds");
     return request;
 }
 
@@ -251,7 +255,8 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     }
     const check::Totals& totals = progress->totals;
     if (totals.sum().views == 0)
-        return fail(ErrorCode::NotFound, "check", "no viewpoint was found in this world; choose other --kinds or another --seed");
+        return fail(ErrorCode::NotFound, "check",
+                    "no viewpoint was found in this world; choose other --kinds or another --seed");
     console.data(options.json ? check::reportJson(totals, context) : check::reportText(totals, context));
     return totals.sum().findings() > 0 ? Exit::Finding : Exit::Done;
 }
@@ -265,19 +270,23 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--views", options->views, "check this many views, shared among the kinds (1000)")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, kMostViews));
-    verb->add_option("--kinds", options->kinds, "check these kinds of view, e.g. random,path (random,outside,path,sweep,still)")
+    verb->add_option("--kinds", options->kinds,
+                     "check these kinds of view, e.g. random,path (random,outside,path,sweep,still)")
         ->type_name("LIST");
     verb->add_option("--seed", options->seed, "choose the views with this seed (1)")->type_name("N");
     verb->add_option("--size", options->size, "set the picture size in pixels (640x360, for sweeps 160x90)")
         ->type_name("WxH");
-    verb->add_option("--block", options->block, "check only this landblock, four hexadecimal digits, e.g. A9B4 (all)")
+    verb->add_option("--block", options->block,
+                     "check only this landblock, four hexadecimal digits, e.g. A9B4 (all)")
         ->type_name("XXYY");
-    verb->add_option("--doors", options->doors,
-                     "set the openness of all doors: rest, closed, half, open or 0..1 (rest: each as in the data)")
+    verb->add_option(
+            "--doors", options->doors,
+            "set the openness of all doors: rest, closed, half, open or 0..1 (rest: each as in the data)")
         ->type_name("STATE");
     verb->add_option("--day", options->day, "choose a day group of the data by number or name, e.g. Snow (0)")
         ->type_name("NUMBER|NAME");
-    verb->add_option("--weather", options->weather, "set the weather: clear or rain (clear)")->type_name("WEATHER");
+    verb->add_option("--weather", options->weather, "set the weather: clear or rain (clear)")
+        ->type_name("WEATHER");
     CLI::Option* walk =
         verb->add_option("--walk", options->walk,
                          "check every frame of a walk recorded with limen view --record or limen walk")
@@ -285,17 +294,19 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather"})
         walk->excludes(other);
     verb->add_flag("--apart", options->apart, "give every cell its own zone, as --zones cells does");
-    verb->add_option("-o,--output", options->directory,
-                     "write a picture of each view with a finding to this directory; create it if missing (none)")
+    verb->add_option(
+            "-o,--output", options->directory,
+            "write a picture of each view with a finding to this directory; create it if missing (none)")
         ->type_name("DIR");
     verb->add_option("--resume", options->resume,
                      "save the state of the run in this file; if it exists, continue from it (none)")
         ->type_name("FILE");
     verb->add_flag("--json", options->json, "print the result as one JSON object");
     addSessionOptions(*verb, options->session);
-    verb->footer("With --msaa 4 pictures are drawn in one colour per id and compared sample by sample.\n"
-                 "Example: limen check --views 100 --kinds random,path -o findings\n"
-                 "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.");
+    verb->footer(
+        "With --msaa 4 pictures are drawn in one colour per id and compared sample by sample.\n"
+        "Example: limen check --views 100 --kinds random,path -o findings\n"
+        "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runCheckVerb(*options, console); };
     });

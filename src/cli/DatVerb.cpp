@@ -133,14 +133,16 @@ Result<Exit> runShow(const ShowOptions& options, const Console& console) {
 } // namespace
 
 void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("dat", "list, show, export, pack and verify the records of dat files");
+    CLI::App* verb =
+        program.add_subcommand("dat", "list, show, export, pack and verify the records of dat files");
     verb->require_subcommand(1);
 
     const auto list = std::make_shared<ListOptions>();
-    CLI::App* ls = verb->add_subcommand("ls", "list the records of a dat file or of a directory of dat files");
-    ls->add_option("PATH", list->path, "list this dat file or directory (the built-in world)")
-        ->type_name("");
-    ls->add_option("--type", list->type, "list only records of this type, e.g. EnvCell (all)")->type_name("TYPE");
+    CLI::App* ls =
+        verb->add_subcommand("ls", "list the records of a dat file or of a directory of dat files");
+    ls->add_option("PATH", list->path, "list this dat file or directory (the built-in world)")->type_name("");
+    ls->add_option("--type", list->type, "list only records of this type, e.g. EnvCell (all)")
+        ->type_name("TYPE");
     ls->add_flag("--json", list->json, "print one JSON object per line");
     ls->callback(
         [&console, &choice, list] { choice.run = [&console, list] { return runList(*list, console); }; });

@@ -44,7 +44,8 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
         return tl::unexpected(made.error());
     const std::optional<GeneratedKind> kind = kindOf(chosen.kind);
     if (!kind && chosen.tuned)
-        return fail(ErrorCode::BadArgument, "demo", "--size, --seed and --overlap need a generated world; choose one with --kind");
+        return fail(ErrorCode::BadArgument, "demo",
+                    "--size, --seed and --overlap need a generated world; choose one with --kind");
     const Result<void> written =
         kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap}, directory)
              : worlds::writeBuiltInWorld(directory);
@@ -53,15 +54,16 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
     const std::string title =
         kind ? fmt::format("A {} of size {}, seed {},", chosen.kind, chosen.size, chosen.seed)
              : "The built-in world";
-    console.note(
-        fmt::format("{} was written to {}: client_portal.dat, client_cell_1.dat, world.json", title, directory));
+    console.note(fmt::format("{} was written to {}: client_portal.dat, client_cell_1.dat, world.json", title,
+                             directory));
     return Exit::Done;
 }
 
 } // namespace
 
 void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("demo", "write the built-in world or a generated world as dat files");
+    CLI::App* verb =
+        program.add_subcommand("demo", "write the built-in world or a generated world as dat files");
     const auto chosen = std::make_shared<DemoChoice>();
     verb->add_option("DIR", chosen->directory, "write to this directory; create it if missing")
         ->type_name("");
@@ -79,14 +81,16 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
                          "set the number of cells (dungeon, complex, map), houses (town) or sites (terrain)")
             ->type_name("N")
             ->capture_default_str();
-    CLI::Option* seed = verb->add_option("--seed", chosen->seed,
-                                         "choose one world of this kind and size; equal seeds give equal worlds")
-                            ->type_name("S")
-                            ->capture_default_str();
-    CLI::Option* overlap = verb->add_option("--overlap", chosen->overlap,
-                                            "dungeon: set the share of cells that overlap other cells, 0..0.05")
-                               ->type_name("SHARE")
-                               ->capture_default_str();
+    CLI::Option* seed =
+        verb->add_option("--seed", chosen->seed,
+                         "choose one world of this kind and size; equal seeds give equal worlds")
+            ->type_name("S")
+            ->capture_default_str();
+    CLI::Option* overlap =
+        verb->add_option("--overlap", chosen->overlap,
+                         "dungeon: set the share of cells that overlap other cells, 0..0.05")
+            ->type_name("SHARE")
+            ->capture_default_str();
     verb->callback([&console, &choice, chosen, size, seed, overlap] {
         chosen->tuned = size->count() + seed->count() + overlap->count() > 0;
         choice.run = [&console, chosen] { return write(*chosen, console); };

@@ -92,7 +92,8 @@ Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat
     const world::SpaceIndex cell =
         kind == dat::RecordKind::EnvCell ? world::findCell(*world, id) : world::kNone;
     if (kind == dat::RecordKind::EnvCell && cell == world::kNone)
-        return fail(ErrorCode::NotFound, dat::idText(id), "the cell cannot be read; look for the fault with limen dat verify");
+        return fail(ErrorCode::NotFound, dat::idText(id),
+                    "the cell cannot be read; look for the fault with limen dat verify");
     std::vector<world::InstanceIndex> instances;
     for (world::InstanceIndex i = 0; i < world->instances.size(); ++i)
         if (cell == world::kNone || world->instances[i].placedIn == cell)
@@ -112,8 +113,9 @@ Result<Exported> asGltf(const dat::Archive& archive, dat::RecordId id, dat::Reco
     case dat::RecordKind::Setup:
         break;
     default:
-        return fail(ErrorCode::BadArgument, dat::idText(id),
-                    fmt::format("a {} has no geometry for glTF; export it with --as json", dat::nameOf(kind)));
+        return fail(
+            ErrorCode::BadArgument, dat::idText(id),
+            fmt::format("a {} has no geometry for glTF; export it with --as json", dat::nameOf(kind)));
     }
     const Result<world::World> world = world::loadModel(archive, id);
     if (!world)
@@ -193,9 +195,10 @@ void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
             "raw writes the bytes for limen dat pack")
         ->type_name("png|gltf|json|raw")
         ->check(CLI::IsMember({"png", "gltf", "json", "raw"}));
-    verb->footer("Writes one file per record, named by its id, and prints the names. A cell includes its objects;\n"
-                 "a landblock (0xXXYYFFFE) excludes its ground.\n"
-                 "Example: limen dat export 0x0200001A -o models");
+    verb->footer(
+        "Writes one file per record, named by its id, and prints the names. A cell includes its objects;\n"
+        "a landblock (0xXXYYFFFE) excludes its ground.\n"
+        "Example: limen dat export 0x0200001A -o models");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runExport(*arguments, console); };
     });

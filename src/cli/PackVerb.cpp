@@ -63,7 +63,9 @@ Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
         if (error)
             return fail(ErrorCode::NotFound, input, error.message());
         if (files.size() == before)
-            return fail(ErrorCode::NotFound, input, "contains no record files such as 0200001A.bin; write them with limen dat export --as raw");
+            return fail(
+                ErrorCode::NotFound, input,
+                "contains no record files such as 0200001A.bin; write them with limen dat export --as raw");
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -82,8 +84,7 @@ Result<void> addFile(const fs::path& file, dat::FileRole role, dat::Writer& writ
     const Result<dat::RecordId> id = idOf(file);
     if (!id)
         return tl::unexpected(id.error());
-    const Result<std::string> text =
-        output::readTextFile(file, kLargestRecord); // binary data
+    const Result<std::string> text = output::readTextFile(file, kLargestRecord); // binary data
     if (!text)
         return tl::unexpected(text.error());
     const auto* begin = reinterpret_cast<const std::byte*>(text->data());
@@ -164,13 +165,11 @@ Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
 void addPackVerb(CLI::App& dat, const Console& console, Choice& choice) {
     const auto arguments = std::make_shared<PackArguments>();
     CLI::App* verb = dat.add_subcommand("pack", "write a dat file from records");
-    verb->add_option(
-            "INPUT", arguments->inputs,
-            "pack these files or directories of files named by record id, e.g. 0200001A.bin (see limen dat export --as raw)")
+    verb->add_option("INPUT", arguments->inputs,
+                     "pack these files or directories of files named by record id, e.g. 0200001A.bin (see "
+                     "limen dat export --as raw)")
         ->type_name("");
-    verb->add_option("-o,--output", arguments->output, "write this dat file")
-        ->required()
-        ->type_name("FILE");
+    verb->add_option("-o,--output", arguments->output, "write this dat file")->required()->type_name("FILE");
     CLI::Option* base =
         verb->add_option("--base", arguments->base,
                          "start from the records of this dat file; INPUT replaces records of equal id (none)")
@@ -181,8 +180,9 @@ void addPackVerb(CLI::App& dat, const Console& console, Choice& choice) {
     verb->add_option("--without", arguments->without, "omit this record of the base; repeatable")
         ->type_name("ID")
         ->needs(base);
-    verb->footer("Files that do not decode as their record are refused. Check references with limen dat verify.\n"
-                 "Example: limen dat pack records --role portal -o client_portal.dat");
+    verb->footer(
+        "Files that do not decode as their record are refused. Check references with limen dat verify.\n"
+        "Example: limen dat pack records --role portal -o client_portal.dat");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runPack(*arguments, console); };
     });

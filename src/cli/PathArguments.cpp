@@ -10,8 +10,8 @@
 namespace limen::cli {
 namespace {
 
-/// Gives all frames of a walk the size `text`, if it is not empty. Another size can change visibility, so resized
-/// frames are not compared with the recording.
+/// Gives all frames of a walk the size `text`, if it is not empty. Another size can change visibility, so
+/// resized frames are not compared with the recording.
 Result<void> resize(const std::string& text, play::WalkRecord& walk) {
     if (text.empty())
         return {};
@@ -29,21 +29,28 @@ Result<void> resize(const std::string& text, play::WalkRecord& walk) {
 
 void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames) {
     command
-        .add_option("--path", arguments.path,
-                    "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
+        .add_option(
+            "--path", arguments.path,
+            "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
         ->type_name("FILE");
-    CLI::Option* walk = command
-                            .add_option("--walk", arguments.walk,
-                                        "replay a walk recorded with limen view --record or limen walk, frame by frame")
-                            ->type_name("FILE")
-                            ->excludes("--path");
-    command.add_option("--size", arguments.size, "set the picture size in pixels (960x540; for a walk as recorded)")
+    CLI::Option* walk =
+        command
+            .add_option("--walk", arguments.walk,
+                        "replay a walk recorded with limen view --record or limen walk, frame by frame")
+            ->type_name("FILE")
+            ->excludes("--path");
+    command
+        .add_option("--size", arguments.size,
+                    "set the picture size in pixels (960x540; for a walk as recorded)")
         ->type_name("WxH");
     command
-        .add_option("--frames", arguments.frames, fmt::format("draw this many frames, spread evenly over the path ({})", frames))
+        .add_option("--frames", arguments.frames,
+                    fmt::format("draw this many frames, spread evenly over the path ({})", frames))
         ->type_name("N")
         ->excludes(walk);
-    command.add_option("--fps", arguments.fps, "draw this many frames per second of the path, instead of --frames")
+    command
+        .add_option("--fps", arguments.fps,
+                    "draw this many frames per second of the path, instead of --frames")
         ->type_name("F")
         ->excludes(walk);
     command.add_option("--fov", arguments.fov, "set the vertical field of view in degrees (60)")

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kBlockSize = 192.0;
 constexpr int kLastBlock = 0xFE;
-// Map coordinates (docs/formats/landscape.md#map-coordinates): 240 m a unit around a point inside block 0x7F7F.
+// Map coordinates (docs/formats/landscape.md#map-coordinates): 240 m a unit around a point inside block
+// 0x7F7F.
 constexpr double kMapUnit = 240.0, kMapOrigin = 24468.0;
 constexpr double kMapEnd = (kLastBlock + 1) * kBlockSize;
 
@@ -82,7 +83,8 @@ Result<void> setHeading(std::string_view option, const std::vector<double>& q, P
 Result<PlaceNotation> parseRetail(std::string_view option, std::string_view text) {
     const std::size_t open = text.find('['), close = text.find(']');
     if (close == std::string_view::npos || close < open)
-        return bad(option, fmt::format("'{}' has no closing bracket; write 0xA9B40031 [x y z] w x y z", text));
+        return bad(option,
+                   fmt::format("'{}' has no closing bracket; write 0xA9B40031 [x y z] w x y z", text));
     const std::string_view word = trimmed(text.substr(0, open));
     if (!isHexWord(word))
         return bad(option, fmt::format("'{}' is not a cell id such as 0xA9B40031", word));
@@ -144,7 +146,10 @@ Result<PlaceNotation> parsePlace(std::string_view option, std::string_view text)
         return parseRetail(option, clean);
     if (const std::optional<Vec2> ground = readMapCoordinates(clean)) {
         if (!(ground->x >= 0.0 && ground->y >= 0.0 && ground->x < kMapEnd && ground->y < kMapEnd))
-            return bad(option, fmt::format("'{}' is beyond the map, whose coordinates end at 101.9S 101.9W and 102.0N 102.0E", clean));
+            return bad(option,
+                       fmt::format(
+                           "'{}' is beyond the map, whose coordinates end at 101.9S 101.9W and 102.0N 102.0E",
+                           clean));
         PlacePosition place;
         place.eye = Vec3(*ground, 0.0);
         place.onGround = true;

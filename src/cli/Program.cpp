@@ -67,7 +67,8 @@ Exit runProgram(int argc, const char* const* argv, const Console& console) {
         console.error({ErrorCode::Unsupported, "unexpected", error.what()});
     }
     if (!console.flush() && exit != Exit::Impossible) {
-        console.error({ErrorCode::Unreadable, "standard output", "lost a part of the result; check the disk or the pipe"});
+        console.error({ErrorCode::Unreadable, "standard output",
+                       "lost a part of the result; check the disk or the pipe"});
         exit = Exit::Impossible;
     }
     return exit;

@@ -20,11 +20,13 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         ->group("World");
     command
         .add_option("--dat", options.dat,
-                    "load the world from this directory of client_portal.dat and client_cell_1.dat (the built-in world)")
+                    "load the world from this directory of client_portal.dat and client_cell_1.dat (the "
+                    "built-in world)")
         ->type_name("DIR")
         ->group("World")
-        ->check(
-            [](const std::string& text) { return std::string(text.empty() ? "is empty; give a directory" : ""); });
+        ->check([](const std::string& text) {
+            return std::string(text.empty() ? "is empty; give a directory" : "");
+        });
     command
         .add_option_function<std::string>(
             "--zones", [&options](const std::string& text) { options.load.mergeZones = text == "merged"; },
@@ -72,12 +74,14 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
                                   : text == "unseen" ? gpu::Culling::Unseen
                                                      : gpu::Culling::Hidden;
             },
-            "skip triangles before rasterisation; none; unseen: those that cover no pixel; hidden: also those "
+            "skip triangles before rasterisation; none; unseen: those that cover no pixel; hidden: also "
+            "those "
             "behind walls and ground; pictures are equal (hidden)")
         ->type_name("none|unseen|hidden")
         ->check(CLI::IsMember({"none", "unseen", "hidden"}))
         ->group("World");
-    command.add_option("--msaa", options.samples, "set the samples per pixel (1); ids and depth always have one")
+    command
+        .add_option("--msaa", options.samples, "set the samples per pixel (1); ids and depth always have one")
         ->type_name("1|4")
         ->check(CLI::IsMember({0, 1, 4}))
         ->group("World");

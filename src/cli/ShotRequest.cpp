@@ -14,7 +14,7 @@
 namespace limen::cli {
 namespace {
 
-constexpr double kFarthestPosition = 1e6; ///< metres; a position farther from the map is taken for a typing error
+constexpr double kFarthestPosition = 1e6; ///< metres; a position farther from the map is a typing error
 constexpr std::size_t kMaxListFile = 64u << 20;
 
 /// Parses `text` into `value` unless it is empty.
@@ -33,9 +33,11 @@ Result<Vec3> positionNearMap(std::string_view option, std::string_view text) {
     const Result<Vec3> value = parseVec3(option, text);
     if (value &&
         !(std::max({std::abs(value->x), std::abs(value->y), std::abs(value->z)}) <= kFarthestPosition))
-        return fail(ErrorCode::BadArgument, std::string(option),
-                    fmt::format("'{}' is more than {:.0f} km from the map's corner; give metres from the south-west corner", text,
-                                kFarthestPosition / 1000.0));
+        return fail(
+            ErrorCode::BadArgument, std::string(option),
+            fmt::format(
+                "'{}' is more than {:.0f} km from the map's corner; give metres from the south-west corner",
+                text, kFarthestPosition / 1000.0));
     return value;
 }
 
@@ -64,7 +66,8 @@ Result<void> checkPosition(const ViewArguments& a, engine::ViewRequest& view) {
     if (Result<void> r = take(a.root, "--root", parseRoot, view.root); !r)
         return r;
     if (view.player && !a.body.empty())
-        return fail(ErrorCode::BadArgument, "--player", "--body sets the position of the player as well; give only one of the two");
+        return fail(ErrorCode::BadArgument, "--player",
+                    "--body sets the position of the player as well; give only one of the two");
     if (eye && at)
         return fail(ErrorCode::BadArgument, "--at", "--eye is given as well; give only one of the two");
     if (!eye && !at)
@@ -99,8 +102,11 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     const auto add = [&command](const char* name, std::string& value, const char* type, const char* help) {
         command.add_option(name, value, help)->type_name(type)->group("View")->check(refuseEmpty);
     };
-    add("--eye", a.eye, "X,Y,Z", "set the position of the eye in metres from the map's south-west corner, z up, e.g. 32530,34660,32");
-    add("--at", a.at, "PLACE", "place the eye at a name (hill), BLOCK.x,y,z (A9B4.12,34,5), '0xCELL [x y z] w x y z' or '42.1N 33.6E'");
+    add("--eye", a.eye, "X,Y,Z",
+        "set the position of the eye in metres from the map's south-west corner, z up, e.g. 32530,34660,32");
+    add("--at", a.at, "PLACE",
+        "place the eye at a name (hill), BLOCK.x,y,z (A9B4.12,34,5), '0xCELL [x y z] w x y z' or '42.1N "
+        "33.6E'");
     add("--yaw", a.yaw, "DEG", "set the heading; 0 is north, 90 is east (0, or that of the place)");
     add("--pitch", a.pitch, "DEG", "set the pitch, -90..90; 90 is straight up (0, or that of the place)");
     add("--fov", a.fov, "DEG", "set the vertical field of view (60)");
@@ -112,7 +118,8 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
         "choose a day group of the data, with its sky and weather, e.g. Snow (0)");
     add("--weather", a.weather, "clear|rain", "set the weather (clear)");
     add("--seconds", a.seconds, "S", "set the world's time in seconds, which moves villagers and smoke (0)");
-    add("--doors", a.doors, "rest|closed|half|open|0..1", "set the openness of all doors (rest: each as in the data)");
+    add("--doors", a.doors, "rest|closed|half|open|0..1",
+        "set the openness of all doors (rest: each as in the data)");
     command.add_option("--door", a.eachDoor, "set the openness of one door, e.g. inn.front=0.25; repeatable")
         ->type_name("NAME=0..1")
         ->group("View")
@@ -122,8 +129,10 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     add("--body-yaw", a.bodyYaw, "DEG", "set the heading of the body (0)");
     add("--body-root", a.bodyRoot, "auto|outside|0xCELL", "set the space of the body's centre (auto)");
     add("--body-opacity", a.bodyOpacity, "0..1", "set the opacity of the body (1)");
-    add("--body-speed", a.bodySpeed, "M/S", "set the speed of the body, which selects standing, walking or running (0)");
-    add("--body-metres", a.bodyMetres, "M", "set the distance walked, which selects the pose within the stride (0)");
+    add("--body-speed", a.bodySpeed, "M/S",
+        "set the speed of the body, which selects standing, walking or running (0)");
+    add("--body-metres", a.bodyMetres, "M",
+        "set the distance walked, which selects the pose within the stride (0)");
 }
 
 void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
@@ -150,22 +159,23 @@ Result<void> checkDoors(const ViewArguments& a, engine::ViewRequest& view) {
     for (const std::string& text : a.eachDoor) {
         const std::size_t sign = text.rfind('=');
         if (sign == std::string::npos || sign == 0)
-            return fail(ErrorCode::BadArgument, "--door", "'" + text + "' is not NAME=0..1, such as inn.front=0.25");
+            return fail(ErrorCode::BadArgument, "--door",
+                        "'" + text + "' is not NAME=0..1, such as inn.front=0.25");
         const Result<double> open = parseNumberBetween("--door", text.substr(sign + 1), 0.0, 1.0);
         if (!open)
             return tl::unexpected(open.error());
         view.scene.eachDoor.push_back({text.substr(0, sign), *open});
     }
     if (view.scene.doors && !view.scene.eachDoor.empty())
-        return fail(ErrorCode::BadArgument, "--door",
-                    "--doors sets all doors; give only one of the two");
+        return fail(ErrorCode::BadArgument, "--door", "--doors sets all doors; give only one of the two");
     return {};
 }
 
 Result<void> checkBody(const ViewArguments& a, engine::ViewRequest& view) {
     if (a.body.empty()) {
         if (!(a.bodyYaw + a.bodyRoot + a.bodyOpacity + a.bodySpeed + a.bodyMetres).empty())
-            return fail(ErrorCode::BadArgument, "--body", "missing; give the position of the body's feet with --body X,Y,Z");
+            return fail(ErrorCode::BadArgument, "--body",
+                        "missing; give the position of the body's feet with --body X,Y,Z");
         return {};
     }
     engine::BodyRequest& body = view.scene.body.emplace();
@@ -311,7 +321,8 @@ Result<void> checkOutputs(std::span<const std::filesystem::path> outputs) {
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end() && !twice->string().starts_with("/dev/"))
-        return fail(ErrorCode::BadArgument, twice->string(), "is given for two outputs; give each its own file");
+        return fail(ErrorCode::BadArgument, twice->string(),
+                    "is given for two outputs; give each its own file");
     return {};
 }
 

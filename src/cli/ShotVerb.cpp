@@ -274,13 +274,13 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
     addViewOptions(*verb, options->view);
     addOutputOptions(*verb, options->outputs);
     verb->add_option("--views", options->views,
-                     "draw one frame per line of this file; a line holds options such as --at hill --yaw 90; -o is then a directory")
+                     "draw one frame per line of this file; a line holds options such as --at hill --yaw 90; "
+                     "-o is then a directory")
         ->type_name("FILE")
         ->group("Output");
-    verb->add_flag(
-            "--reference", options->reference,
-            "trace rays on the CPU by the ray rule instead of drawing; the picture has one colour per id, the "
-            "JSON lists the cells in which rays end and has no visits or stages")
+    verb->add_flag("--reference", options->reference,
+                   "trace rays on the CPU by the ray rule instead of drawing; the picture has one colour per "
+                   "id, the JSON lists the cells in which rays end and has no visits or stages")
         ->group("Output");
     addSessionOptions(*verb, options->session);
     verb->footer("Writes only the outputs that are given.\n"

@@ -25,7 +25,8 @@ constexpr std::size_t kTourFrames = 120; // default of --frames
 constexpr std::size_t kSheetTiles = 24;
 
 /// One line of `--json`.
-std::string statsLine(const engine::Session& session, const engine::FrameRequest& request, std::size_t frame) {
+std::string statsLine(const engine::Session& session, const engine::FrameRequest& request,
+                      std::size_t frame) {
     const engine::FrameFigures figures = session.figures();
     const auto number = [](double v) {
         return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);

@@ -109,16 +109,17 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
 
 void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice) {
     const auto arguments = std::make_shared<VerifyArguments>();
-    CLI::App* verb = dat.add_subcommand(
-        "verify", "read every record, encode it again in memory and check its references");
+    CLI::App* verb =
+        dat.add_subcommand("verify", "read every record, encode it again in memory and check its references");
     verb->add_option("PATH", arguments->path, "verify this dat file or directory (the built-in world)")
         ->type_name("");
     verb->add_option("--most", arguments->most, "print at most this many faults (50); all are counted")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
     verb->add_flag("--json", arguments->json, "print one JSON object");
-    verb->footer("Exit codes: 0: no fault; 1: faults found; 2: an error. References to other files are not checked\n"
-                 "when a single file is given.");
+    verb->footer(
+        "Exit codes: 0: no fault; 1: faults found; 2: an error. References to other files are not checked\n"
+        "when a single file is given.");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runVerify(*arguments, console); };
     });

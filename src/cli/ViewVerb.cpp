@@ -31,8 +31,9 @@ Result<engine::ViewRequest> openingOf(const ViewOptions& options, const world::W
             [&](engine::ViewRequest view) { return engine::resolvePlace(std::move(view), file); });
     const world::Place* place = engine::firstPlace(file);
     if (place == nullptr)
-        return fail(ErrorCode::BadArgument, "--eye",
-                    "no viewpoint given, and world.json has no place to start at; use --eye X,Y,Z or --at PLACE");
+        return fail(
+            ErrorCode::BadArgument, "--eye",
+            "no viewpoint given, and world.json has no place to start at; use --eye X,Y,Z or --at PLACE");
     arguments.eye = "0,0,0"; // a placeholder while the other options are checked
     Result<engine::ViewRequest> view = checkView(arguments);
     if (!view)
@@ -79,8 +80,7 @@ Result<Script> scriptOf(const ViewOptions& options) {
         script.step = *step;
     }
     if (!options.screenshot.empty() && script.frames == 0)
-        return fail(ErrorCode::BadArgument, "--screenshot",
-                    "needs a last frame; give --frames N as well");
+        return fail(ErrorCode::BadArgument, "--screenshot", "needs a last frame; give --frames N as well");
     Result<viewer::ViewerKeys> keys = keysOf(options);
     if (!keys)
         return tl::unexpected(keys.error());
@@ -109,7 +109,8 @@ Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session
         ++frames;
         if (!options.record.empty())
             record += play::frameLine(
-                {viewer.input(), engine::decisionHash(viewer.request(), session.visible(), session.dynamics()),
+                {viewer.input(),
+                 engine::decisionHash(viewer.request(), session.visible(), session.dynamics()),
                  viewer.stream().shown(), viewer.stream().hasRefused()});
         if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
             console.note("limen: cannot load nearby blocks: " + fault);
@@ -210,13 +211,15 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--chase", options->chase, "start in third person; the key C switches")
         ->group("View")
         ->excludes("--fly");
-    verb->add_flag("--json", options->json, "print the final state (eye, root, overlays, ...) as JSON")->group("Scripts");
+    verb->add_flag("--json", options->json, "print the final state (eye, root, overlays, ...) as JSON")
+        ->group("Scripts");
     verb->add_flag("--tell", options->tell, "print the state after every frame, one line each")
         ->group("Scripts");
     addSessionOptions(*verb, options->session);
-    verb->add_option("--keys", options->keys,
-                     "read key bindings from this JSON file, e.g. {\"use\": \"F\"}; the window's help page writes it "
-                     "(limen/keys.json in the user's configuration directory)")
+    verb->add_option(
+            "--keys", options->keys,
+            "read key bindings from this JSON file, e.g. {\"use\": \"F\"}; the window's help page writes it "
+            "(limen/keys.json in the user's configuration directory)")
         ->type_name("FILE")
         ->group("View");
     verb->footer(keysFooter());

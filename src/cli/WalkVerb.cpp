@@ -62,18 +62,22 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
 } // namespace
 
 void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb =
-        program.add_subcommand("walk", "walk a path on foot and record the input of each frame");
+    CLI::App* verb = program.add_subcommand("walk", "walk a path on foot and record the input of each frame");
     const auto options = std::make_shared<WalkOptions>();
-    verb->add_option("-o,--output", options->output, "write the walk to this file, for --walk of tour, probe and check")
+    verb->add_option("-o,--output", options->output,
+                     "write the walk to this file, for --walk of tour, probe and check")
         ->required()
         ->type_name("FILE");
-    verb->add_option("--path", options->path.path,
-                     "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
+    verb->add_option(
+            "--path", options->path.path,
+            "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
         ->type_name("FILE");
-    verb->add_option("--size", options->path.size, "set the picture size in pixels (960x540)")->type_name("WxH");
-    verb->add_option("--fov", options->path.fov, "set the vertical field of view in degrees (60)")->type_name("DEG");
-    verb->add_option("--time", options->path.time, "set the time of day; 0 and 1 are midnight (0.5)")->type_name("0..1");
+    verb->add_option("--size", options->path.size, "set the picture size in pixels (960x540)")
+        ->type_name("WxH");
+    verb->add_option("--fov", options->path.fov, "set the vertical field of view in degrees (60)")
+        ->type_name("DEG");
+    verb->add_option("--time", options->path.time, "set the time of day; 0 and 1 are midnight (0.5)")
+        ->type_name("0..1");
     verb->add_option("--fps", options->foot.fps, "record this many frames per second (30)")
         ->type_name("F")
         ->check(CLI::Range(5.0, 1000.0));

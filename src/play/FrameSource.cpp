@@ -87,7 +87,8 @@ void ReplayedFrames::compareLast() {
     if (next_ == 0 || difference_)
         return;
     const std::uint64_t decided = record_.frames[next_ - 1].decided;
-    if (decided != 0 && decided != engine::decisionHash(play_.request(), session_.visible(), session_.dynamics()))
+    if (decided != 0 &&
+        decided != engine::decisionHash(play_.request(), session_.visible(), session_.dynamics()))
         difference_ = next_ - 1;
 }
 
@@ -114,10 +115,11 @@ Result<std::unique_ptr<FrameSource>> openFrames(engine::Session& session, Frames
 
 std::string differenceLine(FrameSource& frames) {
     const std::optional<std::size_t> first = frames.firstDifference();
-    return first ? fmt::format("limen: frame {} of the replayed walk differs from the recording; the world or "
-                               "the program has changed, so record the walk again",
-                               *first)
-                 : std::string();
+    return first
+               ? fmt::format("limen: frame {} of the replayed walk differs from the recording; the world or "
+                             "the program has changed, so record the walk again",
+                             *first)
+               : std::string();
 }
 
 } // namespace limen::play

@@ -21,7 +21,8 @@ constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes, enough for days
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
     "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality", "day"};
 
-/// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are omitted.
+/// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are
+/// omitted.
 template <class Input, class Number, class Flag>
 void eachField(Input& input, Number&& number, Flag&& flag) {
     number("seconds", input.seconds);
@@ -189,11 +190,13 @@ Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
         begin = end + 1;
         if (number == 0) {
             if (!readBeginning(json, record))
-                return fail(ErrorCode::Malformed, name, "is not a recorded walk; record one with limen view --record or limen walk");
+                return fail(ErrorCode::Malformed, name,
+                            "is not a recorded walk; record one with limen view --record or limen walk");
             continue;
         }
         if (!readFrame(json, record.frames.emplace_back()))
-            return fail(ErrorCode::Malformed, name, fmt::format("line {} is not a frame of a walk; record the walk again", number + 1));
+            return fail(ErrorCode::Malformed, name,
+                        fmt::format("line {} is not a frame of a walk; record the walk again", number + 1));
     }
     if (record.frames.empty())
         return fail(ErrorCode::Malformed, name, "contains no frame; record the walk again");

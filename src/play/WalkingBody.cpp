@@ -10,7 +10,7 @@ namespace limen::play {
 namespace {
 
 constexpr int kRadius = 1;     // landblocks of solids on each side of the body's landblock
-constexpr double kHeld = 0.01; // metres below the wanted distance at which the third-person eye counts as blocked
+constexpr double kHeld = 0.01; // metres short of the wanted distance: the third-person eye is blocked
 
 /// The body fades as the eye comes near its head and is invisible before the eye is inside.
 double opacityAt(double metres) {
@@ -21,7 +21,8 @@ double opacityAt(double metres) {
 } // namespace
 
 WalkingBody::Reading WalkingBody::read(const std::shared_ptr<const engine::WorldSource>& source,
-                         std::shared_ptr<const engine::LoadedPart> loaded, dat::BlockCoord centre) {
+                                       std::shared_ptr<const engine::LoadedPart> loaded,
+                                       dat::BlockCoord centre) {
     Result<world::Solids> solids = world::loadSolids(source->archive, loaded->world, centre, kRadius);
     if (!solids)
         return tl::unexpected(solids.error());
@@ -78,7 +79,8 @@ void WalkingBody::follow(const engine::LoadedPart& before, const engine::LoadedP
 }
 
 WalkingBody::Coming WalkingBody::beginToRead(const engine::Session& session,
-                               std::shared_ptr<const engine::LoadedPart> loaded, dat::BlockCoord centre) {
+                                             std::shared_ptr<const engine::LoadedPart> loaded,
+                                             dat::BlockCoord centre) {
     Coming coming{loaded, centre, {}};
     coming.reading = background_.run([source = session.shareSource(), loaded = std::move(loaded), centre] {
         return read(source, loaded, centre);
@@ -99,7 +101,8 @@ Result<void> WalkingBody::takeSurroundings(const engine::Session& session, dat::
     return {};
 }
 
-bool WalkingBody::prepare(const engine::Session& session, const std::shared_ptr<const engine::LoadedPart>& next) {
+bool WalkingBody::prepare(const engine::Session& session,
+                          const std::shared_ptr<const engine::LoadedPart>& next) {
     const dat::BlockCoord here = blockOfBody(session.part());
     if (!next_.isOf(next, here))
         next_ = beginToRead(session, next, here);
@@ -119,8 +122,8 @@ Result<void> WalkingBody::keepSurroundings(const engine::Session& session) {
         return {};
     if (!coming_.isOf(session.sharePart(), here))
         coming_ = beginToRead(session, session.sharePart(), here);
-    // Within this distance the old solids still cover the surroundings. Swapping when the read finishes would make
-    // a walk depend on the speed of the disk.
+    // Within this distance the old solids still cover the surroundings. Swapping when the read finishes would
+    // make a walk depend on the speed of the disk.
     constexpr double kTaken = 24.0; // metres
     return world::metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
                ? takeSurroundings(session, here)
@@ -196,7 +199,8 @@ void WalkingBody::carryEye(const engine::Session& session, double seconds, engin
 void WalkingBody::readDoors(const world::World& world, const engine::FrameRequest& request) {
     doors_.clear();
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
-        const double open = i < request.scene.eachDoor.size() ? request.scene.eachDoor[i] : world.doors[i].open;
+        const double open =
+            i < request.scene.eachDoor.size() ? request.scene.eachDoor[i] : world.doors[i].open;
         doors_.push_back(request.scene.doors.value_or(open));
     }
 }
@@ -209,7 +213,8 @@ double WalkingBody::swingAllDoors(double from, double to) {
     return motion::swingAll(from, to, body_, around_->collisions, doors_, shape_);
 }
 
-Result<void> WalkingBody::step(const engine::Session& session, const WalkInput& input, engine::FrameRequest& request) {
+Result<void> WalkingBody::step(const engine::Session& session, const WalkInput& input,
+                               engine::FrameRequest& request) {
     if (Result<void> kept = keepSurroundings(session); !kept)
         return kept;
     readDoors(session.part().world, request);

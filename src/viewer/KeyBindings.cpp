@@ -87,11 +87,13 @@ Result<std::vector<KeyCode>> keysIn(const Json& json, const std::string& where) 
     std::vector<KeyCode> keys;
     for (const Json& item : list) {
         if (!item.is_string())
-            return fail(ErrorCode::Malformed, where, R"(is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
+            return fail(ErrorCode::Malformed, where,
+                        R"(is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
         const std::string& name = item.get_ref<const std::string&>();
         const std::optional<KeyCode> key = keyNamed(name);
         if (!key)
-            return fail(ErrorCode::Malformed, where, fmt::format("unknown key '{}'; use a name such as F, Escape or LeftShift", name));
+            return fail(ErrorCode::Malformed, where,
+                        fmt::format("unknown key '{}'; use a name such as F, Escape or LeftShift", name));
         if (!has(keys, *key))
             keys.push_back(*key);
     }
@@ -107,7 +109,8 @@ Result<void> checkRivals(const KeyBindings& bindings, const std::string& name, c
         for (const KeyCode key : bindings.keysOf(action)) {
             if (const std::optional<Action> rival = rivalOf(bindings, action, key))
                 return fail(ErrorCode::Malformed, fmt::format("{}, {}", name, factsOf(action).name),
-                            fmt::format("{} is already the key of {}; give one of them another key", nameOf(key), factsOf(*rival).name));
+                            fmt::format("{} is already the key of {}; give one of them another key",
+                                        nameOf(key), factsOf(*rival).name));
         }
     }
     return {};
@@ -166,7 +169,8 @@ std::string keysText(const KeyBindings& bindings, Action action) {
 Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string& name) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object())
-        return fail(ErrorCode::Malformed, name, R"(is not a JSON object of actions and keys, such as {"use": "F"})");
+        return fail(ErrorCode::Malformed, name,
+                    R"(is not a JSON object of actions and keys, such as {"use": "F"})");
     KeyBindings bindings;
     std::vector<std::pair<Action, std::vector<KeyCode>>> entries;
     for (const auto& [entry, value] : json.items()) {
@@ -228,7 +232,8 @@ Result<KeyBindings> readKeyBindings(const fs::path& file, bool mustExist) {
 
 Result<void> writeKeyBindings(const fs::path& file, const KeyBindings& bindings) {
     if (file.empty())
-        return fail(ErrorCode::Unreadable, "keys", "no configuration directory to save them in; name a file with --keys FILE");
+        return fail(ErrorCode::Unreadable, "keys",
+                    "no configuration directory to save them in; name a file with --keys FILE");
     if (Result<void> made =
             file.has_parent_path() ? output::makeDirectory(file.parent_path()) : Result<void>{};
         !made)

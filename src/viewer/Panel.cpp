@@ -50,7 +50,7 @@ Panel::Panel(const Window& window) : over_(std::make_unique<OverTexture>()), win
     ImGui::StyleColorsDark();
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); // chains to the window's own callbacks
     ImGui_ImplOpenGL3_Init("#version 450 core");
-    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now, because fitScale can rebuild the font before the first frame
+    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now: fitScale can rebuild the font before the first frame
 }
 
 Panel::~Panel() {
@@ -101,8 +101,9 @@ PanelChoice Panel::draw(const PanelFacts& facts, const OverlaySwitches& switches
     else if (switches.ids && !facts.ids.empty())
         drawOver(output::pictureOfIds(facts.request.size.width, facts.request.size.height, facts.ids), 255);
     else if (switches.depth && !facts.distances.empty())
-        drawOver(output::pictureOfDistances(facts.request.size.width, facts.request.size.height, facts.distances),
-                 255);
+        drawOver(
+            output::pictureOfDistances(facts.request.size.width, facts.request.size.height, facts.distances),
+            255);
     panel::drawLines(facts, switches);
     PanelChoice choice;
     choice.time = facts.request.scene.time;

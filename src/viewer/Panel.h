@@ -48,14 +48,13 @@ struct PanelFacts {
     const frame::FramePlan& plan;
     engine::FrameFigures figures;
     const FrameWindows& times;
-    const motion::BodyState* body; ///< null: the eye flies
-    const world::Door* door;       ///< the door in reach; null: none
-    bool doorOpens;                ///< the door is open or opening
-    const engine::Picked* picked;  ///< the inspected object; null: none
-    const ViewVerdict* verdict;    ///< the check of exactly this view; null: none
-    const FrozenFlood* frozen;     ///< the frozen flood, drawn over the picture; null: none
-    std::span<const PortalTrace>
-        portals; ///< of the current or frozen flood; empty unless shown
+    const motion::BodyState* body;        ///< null: the eye flies
+    const world::Door* door;              ///< the door in reach; null: none
+    bool doorOpens;                       ///< the door is open or opening
+    const engine::Picked* picked;         ///< the inspected object; null: none
+    const ViewVerdict* verdict;           ///< the check of exactly this view; null: none
+    const FrozenFlood* frozen;            ///< the frozen flood, drawn over the picture; null: none
+    std::span<const PortalTrace> portals; ///< of the current or frozen flood; empty unless shown
     const ResidencyMap& residency;
     std::optional<std::size_t> quality; ///< of kQualities
     std::span<const world::Place> places;
@@ -75,7 +74,7 @@ struct PanelChoice {
     engine::Weather weather = engine::Weather::Clear;
     std::optional<double> doors;        ///< as in FrameRequest
     std::optional<Rebinding> rebinding; ///< a binding to start
-    bool resetsKeys = false; ///< restore the default keys
+    bool resetsKeys = false;            ///< restore the default keys
     std::optional<std::size_t> quality; ///< of kQualities
 };
 

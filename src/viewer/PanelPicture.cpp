@@ -43,7 +43,8 @@ void drawPyramids(const FrozenFlood& flood, const engine::FrameRequest& request)
 /// Draws portal outlines through walls, coloured by fate.
 void drawPortals(const PanelFacts& facts) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    const visibility::View view = engine::viewOf(facts.request.camera, facts.request.size, facts.request.root);
+    const visibility::View view =
+        engine::viewOf(facts.request.camera, facts.request.size, facts.request.root);
     for (const PortalLine& line : portalLines(facts.world, facts.portals, view)) {
         const bool isSeen = line.fate >= visibility::PortalFate::LeadsNowhere;
         list->AddLine(screenPoint(line.from), screenPoint(line.to),

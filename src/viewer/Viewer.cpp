@@ -109,7 +109,7 @@ std::vector<std::string> Viewer::openDoors() const {
     const std::vector<world::Door>& doors = session_.part().world.doors;
     for (std::size_t i = 0; i < doors.size(); ++i)
         if (request().scene.doors.value_or(i < request().scene.eachDoor.size() ? request().scene.eachDoor[i]
-                                                                       : doors[i].open) > 0.0)
+                                                                               : doors[i].open) > 0.0)
             names.push_back(doors[i].name);
     return names;
 }
@@ -218,8 +218,8 @@ void Viewer::freeze() {
     if (frozen_)
         frozen_.reset();
     else
-        frozen_ = FrozenFlood{engine::viewOf(request().camera, request().size, request().root), session_.visible(),
-                              portalsNow()};
+        frozen_ = FrozenFlood{engine::viewOf(request().camera, request().size, request().root),
+                              session_.visible(), portalsNow()};
 }
 
 std::vector<PortalTrace> Viewer::portalsNow() {
@@ -237,8 +237,8 @@ ResidencyMap Viewer::residency() const {
 
 const play::PlayInput& Viewer::takeInput(double seconds) {
     const HeldInput& held = window_.held();
-    for (const play::PlayAct& done :
-         wheelActs(held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::WalkingBody::kNearest}))
+    for (const play::PlayAct& done : wheelActs(
+             held.wheel, {walk().isOn(), walk().isChased(), walk().distance(), play::WalkingBody::kNearest}))
         act(done);
     input_ = inputOf(held, seconds);
     input_.isFrozen = verdict_.has_value(); // the world stops while a verdict is shown

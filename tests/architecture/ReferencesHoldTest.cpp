@@ -69,7 +69,8 @@ std::vector<std::string> proseLines(std::string_view text) {
     return lines;
 }
 
-/// The anchor of a heading as GitHub makes it: the text of links, letters lowered, punctuation dropped, spaces as hyphens.
+/// The anchor of a heading as GitHub makes it: the text of links, letters lowered, punctuation dropped,
+/// spaces as hyphens.
 std::string anchorOf(std::string_view heading) {
     std::string text;
     for (std::size_t i = 0; i < heading.size(); ++i)
@@ -274,8 +275,8 @@ bool isPlaceholder(const std::string& name) {
            (isIn(std::isupper) && !isIn(std::islower));
 }
 
-/// A source file's text in which everything except comments and line ends is replaced by spaces. Scripts and CMake files
-/// have # comments, other files those of C++.
+/// A source file's text in which everything except comments and line ends is replaced by spaces. Scripts and
+/// CMake files have # comments, other files those of C++.
 std::string onlyComments(std::string_view text, bool isScript) {
     std::string out(text.size(), ' ');
     enum class In { Code, Line, Block, String, Character, Raw } in = In::Code;
@@ -471,7 +472,8 @@ TEST(ReferencesHold, everyCitedFileHeadingAndTestExists) {
             ADD_FAILURE() << fault;
 }
 
-/// A small tree to test the scanner. Its citations have @ for docs/, so that this file itself contains no citation.
+/// A small tree to test the scanner. Its citations have @ for docs/, so that this file itself contains no
+/// citation.
 class ReferencesScanner : public testing::Test {
 protected:
     ReferencesScanner() {

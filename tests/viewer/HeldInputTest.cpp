@@ -42,7 +42,8 @@ TEST(HeldInput, theWheelTakesTheEyeOutOfTheHead) {
 TEST(HeldInput, theWheelMovesTheEyeBehindTheBodyAndBackIntoTheHead) {
     EXPECT_EQ(wheelActs(-2.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 4.0}}));
     EXPECT_EQ(wheelActs(2.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 2.0}}));
-    EXPECT_EQ(wheelActs(9.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 1.0}})) << "stops at the nearest distance first";
+    EXPECT_EQ(wheelActs(9.0, {true, true, 3.0, 1.0}), (Acts{{Kind::Distance, 1.0}}))
+        << "stops at the nearest distance first";
     EXPECT_EQ(wheelActs(1.0, {true, true, 1.0, 1.0}), (Acts{{Kind::Chase}}));
     EXPECT_EQ(wheelActs(-1.0, {true, true, 1.0, 1.0}), (Acts{{Kind::Distance, 1.5}}));
 }

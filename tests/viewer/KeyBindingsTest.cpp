@@ -90,18 +90,26 @@ TEST(KeyBindings, aFileChangesTheKeysOfTheActionsThatItNames) {
 }
 
 TEST(KeyBindings, whatIsWrongWithAFileIsSaidWithTheEntry) {
-    EXPECT_EQ(parseError("[]"), R"(keys.json: is not a JSON object of actions and keys, such as {"use": "F"})");
-    EXPECT_EQ(parseError("{"), R"(keys.json: is not a JSON object of actions and keys, such as {"use": "F"})");
-    EXPECT_EQ(parseError(R"({"fly": "F"})"), "keys.json, fly: unknown action; limen view --help lists the actions");
-    EXPECT_EQ(parseError(R"({"use": "Esc"})"), "keys.json, use: unknown key 'Esc'; use a name such as F, Escape or LeftShift");
+    EXPECT_EQ(parseError("[]"),
+              R"(keys.json: is not a JSON object of actions and keys, such as {"use": "F"})");
+    EXPECT_EQ(parseError("{"),
+              R"(keys.json: is not a JSON object of actions and keys, such as {"use": "F"})");
+    EXPECT_EQ(parseError(R"({"fly": "F"})"),
+              "keys.json, fly: unknown action; limen view --help lists the actions");
+    EXPECT_EQ(parseError(R"({"use": "Esc"})"),
+              "keys.json, use: unknown key 'Esc'; use a name such as F, Escape or LeftShift");
     EXPECT_EQ(parseError(R"({"use": 3})"),
               R"(keys.json, use: is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
     EXPECT_EQ(parseError(R"({"use": ["F", null]})"),
               R"(keys.json, use: is neither a key name nor a list of key names, such as "F" or ["W", "Up"])");
-    EXPECT_EQ(parseError(R"({"use": "F", "walk": "F"})"), "keys.json, use: F is already the key of walk; give one of them another key");
-    EXPECT_EQ(parseError(R"({"rain": "W"})"), "keys.json, rain: W is already the key of forward; give one of them another key");
-    EXPECT_EQ(parseError(R"({"rain": "E"})"), "keys.json, rain: E is already the key of rise; give one of them another key");
-    EXPECT_EQ(parseError(R"({"use": "Q", "jump": "E"})"), "none") << "one action is for walking, the other for flying";
+    EXPECT_EQ(parseError(R"({"use": "F", "walk": "F"})"),
+              "keys.json, use: F is already the key of walk; give one of them another key");
+    EXPECT_EQ(parseError(R"({"rain": "W"})"),
+              "keys.json, rain: W is already the key of forward; give one of them another key");
+    EXPECT_EQ(parseError(R"({"rain": "E"})"),
+              "keys.json, rain: E is already the key of rise; give one of them another key");
+    EXPECT_EQ(parseError(R"({"use": "Q", "jump": "E"})"), "none")
+        << "one action is for walking, the other for flying";
 }
 
 TEST(KeyBindings, aKeyIsTakenFromWhatItDidAtTheSameTimes) {
@@ -139,7 +147,8 @@ TEST(KeyBindings, areKeptInAFileWhoseDirectoryIsMade) {
     std::ofstream(file) << R"({"use": "nothing"})";
     const Result<KeyBindings> wrong = readKeyBindings(file, false);
     ASSERT_FALSE(wrong);
-    EXPECT_EQ(wrong.error().message(), file.string() + ", use: unknown key 'nothing'; use a name such as F, Escape or LeftShift");
+    EXPECT_EQ(wrong.error().message(),
+              file.string() + ", use: unknown key 'nothing'; use a name such as F, Escape or LeftShift");
     EXPECT_FALSE(writeKeyBindings("", bindings));
 }
 

@@ -27,7 +27,8 @@ TEST(WindowGeometry, outsideOfTheWindowThereIsNone) {
 TEST(WindowGeometry, lettersAreAsLargeAsTheScreenWantsThem) {
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 1.0}), (UiScale{1.0, 1.0}));
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 2.0}), (UiScale{2.0, 2.0})) << "X11: one unit is one pixel";
-    EXPECT_EQ(uiScaleOf({640, 360, {1280, 720}, 2.0}), (UiScale{1.0, 2.0})) << "Wayland, macOS: one unit is several pixels";
+    EXPECT_EQ(uiScaleOf({640, 360, {1280, 720}, 2.0}), (UiScale{1.0, 2.0}))
+        << "Wayland, macOS: one unit is several pixels";
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 0.0}), (UiScale{0.5, 0.5}));
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, 1e9}), (UiScale{8.0, 8.0}));
     EXPECT_EQ(uiScaleOf({640, 360, {640, 360}, std::numeric_limits<double>::infinity()}),
