@@ -47,8 +47,8 @@ struct ListedView {
 /// Reads a views file: one line of shot's options per view. Blank lines and lines that start with '#' are
 /// ignored. Missing options are taken from `common`.
 ///
-/// Relative output paths of a line are under `directory`. A line without outputs gets `directory`/NNNN.png, and
-/// `directory`/NNNN.<file name> for every output of `commonOutputs`; NNNN counts views from 0000.
+/// Relative output paths of a line are under `directory`. A line without outputs gets `directory`/NNNN.png,
+/// and `directory`/NNNN.<file name> for every output of `commonOutputs`; NNNN counts views from 0000.
 ///
 /// Errors: an unreadable file; no view; an invalid line, with its number.
 [[nodiscard]] Result<std::vector<ListedView>> readViews(const std::filesystem::path& file,

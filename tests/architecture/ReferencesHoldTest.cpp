@@ -15,8 +15,8 @@
 
 // Every file, heading and test that code or documents cite exists. The forms of a citation are:
 //   docs/formats/cells.md#portals      in code: the page from the root; the heading as in a link on GitHub
-//   [text](PAGE#tolerances)           in Markdown: PAGE relative to the page; #heading alone for the same page
-//   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder from the root; `src/dat/File` for both its files
+//   [text](PAGE#tolerances)           in Markdown: PAGE relative to the page; #heading: the same page
+//   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder; `src/dat/File` for header and source
 //   world/Zones.h, `Zones.h`           in comments and Markdown: a source file whose path ends so
 //   `Suite.test`, `Suite.test…`        in Markdown: a test, or the beginning of its name
 // Placeholders are written in capitals: NAME.cpp, NAMETest.cpp, SUITE.test; and room/Header.h.
