@@ -1,7 +1,7 @@
 // The visibility library alone: no dat file, no OpenGL. Three rooms in an L and a yard, joined by three
 // openings. Prints each visit: its space and its region of the screen, for an eye given on the command line.
 //
-//     flood [x y yaw]        metres, degrees clockwise from north; the default eye is in the hall and looks north
+//     flood [x y yaw]    metres, degrees clockwise from north; default: an eye in the hall that looks north
 
 #include "visibility/Flood.h"
 
@@ -23,7 +23,8 @@ struct House {
     std::vector<vis::PortalDesc> portals;
     std::vector<Vec3> vertices;
 
-    /// Adds an opening from `from` to `to`. a and b are its lower corners; seen from inside `from`, a is on the left.
+    /// Adds an opening from `from` to `to`. a and b are its lower corners; seen from inside `from`, a is on
+    /// the left.
     void opening(std::uint32_t from, std::uint32_t to, std::uint32_t back, Vec3 a, Vec3 b) {
         const Vec3 up(0, 0, 2);
         portals.push_back({from, to, back, static_cast<std::uint32_t>(vertices.size()), 4, true});

@@ -20,8 +20,7 @@ struct CheckOptions {
 };
 
 constexpr std::size_t kMostViews = 100'000'000;
-constexpr std::uint64_t kMostPictures =
-    500; ///< limit of finding pictures, because a broken world would fill the disk
+constexpr std::uint64_t kMostPictures = 500; ///< of findings; a broken world would fill the disk
 constexpr std::size_t kStateLimit = 16u << 20;
 
 Result<std::vector<check::ViewKind>> kindsOf(const std::string& list) {

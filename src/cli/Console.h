@@ -38,8 +38,8 @@ private:
     std::FILE* err_;
 };
 
-/// A progress bar on the terminal's last line, shown after one second of work. Invisible if standard error is not a
-/// terminal.
+/// A progress bar on the terminal's last line, shown after one second of work. Invisible if standard error is
+/// not a terminal.
 class Progress {
 public:
     Progress(const Console& console, std::string_view title, std::size_t total);

@@ -41,8 +41,8 @@ namespace limen::cli {
 /// A record id: one to eight hexadecimal digits after an optional "0x".
 [[nodiscard]] Result<dat::RecordId> parseRecordId(std::string_view option, std::string_view text);
 
-/// Splits a line into arguments like a shell: blanks separate, single and double quotes group, and a backslash
-/// outside single quotes escapes the next character. Errors: an open quote.
+/// Splits a line into arguments like a shell: blanks separate, single and double quotes group, and a
+/// backslash outside single quotes escapes the next character. Errors: an open quote.
 [[nodiscard]] Result<std::vector<std::string>> splitArguments(std::string_view line);
 
 /// The text without leading and trailing blanks.

@@ -10,8 +10,8 @@
 namespace limen::cli {
 namespace {
 
-/// Gives all frames of a walk the size `text`, if it is not empty. Another size can change visibility, so resized
-/// frames are not compared with the recording.
+/// Gives all frames of a walk the size `text`, if it is not empty. Another size can change visibility, so
+/// resized frames are not compared with the recording.
 Result<void> resize(const std::string& text, play::WalkRecord& walk) {
     if (text.empty())
         return {};

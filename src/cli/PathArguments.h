@@ -23,8 +23,8 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
 /// `frames` is the default number. Errors: an option that is not a number or is out of bounds.
 [[nodiscard]] Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t frames);
 
-/// The way points, with places resolved: from a file in the format of `shot`'s views files, or from the world's tour.
-/// Errors: the file's; a world without a tour.
+/// The way points, with places resolved: from a file in the format of `shot`'s views files, or from the
+/// world's tour. Errors: the file's; a world without a tour.
 [[nodiscard]] Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
                                                                    const world::WorldFile& file);
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kBlockSize = 192.0;
 constexpr int kLastBlock = 0xFE;
-// Map coordinates (docs/formats/landscape.md#map-coordinates): 240 m a unit around a point inside block 0x7F7F.
+// Map coordinates (docs/formats/landscape.md#map-coordinates): 240 m a unit around a point inside block
+// 0x7F7F.
 constexpr double kMapUnit = 240.0, kMapOrigin = 24468.0;
 constexpr double kMapEnd = (kLastBlock + 1) * kBlockSize;
 

@@ -28,8 +28,8 @@ using PlaceNotation = std::variant<PlaceName, PlacePosition>;
 ///   A9B4.12,34,5 or 0xA9B4.12,34,5       landblock and local metres; with eight digits also the cell
 ///   0xA9B40031 [x y z] w x y z           retail: cell or landcell, local metres, optional unit quaternion
 ///   42.1N, 33.6E                         map coordinates, on the ground
-/// Except for map coordinates, the position is exactly the eye's. Errors: another notation; a number that is not
-/// finite; a landblock beyond 0xFE; a quaternion of length 0; coordinates beyond the map.
+/// Except for map coordinates, the position is exactly the eye's. Errors: another notation; a number that is
+/// not finite; a landblock beyond 0xFE; a quaternion of length 0; coordinates beyond the map.
 [[nodiscard]] Result<PlaceNotation> parsePlace(std::string_view option, std::string_view text);
 
 } // namespace limen::cli

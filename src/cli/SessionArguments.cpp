@@ -74,9 +74,8 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
                                   : text == "unseen" ? gpu::Culling::Unseen
                                                      : gpu::Culling::Hidden;
             },
-            "skip triangles before rasterisation; none; unseen: those that cover no pixel; hidden: also "
-            "those "
-            "behind walls and ground; pictures are equal (hidden)")
+            "skip triangles that cover no pixel (unseen), also those behind walls and ground (hidden), or "
+            "none; pictures are equal (hidden)")
         ->type_name("none|unseen|hidden")
         ->check(CLI::IsMember({"none", "unseen", "hidden"}))
         ->group("World");

@@ -14,8 +14,7 @@
 namespace limen::cli {
 namespace {
 
-constexpr double kFarthestPosition =
-    1e6; ///< metres; a position farther from the map is taken for a typing error
+constexpr double kFarthestPosition = 1e6; ///< metres; a position farther from the map is a typing error
 constexpr std::size_t kMaxListFile = 64u << 20;
 
 /// Parses `text` into `value` unless it is empty.

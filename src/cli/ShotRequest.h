@@ -14,8 +14,8 @@ class App;
 
 namespace limen::cli {
 
-/// The options of one view as typed; empty: not given. They are used on the command line of `shot`, in each line of
-/// its views file and in each line of a path file.
+/// The options of one view as typed; empty: not given. They are used on the command line of `shot`, in each
+/// line of its views file and in each line of a path file.
 struct ViewArguments {
     std::string eye, at, yaw, pitch, fov, size, root, player, time, day, weather, seconds, doors;
     std::string body, bodyYaw, bodyRoot, bodyOpacity, bodySpeed, bodyMetres;
@@ -44,10 +44,13 @@ struct ListedView {
     OutputPaths outputs;
 };
 
-/// Reads a views file: one line of shot's options per view; blank lines and lines that start with '#' are ignored.
-/// Missing options are taken from `common`. Relative output paths of a line are under `directory`. A line without
-/// outputs gets `directory`/NNNN.png, and `directory`/NNNN.<file name> for every output of `commonOutputs`; NNNN counts
-/// views from 0000. Errors: an unreadable file; no view; an invalid line, with its number.
+/// Reads a views file: one line of shot's options per view. Blank lines and lines that start with '#' are
+/// ignored. Missing options are taken from `common`.
+///
+/// Relative output paths of a line are under `directory`. A line without outputs gets `directory`/NNNN.png,
+/// and `directory`/NNNN.<file name> for every output of `commonOutputs`; NNNN counts views from 0000.
+///
+/// Errors: an unreadable file; no view; an invalid line, with its number.
 [[nodiscard]] Result<std::vector<ListedView>> readViews(const std::filesystem::path& file,
                                                         const ViewArguments& common,
                                                         const OutputPaths& commonOutputs,

@@ -280,8 +280,7 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->group("Output");
     verb->add_flag("--reference", options->reference,
                    "trace rays on the CPU by the ray rule instead of drawing; the picture has one colour per "
-                   "id, the "
-                   "JSON lists the cells in which rays end and has no visits or stages")
+                   "id, the JSON lists the cells in which rays end and has no visits or stages")
         ->group("Output");
     addSessionOptions(*verb, options->session);
     verb->footer("Writes only the outputs that are given.\n"

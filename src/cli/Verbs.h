@@ -9,8 +9,8 @@ namespace CLI {
 class App;
 }
 
-// One function per verb. It declares the verb's options and sets Choice::run if the verb is chosen. Nothing runs
-// during parsing.
+// One function per verb. It declares the verb's options and sets Choice::run if the verb is chosen. Nothing
+// runs during parsing.
 namespace limen::cli {
 
 /// The chosen verb, ready to run.
@@ -28,7 +28,8 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice);
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice);
 void addBenchVerb(CLI::App& program, const Console& console, Choice& choice);
 
-/// Runs the program: parses the command line, runs the verb, and prints an error as one line on standard error.
+/// Runs the program: parses the command line, runs the verb, and prints an error as one line on standard
+/// error.
 [[nodiscard]] Exit runProgram(int argc, const char* const* argv, const Console& console);
 
 } // namespace limen::cli

@@ -1,3 +1,4 @@
+#include "cli/Parse.h"
 #include "cli/SessionArguments.h"
 #include "cli/ShotRequest.h"
 #include "cli/Verbs.h"

@@ -23,8 +23,8 @@ public:
     [[nodiscard]] double seconds() const { return empty() ? 0.0 : times_.back(); }
     /// Eye and heading at a time, clamped to the path's ends. Requires a path that is not empty.
     [[nodiscard]] engine::Camera at(double time) const;
-    /// The way points strictly between two times, in order. A straight sweep between the times would cut these
-    /// corners.
+    /// The way points strictly between two times, in order. A straight sweep between the times would cut
+    /// these corners.
     void cornersBetween(double from, double to, std::vector<Vec3>& out) const;
     /// The time of frame `frame` of `count`, spread evenly from start to end.
     [[nodiscard]] double timeOfFrame(std::size_t frame, std::size_t count) const;

@@ -14,8 +14,7 @@ struct FlyInput {
 
 inline constexpr double kFlySpeed = 4.0; ///< metres a second
 inline constexpr double kFlyFastFactor = 6.0;
-inline constexpr double kMaxFrameSeconds =
-    0.1; ///< a longer frame moves the eye no farther, so that a stall causes no jump
+inline constexpr double kMaxFrameSeconds = 0.1; ///< limits the movement after a stall
 
 /// The camera after one frame. `forward` moves along the line of sight, `right` horizontally, `up` along the
 /// world's z; diagonal movement is no faster. Pitch is clamped to 89 degrees, yaw is wrapped to 0..360.

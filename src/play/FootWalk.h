@@ -18,13 +18,12 @@ struct FootWalkOptions {
 struct FootWalk {
     WalkRecord record;
     std::vector<std::size_t> missed; ///< indices of way points that the body did not reach
-    std::vector<std::string>
-        jumps; ///< names of places to which the body jumped because it found no way on foot
+    std::vector<std::string> jumps;  ///< names of places that the body jumped to, for lack of a way on foot
 };
 
-/// Walks straight from way point to way point and opens doors in the way. A blocked body tries the following way
-/// points, then jumps to the first named place at a later way point; without such a place the walk ends. Use a
-/// session that draws nothing (gpu::NullDevice). `done` receives the number of finished way points. Errors: the session's.
+/// Walks straight between way points and opens doors. A blocked body tries the next way points, then jumps to
+/// the first named place at a later one, or the walk ends. `done` receives the number of finished way points.
+/// The session should draw nothing (gpu::NullDevice). Errors: the session's.
 [[nodiscard]] Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameRequest& start,
                                           const std::vector<engine::ViewRequest>& points,
                                           const FootWalkOptions& options,

@@ -30,8 +30,8 @@ struct PathStart {
                                           const std::vector<engine::ViewRequest>& points,
                                           const PathRequest& request);
 
-/// The camera on a path, with the space that a sweep through portals leads to. A path through a wall is followed
-/// as well (RootTracker).
+/// The camera on a path, with the space that a sweep through portals leads to. A path through a wall is
+/// followed as well (RootTracker).
 class PathWalk {
 public:
     PathWalk(engine::Session& session, const CameraPath& path, engine::FrameRequest start)

@@ -10,7 +10,8 @@
 namespace limen::play {
 namespace {
 
-/// Whether a destination is far enough inside the shown part to go there while the rest of its surroundings loads.
+/// Whether a destination is far enough inside the shown part to go there while the rest of its surroundings
+/// loads.
 bool isWithin(const engine::LoadedPart& shown, const engine::ViewRequest& view) {
     const dat::BlockCoord at = engine::centreOf(view), centre = shown.target.centre;
     const int away = std::max(std::abs(at.x - centre.x), std::abs(at.y - centre.y));
@@ -193,7 +194,8 @@ Result<void> Play::moveEye(const PlayInput& input) {
     return followEye();
 }
 
-/// Shows an offered part once its solids around the body have been read. Otherwise the next step would wait for them.
+/// Shows an offered part once its solids around the body have been read. Otherwise the next step would wait
+/// for them.
 Result<void> Play::followEye() {
     const Vec3 eye = request_.camera.eye;
     const dat::RecordId cell = engine::cellOf(session_.part().world, request_.root);
@@ -204,8 +206,8 @@ Result<void> Play::followEye() {
     request_.root = engine::rootIn(session_.part(), cell, eye);
     tracker_.place(request_.root);
     doors_.write(session_.part().world, request_.scene.eachDoor);
-    return walk_.isOn() ? walk_.step(session_, {}, request_)
-                        : Result<void>{}; // the index of its space has changed
+    // A step of no time, because the index of the body's space has changed.
+    return walk_.isOn() ? walk_.step(session_, {}, request_) : Result<void>{};
 }
 
 void Play::moveDoors(double seconds) {

@@ -8,12 +8,13 @@
 
 namespace limen::play {
 
-/// The state of a player in a world: eye, body, doors, time and weather, advanced frame by frame. It depends only on
-/// the session's world, the start and the inputs, so that recorded inputs reproduce the frames. Requires that each
-/// frame is drawn before the next step.
+/// The state of a player in a world: eye, body, doors, time and weather, advanced frame by frame. It depends
+/// only on the session's world, the start and the inputs, so that recorded inputs reproduce the frames.
+/// Requires that each frame is drawn before the next step.
 class Play {
 public:
-    /// `residency` loads the blocks that come near; null: the session loads them at once. Both must outlive the Play.
+    /// `residency` loads the blocks that come near; null: the session loads them at once. Both must outlive
+    /// the Play.
     Play(engine::Session& session, engine::FrameRequest start, engine::Residency* residency = nullptr);
 
     /// Errors: the solids around the body cannot be read.

@@ -4,8 +4,8 @@
 
 namespace limen::play {
 
-/// Tracks the space of a flying eye by sweeping it through portals. An eye that flies through a wall is lost; after
-/// a short grace time its position decides the space.
+/// Tracks the space of a flying eye by sweeping it through portals. An eye that flies through a wall is lost;
+/// after a short grace time its position decides the space.
 class RootTracker {
 public:
     static constexpr double kGraceSeconds = 0.25; ///< time an eye may be lost

@@ -21,7 +21,8 @@ constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes, enough for days
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
     "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality", "day"};
 
-/// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are omitted.
+/// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are
+/// omitted.
 template <class Input, class Number, class Flag>
 void eachField(Input& input, Number&& number, Flag&& flag) {
     number("seconds", input.seconds);

@@ -16,15 +16,15 @@ namespace limen::play {
 struct RecordedFrame {
     PlayInput input;
     std::uint64_t decided = 0; ///< decisionHash of the resulting frame; 0: not compared
-    std::optional<engine::PartTarget>
-        shown;              ///< the streamed part shown from this frame on; its zone option is not recorded
+    /// The streamed part shown from this frame on. Its zone option is not recorded.
+    std::optional<engine::PartTarget> shown;
     bool isRefused = false; ///< the destination could not be loaded
 };
 
 struct WalkRecord {
     std::string start; ///< options of `limen shot`
-    /// Load options of a streamed walk; its frames name the shown parts. None: blocks were loaded at once when the
-    /// eye came near an edge. The zone option is not recorded.
+    /// Load options of a streamed walk; its frames name the shown parts. None: blocks were loaded at once
+    /// when the eye came near an edge. The zone option is not recorded.
     std::optional<world::LoadOptions> streamed;
     std::vector<RecordedFrame> frames;
 };

@@ -9,9 +9,8 @@
 namespace limen::play {
 namespace {
 
-constexpr int kRadius = 1; // landblocks of solids on each side of the body's landblock
-constexpr double kHeld =
-    0.01; // metres below the wanted distance at which the third-person eye counts as blocked
+constexpr int kRadius = 1;     // landblocks of solids on each side of the body's landblock
+constexpr double kHeld = 0.01; // metres short of the wanted distance: the third-person eye is blocked
 
 /// The body fades as the eye comes near its head and is invisible before the eye is inside.
 double opacityAt(double metres) {
@@ -123,8 +122,8 @@ Result<void> WalkingBody::keepSurroundings(const engine::Session& session) {
         return {};
     if (!coming_.isOf(session.sharePart(), here))
         coming_ = beginToRead(session, session.sharePart(), here);
-    // Within this distance the old solids still cover the surroundings. Swapping when the read finishes would make
-    // a walk depend on the speed of the disk.
+    // Within this distance the old solids still cover the surroundings. Swapping when the read finishes would
+    // make a walk depend on the speed of the disk.
     constexpr double kTaken = 24.0; // metres
     return world::metresBeside(around_->collisions.centre(), body_.standing.feet) > kTaken
                ? takeSurroundings(session, here)

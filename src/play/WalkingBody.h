@@ -16,12 +16,13 @@ struct WalkInput {
     double seconds = 0.0; ///< since the last frame
 };
 
-/// A body that walks through the loaded world, with the eye in first or third person. A thread of its own reads the
-/// solids around the body when it enters another landblock. The position at which they are taken over does not depend
-/// on the reading time, so that a walk replays equally on any machine.
+/// A body that walks through the loaded world, with the eye in first or third person. A thread of its own
+/// reads the solids around the body when it enters another landblock. The position at which they are taken
+/// over does not depend on the reading time, so that a walk replays equally on any machine.
 class WalkingBody {
 public:
-    /// Puts the body under the request's eye. Blocks until the solids around it are read. Errors: unreadable solids.
+    /// Puts the body under the request's eye. Blocks until the solids around it are read. Errors: unreadable
+    /// solids.
     [[nodiscard]] Result<void> begin(const engine::Session& session, const engine::FrameRequest& request);
     /// Removes the body; the eye stays.
     void end(engine::FrameRequest& request);
@@ -35,17 +36,19 @@ public:
     [[nodiscard]] double distance() const { return chaseShape_.distance; }
     static constexpr double kNearest = 1.0, kFarthest = 8.0;
 
-    /// Moves the body, and updates eye, player, body and root of `request`. After the session has shown another part
-    /// of the world, the body continues there at the same position. Requires a body. Errors: as begin's.
+    /// Moves the body, and updates eye, player, body and root of `request`. After the session has shown
+    /// another part of the world, the body continues there at the same position. Requires a body. Errors: as
+    /// begin's.
     [[nodiscard]] Result<void> step(const engine::Session& session, const WalkInput& input,
                                     engine::FrameRequest& request);
 
     /// Advances swinging doors; their leaves push the body. Requires a body.
     void passDoors(motion::DoorUse& doors, double seconds);
-    /// The openness that doors reach when all swing from one openness to another; the body can block them. Requires a body.
+    /// The openness that doors reach when all swing from one openness to another; the body can block them.
+    /// Requires a body.
     [[nodiscard]] double swingAllDoors(double from, double to);
-    /// Reads the solids around the body in the next part. Returns true when they are ready; then the first step in
-    /// that part does not block. Requires a body.
+    /// Reads the solids around the body in the next part. Returns true when they are ready; then the first
+    /// step in that part does not block. Requires a body.
     [[nodiscard]] bool prepare(const engine::Session& session,
                                const std::shared_ptr<const engine::LoadedPart>& next);
 
@@ -96,8 +99,8 @@ private:
     motion::BodyShape shape_;
     double yaw_ = 0.0;                  ///< heading of the body, degrees
     double speed_ = 0.0, metres_ = 0.0; ///< as in PlayerBody
-    double lag_ =
-        0.0; ///< metres of the eye above its place in the head; it decays, so that steps are climbed smoothly
+    /// Metres of the eye above its place in the head. It decays, so that the eye climbs steps smoothly.
+    double lag_ = 0.0;
     bool isChased_ = false;
     motion::ChaseState chase_;
     motion::ChaseShape chaseShape_;

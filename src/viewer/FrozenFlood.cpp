@@ -7,9 +7,8 @@
 namespace limen::viewer {
 namespace {
 
-constexpr double kFarthest = 1e4; // metres from the flood's eye, the limit for openings seen nearly edge-on
-constexpr double kParallel =
-    1e-9; // cosine below which a ray is parallel to the opening and enters at the eye
+constexpr double kFarthest = 1e4;  // metres from the flood's eye, the limit for openings seen nearly edge-on
+constexpr double kParallel = 1e-9; // cosine of a ray parallel to the opening, which enters at the eye
 
 /// The distance along a unit vector at which a ray of the region enters the visit, metres.
 double entryAlong(const visibility::Visit& visit, const Vec3& direction) {

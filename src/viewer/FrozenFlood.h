@@ -20,8 +20,9 @@ struct PyramidLine {
     std::uint32_t visit = 0;
 };
 
-/// The ray pyramids of all visits, projected for another eye. A pyramid consists of the region's outline at the entry
-/// plane, edges of length `metres`, and the outline at their ends. Parts behind that eye are clipped.
+/// The ray pyramids of all visits, projected for another eye. A pyramid consists of the region's outline at
+/// the entry plane, edges of length `metres`, and the outline at their ends. Parts behind that eye are
+/// clipped.
 [[nodiscard]] std::vector<PyramidLine> pyramidLines(const FrozenFlood& flood, const visibility::View& eye,
                                                     double metres);
 

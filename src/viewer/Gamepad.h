@@ -14,8 +14,8 @@ struct StickInput {
     bool fast = false;                    ///< full deflection
 };
 
-/// The input of a frame of `seconds`. A released stick is never exactly centred, so deflections in the dead zone
-/// count as 0. The turning speed grows with the square of the deflection, for fine control.
+/// The input of a frame of `seconds`. A released stick is never exactly centred, so deflections in the dead
+/// zone count as 0. The turning speed grows with the square of the deflection, for fine control.
 [[nodiscard]] StickInput inputOf(const Sticks& sticks, double seconds);
 
 } // namespace limen::viewer

@@ -28,8 +28,8 @@ struct WheelEye {
     double nearest = 1.0;  ///< smallest third-person distance, metres
 };
 
-/// The acts of a wheel turn. Towards the user: switch to third person, then increase the distance. Away from the user:
-/// decrease the distance, at the smallest one switch to first person. None while flying.
+/// The acts of a wheel turn. Towards the user: switch to third person, then increase the distance. Away from
+/// the user: decrease the distance, at the smallest one switch to first person. None while flying.
 [[nodiscard]] std::vector<play::PlayAct> wheelActs(double notches, const WheelEye& eye);
 
 } // namespace limen::viewer

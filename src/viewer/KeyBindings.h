@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-// Key bindings of the window. Independent of the window library: keys have their own numbers and names (KeyNames.h).
+// Key bindings of the window. Independent of the window library: keys have their own numbers and names
+// (KeyNames.h).
 namespace limen::viewer {
 
 /// Actions of keys. Forward to Sink act while the key is held; the others act once per press.
@@ -76,8 +77,8 @@ public:
     /// No action, one action, or one for walking and one for flying.
     [[nodiscard]] std::vector<Action> actionsOf(KeyCode key) const;
 
-    /// Binds the key to the action. With `adds` the action keeps its other keys. The key loses actions that could be
-    /// active at the same time. Requires a key with a name.
+    /// Binds the key to the action. With `adds` the action keeps its other keys. The key loses actions that
+    /// could be active at the same time. Requires a key with a name.
     void bind(Action action, KeyCode key, bool adds);
     /// Replaces the keys of the action, without a check for conflicts.
     void set(Action action, std::vector<KeyCode> keys) {
@@ -93,9 +94,9 @@ private:
 /// The keys of an action as text: "W or Up", or "no key".
 [[nodiscard]] std::string keysText(const KeyBindings& bindings, Action action);
 
-/// Parses a JSON object of actions, each with a key or a list of keys: {"forward": ["W", "Up"], "use": "F"}. Other
-/// actions keep their default keys. `name` appears in messages. Errors name the entry: an unknown action or key, a key
-/// with two actions at the same time.
+/// Parses a JSON object of actions, each with a key or a list of keys: {"forward": ["W", "Up"], "use": "F"}.
+/// Other actions keep their default keys. `name` appears in messages. Errors name the entry: an unknown
+/// action or key, a key with two actions at the same time.
 [[nodiscard]] Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string& name);
 
 /// The JSON that parseKeyBindings reads, with the actions whose keys differ from the defaults.
@@ -104,8 +105,8 @@ private:
 /// $XDG_CONFIG_HOME/limen/keys.json, or ~/.config/limen/keys.json; empty if neither is known.
 [[nodiscard]] std::filesystem::path keysPath();
 
-/// Reads the file. If it is missing and `mustExist` is false, the default keys apply. Errors: as parseKeyBindings; an
-/// unreadable file.
+/// Reads the file. If it is missing and `mustExist` is false, the default keys apply. Errors: as
+/// parseKeyBindings; an unreadable file.
 [[nodiscard]] Result<KeyBindings> readKeyBindings(const std::filesystem::path& file, bool mustExist);
 
 /// Writes the file and creates its directory. Errors: an empty path; a file that cannot be written.

@@ -7,7 +7,8 @@
 
 namespace limen::viewer {
 
-/// A key, by its position on the keyboard. The numbers are GLFW's; Window.cpp checks them against GLFW's header.
+/// A key, by its position on the keyboard. The numbers are GLFW's; Window.cpp checks them against GLFW's
+/// header.
 enum class KeyCode : std::uint16_t {};
 
 struct KeyName {

@@ -50,7 +50,7 @@ Panel::Panel(const Window& window) : over_(std::make_unique<OverTexture>()), win
     ImGui::StyleColorsDark();
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); // chains to the window's own callbacks
     ImGui_ImplOpenGL3_Init("#version 450 core");
-    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now, because fitScale can rebuild the font before the first frame
+    ImGui_ImplOpenGL3_CreateDeviceObjects(); // now: fitScale can rebuild the font before the first frame
 }
 
 Panel::~Panel() {

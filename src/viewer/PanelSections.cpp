@@ -137,7 +137,8 @@ void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
         choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
 }
 
-/// Draws a visit and its descendants. Returns the first visit after them. `hovered` is set to the visit under the mouse.
+/// Draws a visit and its descendants. Returns the first visit after them. `hovered` is set to the visit under
+/// the mouse.
 std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isShown, int& hovered) {
     bool isOpen = false;
     if (isShown) {
@@ -162,7 +163,8 @@ std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isSho
     return next;
 }
 
-/// Draws the tree of visits: the reason why each room is drawn. Fills the region of the visit under the mouse.
+/// Draws the tree of visits: the reason why each room is drawn. Fills the region of the visit under the
+/// mouse.
 void drawVisits(const PanelFacts& facts) {
     if (facts.visible.visits.empty() || !ImGui::CollapsingHeader("Visits", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -302,8 +304,7 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
     ImGui::SetNextWindowPos({scaled(8.0f), scaled(8.0f)}, ImGuiCond_FirstUseEver);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const ImVec2 most{std::max(room.x - scaled(16.0f), 1.0f), std::max(room.y - scaled(16.0f), 1.0f)};
-    ImGui::SetNextWindowSizeConstraints({std::min(scaled(330.0f), most.x), 0.0f},
-                                        most); // longer content scrolls
+    ImGui::SetNextWindowSizeConstraints({std::min(scaled(330.0f), most.x), 0.0f}, most);
     ImGui::SetNextWindowBgAlpha(0.75f);
     const std::string title =
         fmt::format("Limen ({} for help)###panel", keysText(facts.bindings, Action::Help));

@@ -44,8 +44,8 @@ struct PortalLine {
     visibility::PortalFate fate = visibility::PortalFate::NoArea;
 };
 
-/// The outlines of portals projected for an eye, ignoring walls. Strong fates come last, so that an admitted portal is
-/// drawn over its reciprocal. Parts behind the eye are clipped.
+/// The outlines of portals projected for an eye, ignoring walls. Strong fates come last, so that an admitted
+/// portal is drawn over its reciprocal. Parts behind the eye are clipped.
 [[nodiscard]] std::vector<PortalLine>
 portalLines(const world::World& world, std::span<const PortalTrace> traces, const visibility::View& eye);
 

@@ -22,7 +22,8 @@ struct ResidentBlock {
     bool holdsEye = false, holdsPlayer = false;
 };
 
-/// A square of landblocks in rows from the north-west corner; north is up. Blocks beyond the edge of the map are Absent.
+/// A square of landblocks in rows from the north-west corner; north is up. Blocks beyond the edge of the map
+/// are Absent.
 struct ResidencyMap {
     int side = 0; ///< blocks per row, and number of rows
     std::vector<ResidentBlock> blocks;
@@ -30,7 +31,8 @@ struct ResidencyMap {
     std::uint32_t loaded = 0, terrains = 0, cells = 0, buildingPortals = 0;
 };
 
-/// The square of `radius` blocks on each side of the eye's block. `eye` and `player` are the blocks that contain them.
+/// The square of `radius` blocks on each side of the eye's block. `eye` and `player` are the blocks that
+/// contain them.
 [[nodiscard]] ResidencyMap residencyMap(const world::World& world, dat::BlockCoord eye,
                                         dat::BlockCoord player, int radius);
 

@@ -12,7 +12,8 @@ public:
     /// Keeps values younger than `seconds`.
     explicit TimeWindow(double seconds = 5.0) : seconds_(seconds) {}
 
-    /// Adds a value at time `now`, seconds; `now` never decreases. NaN, from timers without a result yet, is ignored.
+    /// Adds a value at time `now`, seconds; `now` never decreases. NaN, from timers without a result yet, is
+    /// ignored.
     void add(double now, double value);
 
     /// Median and 95th percentile; NaN without values.

@@ -15,12 +15,12 @@ struct ViewVerdict {
     double seconds = 0.0;    ///< duration of the check
 };
 
-/// Checks single views of a session's loaded world. Caches the reference's form of the world, which takes about a
-/// second to build, until the session shows another part.
+/// Checks single views of a session's loaded world. Caches the reference's form of the world, which takes
+/// about a second to build, until the session shows another part.
 class ViewCheck {
 public:
-    /// Draws a frame of ids and layers, so the caller must redraw the frame to show. Requires a loaded world. Errors:
-    /// those of drawing.
+    /// Draws a frame of ids and layers, so the caller must redraw the frame to show. Requires a loaded world.
+    /// Errors: those of drawing.
     [[nodiscard]] Result<ViewVerdict> check(engine::Session& session, const engine::FrameRequest& request);
 
 private:

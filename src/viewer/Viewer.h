@@ -63,7 +63,8 @@ public:
     [[nodiscard]] std::vector<std::string> openDoors() const;
 
 private:
-    /// Performs the actions of pressed keys and buttons. During a rebinding the next key completes it instead.
+    /// Performs the actions of pressed keys and buttons. During a rebinding the next key completes it
+    /// instead.
     void takeKeys();
 
     void press(Action action);

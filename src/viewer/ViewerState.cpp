@@ -75,8 +75,8 @@ std::string stateJson(const engine::Session& session, const Viewer& viewer, std:
                                          : nlohmann::ordered_json(nullptr)},
         {"keys", nlohmann::ordered_json::parse(keyBindingsJson(viewer.bindings()))},
         {"gl_calls", session.figures().glCalls}};
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
-           "\n"; // replaces invalid UTF-8: paths can hold any bytes
+    // Paths can hold any bytes: invalid UTF-8 is replaced.
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace limen::viewer

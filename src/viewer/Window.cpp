@@ -166,8 +166,7 @@ void Window::receiveFocus(bool isHere) {
 void Window::receiveButton(bool isDown) {
     constexpr double kStill = 3.0; // units; a smaller movement still counts as a click
     if (isDown) {
-        glfwGetCursorPos(window_, &cursorX_,
-                         &cursorY_); // the end of a drag moves the cursor without an event
+        glfwGetCursorPos(window_, &cursorX_, &cursorY_); // the end of a drag moves it without an event
         press_ = mouseIsTaken_ ? std::nullopt : std::make_optional<Press>({cursorX_, cursorY_, 0.0});
         return;
     }

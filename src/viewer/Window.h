@@ -29,7 +29,8 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Processes the events since the last call. A key pressed and released in between counts as held for one frame.
+    /// Processes the events since the last call. A key pressed and released in between counts as held for one
+    /// frame.
     void poll(const Taken& taken, const KeyBindings& bindings);
     /// One-shot actions since the last poll.
     [[nodiscard]] const std::vector<Action>& pressed() const { return pressed_; }
@@ -77,7 +78,8 @@ private:
     double mouseX_ = 0.0, mouseY_ = 0.0;
     bool dragging_ = false;
     bool mouseIsTaken_ = false;
-    /// A press of the left button: its start and the length of the cursor's path since, in GLFW's screen units.
+    /// A press of the left button: its start and the length of the cursor's path since, in GLFW's screen
+    /// units.
     struct Press {
         double x = 0.0, y = 0.0;
         double wandered = 0.0;

@@ -6,8 +6,8 @@
 
 namespace limen::viewer {
 
-/// Sizes of a window. On screens of high density a screen unit can span several pixels, or the desktop asks for a
-/// larger content scale.
+/// Sizes of a window. On screens of high density a screen unit can span several pixels, or the desktop asks
+/// for a larger content scale.
 struct WindowSizes {
     int width = 0, height = 0; ///< in screen units, as cursor positions; 0 when minimised
     engine::PixelSize pixels;  ///< framebuffer size, at least 1x1

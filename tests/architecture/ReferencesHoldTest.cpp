@@ -15,8 +15,8 @@
 
 // Every file, heading and test that code or documents cite exists. The forms of a citation are:
 //   docs/formats/cells.md#portals      in code: the page from the root; the heading as in a link on GitHub
-//   [text](PAGE#tolerances)           in Markdown: PAGE relative to the page; #heading alone for the same page
-//   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder from the root; `src/dat/File` for both its files
+//   [text](PAGE#tolerances)           in Markdown: PAGE relative to the page; #heading: the same page
+//   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder; `src/dat/File` for header and source
 //   world/Zones.h, `Zones.h`           in comments and Markdown: a source file whose path ends so
 //   `Suite.test`, `Suite.test…`        in Markdown: a test, or the beginning of its name
 // Placeholders are written in capitals: NAME.cpp, NAMETest.cpp, SUITE.test; and room/Header.h.
@@ -69,7 +69,8 @@ std::vector<std::string> proseLines(std::string_view text) {
     return lines;
 }
 
-/// The anchor of a heading as GitHub makes it: the text of links, letters lowered, punctuation dropped, spaces as hyphens.
+/// The anchor of a heading as GitHub makes it: the text of links, letters lowered, punctuation dropped,
+/// spaces as hyphens.
 std::string anchorOf(std::string_view heading) {
     std::string text;
     for (std::size_t i = 0; i < heading.size(); ++i)
@@ -274,8 +275,8 @@ bool isPlaceholder(const std::string& name) {
            (isIn(std::isupper) && !isIn(std::islower));
 }
 
-/// A source file's text in which everything except comments and line ends is replaced by spaces. Scripts and CMake files
-/// have # comments, other files those of C++.
+/// A source file's text in which everything except comments and line ends is replaced by spaces. Scripts and
+/// CMake files have # comments, other files those of C++.
 std::string onlyComments(std::string_view text, bool isScript) {
     std::string out(text.size(), ' ');
     enum class In { Code, Line, Block, String, Character, Raw } in = In::Code;
@@ -471,7 +472,8 @@ TEST(ReferencesHold, everyCitedFileHeadingAndTestExists) {
             ADD_FAILURE() << fault;
 }
 
-/// A small tree to test the scanner. Its citations have @ for docs/, so that this file itself contains no citation.
+/// A small tree to test the scanner. Its citations have @ for docs/, so that this file itself contains no
+/// citation.
 class ReferencesScanner : public testing::Test {
 protected:
     ReferencesScanner() {

@@ -138,7 +138,8 @@ TEST(Shot, everyCellItsOwnZoneShowsTheSameIds) {
 }
 
 TEST(Shot, theReferenceShowsWhatIsDrawn) {
-    // limen check compares strictly, neighbours included. This test only shows that both produce the same picture.
+    // limen check compares strictly, neighbours included. This test only shows that both produce the same
+    // picture.
     const ProgramRunner runner;
     for (const char* place : {"cottage.room", "cottage.front"}) {
         SCOPED_TRACE(place);

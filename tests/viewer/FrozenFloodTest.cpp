@@ -6,8 +6,8 @@
 namespace limen::viewer {
 namespace {
 
-/// An eye at the origin that looks north, 90 degrees wide and high: the root, and an opening in the plane y = 4 through which
-/// it sees a visit of a quarter of the picture.
+/// An eye at the origin that looks north, 90 degrees wide and high: the root, and an opening in the plane y =
+/// 4 through which it sees a visit of a quarter of the picture.
 FrozenFlood someFlood() {
     FrozenFlood flood;
     flood.visible.regionVertices = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1},

@@ -7,7 +7,8 @@ namespace {
 
 using State = ResidentBlock::State;
 
-/// Terrain at (10, 20) with two cells and a building portal; a dungeon at (11, 20) of one cell; far away, terrain.
+/// Terrain at (10, 20) with two cells and a building portal; a dungeon at (11, 20) of one cell; far away,
+/// terrain.
 world::World someWorld() {
     world::World world;
     world.blocks.resize(3);
