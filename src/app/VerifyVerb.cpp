@@ -46,15 +46,15 @@ std::string jsonOf(const dat::VerifyReport& report, double seconds) {
                           {"fault", dat::nameOf(fault.kind)},
                           {"what", fault.what}});
     }
-    const auto count = [&](dat::Fault::Kind kind) {
+    const auto count = [&](dat::FaultKind kind) {
         return report.faultCounts[static_cast<std::size_t>(kind)];
     };
     const nlohmann::ordered_json json{{"records", records},
                                       {"bytes", bytes},
                                       {"seconds", seconds},
-                                      {"unreadable", count(dat::Fault::Kind::Unreadable)},
-                                      {"changed", count(dat::Fault::Kind::Changed)},
-                                      {"unresolved", count(dat::Fault::Kind::Unresolved)},
+                                      {"unreadable", count(dat::FaultKind::Unreadable)},
+                                      {"changed", count(dat::FaultKind::Changed)},
+                                      {"unresolved", count(dat::FaultKind::Unresolved)},
                                       {"warnings", report.warnings},
                                       {"kinds", kinds},
                                       {"faults", faults}};
