@@ -1,6 +1,7 @@
 #include "output/RegionOverlay.h"
 
 #include "engine/FrameReport.h"
+#include "engine/IdTable.h"
 
 #include <fmt/format.h>
 

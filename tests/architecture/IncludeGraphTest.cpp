@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Reads the #include lines of all rooms, and fails if a room includes one that it must not know
+// Reads every #include of src/ and fails if a room includes a room that it must not know
 // (docs/architecture.md).
 namespace {
 
@@ -17,7 +17,7 @@ using Names = std::set<std::string>;
 
 const fs::path kRoot = LIMEN_SOURCE_DIR;
 
-/// The other rooms that each room may include. The keys are all rooms.
+/// The rooms that each room may include besides itself. The keys are all rooms.
 std::map<std::string, Names> allowedRooms() {
     std::map<std::string, Names> allowed{
         {"core", {}},
@@ -46,7 +46,7 @@ std::map<std::string, Names> allowedRooms() {
     return allowed;
 }
 
-/// The headers of `frame` that `gpu` may include: the plan as plain data. They include no other room.
+/// Headers of frame that gpu may include: the plan as plain data. They include nothing else of frame.
 bool isPlainFrameHeader(const std::string& include) {
     static const Names kPlain{"frame/FramePlan.h", "frame/GpuLayout.h", "frame/SceneUpload.h",
                               "frame/IdColour.h"};
@@ -89,12 +89,12 @@ std::vector<Include> includesUnder(const fs::path& folder) {
     return found;
 }
 
-/// The procedural worlds are beside src/; the other rooms are folders of it.
+/// The folder of a room. Procedural worlds are beside src/; every other room is a folder of src/.
 fs::path folderOf(const std::string& room) {
     return room == "worlds" ? kRoot / room : kRoot / "src" / room;
 }
 
-/// The room that an include names; "" for the header of a library.
+/// The room of an include, or "" for a library header.
 std::string roomOf(const std::string& include) {
     const std::string first = include.substr(0, include.find('/'));
     const bool isRoom =
@@ -132,7 +132,7 @@ TEST(IncludeGraph, noRoomIncludesOneItMayNotKnow) {
                 << include.place();
         }
     }
-    EXPECT_GT(seen, 50u) << "too few includes were found, so the test proves nothing";
+    EXPECT_GT(seen, 50u) << "too few includes found for the test to mean anything";
 }
 
 TEST(IncludeGraph, relativeIncludesDoNotClimbOut) {
@@ -183,7 +183,7 @@ TEST(IncludeGraph, thePlansHeadersKnowNoOtherRoom) {
 }
 
 TEST(IncludeGraph, theAllowedGraphHasNoCycle) {
-    // Remove rooms that need none of the remaining rooms, until no more can be removed. The rest has a cycle.
+    // Remove rooms without dependencies until none can be removed. The remaining rooms contain a cycle.
     auto left = allowedRooms();
     for (bool moved = true; moved;) {
         moved = false;
@@ -198,7 +198,7 @@ TEST(IncludeGraph, theAllowedGraphHasNoCycle) {
         ADD_FAILURE() << room << " is part of a cycle";
 }
 
-/// The limen targets that a CMakeLists.txt links.
+/// The limen targets that a CMakeLists.txt links to matching targets.
 Names linkedRooms(const fs::path& cmakeLists) {
     static const std::regex kTarget(R"(limen::(\w+))");
     std::ifstream in(cmakeLists);
@@ -213,8 +213,7 @@ TEST(LinkGraph, noRoomLinksOneItMayNotKnow) {
     const auto allowed = allowedRooms();
     for (const std::string& room : roomsThere()) {
         for (const std::string& other : linkedRooms(folderOf(room) / "CMakeLists.txt")) {
-            // `gpu` needs only headers of `frame`. It must not link the library, which brings world and visibility
-            // with it.
+            // gpu may link only frame's headers, because the library depends on world and visibility.
             EXPECT_TRUE(other == room || allowed.at(room).contains(other))
                 << room << " links limen::" << other;
         }
