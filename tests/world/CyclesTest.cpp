@@ -162,7 +162,7 @@ TEST(Cycles, leaveOutAnimationsThatAreMissingOrEmptyAndSayIt) {
     puppet.cycle(kPuppetRuns, {});
     const World world = puppet.load();
     EXPECT_THAT(findingsOf(world), HasSubstr("03000077"));
-    EXPECT_THAT(findingsOf(world), HasSubstr("an animation without frames"));
+    EXPECT_THAT(findingsOf(world), HasSubstr("the animation has no frames"));
     EXPECT_EQ(cycleOf(world, Gait::Stand).stretchCount, 1u);
     EXPECT_EQ(world.villagers[0].body.cycles[static_cast<std::size_t>(Gait::Walk)], kNone);
     EXPECT_EQ(world.villagers[0].body.cycles[static_cast<std::size_t>(Gait::Run)], kNone);
@@ -176,7 +176,7 @@ TEST(Cycles, areReadDespiteNumbersThatAreNone) {
                           {test::frameAt({0, 0, 0}), {Vec3f(1.0f), Quatf(0.0f, 0.0f, 0.0f, 2.0f)}}});
     puppet.cycle(kPuppetWalks, {{animation, 0, -1, kNan}}, {0.0f, kNan, 0.0f});
     const World world = puppet.load();
-    EXPECT_THAT(findingsOf(world), HasSubstr("a rate that is no number"));
+    EXPECT_THAT(findingsOf(world), HasSubstr("a rate that is not a number"));
     const Cycle& cycle = cycleOf(world, Gait::Walk);
     EXPECT_EQ(cycle.velocity, Vec3(0.0));
     EXPECT_EQ(world.stretches[cycle.firstStretch].rate, 0.0);

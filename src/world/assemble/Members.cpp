@@ -40,6 +40,8 @@ void findMembers(std::span<const ObjectGroup> objects, World& world) {
                      "a group is a run of instances");
         const SpaceIndex placedIn = world.instances[group.firstInstance].placedIn;
         membership.reach(placedIn, group.bounds, {}, reached);
+        if (reached.size() == 1)
+            continue;
         // Shutting doors only takes spaces away. An object with the same spaces when all are shut has them
         // always.
         membership.reach(placedIn, group.bounds, shut, reachedShut);
