@@ -7,23 +7,22 @@
 
 namespace limen::bench {
 
-/// One line of `limen bench`. Whether the target is met, and the ratios to what it is measured against,
-/// follow from it.
+/// One row of `limen bench`. BenchTable.h derives the ratio and whether the target is met.
 struct BenchRow {
     std::string bench{}; ///< "dat/lookup"
-    std::string scene{}; ///< what it ran on
+    std::string scene{}; ///< data and conditions of the measurement
     double value = 0.0;  ///< median over the repeats
     double p95 = 0.0;    ///< 95th percentile of the repeats, counted towards the worse side
     std::string unit{};
-    std::vector<std::pair<std::string, double>> against{}; ///< the same measure of something known
+    std::vector<std::pair<std::string, double>> against{}; ///< the same quantity of the systems compared with
     double target = 0.0;
     bool hasTarget = false;
     bool lowerIsBetter = true;
-    std::uint64_t allocations = 0; ///< heap allocations of one repeat; 0 also where nobody counts
-    std::uint64_t hash = 0;        ///< of the result: a figure counts only beside the same hash
+    std::uint64_t allocations = 0; ///< heap allocations of one repeat; 0 if they are not counted
+    std::uint64_t hash = 0;        ///< of the result; figures are comparable only if their hashes are equal
 };
 
-/// Tells how many heap allocations the program has made so far; null where nobody counts.
+/// Returns the number of heap allocations so far. Null: they are not counted.
 using AllocationCounter = std::uint64_t (*)();
 
 } // namespace limen::bench

@@ -31,7 +31,7 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive
         !shown)
         return tl::unexpected(shown.error());
     if (!part->holds(place))
-        return fail(ErrorCode::NotFound, place.name, "is not where the world file says");
+        return fail(ErrorCode::NotFound, place.name, "the place's space is not loaded");
     return part;
 }
 
@@ -89,7 +89,7 @@ void DrawnPart::leaveOutOwnership() {
 
 Result<DrawnPart*> PartOfTour::at(const world::Place& place) {
     if (!part_ || !part_->holds(place)) {
-        part_.reset(); // room for the next
+        part_.reset(); // frees its memory before the next is loaded
         Result<std::unique_ptr<DrawnPart>> loaded =
             DrawnPart::around(archive_, file_, place, device_, width_, height_);
         if (!loaded)

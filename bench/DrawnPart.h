@@ -8,11 +8,11 @@
 
 namespace limen::bench {
 
-/// The blocks around a place on a device: the engine's pipeline with a target, its steps taken one by one. The device must
-/// outlive it.
+/// The blocks around a place on a device: the engine's pipeline with a target, its steps taken one by one.
+/// The device must outlive it.
 class DrawnPart {
 public:
-    /// Errors: the loader's, the renderer's; NotFound if the place's space is not where the world file says.
+    /// Errors: the loader's, the renderer's; NotFound if the place's space is not loaded.
     [[nodiscard]] static Result<std::unique_ptr<DrawnPart>>
     around(const dat::Archive& archive, const world::WorldFile& file, const world::Place& place,
            gpu::Device& device, std::uint32_t width, std::uint32_t height,
@@ -20,7 +20,8 @@ public:
 
     /// Whether a place's space is loaded.
     [[nodiscard]] bool holds(const world::Place& place) const;
-    /// A view from a place, turned by so many degrees, as large as the target. Its root is looked for where the place names none.
+    /// A view from a place, turned by `turn` degrees, with the target's size. The position decides on the
+    /// root if the place names no cell.
     [[nodiscard]] frame::FrameView viewFrom(const world::Place& place, double turn = 0.0) const;
 
     /// Updates the dynamic state. `doors`: openness of all of them; none: each keeps its resting openness.
@@ -48,14 +49,14 @@ private:
     gpu::RenderTarget target_;
 };
 
-/// The part that is loaded while places are visited one after another. Its device must outlive it.
+/// Loads the parts around places that are visited in turn, one at a time. The device must outlive it.
 class PartOfTour {
 public:
     PartOfTour(const dat::Archive& archive, const world::WorldFile& file, gpu::Device& device,
                std::uint32_t width, std::uint32_t height)
         : archive_(archive), file_(file), device_(device), width_(width), height_(height) {}
 
-    /// Loads the blocks around a place, unless its space is there. Errors: as DrawnPart::around.
+    /// Loads the blocks around a place unless its space is loaded already. Errors: as DrawnPart::around.
     [[nodiscard]] Result<DrawnPart*> at(const world::Place& place);
 
 private:

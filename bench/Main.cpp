@@ -29,19 +29,17 @@ struct Bench {
 };
 
 constexpr std::array kBenches{
-    Bench{"dat", "opening a dat, looking records up, decoding geometry", &benchDat},
-    Bench{"dispatch",
-          "planning and submitting frames of many objects, beside the way of binding and drawing by groups",
+    Bench{"dat", "opening of a dat file, look-ups, decoding of geometry", &benchDat},
+    Bench{"dispatch", "planning and submission of frames with many objects, compared with draws by group",
           &benchDispatch},
-    Bench{"frame", "whole frames along the tour, beside frames without visibility and without ownership",
+    Bench{"frame",
+          "whole frames along the tour, compared with frames without visibility and without ownership",
           &benchFrame},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
-    Bench{"stream",
-          "flying over landblocks that are streamed in: time of the drawing thread, what is missing, memory",
+    Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &benchCalls},
-    Bench{"flood", "following the rays of a view through grids of rooms, fine cells, dungeons, a town",
-          &benchFlood},
+    Bench{"flood", "the portal flood in grids of rooms, fine cells, dungeons and a town", &benchFlood},
 };
 
 struct BenchOptions {
@@ -56,14 +54,14 @@ Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, 
         const bool isNamed = std::find(names.begin(), names.end(), bench.name) != names.end();
         if (isNamed && overDat && bench.runOver == nullptr)
             return fail(ErrorCode::NotFound, "bench",
-                        fmt::format("'{}' runs on its own data alone", bench.name));
+                        fmt::format("'{}' uses its own data; leave --dat out", bench.name));
         if (isNamed || (names.empty() && (!overDat || bench.runOver != nullptr)))
             benches.push_back(&bench);
     }
     for (const std::string& name : names) {
         if (std::none_of(kBenches.begin(), kBenches.end(), [&](const Bench& b) { return b.name == name; }))
             return fail(ErrorCode::NotFound, "bench",
-                        fmt::format("'{}' is not a benchmark; limen bench --list names them", name));
+                        fmt::format("unknown benchmark '{}'; limen bench --list prints the names", name));
     }
     return benches;
 }
@@ -95,10 +93,10 @@ Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& cons
 } // namespace
 
 int run(int argc, const char* const* argv) {
-    CLI::App program(
-        "Measures Limen and compares it with targets. Exit codes: 0 every target is met, 1 one is missed,\n"
-        "2 it could not be measured.",
-        "limen bench");
+    CLI::App program("Measures Limen and compares it with targets. Exit codes: 0 all targets are met, 1 a "
+                     "target is missed,\n"
+                     "2 a measurement failed.",
+                     "limen bench");
     BenchOptions options;
     program.add_option("NAME", options.names, "run these benchmarks (all)")->type_name("");
     program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")

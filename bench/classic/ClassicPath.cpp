@@ -12,11 +12,11 @@ namespace {
 namespace layout = frame::gpu;
 
 constexpr std::size_t kBytesPerTexel = 16;
-/// Bindings of a group's own: the frame's constants come first, its materials next.
+/// Storage bindings that each group binds again; the frame's constants and the materials are among them.
 constexpr std::size_t kGroupRanges = layout::kBindMaterialRefs + 1;
 static_assert(layout::kBindFrame < kGroupRanges && layout::kBindMaterials < kGroupRanges);
 
-/// What the frame's constants, and the plain sky, follow from.
+/// A copy with only the data that the frame's constants and the plain sky depend on.
 world::World withoutContent(const world::World& world) {
     world::World bare;
     bare.blocks = world.blocks;
@@ -38,7 +38,7 @@ std::uint32_t texelAt(std::size_t offset) {
 
 Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, const world::World& world,
                                                          const world::DynamicState& dynamics) {
-    LIMEN_ASSERT(world.spaces.size() == 1, "there are no cells");
+    LIMEN_ASSERT(world.spaces.size() == 1, "the classic path draws worlds without cells");
     Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, dynamics);
     if (!scene)
         return tl::unexpected(scene.error());
@@ -91,8 +91,9 @@ ClassicPath::Sides ClassicPath::sidesOf(const visibility::View& view) {
 
 Result<void> ClassicPath::render(const frame::FrameView& view, const world::DynamicState& dynamics,
                                  const visibility::VisibleSet& visible, gpu::RenderTarget& target) {
-    LIMEN_ASSERT(visible.visits.size() == 1, "all there is to see is outside");
-    LIMEN_ASSERT(dynamics.instances.size() == scene_->moving().size(), "as much moves as before");
+    LIMEN_ASSERT(visible.visits.size() == 1, "the only visit is the outside");
+    LIMEN_ASSERT(dynamics.instances.size() == scene_->moving().size(),
+                 "the number of dynamic instances does not change");
     planner_.plan(view, visible, base_);
     if (Result<void> reserved = device_.reserveRing(places_.size); !reserved)
         return reserved;
@@ -110,7 +111,7 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
     memory_ = device_.beginFrame(target.handle());
     layout::FrameConstants constants;
     constants.view = base_.constants;
-    constants.view.staticInstances = 0; // all are in the frame's memory
+    constants.view.staticInstances = 0; // all instances are in the frame's memory
     constants.view.staticMembers = scene_->staticMembers();
     target.place(constants.view, constants.device);
     constants.device.firstBlock = texelAt(places_.blocks);
@@ -134,7 +135,7 @@ void ClassicPath::drawGroups(const Sides& sides, const world::DynamicState& dyna
     for (const ClassicGroup& group : scene_->groups()) {
         const std::size_t known = zones_.size();
         if (const std::uint32_t count = gather(group, sides, dynamics); count > 0) {
-            // A driver may begin with a draw at once: all that it reads is written before.
+            // A driver can start a draw at once, so the memory that it reads is written before.
             write(places_.members + known * sizeof(layout::Member),
                   std::span<const layout::Member>(zones_).subspan(known));
             drawGroup(group, count);

@@ -6,41 +6,41 @@
 
 namespace limen::bench {
 
-/// The way the renderer is measured against, done as well as that way allows: group by group the objects are tested against the
-/// frustum, those seen are copied into the frame's memory, the group's texture and buffers are bound, and one instanced draw is
-/// made. What stands still was packed beforehand; what moves is packed if it is seen. It shows the same ids and colours
-/// as gpu/Renderer.h, to the pixel. Vertices and indices lie in one arena and need no binding of their own: three calls a group
-/// are as few as the device's interface allows.
+/// The classic path of drawing, a fair baseline for the renderer. For each group it tests the objects against
+/// the frustum, copies the visible ones into the frame's memory, binds the group's texture and buffers, and
+/// issues one instanced draw. Static objects are packed beforehand, dynamic ones when they are visible. All
+/// pixels have the same ids and colours as those of gpu/Renderer.h. Vertices and indices are in one arena
+/// without bindings of their own, so three calls a group are the minimum of the device's interface.
 ///
-/// The lists of the frame are not sorted, no triangle is culled, and only what ClassicScene allows is drawn, from the outside alone.
+/// It does not sort, culls no triangles, and draws only worlds that ClassicScene accepts, from the outside.
 class ClassicPath {
 public:
-    /// World, and the moment's instances in number and order, must stay as they are; the device must outlive it. Errors:
-    /// what ClassicScene reports.
+    /// The world, and the number and order of the dynamic instances, must not change. The device must outlive
+    /// it. Errors: those of ClassicScene.
     [[nodiscard]] static Result<std::unique_ptr<ClassicPath>>
     create(gpu::Device& device, const world::World& world, const world::DynamicState& dynamics);
 
-    /// Draws a frame with ids, planning included. `visible` is one visit, of the outside. Errors: Driver, if memory for the
-    /// frame cannot be had.
+    /// Plans and draws a frame with ids. `visible` must be one visit, the outside. Errors: Driver, if there
+    /// is no memory for the frame.
     [[nodiscard]] Result<void> render(const frame::FrameView& view, const world::DynamicState& dynamics,
                                       const visibility::VisibleSet& visible, gpu::RenderTarget& target);
 
-    /// Of the last frame.
+    /// Counts of the last frame.
     struct Counts {
         std::uint32_t objects = 0; ///< drawn
-        std::uint32_t draws = 0;   ///< groups of which something is drawn
+        std::uint32_t draws = 0;   ///< draw calls: groups with a visible object
     };
     [[nodiscard]] const Counts& counts() const { return counts_; }
 
 private:
-    /// Where a frame's arrays lie in its memory, bytes.
+    /// Offsets of a frame's arrays in its memory, in bytes.
     struct Places {
         std::size_t constants = 0, blocks = 0, visit = 0, members = 0, instances = 0, commands = 0, size = 0;
     };
-    /// A frustum's four sides; what is behind the eye is outside of one of them.
+    /// The four side planes of a frustum. A sphere behind the eye is outside of at least one.
     struct Sides {
         Vec3 eye{0.0};
-        std::array<Vec3, 4> inwards{}; ///< unit length
+        std::array<Vec3, 4> inwards{}; ///< normals, unit length
         [[nodiscard]] bool sees(const Sphere& bounds) const;
     };
     ClassicPath(gpu::Device& device, const world::World& world, std::unique_ptr<ClassicScene> scene);
@@ -57,11 +57,11 @@ private:
     gpu::Device& device_;
     const world::World& world_;
     std::unique_ptr<ClassicScene> scene_;
-    world::World bare_;                     ///< the world with nothing in it,
+    world::World bare_;                     ///< the world without instances, for planner_
     frame::StaticScene bareScene_;          ///< the same as a scene,
-    frame::Planner planner_;                ///< and what yields its frame constants
+    frame::Planner planner_;                ///< makes the frame constants
     frame::FramePlan base_;                 ///< constants, blocks and the root visit; nothing else
-    std::vector<frame::gpu::Member> zones_; ///< of what moves
+    std::vector<frame::gpu::Member> zones_; ///< members of the dynamic instances
     Places places_;
     ClassicScene::Storage storage_{};
     ClassicScene::Textures textures_{};

@@ -40,7 +40,7 @@ dat::RecordId cellOf(const world::World& world, world::SpaceIndex space) {
 
 world::SpaceIndex rootIn(const LoadedPart& part, dat::RecordId cell, const Vec3& eye) {
     const world::SpaceIndex root = cell == 0 ? world::kOutside : world::findCell(part.world, cell);
-    // A cell that is not there: its block is damaged or was left out. The position decides.
+    // If the cell is not loaded (a damaged block, or one that was left out), the position decides.
     return root != world::kNone ? root : motion::locate(part.world, eye).space;
 }
 

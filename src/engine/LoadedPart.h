@@ -12,14 +12,15 @@
 
 namespace limen::engine {
 
-/// The choice of a part of the world: the blocks around `centre`, loaded as the options say.
+/// Identifies a part of the world: the blocks around `centre`, with loading options.
 struct PartTarget {
     dat::BlockCoord centre;
     world::LoadOptions options;
     friend bool operator==(const PartTarget&, const PartTarget&) = default;
 };
 
-/// A part of a world in memory. Immutable, so that threads may share it. Never moves: `ids` and `scene` refer to `world`.
+/// A part of a world in memory. Immutable, so that threads may share it. Never moves: `ids` and `scene` refer
+/// to `world`.
 struct LoadedPart {
     LoadedPart(world::World loaded, visibility::Graph portals, const PartTarget& asked)
         : world(std::move(loaded)), graph(std::move(portals)), ids(world), scene(world), target(asked) {}
@@ -30,7 +31,7 @@ struct LoadedPart {
     const visibility::Graph graph;
     const IdTable ids;
     const frame::StaticScene scene;
-    const PartTarget target; ///< as it was asked for
+    const PartTarget target; ///< as it was requested
 };
 
 /// Reads the blocks around `target.centre`. Errors: the loader's; portals that the graph refuses.
@@ -38,11 +39,11 @@ struct LoadedPart {
                                                                  const PartTarget& target,
                                                                  const world::MovingEntries& moving = {},
                                                                  const world::LoadHelp& help = {});
-/// The same of a world that is in memory already. Errors: portals that the graph refuses.
+/// Makes a part of a world that is in memory already. Errors: portals that the graph refuses.
 [[nodiscard]] Result<std::shared_ptr<const LoadedPart>> partOf(world::World world,
                                                                const PartTarget& target = {});
 
-/// A part with the memory that planning its frames needs. Serves one thread at a time.
+/// A part, and the memory for planning its frames. For one thread at a time.
 struct PartPlanner {
     explicit PartPlanner(std::shared_ptr<const LoadedPart> loaded)
         : part(std::move(loaded)), planner(part->scene), dynamics(part->world) {}
@@ -52,18 +53,19 @@ struct PartPlanner {
     motion::DynamicStateBuilder dynamics;
 };
 
-/// The block to load around an eye in the cell `cell` (0: outside). Over a dungeon's block, which has no landscape, it stays the
-/// block of `shown`: the land is visible from there and the dungeon is not.
+/// The block to load around an eye in the cell `cell` (0: outside). For an eye outside above a dungeon's
+/// block, it is the centre of `shown`: that block has no landscape, and the dungeon is not visible from
+/// outside.
 [[nodiscard]] dat::BlockCoord blockAround(const dat::Archive& archive, const LoadedPart& shown,
                                           dat::RecordId cell, const Vec3& eye);
 
-/// The record of the cell that a space is; 0: the outside.
+/// The record id of the cell of a space; 0: the outside.
 [[nodiscard]] dat::RecordId cellOf(const world::World& world, world::SpaceIndex space);
 
-/// The space of an eye in another part of the world. `cell`: the cell that it was in (0: outside).
+/// The eye's space in another part of the world. `cell`: the record id of the cell it was in (0: outside).
 [[nodiscard]] world::SpaceIndex rootIn(const LoadedPart& part, dat::RecordId cell, const Vec3& eye);
 
-/// The first finding of a world's data as one line for a person; empty if there is none.
+/// The first defect found in a world's data, as one line of text; empty if there is none.
 [[nodiscard]] std::string findingsLine(const world::World& world);
 
 } // namespace limen::engine

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "frame/Rules.h"
 #include "geometry/Tolerances.h"
 #include "visibility/View.h"
 

@@ -139,9 +139,9 @@ private:
     /// The ownership test's own tolerance (1 mm and a share of the distance) and float rounding on the GPU, with
     /// room to spare, in metres per metre of distance and in metres: "inside" must hold under it, "outside"
     /// beyond it.
-    static constexpr double kSlackShare = 2e-6;
-    static constexpr double kSlack = 0.004;
-    static_assert(kSlackShare > kEntryPlaneToleranceSlope && kSlack > kEntryPlaneTolerance);
+    static constexpr double kToleranceShare = 2e-6;
+    static constexpr double kTolerance = 0.004;
+    static_assert(kToleranceShare > kEntryPlaneToleranceSlope && kTolerance > kEntryPlaneTolerance);
     struct Cone {
         Plane entry;
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;

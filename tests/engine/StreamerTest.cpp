@@ -9,7 +9,8 @@ namespace {
 constexpr dat::BlockCoord kHome{100, 100};
 const world::LoadOptions kLoad{.radius = 4, .farRadius = 12};
 
-/// Carries commands out at the pace that the test sets, and counts: a part that was read is shown, dropped, or failed, once.
+/// Carries commands out at a pace that the test sets. Counts parts: each part that is read is shown, dropped
+/// or failed once.
 class FakeWork {
 public:
     StreamProgress progress() {
@@ -62,7 +63,7 @@ public:
 
     bool isReading = false, isRead = false, isUploading = false, fails = false, uploadFails = false;
     int framesToRead = 0, framesToUpload = 0, slices = 0;
-    int eachRead = 0; ///< frames that every one takes
+    int eachRead = 0; ///< frames that each read takes
     std::size_t dropped = 0;
     std::vector<PartTarget> read, shown;
 };
@@ -108,7 +109,7 @@ TEST(Streamer, doesNothingWhileTheEyeIsAtHome) {
          {eyeFromHome(96, 96), eyeFromHome(0, 191), eyeFromHome(-23, 50), eyeFromHome(215, 215)})
         EXPECT_FALSE(s.step(eye));
     EXPECT_TRUE(s.tasks.read.empty());
-    EXPECT_EQ(s.tasks.slices, 4) << "what is not shown any more is freed all the same";
+    EXPECT_EQ(s.tasks.slices, 4) << "scenes that are no longer drawn are freed in each frame";
 }
 
 TEST(Streamer, readsUploadsAndShowsWhatIsAroundAnEyeThatHasLeft) {
@@ -135,7 +136,7 @@ TEST(Streamer, readsNothingForWhoWalksToAndFroAlongABorder) {
     EXPECT_GT(s.framesUntilShown(eyeFromHome(217, 96)), 0);
     for (int i = 0; i < 200; ++i)
         s.step(eyeFromHome(192.0 + 20.0 * std::sin(i * 0.3), 96));
-    EXPECT_EQ(s.tasks.read.size(), 1u) << "nor back";
+    EXPECT_EQ(s.tasks.read.size(), 1u) << "the way back reads nothing either";
 }
 
 TEST(Streamer, dropsWhatIsReadForAnEyeThatHasGoneBack) {
@@ -153,7 +154,7 @@ TEST(Streamer, aJumpBeyondAllThatIsLoadedIsFollowed) {
     Streamed s;
     s.tasks.framesToRead = 2;
     s.tasks.framesToUpload = 3;
-    s.step(eyeFromHome(220, 96)); // on its way already
+    s.step(eyeFromHome(220, 96)); // a read has started
     const StreamEye far = eyeAt(20 * world::kBlockSize, 7 * world::kBlockSize);
     ASSERT_GT(s.framesUntilShown(far), 0);
     EXPECT_EQ(s.shown.centre, far.block);
@@ -163,7 +164,7 @@ TEST(Streamer, aJumpBeyondAllThatIsLoadedIsFollowed) {
 TEST(Streamer, whoWaitsToGoFarAwayIsNotServedHalfTheWay) {
     Streamed s;
     s.tasks.framesToRead = 5;
-    s.step(eyeFromHome(220, 96)); // the next block is on its way
+    s.step(eyeFromHome(220, 96)); // a read of the next block has started
     StreamEye there = eyeFromHome(96 + 3 * world::kBlockSize, 96);
     there.isAway = true;
     s.tasks.eachRead = 2;
@@ -185,7 +186,7 @@ TEST(Streamer, itIsToldWhetherAPlaceHasFailed) {
     EXPECT_FALSE(s.streamer.hasFailed({kHome, kLoad}));
 }
 
-// Else who is faster than what comes would never see anything but the place he came from.
+// Otherwise an eye that flies faster than parts load would never get a new part.
 TEST(Streamer, showsWhatIsNearerThanWhatIsShownThoughTheEyeHasGoneOn) {
     Streamed s;
     s.tasks.eachRead = 20;
@@ -204,9 +205,9 @@ TEST(Streamer, whatCannotBeLoadedIsToldOnceAndTheRestGoesOn) {
     const StreamEye beyond = eyeFromHome(220, 96);
     for (int i = 0; i < 20; ++i)
         EXPECT_FALSE(s.step(beyond));
-    EXPECT_EQ(s.tasks.read.size(), 1u) << "not tried again and again";
+    EXPECT_EQ(s.tasks.read.size(), 1u) << "a failed part is not tried again";
     EXPECT_NE(s.streamer.takeFault(), "");
-    EXPECT_EQ(s.streamer.takeFault(), "") << "told once";
+    EXPECT_EQ(s.streamer.takeFault(), "") << "a failure is reported once";
     s.tasks.fails = false;
     EXPECT_GT(s.framesUntilShown(eyeFromHome(220 + 192, 96)), 0) << "the next block";
     EXPECT_GT(s.framesUntilShown(beyond), 0) << "tried again, coming back";
@@ -218,7 +219,7 @@ TEST(Streamer, anUploadThatFailsIsToldAndLeavesWhatIsShown) {
     EXPECT_EQ(s.framesUntilShown(eyeFromHome(220, 96), 20), 0);
     EXPECT_NE(s.streamer.takeFault().find("out of memory"), std::string::npos);
     EXPECT_EQ(s.tasks.read.size(), 1u);
-    EXPECT_EQ(s.tasks.dropped, 1u) << "nothing of it stays";
+    EXPECT_EQ(s.tasks.dropped, 1u) << "the part is dropped";
 }
 
 TEST(Streamer, otherOptionsAreReadWhereTheEyeIs) {
@@ -243,12 +244,12 @@ TEST(Streamer, whatSomebodyElseHasShownEndsWhatWasComing) {
         s.tasks.framesToUpload = 4;
         for (int i = 0; i < 3; ++i)
             s.step(eyeFromHome(220, 96));
-        s.shown.centre = {50, 60}; // a place was gone to, which is loaded at once
+        s.shown.centre = {50, 60}; // another caller has loaded a part
         const StreamEye there = eyeAt(50.5 * world::kBlockSize, 60.5 * world::kBlockSize);
         for (int i = 0; i < 20; ++i)
             EXPECT_FALSE(s.step(there));
         EXPECT_EQ(s.tasks.dropped, 1u);
-        // Back again: what was coming would fit, and yet was made to follow another scene.
+        // Back again. The dropped part would fit, but it was staged as the successor of another scene.
         EXPECT_GT(s.framesUntilShown(eyeFromHome(220, 96)), 0);
         EXPECT_EQ(s.tasks.read.size(), 2u);
     }
@@ -256,7 +257,7 @@ TEST(Streamer, whatSomebodyElseHasShownEndsWhatWasComing) {
 
 TEST(Streamer, inADungeonThePositionSaysNothing) {
     Streamed s;
-    StreamEye eye = eyeAt(5.0, 7.0); // cells may lie anywhere
+    StreamEye eye = eyeAt(5.0, 7.0); // a dungeon's cells can have any coordinates
     eye.block = kHome;
     EXPECT_FALSE(s.step(eye));
     EXPECT_TRUE(s.tasks.read.empty());
@@ -287,7 +288,8 @@ TEST(Streamer, dropsAnOfferedPartThatIsNotWantedAnyMore) {
     EXPECT_EQ(s.streamer.phase(), Streamer::Phase::Idle);
 }
 
-// Whatever an eye does, what was read is shown or dropped once; and when it stands still, what is around it is shown in the end.
+// For all movements of the eye: each part that was read is shown or dropped once, and the part around an eye
+// that stops is shown in the end.
 RC_GTEST_PROP(Streamer, comesToRestAroundTheEye, ()) {
     Streamed s;
     Vec3 at(kHome.x * world::kBlockSize, kHome.y * world::kBlockSize, 0.0);

@@ -44,8 +44,7 @@ TEST_F(PlannerTest, drawsTheShellOfEveryCellSeenAndEachInstanceOnce) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
     const auto draws = drawsOf(plan, Program::Opaque);
     for (const visibility::SeenSpace& seen : planned.visible.seen)
-        EXPECT_TRUE(seen.space == world::kOutside ||
-                    draws.contains(planned.world.spaces[seen.space].shell));
+        EXPECT_TRUE(seen.space == world::kOutside || draws.contains(planned.world.spaces[seen.space].shell));
     for (const auto& [instance, count] : draws)
         EXPECT_EQ(count, 1) << instance;
     EXPECT_EQ(planned.visible.visits.size(), 3u) << "room, room, outside";
