@@ -19,7 +19,7 @@ static_assert(offsetof(Instance, pose0) == 0 && offsetof(Instance, pose1) == 16 
               offsetof(Instance, pose2) == 32 && offsetof(Instance, block) == 48 &&
               offsetof(Instance, idBase) == 52 && offsetof(Instance, firstMaterial) == 56 &&
               offsetof(Instance, firstMember) == 60 && offsetof(Instance, membersAndKind) == 64 &&
-              offsetof(Instance, reach) == 68 && offsetof(Instance, highlight) == 72 &&
+              offsetof(Instance, levelRange) == 68 && offsetof(Instance, highlight) == 72 &&
               offsetof(Instance, opacity) == 76);
 static_assert(offsetof(Member, zone) == 0 && offsetof(Member, lightSet) == 4);
 static_assert(offsetof(DrawPiece, firstIndex) == 0 && offsetof(DrawPiece, triangles) == 4 &&
