@@ -5,8 +5,8 @@
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
 
-#include "app/HeapTuning.h"
-#include "app/SessionStream.h"
+#include "engine/HeapTuning.h"
+#include "engine/StreamedResidency.h"
 #include "gpu/device/NullDevice.h"
 #include "world/Nearby.h"
 #include "worlds/Demo.h"

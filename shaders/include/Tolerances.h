@@ -13,12 +13,12 @@ namespace limen {
 // A point at most this far from a plane is in the plane. An eye this far behind a portal's plane can still
 // leave through the portal, a surface this near to the plane is met from both sides, and a shut filling is
 // met before everything else there. The point-in-cell test uses the same distance at the planes of a cell's
-// BSP tree. Source: docs/ray-rule.md, "Tolerances"; formats/cells.md, "Point in cell".
+// BSP tree. Source: docs/ray-rule.md#tolerances; docs/formats/cells.md#point-in-cell.
 LIMEN_TOLERANCE kInPlaneTolerance = 0.0002;
 
 // An eye before a portal's plane is in the plane only up to this distance, plus the distance of the portal's
 // corners from the plane. Floats of corners near the eye are off by about this much. Source:
-// docs/ray-rule.md, "Tolerances".
+// docs/ray-rule.md#tolerances.
 LIMEN_TOLERANCE kBeforePlaneTolerance = 0.00001;
 
 // Two vertices at most this far apart are one vertex, and a vertex this near to an edge is on the edge. The
@@ -32,14 +32,13 @@ LIMEN_TOLERANCE kGapTolerance = kWeldTolerance;
 
 // Two cells that overlap by no more than this count as disjoint and may share a zone. Within a zone depth
 // alone decides, so a hidden cell may reach this far through the wall before it. The fragment shader moves it
-// back behind the wall by no more than this distance (docs/ray-rule.md, "Zones"). Cells that overlap more
+// back behind the wall by no more than this distance (docs/ray-rule.md#spaces-portals-fillings). Cells that overlap more
 // stay apart, which is slower and exact.
 LIMEN_TOLERANCE kOverlapTolerance = 0.0001;
 
 // A fragment at most this far on the wrong side of an entry plane belongs to both sides: jambs, sills, panes
 // and the terrain at a threshold are in the portal's plane. The ownership stage clips openings with the same
-// margin, so that rounding removes nothing from an opening that touches the plane. Source: docs/ray-rule.md,
-// "Tolerances".
+// margin, so that rounding removes nothing from an opening that touches the plane. Source: docs/ray-rule.md#tolerances.
 LIMEN_TOLERANCE kEntryPlaneTolerance = 0.001;
 
 // Metres that the entry-plane tolerance grows with each metre of distance from the eye: float positions and
@@ -53,7 +52,7 @@ LIMEN_TOLERANCE kBlockFloatTolerance = 0.00002;
 // ---- The view -------------------------------------------------------------------------------------------------------
 
 // Metres of view depth. Surfaces nearer than this are not drawn and not met; portals are met at any distance.
-// This is the default of every picture, drawn or traced. Source: docs/ray-rule.md, "Tolerances".
+// This is the default of every picture, drawn or traced. Source: docs/ray-rule.md#tolerances.
 LIMEN_TOLERANCE kDefaultNearPlane = 0.02;
 
 // Depths that differ by no more than this share are equal. It covers the float arithmetic of the depth
@@ -69,8 +68,7 @@ LIMEN_TOLERANCE kSnapTolerance = 1.0 / 128.0;
 
 // ---- Surfaces: shares of full opacity -------------------------------------------------------------------------------
 
-// A cut-out surface counts where the alpha of its texel is at least this. Source: docs/ray-rule.md, "The
-// rule".
+// A cut-out surface counts where the alpha of its texel is at least this. Source: docs/ray-rule.md#the-rule.
 LIMEN_TOLERANCE kCutOutAlpha = 0.5;
 
 #ifdef __cplusplus

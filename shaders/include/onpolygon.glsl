@@ -204,7 +204,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     return farther;
 }
 
-// Of the surfaces in an opening's plane, a pane comes first (docs/ray-rule.md, "Fillings"). Blended surfaces write no
+// Of the surfaces in an opening's plane, a pane comes first (docs/ray-rule.md#spaces-portals-fillings). Blended surfaces write no
 // depth, so a pane may be tested at a depth before the plane. Yields the reduction.
 float beforePlane(uint kind, vec3 direction) {
 #ifdef TRANSLUCENT

@@ -31,7 +31,7 @@ struct DrawnImages {
 /// A hash of all images. Equal hashes: two runs drew the same bits.
 [[nodiscard]] std::uint64_t hashOf(const DrawnImages& images);
 
-/// The verdict on one pixel (docs/ray-rule.md, "How pictures are held against it" and "Tolerances").
+/// The verdict on one pixel (docs/ray-rule.md#how-pictures-are-held-against-it; docs/ray-rule.md#tolerances).
 enum class Verdict : std::uint8_t {
     Agrees,    ///< the drawn id is among the traced ones of the 3×3 pixels
     ByZone,    ///< an object that pokes through a wall of its zone: the rule allows both results

@@ -17,7 +17,7 @@ struct ReportContext {
 /// The command that draws a view again and writes its ids.
 [[nodiscard]] std::string shotCommand(const View& view, const std::string& worldOptions);
 
-/// The result as one JSON object in one line (docs/interface.md). disagreeing_pixels counts ids that the rule
+/// The result as one JSON object in one line (src/check/README.md). disagreeing_pixels counts ids that the rule
 /// forbids; void_pixels counts those of them that were drawn as void.
 [[nodiscard]] std::string reportJson(const Totals& totals, const ReportContext& context);
 

@@ -12,7 +12,7 @@
 
 namespace limen::check {
 
-/// The kinds of view (docs/interface.md, `limen check`), in the order in which they run.
+/// The kinds of view (src/check/README.md, `limen check`), in the order in which they run.
 enum class ViewKind : std::uint8_t {
     Random,  ///< anywhere in a cell
     Outside, ///< anywhere above the landscape

@@ -1,5 +1,15 @@
 #include "check/Run.h"
+#include "cli/Parse.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
+#include "cli/Verbs.h"
+#include "engine/CheckDrawer.h"
+#include "engine/CheckView.h"
+#include "engine/DayGroup.h"
 #include "gpu/device/NullDevice.h"
+#include "output/CheckPicture.h"
+#include "output/OutputFile.h"
+#include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

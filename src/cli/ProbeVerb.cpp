@@ -1,7 +1,9 @@
-#include "app/FrameSource.h"
-#include "app/Probe.h"
-#include "app/Verbs.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
+#include "cli/Verbs.h"
 #include "gpu/device/NullDevice.h"
+#include "output/Probe.h"
+#include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -1,8 +1,10 @@
-#include "app/FootWalk.h"
-#include "app/OutputFile.h"
-#include "app/PathWalk.h"
-#include "app/Verbs.h"
+#include "cli/PathArguments.h"
+#include "cli/SessionArguments.h"
+#include "cli/Verbs.h"
 #include "gpu/device/NullDevice.h"
+#include "output/OutputFile.h"
+#include "play/FootWalk.h"
+#include "play/PathWalk.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 
 namespace limen::dat {
 
-/// The header of a dat file (formats/container.md §2), without fields that readers ignore.
+/// The header of a dat file (docs/formats/container.md#header), without fields that readers ignore.
 struct Header {
     std::uint32_t blockSize = 0, fileSize = 0, type = 0, subset = 0, root = 0;
     std::uint32_t engineVersion = 0, gameVersion = 0, minorVersion = 0;
@@ -25,7 +25,7 @@ struct Entry {
 };
 
 /// A memory-mapped dat file. Bytes are read on use. All const members may be called from several threads at
-/// once. Every rule of formats/container.md §9 is checked when the bytes are used: a damaged node or chain
+/// once. Every rule of docs/formats/container.md#damage is checked when the bytes are used: a damaged node or chain
 /// gives an Error, never a crash, an endless loop or a large allocation.
 class File {
 public:

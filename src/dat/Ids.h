@@ -6,7 +6,7 @@
 namespace limen::dat {
 
 /// A record's key in a dat's B-tree. The high byte (portal files) or the low word (cell files) determines the
-/// type: see formats/ids.md.
+/// type: see docs/formats/ids.md.
 using RecordId = std::uint32_t;
 
 inline constexpr RecordId kIterationId = 0xFFFF0001u;

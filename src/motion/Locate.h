@@ -13,7 +13,7 @@ struct Located {
 };
 [[nodiscard]] Located locate(const world::World& world, const Vec3& position);
 
-/// True if the position is inside the cell's BSP tree (formats/cells.md, "Point in cell"). False for the
+/// True if the position is inside the cell's BSP tree (docs/formats/cells.md#point-in-cell). False for the
 /// outside and for cells without a tree.
 [[nodiscard]] bool cellContains(const world::World& world, world::SpaceIndex space, const Vec3& position);
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 // Poses of a body's parts while the body stands, walks or runs: playback of the cycles in a World
-// (world/Cycle.h), after formats/effects_anim.md. Pure functions that allocate nothing.
+// (world/Cycle.h), after docs/formats/effects_anim.md. Pure functions that allocate nothing.
 namespace limen::motion {
 
 /// A cycle and the time within it.

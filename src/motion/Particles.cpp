@@ -34,7 +34,7 @@ enum Use : std::uint32_t {
     kUpwards
 };
 
-constexpr double kSmallest = 0.1, kLargest = 10.0; ///< scales, after formats/effects_anim.md
+constexpr double kSmallest = 0.1, kLargest = 10.0; ///< scales, after docs/formats/effects_anim.md
 constexpr double kNoDirection = 0.0002;            ///< shorter vectors have no direction
 /// Starts of one source that are drawn at once; older ones are left out.
 constexpr std::int64_t kMostStarts = 64;

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 // Particles of the records' emitters (world/Particles.h) as closed functions of time, after
-// formats/effects_anim.md. The state of a particle follows from its number, the seed of its source and the
+// docs/formats/effects_anim.md. The state of a particle follows from its number, the seed of its source and the
 // time. Nothing is kept from frame to frame.
 namespace limen::motion {
 

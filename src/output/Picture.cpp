@@ -130,7 +130,7 @@ void drawText(Picture& picture, std::uint32_t x, std::uint32_t y, std::uint32_t 
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; },
         '?');                                          // the font has printable ASCII only
-    std::vector<Corner> corners(line.size() * 80 + 4); // stb_easy_font.h: at most 270 bytes a letter
+    std::vector<Corner> corners(line.size() * 80 + 4); // stb at most 270 bytes a letter
     const int quads = stb_easy_font_print(0.0f, 0.0f, line.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(Corner)));
     for (int q = 0; q < quads; ++q) {

@@ -17,7 +17,7 @@ struct Sheared {
 /// The coordinates in which a ray is the z axis, as in Woop, Benthin, Wald, "Watertight Ray/Triangle
 /// Intersection" (2013). A corner goes through the same arithmetic for each polygon that has it, and an edge
 /// has exactly opposite signs for the two polygons that share it. So rays cannot slip between the two, and no
-/// tolerance is needed. Walls and openings share their corners to the bit (world/README.md), so the same
+/// tolerance is needed. Walls and openings share their corners to the bit (src/world/README.md), so the same
 /// holds between a wall and an opening.
 struct RayFrame {
     RayFrame(const Vec3& from, const Vec3& along) : eye(from), direction(along) {

@@ -7,8 +7,7 @@
 #include <cstdint>
 
 // The repeated animations of bodies, as a World stores them: read from Animation (0x03) and MotionTable
-// (0x09) records by world/assemble/Cycles.h, played by motion/PartPoses.h. docs/formats/effects_anim.md,
-// "Playback".
+// (0x09) records by world/assemble/Cycles.h, played by motion/PartPoses.h. docs/formats/effects_anim.md#playback.
 namespace limen::world {
 
 /// The motions that a body may have a cycle for.

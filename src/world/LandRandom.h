@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-// The hash that all random choices of the landscape use. docs/formats/landscape.md, "Random numbers".
+// The hash that all random choices of the landscape use. docs/formats/landscape.md#random-numbers.
 namespace limen::world {
 
 namespace seed {

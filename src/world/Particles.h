@@ -10,7 +10,7 @@
 
 // Particle emitters of the records, as a World stores them: read from ParticleEmitter (0x32), PhysicsScript
 // (0x33) and PhysicsScriptTable (0x34) records by world/records/EmitterStarts.h, evaluated by
-// motion/Particles.h. docs/formats/effects_anim.md, "ParticleEmitter". Lengths in metres, times in seconds.
+// motion/Particles.h. docs/formats/effects_anim.md#particleemitter. Lengths in metres, times in seconds.
 namespace limen::world {
 
 inline constexpr double kNeverEnds = std::numeric_limits<double>::infinity();

@@ -48,8 +48,7 @@ struct Sky {
     std::vector<SkyWeather> weather;
 };
 
-/// Light and fog at one time of day, interpolated between keyframes (docs/formats/sky_weather.md,
-/// "Keyframes").
+/// Light and fog at one time of day, interpolated between keyframes (docs/formats/sky_weather.md#keyframes).
 struct SkyState {
     Vec3f sunDirection{0.0f, 0.0f, 1.0f}; ///< towards the light
     Vec3f sunColour{0.0f};                ///< times brightness

@@ -16,7 +16,7 @@ struct Solid {
         kNone; ///< World::leaves: of a leaf, which always blocks; its corners are in the leaf's frame
 };
 
-/// The obstacles around a place, from the records' physics shapes (docs/formats/geometry.md, "Setup"):
+/// The obstacles around a place, from the records' physics shapes (docs/formats/geometry.md#setup):
 /// polygons of cells and models; cylinders and spheres of Setups as prisms and polyhedra. Triangles block
 /// from both sides. Plain data beside a World.
 struct Solids {

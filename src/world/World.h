@@ -65,7 +65,7 @@ struct Space {
 
 /// A node of a cell BSP in global coordinates. A point with signedDistance < -0.2 mm descends to `negative`
 /// (kNone: it is outside the cell), other points to `positive` (kNone: inside). Children follow their parent.
-/// docs/formats/cells.md, "Point in cell".
+/// docs/formats/cells.md#point-in-cell.
 struct CellBspNode {
     Plane plane;
     std::uint32_t positive = kNone; ///< index relative to the space's firstBspNode
@@ -198,7 +198,7 @@ struct Material {
 };
 
 /// The textures of one landcell: the base, then overlays and roads, blended by alpha maps. Alpha 1 keeps the
-/// layer beneath. docs/formats/landscape.md, "Texture blending".
+/// layer beneath. docs/formats/landscape.md#texture-blending.
 struct TerrainCell {
     struct Layer {
         std::uint32_t texture = kNone; ///< index into textures; kNone: no such layer

@@ -17,7 +17,7 @@
 //   docs/formats/cells.md#portals      in code: the page from the root; the heading as in a link on GitHub
 //   [text](PAGE#tolerances)           in Markdown: PAGE relative to the page; #heading: the same page
 //   `src/dat/File.h`, `src/dat/`       in Markdown: a file or folder; `src/dat/File` for header and source
-//   world/Zones.h, `Zones.h`           in comments and Markdown: a source file whose path ends so
+//   world/World.h, `World.h`           in comments and Markdown: a source file whose path ends so
 //   `Suite.test`, `Suite.test…`        in Markdown: a test, or the beginning of its name
 // Placeholders are written in capitals: NAME.cpp, NAMETest.cpp, SUITE.test; and room/Header.h.
 // Limits: fences are not checked; text outside of back quotes is checked for links only.

@@ -1,11 +1,11 @@
-#include "cli/BenchTable.h"
+#include "BenchTable.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace limen::cli {
+namespace limen::bench {
 namespace {
 
 bench::BenchRow rowOf(double value, double target, bool lowerIsBetter) {
@@ -59,4 +59,4 @@ TEST(BenchTable, tableHasALineARowUnderItsHeading) {
 }
 
 } // namespace
-} // namespace limen::cli
+} // namespace limen::bench

@@ -2,6 +2,7 @@
 
 #include "check/House.h"
 #include "check/Report.h"
+#include "cli/Parse.h"
 #include "cli/ShotRequest.h"
 #include "motion/Locate.h"
 

@@ -52,10 +52,10 @@ TEST(ParseSize, refusesAbsurdSizes) {
 }
 
 TEST(ParseRoot, knowsItsThreeForms) {
-    EXPECT_EQ(parseRoot("--root", "auto").value().kind, engine::RootChoice::Rule::Auto);
-    EXPECT_EQ(parseRoot("--root", "outside").value().kind, engine::RootChoice::Rule::Outside);
+    EXPECT_EQ(parseRoot("--root", "auto").value().rule, engine::RootChoice::Rule::Auto);
+    EXPECT_EQ(parseRoot("--root", "outside").value().rule, engine::RootChoice::Rule::Outside);
     const engine::RootChoice cell = parseRoot("--root", "0xA9B40105").value();
-    EXPECT_EQ(cell.kind, engine::RootChoice::Rule::Cell);
+    EXPECT_EQ(cell.rule, engine::RootChoice::Rule::Cell);
     EXPECT_EQ(cell.cell, 0xA9B40105u);
 }
 

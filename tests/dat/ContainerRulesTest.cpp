@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// Every row of formats/container.md §9: a reader refuses such files, with file and place in the message.
+// Every row of docs/formats/container.md#damage: a reader refuses such files, with file and place in the message.
 namespace limen::dat {
 namespace {
 

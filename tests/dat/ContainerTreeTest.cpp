@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// The rows of formats/container.md §9 about the index: a reader refuses damaged trees.
+// The rows of docs/formats/container.md#damage about the index: a reader refuses damaged trees.
 namespace limen::dat {
 namespace {
 

@@ -30,7 +30,7 @@ std::vector<SharedStruct> sharedStructs() {
          sizeof(layout::Instance),
          {MEMBER(Instance, pose0), MEMBER(Instance, pose1), MEMBER(Instance, pose2), MEMBER(Instance, block),
           MEMBER(Instance, idBase), MEMBER(Instance, firstMaterial), MEMBER(Instance, firstMember),
-          MEMBER(Instance, membersAndKind), MEMBER(Instance, reach), MEMBER(Instance, highlight),
+          MEMBER(Instance, membersAndKind), MEMBER(Instance, levelRange), MEMBER(Instance, highlight),
           MEMBER(Instance, opacity)}},
         {"Member", sizeof(layout::Member), {MEMBER(Member, zone), MEMBER(Member, lightSet)}},
         {"DrawPiece",

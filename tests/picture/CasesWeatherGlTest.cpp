@@ -1,5 +1,5 @@
 // Hard cases 18, 23 and 30 of docs/cases.md: rain and smoke at an open door, with eye and player on different
-// sides. The player's position decides whether it rains: tests/app/DynamicStateInputTest.cpp.
+// sides. The player's position decides whether it rains: tests/engine/FrameRequestTest.cpp.
 #include "picture/CaseHelp.h"
 #include "support/MovingHut.h"
 

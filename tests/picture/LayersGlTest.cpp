@@ -42,7 +42,7 @@ void tally(PictureWorld& pictures, const Picture& picture, Tally& tally) {
             for (int i = 0; i < 9 && !right; ++i) // like ids: the 3 by 3 pixels
                 right = meets(x + i % 3 - 1.0, y + i / 3 - 1.0) == drawn;
             const check::Verdict verdict = judged.verdicts[y * picture.frame.width + x];
-            // Within a zone, a sprite that passes through a wall may be hit beyond it (ray-rule.md); the
+            // Within a zone, a sprite that passes through a wall may be hit beyond it (docs/ray-rule.md); the
             // naive tracer has no zones.
             tally.byZone += !right && verdict == check::Verdict::ByZone ? 1 : 0;
             right = right || verdict == check::Verdict::Sliver || verdict == check::Verdict::Unjudged ||

@@ -13,7 +13,7 @@ using test::TestWorld;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The vectors are from docs/formats/landscape.md, "Random numbers".
+// The vectors are from docs/formats/landscape.md#random-numbers.
 TEST(LandHash, agreesWithTheTestVectors) {
     struct Vector {
         std::uint32_t x, y, split, scene, frequency, displace, quadrant;

@@ -98,7 +98,7 @@ public:
         }
         return static_cast<std::size_t>(n);
     }
-    /// Reads a count in 1, 2 or 4 bytes (formats/primitives.md, "cui"). Refuses one in more bytes than it
+    /// Reads a count in 1, 2 or 4 bytes (docs/formats/primitives.md#packed-counts). Refuses one in more bytes than it
     /// needs, because encode would write fewer.
     [[nodiscard]] std::uint32_t packedCount();
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-// Animation hooks (formats/effects_anim.md) are kept as bytes; their number depends on the type.
+// Animation hooks (docs/formats/effects_anim.md) are kept as bytes; their number depends on the type.
 namespace limen::dat {
 
 inline constexpr std::uint32_t kReplaceObjectHook = 0x05;

@@ -65,7 +65,7 @@ void values(IO& io, List& list, const char* what) {
                             [&](auto& one) { io.value(one); });
 }
 
-/// A "PackableHashTable" of items of at least `minValueBytes` without their keys (formats/primitives.md).
+/// A "PackableHashTable" of items of at least `minValueBytes` without their keys (docs/formats/primitives.md).
 template <class Value, class Item>
 void hashTable(ByteReader& io, PackedHashTable<Value>& table, std::size_t minValueBytes, const char* what,
                Item&& item) {

@@ -9,7 +9,7 @@
 
 namespace limen::dat {
 
-/// The B-tree of a file, read in place (formats/container.md §5). A node's count and range are checked at
+/// The B-tree of a file, read in place (docs/formats/container.md#b-tree). A node's count and range are checked at
 /// every visit; its chain, the order of its keys and its branches are checked once, and two bits store the
 /// result. Look-ups write nothing else, so any number of threads may look up at once.
 class Tree {

@@ -11,7 +11,7 @@ struct NodePlan {
 };
 
 /// The nodes of a balanced B-tree over `entries` (ascending, unique), children before parents, the root last;
-/// none for no entries. Method: formats/container.md §8.
+/// none for no entries. Method: docs/formats/container.md#writing-a-file.
 [[nodiscard]] std::vector<NodePlan> planTree(const std::vector<Entry>& entries);
 
 } // namespace limen::dat

@@ -5,7 +5,7 @@
 // ParticleEmitter (0x32), PhysicsScript (0x33), PhysicsScriptTable (0x34): docs/formats/effects_anim.md.
 namespace limen::dat {
 
-/// The motion of an emitter's particles; formats/effects_anim.md has the formulas.
+/// The motion of an emitter's particles; docs/formats/effects_anim.md has the formulas.
 enum class ParticleType : std::int32_t {
     Still = 1,
     LocalVelocity,

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// Vertices, polygons and BSP trees (formats/geometry.md). Short lists are SmallVecs, most of which need no
+// Vertices, polygons and BSP trees (docs/formats/geometry.md). Short lists are SmallVecs, most of which need no
 // allocation, so a mesh decodes with a few allocations.
 namespace limen::dat {
 
@@ -65,7 +65,7 @@ struct PortalRef {
     std::uint16_t portalIndex = 0;
 };
 
-/// A node. Tag and kind determine the stored members (formats/geometry.md, "BSP trees").
+/// A node. Tag and kind determine the stored members (docs/formats/geometry.md#bsp-trees).
 struct BspNode {
     BspTag tag = BspTag::Leaf;
     std::int32_t leafIndex = 0;

@@ -22,7 +22,7 @@ struct GfxObj {
 };
 
 /// An animation hook. The payload is kept as bytes; its length depends on the type
-/// (formats/effects_anim.md).
+/// (docs/formats/effects_anim.md).
 struct AnimationHook {
     std::uint32_t type = 0;
     std::int32_t direction = 0;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-// Values shared by several records, as stored (formats/primitives.md). Floats keep their bits, NaNs included,
+// Values shared by several records, as stored (docs/formats/primitives.md). Floats keep their bits, NaNs included,
 // so that a record encodes to the same bytes.
 namespace limen::dat {
 

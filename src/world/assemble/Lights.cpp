@@ -11,7 +11,7 @@ namespace limen::world {
 namespace {
 
 constexpr std::size_t kMostLamps = 8;
-constexpr float kDungeonAmbient = 0.22f; ///< docs/formats/light.md, "Ambient light and sun"
+constexpr float kDungeonAmbient = 0.22f; ///< docs/formats/light.md#ambient-light-and-sun
 constexpr float kRoomAmbient = 0.10f, kRoomSky = 0.55f, kRoomSun = 0.15f;
 
 struct Candidate {

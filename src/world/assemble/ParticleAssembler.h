@@ -20,7 +20,7 @@ public:
     /// `villager`: index into World::villagers. `play`: the script that world.json starts on it.
     void addToVillager(std::uint32_t villager, dat::RecordId model, const PlayEntry& play);
     /// The scripts of sky objects, which run at the eye. A sky object without a script that is a Setup has
-    /// its default script. docs/formats/sky_weather.md, "Sky objects".
+    /// its default script. docs/formats/sky_weather.md#sky-objects.
     void addWeather(const dat::SkyDesc& sky);
 
 private:

@@ -185,7 +185,7 @@ private:
         if (setup == nullptr)
             return;
         // Like the original client: the shapes of the parts, else cylinders, else spheres
-        // (docs/formats/geometry.md, "Setup").
+        // (docs/formats/geometry.md#setup).
         if ((setup->flags & dat::Setup::kPhysicsBsp) != 0)
             for (const ModelPart& part : models_.model(model).parts)
                 addGfxObj(part.gfxObj, within(placement, part.linear, part.origin));

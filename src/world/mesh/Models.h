@@ -32,7 +32,7 @@ struct ModelLight {
     float range = 0.0f; ///< metres
 };
 
-/// A GfxObj or a Setup in its resting pose (docs/formats/geometry.md, "Setup").
+/// A GfxObj or a Setup in its resting pose (docs/formats/geometry.md#setup).
 struct Model {
     std::vector<ModelPart> parts;   ///< nearest levels of detail
     std::vector<ModelPart> farther; ///< levels of detail that replace some of them farther away

@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-// Clothes: how ClothingTable records (0x10) change the look of a model. docs/formats/textures.md, "Clothing".
+// Clothes: how ClothingTable records (0x10) change the look of a model. docs/formats/textures.md#clothing.
 namespace limen::world {
 
 /// A range of a palette's colours, which replaces the same range of the palette beneath.

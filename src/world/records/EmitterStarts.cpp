@@ -9,7 +9,7 @@
 namespace limen::world {
 namespace {
 
-// Hook types. docs/formats/effects_anim.md, "Hooks".
+// Hook types. docs/formats/effects_anim.md#hooks.
 constexpr std::uint32_t kCreate = 0x0D, kDestroy = 0x0E, kStop = 0x0F, kDefaultScript = 0x11,
                         kDefaultScriptPart = 0x12, kCallScript = 0x13, kCreateBlocking = 0x1A;
 

@@ -7,7 +7,7 @@
 
 // Particle emitters that scripts and animation hooks start: PhysicsScript (0x33), PhysicsScriptTable (0x34)
 // and the hooks of Animation (0x03) records. Hooks for sounds, lights and other effects are ignored.
-// docs/formats/effects_anim.md, "Hooks".
+// docs/formats/effects_anim.md#hooks.
 namespace limen::world {
 
 /// One start of a particle emitter.

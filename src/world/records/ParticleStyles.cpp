@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastInterval = 1.0 / 60.0;
 constexpr double kLongestLife = 1e9; ///< seconds; practically endless, and sums of it are still finite
 constexpr float kSmallest = 0.1f,
-                kLargest = 10.0f; ///< limits of scales. docs/formats/effects_anim.md, "Drawing particles"
+                kLargest = 10.0f; ///< limits of scales. docs/formats/effects_anim.md#drawing-particles
 
 double finite(double value) {
     return std::isfinite(value) ? value : 0.0;

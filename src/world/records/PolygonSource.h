@@ -8,7 +8,7 @@
 
 namespace limen::world {
 
-/// A polygon of a record, read as docs/formats/geometry.md, "Polygons that are drawn", states. Positions are
+/// A polygon of a record, read as docs/formats/geometry.md#polygons-that-are-drawn, states. Positions are
 /// in the record's space.
 struct SourcePolygon {
     struct Corner {
@@ -45,7 +45,7 @@ struct PortalPolygonRef {
 inline constexpr std::size_t kAnyPortalCount = 0x10000; ///< for portalRefs: checks polygon ids only
 /// The references in the PORT nodes of a drawing tree. The two words are (polygonId, portalIndex). If some
 /// pair does not fit the mesh or `portalCount` and all swapped pairs do, all are swapped
-/// (docs/formats/geometry.md, "BSP trees"). Pairs that do not fit are then dropped.
+/// (docs/formats/geometry.md#bsp-trees). Pairs that do not fit are then dropped.
 [[nodiscard]] std::vector<PortalPolygonRef> portalRefs(const dat::GfxObj& model, std::size_t portalCount);
 
 } // namespace limen::world

@@ -108,7 +108,7 @@ bool isOnRoad(const Ground& ground, double x, double y) {
     const auto bit = [&](int stepX, int stepY) {
         return ground.road(cellX + stepX, cellY + stepY) != 0 ? 1 : 0;
     };
-    // Corners in the order of docs/formats/landscape.md, "Roads": r00, r01 (north), r10 (east), r11.
+    // Corners in the order of docs/formats/landscape.md#roads: r00, r01 (north), r10 (east), r11.
     switch (bit(0, 0) << 3 | bit(0, 1) << 2 | bit(1, 0) << 1 | bit(1, 1)) {
     case 0b1111:
         return true;

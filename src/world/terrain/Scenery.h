@@ -16,7 +16,7 @@ struct SceneryObject {
 };
 
 /// True if a block-local position is on a road: within 5 m of the lines between road corners.
-/// docs/formats/landscape.md, "Roads".
+/// docs/formats/landscape.md#roads.
 [[nodiscard]] bool isOnRoad(const Ground& ground, double x, double y);
 
 /// The scenery of a block, in the order of vertices and scene entries. It depends only on the position on the

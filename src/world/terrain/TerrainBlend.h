@@ -7,7 +7,7 @@
 #include <vector>
 
 // The choice of textures and blend maps for a landcell, without the textures themselves.
-// docs/formats/landscape.md, "Texture blending".
+// docs/formats/landscape.md#texture-blending.
 namespace limen::world {
 
 inline constexpr std::uint32_t kRoadType = 0x20;

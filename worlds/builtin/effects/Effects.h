@@ -7,7 +7,7 @@ namespace limen::worlds {
 inline constexpr std::uint32_t kWatchmansPlay = 0x10; ///< sparks from a lantern
 
 /// Records that animate and emit particles by themselves: scripts, emitters, animations
-/// (formats/effects_anim.md).
+/// (docs/formats/effects_anim.md).
 struct Effects {
     dat::RecordId candleScript = 0;     ///< a glow and smoke over a candle's wick, 0.2 m above its origin
     dat::RecordId cartScript = 0;       ///< dust behind a cart's wheels, emitted per metre

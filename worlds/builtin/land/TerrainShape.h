@@ -21,7 +21,7 @@ inline constexpr dat::BlockCoord kVillage{kSouthWest.x + 1, kSouthWest.y + 1};
 inline constexpr dat::BlockCoord kTowerBlock{kVillage.x, kVillage.y + 1};
 inline constexpr dat::BlockCoord kCaveBlock{kVillage.x + 1, kVillage.y + 1};
 
-/// The terrain types in use (landscape.md).
+/// The terrain types in use (docs/formats/landscape.md#terrain-types).
 enum class TerrainKind : std::uint8_t {
     BarrenRock = 0x00,
     Grassland = 0x01,
