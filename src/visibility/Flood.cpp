@@ -190,18 +190,18 @@ private:
     VisibleSet& out_;
 };
 
-/// Deviation of a view's axes from orthonormal that counts as rounding.
+/// Deviation of a view's axes from orthonormal, as a sum over their dot products, that counts as rounding.
 constexpr double kAxisTolerance = 1e-6;
 
 bool isOrthonormal(const View& view) {
-    const Mat3 axes(view.right, view.up, view.forward);
-    const Mat3 products = glm::transpose(axes) * axes;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            if (!(std::abs(products[column][row] - (column == row ? 1.0 : 0.0)) <=
-                  kAxisTolerance)) // NaN, too
-                return false;
-    return true;
+    const auto deviation = [](const Vec3& a, const Vec3& b, double expected) {
+        return std::abs(glm::dot(a, b) - expected);
+    };
+    const Vec3 &right = view.right, &up = view.up, &forward = view.forward;
+    const double sum = deviation(right, right, 1.0) + deviation(up, up, 1.0) +
+                       deviation(forward, forward, 1.0) + deviation(right, up, 0.0) +
+                       deviation(up, forward, 0.0) + deviation(forward, right, 0.0);
+    return sum <= kAxisTolerance; // false for NaN
 }
 
 bool isTangent(double value) {
