@@ -95,7 +95,7 @@ Result<check::RunRequest> addWalk(const CheckOptions& options,
             return tl::unexpected(next.error());
         if (Result<void> drawn = session.draw(**next, {}); !drawn)
             return tl::unexpected(drawn.error());
-        views.push_back(viewOf(**eye, session.loaded().world));
+        views.push_back(engine::viewOf(**next, session.part().world));
         views.back().kind = check::ViewKind::Path;
         views.back().width = request.width;
         views.back().height = request.height;
