@@ -100,7 +100,8 @@ TEST(ReadViews, takesWhatALineDoesNotSayFromTheCommandLine) {
     EXPECT_EQ((*views)[0].view.size.width, 10u);
     EXPECT_EQ((*views)[1].view.eye, Vec3(-4, 5, 6));
     EXPECT_EQ((*views)[1].view.size.width, 1280u);
-    EXPECT_FALSE((*views)[2].view.place.empty());
+    EXPECT_EQ((*views)[2].view.eye, Vec3(0xA9 * 192.0 + 1, 0xB4 * 192.0 + 2, 3));
+    EXPECT_EQ((*views)[2].view.root.value().rule, engine::RootChoice::Rule::Outside);
     EXPECT_EQ((*views)[0].outputs.frame, "out/0000.png");
     EXPECT_EQ((*views)[0].outputs.json, "out/0000.frame.json");
     EXPECT_EQ((*views)[1].outputs.ids, "out/my.npy");
