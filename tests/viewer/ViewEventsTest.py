@@ -130,7 +130,7 @@ class ViewEvents(WindowTest):
                 code, errors = view.end()
         finally:
             server.kill()
-        self.assertEqual((code, errors), (2, "limen: view: the display has gone away\n"))
+        self.assertEqual((code, errors), (2, "limen: view: the connection to the display was lost\n"))
         with open(self.path("walk")) as walk:
             self.assertGreater(len(walk.readlines()), 2)
 
