@@ -6,7 +6,7 @@
 #include "TemporaryDirectory.h"
 
 #include "engine/HeapTuning.h"
-#include "engine/StreamedResidency.h"
+#include "engine/stream/StreamedResidency.h"
 #include "gpu/device/NullDevice.h"
 #include "world/Nearby.h"
 #include "worlds/Demo.h"

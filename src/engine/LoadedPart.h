@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dat/Archive.h"
-#include "engine/IdTable.h"
+#include "engine/report/IdTable.h"
 #include "frame/Planner.h"
 #include "frame/StaticScene.h"
 #include "motion/DynamicStateBuilder.h"

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "engine/FrameReport.h"
-#include "engine/Picked.h"
 #include "engine/Pipeline.h"
-#include "engine/Residency.h"
 #include "engine/SessionOptions.h"
 #include "engine/WorldSource.h"
+#include "engine/report/FrameReport.h"
+#include "engine/report/Picked.h"
+#include "engine/stream/Residency.h"
 #include "gpu/device/CheckedDevice.h"
 #include "gpu/device/GlDevice.h"
 #include "gpu/device/HeadlessContext.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/FrameReport.h"
 #include "engine/FrameRequest.h"
-#include "engine/IdTable.h"
+#include "engine/report/FrameReport.h"
+#include "engine/report/IdTable.h"
 #include "frame/FramePlan.h"
 
 #include <nlohmann/json_fwd.hpp>

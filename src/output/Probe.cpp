@@ -1,6 +1,6 @@
 #include "output/Probe.h"
 
-#include "engine/IdTable.h"
+#include "engine/report/IdTable.h"
 
 #include <algorithm>
 #include <fmt/format.h>

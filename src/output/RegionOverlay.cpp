@@ -1,7 +1,7 @@
 #include "output/RegionOverlay.h"
 
-#include "engine/FrameReport.h"
-#include "engine/IdTable.h"
+#include "engine/report/FrameReport.h"
+#include "engine/report/IdTable.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "play/FootWalk.h"
 
 #include "engine/CheckView.h"
-#include "engine/DecisionHash.h"
+#include "engine/report/DecisionHash.h"
 
 #include <algorithm>
 #include <cmath>

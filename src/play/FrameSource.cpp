@@ -1,7 +1,7 @@
 #include "play/FrameSource.h"
 
 #include "core/Assert.h"
-#include "engine/DecisionHash.h"
+#include "engine/report/DecisionHash.h"
 
 #include <fmt/format.h>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Error.h"
-#include "engine/Streamer.h"
+#include "engine/stream/Streamer.h"
 #include "play/PlayInput.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/Background.h"
 #include "engine/Session.h"
+#include "engine/stream/Background.h"
 #include "motion/ChaseCamera.h"
 #include "motion/DoorUse.h"
 

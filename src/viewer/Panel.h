@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/FrameReport.h"
-#include "engine/Picked.h"
 #include "engine/Quality.h"
+#include "engine/report/FrameReport.h"
+#include "engine/report/Picked.h"
 #include "motion/Body.h"
 #include "viewer/FrozenFlood.h"
 #include "viewer/PortalTraces.h"

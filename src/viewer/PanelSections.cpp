@@ -1,5 +1,5 @@
 #include "engine/DayGroup.h"
-#include "engine/VisitTree.h"
+#include "engine/report/VisitTree.h"
 #include "viewer/PanelParts.h"
 
 #include <algorithm>

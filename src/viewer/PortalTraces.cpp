@@ -1,7 +1,7 @@
 #include "viewer/PortalTraces.h"
 
-#include "engine/IdTable.h"
 #include "engine/Projection.h"
+#include "engine/report/IdTable.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/StreamedResidency.h"
+#include "engine/stream/StreamedResidency.h"
 #include "output/Probe.h"
 #include "play/Play.h"
 #include "viewer/Panel.h"

@@ -1,7 +1,7 @@
-#include "engine/FrameReport.h"
+#include "engine/report/FrameReport.h"
 
 #include "engine/CheckView.h"
-#include "engine/IdTable.h"
+#include "engine/report/IdTable.h"
 #include "output/FrameJson.h"
 #include "output/RegionOverlay.h"
 #include "support/SmallWorld.h"

@@ -1,4 +1,4 @@
-#include "engine/Picked.h"
+#include "engine/report/Picked.h"
 #include "support/SmallWorld.h"
 
 #include <gtest/gtest.h>

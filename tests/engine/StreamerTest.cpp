@@ -1,4 +1,4 @@
-#include "engine/Streamer.h"
+#include "engine/stream/Streamer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "engine/VisitTree.h"
+#include "engine/report/VisitTree.h"
 #include "support/SmallWorld.h"
 
 #include <gtest/gtest.h>

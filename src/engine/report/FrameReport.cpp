@@ -1,4 +1,4 @@
-#include "engine/FrameReport.h"
+#include "engine/report/FrameReport.h"
 
 #include <algorithm>
 

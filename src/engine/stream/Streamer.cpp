@@ -1,4 +1,4 @@
-#include "engine/Streamer.h"
+#include "engine/stream/Streamer.h"
 
 #include "core/Assert.h"
 

@@ -1,4 +1,4 @@
-#include "engine/StreamedResidency.h"
+#include "engine/stream/StreamedResidency.h"
 
 #include "core/Assert.h"
 #include "frame/SceneBuilder.h"

@@ -1,7 +1,7 @@
-#include "engine/Picked.h"
+#include "engine/report/Picked.h"
 
 #include "core/Assert.h"
-#include "engine/VisitTree.h"
+#include "engine/report/VisitTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/IdTable.h"
+#include "engine/report/IdTable.h"
 #include "visibility/VisibleSet.h"
 
 namespace limen::engine {

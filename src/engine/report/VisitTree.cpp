@@ -1,8 +1,8 @@
-#include "engine/VisitTree.h"
+#include "engine/report/VisitTree.h"
 
 #include "core/Assert.h"
-#include "engine/FrameReport.h"
-#include "engine/IdTable.h"
+#include "engine/report/FrameReport.h"
+#include "engine/report/IdTable.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/IdTable.h"
+#include "engine/report/IdTable.h"
 
 #include "core/Assert.h"
 

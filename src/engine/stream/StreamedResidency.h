@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/Background.h"
 #include "engine/Session.h"
-#include "engine/Streamer.h"
+#include "engine/stream/Background.h"
+#include "engine/stream/Streamer.h"
 
 namespace limen::engine {
 

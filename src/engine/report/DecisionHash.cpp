@@ -1,4 +1,4 @@
-#include "engine/DecisionHash.h"
+#include "engine/report/DecisionHash.h"
 
 #include "core/Hash.h"
 
