@@ -184,18 +184,18 @@ void ContactSheet::add(const Picture& frame, std::string_view label) {
 Picture ContactSheet::compose() const {
     if (tiles_.empty())
         return {};
-    constexpr std::uint32_t kGap = 6, kLabel = 14;
+    constexpr std::uint32_t kTileGap = 6, kLabel = 14;
     std::uint32_t tileHeight = 0;
     for (const Tile& tile : tiles_)
         tileHeight = std::max(tileHeight, tile.picture.height);
     const auto count = static_cast<std::uint32_t>(tiles_.size());
     const std::uint32_t columns = std::min(columns_, count), rows = (count + columns - 1) / columns;
-    Picture sheet(kGap + columns * (tileWidth_ + kGap), kGap + rows * (tileHeight + kLabel + kGap),
+    Picture sheet(kTileGap + columns * (tileWidth_ + kTileGap), kTileGap + rows * (tileHeight + kLabel + kTileGap),
                   {24, 24, 28});
     for (std::uint32_t i = 0; i < count; ++i) {
         const Tile& tile = tiles_[i];
-        const std::uint32_t left = kGap + i % columns * (tileWidth_ + kGap),
-                            top = kGap + i / columns * (tileHeight + kLabel + kGap);
+        const std::uint32_t left = kTileGap + i % columns * (tileWidth_ + kTileGap),
+                            top = kTileGap + i / columns * (tileHeight + kLabel + kTileGap);
         for (std::uint32_t y = 0; y < tile.picture.height; ++y)
             for (std::uint32_t x = 0; x < tile.picture.width; ++x)
                 sheet.set(left + x, top + y, tile.picture.at(x, y));
