@@ -160,8 +160,9 @@ void check(const dat::Archive& archive, const test::MovingHut& hut) {
     if (!world->sky.weather.empty())
         input.weather = world::SkyHour{world->sky.weather.front().dayGroup, 0.5};
     dynamicsBuilder.build(input, dynamics);
-    frame::Planner planner(*world);
-    static_cast<void>(frame::buildScene(*world, planner.pieces()));
+    const frame::StaticScene staticScene(*world);
+    static_cast<void>(frame::buildScene(staticScene));
+    frame::Planner planner(staticScene);
     reference::Scene scene(*world);
     scene.setDynamics(dynamics);
     look(*world, *graph, planner, scene, dynamics, hut.at({5, 11.5, 3.5}), world::kOutside);
