@@ -190,8 +190,8 @@ Picture ContactSheet::compose() const {
         tileHeight = std::max(tileHeight, tile.picture.height);
     const auto count = static_cast<std::uint32_t>(tiles_.size());
     const std::uint32_t columns = std::min(columns_, count), rows = (count + columns - 1) / columns;
-    Picture sheet(kTileGap + columns * (tileWidth_ + kTileGap), kTileGap + rows * (tileHeight + kLabel + kTileGap),
-                  {24, 24, 28});
+    Picture sheet(kTileGap + columns * (tileWidth_ + kTileGap),
+                  kTileGap + rows * (tileHeight + kLabel + kTileGap), {24, 24, 28});
     for (std::uint32_t i = 0; i < count; ++i) {
         const Tile& tile = tiles_[i];
         const std::uint32_t left = kTileGap + i % columns * (tileWidth_ + kTileGap),

@@ -15,7 +15,7 @@ namespace {
 /// does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
 
-/// True if clipping has taken nothing away but rounding.
+/// True if the regions differ by rounding only.
 bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
     constexpr double kRounding = 1e-12; // radians
     return std::equal(
@@ -168,8 +168,8 @@ bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
         farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
     if (farthest <= kBeyondEntry)
         return false;
-    // What lies within the tolerance of the entry plane is met from both sides: corners that two openings share are
-    // not quite in the planes of both.
+    // The part within the tolerance of the entry plane is kept: corners that two openings share are not
+    // exactly in the planes of both.
     clipPolygon(s_.relative, visit.entryPlane, kInPlaneTolerance, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
         clipPolygon(s_.beyond, {in_.view.forward, -kDefaultNearPlane}, 0.0, s_.swap);

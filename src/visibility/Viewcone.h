@@ -136,9 +136,9 @@ public:
     }
 
 private:
-    /// The ownership test's own tolerance (1 mm and a share of the distance) and float rounding on the GPU, with
-    /// room to spare, in metres per metre of distance and in metres: "inside" must hold under it, "outside"
-    /// beyond it.
+    /// Tolerance of a test: metres per metre of distance, and metres. Covers that of the ownership test (1 mm
+    /// and a share of the distance) and float rounding on the GPU, with a margin. A sphere is inside only if
+    /// it is so by more than the tolerance, and outside only if by more than it.
     static constexpr double kToleranceShare = 2e-6;
     static constexpr double kTolerance = 0.004;
     static_assert(kToleranceShare > kEntryPlaneToleranceSlope && kTolerance > kEntryPlaneTolerance);
