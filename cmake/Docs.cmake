@@ -12,7 +12,7 @@ endif()
 
 # Public headers: those of the rooms, and the record types. The program's own rooms have no users outside of it.
 file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.h ${PROJECT_SOURCE_DIR}/src/dat/records/*.h)
-list(FILTER headers EXCLUDE REGEX "/src/(app|cli|demo|viewer)/")
+list(FILTER headers EXCLUDE REGEX "/src/(cli|viewer)/")
 file(GLOB_RECURSE pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 file(GLOB root_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
 

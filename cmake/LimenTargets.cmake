@@ -24,6 +24,11 @@ if(LIMEN_SANITIZE)
     target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
+if(LIMEN_BUILD_FUZZERS)
+    target_compile_options(limen_flags INTERFACE -fsanitize=fuzzer-no-link)
+    target_link_options(limen_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # limen_unite(target): compiles several sources of a folder as one, in less than half the time. Therefore
 # names in unnamed namespaces must be unique within a folder. The presets `dev`, `clang`, `coverage` and
 # `tidy` compile each source alone, which checks that it includes all headers it uses.
