@@ -18,6 +18,7 @@ struct Choice {
     std::function<Result<Exit>()> run;
 };
 
+void addDoctorVerb(CLI::App& program, const Console& console, Choice& choice);
 void addDemoVerb(CLI::App& program, const Console& console, Choice& choice);
 void addShotVerb(CLI::App& program, const Console& console, Choice& choice);
 void addCheckVerb(CLI::App& program, const Console& console, Choice& choice);
