@@ -91,7 +91,7 @@ private:
                 block = blocks_[own].coord == coord ? own : block;
             if (auto place = beforeNearestBuilding(shapes_, shapes_.block(blocks_[block].coord), feet)) {
                 add(std::move(*place), spot.name);
-                named_.insert(*town);
+                named_.emplace(*town, spot.name);
             }
             shapes_.forget();
         }
@@ -103,15 +103,10 @@ private:
             return;
         const Vec3 eye = feet + Vec3(0.0, 0.0, kEyeHeight);
         const double floor = cell->solids.floorBelow(eye, kEyeHeight + 0.5);
-        world::Place place{{}, eye, spot.yaw, 0.0, spot.cell};
-        if (std::isfinite(floor) && !cell->solids.crowds(eye, 0.2)) {
-            place.eye.z = floor + kEyeHeight;
-            add(std::move(place), spot.name);
-            knownDungeons_.insert(spot.cell >> 16);
-        } else if (std::optional<CellViewpoint> inside = insideCell(*cell)) {
-            add(std::move(inside->place), spot.name);
-            knownDungeons_.insert(spot.cell >> 16);
-        }
+        if (!std::isfinite(floor) || cell->solids.crowds(eye, 0.2))
+            return; // another cell of the same number
+        add({{}, {eye.x, eye.y, floor + kEyeHeight}, spot.yaw, 0.0, spot.cell}, spot.name);
+        knownDungeons_.insert(spot.cell >> 16);
     }
 
     /// The town with a building in this block.
@@ -122,11 +117,14 @@ private:
 
     void addTown(const Town& town) {
         const BlockFacts& main = blocks_[town.blocks.front()];
-        if (const std::optional<std::size_t> own = townAt(main.coord); own && named_.contains(*own))
+        if (const auto known = named_.find(townOf_.at(dat::blockWord(main.coord))); known != named_.end()) {
+            firstTown_ = firstTown_.empty() ? known->second : firstTown_;
             return;
+        }
         if (auto place = beforeNearestBuilding(shapes_, shapes_.block(main.coord), main.middle)) {
             const char* kind = town.buildings > 1 ? "town" : "house";
             const std::string name = fmt::format("{} {}", kind, mapCoordinates(main.middle));
+            firstTown_ = firstTown_.empty() ? name : firstTown_;
             add(std::move(*place), name);
         }
         shapes_.forget();
@@ -173,14 +171,14 @@ private:
     }
 
     void chooseStart() {
-        if (file_.places.empty())
-            return;
-        const bool isKnown = names_.contains(plainName(kKnownStart));
-        const auto first = std::find_if(file_.places.begin(), file_.places.end(), [&](const world::Place& p) {
-            // Without the known start: the first town of the ranking, which follows the spots.
-            return isKnown ? p.name == kKnownStart : p.name.starts_with("town ") || p.name.starts_with("house ");
-        });
-        file_.start = (first == file_.places.end() ? file_.places.front() : *first).name;
+        if (names_.contains(plainName(kKnownStart)))
+            file_.start = kKnownStart;
+        else if (!firstTown_.empty())
+            file_.start = firstTown_;
+        else if (const std::optional<world::Place> dungeon = dungeonPlace())
+            file_.start = dungeon->name;
+        else if (!file_.places.empty())
+            file_.start = file_.places.front().name;
     }
 
     [[nodiscard]] std::optional<world::Place> startPlace() const {
@@ -204,7 +202,8 @@ private:
     std::map<dat::RecordId, std::size_t> townOf_; ///< by block word
     world::WorldFile file_;
     std::set<std::string> names_;    ///< plain
-    std::set<std::size_t> named_;    ///< towns with a known name
+    std::map<std::size_t, std::string> named_; ///< towns with a known name
+    std::string firstTown_;          ///< the name of the highest in the ranking
     std::set<std::uint32_t> knownDungeons_; ///< block words >> 16
     std::optional<world::Place> dungeon_;   ///< in the largest dungeon
 };
