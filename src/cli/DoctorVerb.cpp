@@ -3,6 +3,7 @@
 #include "doctor/Finding.h"
 #include "doctor/Machine.h"
 #include "doctor/WorldHealth.h"
+#include "engine/DatDirectory.h"
 #include "engine/WorldSource.h"
 
 #include <CLI/CLI.hpp>
@@ -30,11 +31,25 @@ struct Patient {
     doctor::Findings findings; ///< about the files as a whole
 };
 
+/// Examines the files of a directory, or of one around it. If none has the required files, those of the directory
+/// itself are examined, so that each file that is there has its finding.
+void examineUserDirectory(const std::string& path, Patient& patient) {
+    const Result<engine::DatDirectory> found = engine::findDatDirectory(path);
+    if (!found) {
+        patient.files = doctor::examineDirectory(path);
+        patient.findings.push_back({"files", doctor::Outcome::Failed, found.error().message(),
+                                    "give the directory that holds client_portal.dat and client_cell_1.dat"});
+        return;
+    }
+    patient.files = doctor::examineFiles(found->paths);
+    patient.findings.push_back({"files", doctor::Outcome::Ok, found->directory.string(), ""});
+}
+
 Result<Patient> examine(const std::string& path) {
     Patient patient;
     std::error_code error;
     if (path.empty()) {
-        Result<engine::WorldSource> source = engine::openWorldSource("");
+        Result<engine::WorldSource> source = engine::openWorldSource("", engine::PlaceSearch::Skip);
         if (!source)
             return tl::unexpected(source.error());
         patient.builtIn.emplace(std::move(*source));
@@ -46,11 +61,10 @@ Result<Patient> examine(const std::string& path) {
         patient.files.push_back(doctor::examineFile(path, role, true));
         patient.findings.push_back({"files", doctor::Outcome::Ok, "one file: " + path, ""});
     } else if (std::filesystem::is_directory(path, error)) {
-        std::filesystem::directory_iterator probe(path, error);
+        const std::filesystem::directory_iterator probe(path, error);
         if (error)
             return fail(ErrorCode::Unreadable, path, error.message());
-        patient.files = doctor::examineDirectory(path);
-        patient.findings.push_back({"files", doctor::Outcome::Ok, path, ""});
+        examineUserDirectory(path, patient);
     } else {
         return fail(ErrorCode::NotFound, path,
                     "there is no such file or directory; give the directory that holds client_portal.dat");
@@ -117,7 +131,7 @@ void addDoctorVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--thorough", arguments->thorough,
                    "decode every record and follow all references (a sample)");
     verb->add_flag("--json", arguments->json, "print one JSON object");
-    verb->footer("Example: limen doctor ~/ac\n"
+    verb->footer("Example: limen doctor DIR\n"
                  "Exit codes: 0: ready, warnings allowed; 1: a check failed; 2: nothing could be examined.");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runDoctor(*arguments, console); };

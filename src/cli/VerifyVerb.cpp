@@ -132,7 +132,7 @@ void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice) {
         ->type_name("FILE")
         ->needs(retail);
     verb->add_flag("--all", arguments->all, "print the facts that are right, too")->needs(retail);
-    verb->footer("Example: limen dat verify ~/ac --retail --report limen-report.json\n"
+    verb->footer("Example: limen dat verify DIR --retail --report limen-report.json\n"
                  "Exit codes: 0: no fault; 1: faults found, or a fact is wrong; 2: an error. References to "
                  "other files\n"
                  "are not checked when a single file is given.");

@@ -131,11 +131,19 @@ Findings judgeFile(const FileHealth& health) {
 }
 
 std::vector<FileHealth> examineDirectory(const std::filesystem::path& directory) {
+    return examineFiles({directory, directory / dat::kPortalName, directory / dat::kCellName,
+                         directory / dat::kHighresName, directory / dat::kLocalName});
+}
+
+std::vector<FileHealth> examineFiles(const dat::ArchivePaths& paths) {
+    const auto orNamed = [&](const std::filesystem::path& path, const char* name) {
+        return path.empty() ? paths.directory / name : path;
+    };
     std::vector<FileHealth> files;
-    files.push_back(examineFile(directory / "client_portal.dat", dat::FileRole::Portal, true));
-    files.push_back(examineFile(directory / "client_cell_1.dat", dat::FileRole::Cell, true));
-    files.push_back(examineFile(directory / "client_highres.dat", dat::FileRole::Highres, false));
-    files.push_back(examineFile(directory / "client_local_English.dat", dat::FileRole::Local, false));
+    files.push_back(examineFile(paths.portal, dat::FileRole::Portal, true));
+    files.push_back(examineFile(paths.cell, dat::FileRole::Cell, true));
+    files.push_back(examineFile(orNamed(paths.highres, dat::kHighresName), dat::FileRole::Highres, false));
+    files.push_back(examineFile(orNamed(paths.local, dat::kLocalName), dat::FileRole::Local, false));
     return files;
 }
 

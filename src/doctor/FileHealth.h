@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dat/File.h"
+#include "dat/Archive.h"
 #include "doctor/Finding.h"
 
 #include <array>
@@ -43,5 +43,7 @@ struct FileHealth {
 
 /// The four files of a directory: portal, cell, highres, local.
 [[nodiscard]] std::vector<FileHealth> examineDirectory(const std::filesystem::path& directory);
+/// The files at these paths. An optional file without a path is missing.
+[[nodiscard]] std::vector<FileHealth> examineFiles(const dat::ArchivePaths& paths);
 
 } // namespace limen::doctor

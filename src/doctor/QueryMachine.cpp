@@ -74,12 +74,16 @@ fs::path configurationRoot() {
 }
 
 fs::path findUiFont() {
-    constexpr std::array<const char*, 2> kFonts{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                                "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+    constexpr std::array<const char*, 3> kNames{"DejaVuSans.ttf", "NotoSans-Regular.ttf",
+                                                "LiberationSans-Regular.ttf"};
     std::error_code ignored;
-    for (const char* font : kFonts)
-        if (fs::is_regular_file(font, ignored))
-            return font;
+    for (const char* directory : {"dejavu", "noto", "liberation", "liberation2", "."})
+        for (const char* name : kNames)
+            for (const char* root :
+                 {"/usr/share/fonts/truetype", "/usr/local/share/fonts", "/usr/share/fonts"})
+                if (const fs::path font = fs::path(root) / directory / name;
+                    fs::is_regular_file(font, ignored))
+                    return font;
     return {};
 }
 

@@ -78,7 +78,8 @@ Paths knownGameDirectories(const SystemView& system) {
                 for (const fs::path& path : onDrive(prefix / drive))
                     consider(path);
     if (!system.home.empty())
-        for (const char* folder : {"Asheron's Call", "asheronscall", "ac", "Games/Asheron's Call", "games/ac"})
+        for (const char* folder :
+             {"Asheron's Call", "asheronscall", "ac", "Games/Asheron's Call", "games/ac"})
             consider(system.home / folder);
     return found;
 }

@@ -80,8 +80,7 @@ void expectConnected(const Nameless& nameless) {
         const auto spaceOf = [&](const world::Place& p) {
             return p.cell == 0 ? world::kOutside : world::findCell(around->world, p.cell);
         };
-        const auto end =
-            check::walk(around->surroundings(), spaceOf(tour[i]), tour[i].eye, tour[i + 1].eye);
+        const auto end = check::walk(around->surroundings(), spaceOf(tour[i]), tour[i].eye, tour[i + 1].eye);
         ASSERT_TRUE(end.has_value()) << "a surface is on the way from point " << i;
         EXPECT_EQ(*end, spaceOf(tour[i + 1])) << "from point " << i;
     }
@@ -152,8 +151,7 @@ TEST(FoundPlaces, equalFilesGiveEqualPlacesAndTheCacheKeepsThem) {
 
 TEST(FoundPlaces, aPositionSavesTheSearch) {
     const Nameless town(GeneratedKind::Town, 2);
-    const WorldSource source =
-        openWorldSource(town.directory.path().string(), PlaceSearch::Skip).value();
+    const WorldSource source = openWorldSource(town.directory.path().string(), PlaceSearch::Skip).value();
     EXPECT_TRUE(source.file.places.empty());
 }
 

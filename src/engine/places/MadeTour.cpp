@@ -70,11 +70,11 @@ public:
         const WalkGrid grid(shapes_, block, doors);
         std::size_t entered = 0, passed = 0;
         while (!doors.empty() && passed++ < kPassed) {
-            const auto next = std::min_element(doors.begin(), doors.end(),
-                                               [&](const FrontDoor& a, const FrontDoor& b) {
-                                                   return levelMetres(openingOf(a).middle, points_.back().eye) <
-                                                          levelMetres(openingOf(b).middle, points_.back().eye);
-                                               });
+            const auto next =
+                std::min_element(doors.begin(), doors.end(), [&](const FrontDoor& a, const FrontDoor& b) {
+                    return levelMetres(openingOf(a).middle, points_.back().eye) <
+                           levelMetres(openingOf(b).middle, points_.back().eye);
+                });
             const FrontDoor door = *next;
             doors.erase(next);
             if (visit(grid, block, door, entered < kEntered))

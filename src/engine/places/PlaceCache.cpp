@@ -36,8 +36,10 @@ std::string keyOf(const dat::Archive& archive) {
 }
 
 json jsonOf(const world::Place& place) {
-    return {{"name", place.name},   {"eye", {place.eye.x, place.eye.y, place.eye.z}},
-            {"yaw", place.yaw},     {"pitch", place.pitch},
+    return {{"name", place.name},
+            {"eye", {place.eye.x, place.eye.y, place.eye.z}},
+            {"yaw", place.yaw},
+            {"pitch", place.pitch},
             {"cell", place.cell}};
 }
 

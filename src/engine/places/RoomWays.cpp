@@ -8,12 +8,12 @@
 namespace limen::engine {
 namespace {
 
-constexpr double kKnee = 0.5;          // metres above the floor; lower obstacles are steps
-constexpr double kHalfBody = 0.3;      // metres, as of a body's capsule
-constexpr double kStepHeight = 0.6;    // metres, as of a body
-constexpr double kSampled = 0.4;       // metres between tests of the floor
-constexpr double kBeyond = 0.15;       // metres behind a door's plane: the point is in the next cell
-constexpr double kFarthestLook = 8.0;  // metres walked into a room
+constexpr double kKnee = 0.5;         // metres above the floor; lower obstacles are steps
+constexpr double kHalfBody = 0.3;     // metres, as of a body's capsule
+constexpr double kStepHeight = 0.6;   // metres, as of a body
+constexpr double kSampled = 0.4;      // metres between tests of the floor
+constexpr double kBeyond = 0.15;      // metres behind a door's plane: the point is in the next cell
+constexpr double kFarthestLook = 8.0; // metres walked into a room
 constexpr double kNoWay = 1e300;
 
 /// The eye just beyond an opening.

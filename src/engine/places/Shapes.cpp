@@ -144,7 +144,8 @@ void Shapes::addGfxObj(dat::RecordId id, const Mat3& linear, const Vec3& origin,
     }
 }
 
-void Shapes::addModel(dat::RecordId model, const world::Pose& pose, double scale, std::vector<Triangle>& out) {
+void Shapes::addModel(dat::RecordId model, const world::Pose& pose, double scale,
+                      std::vector<Triangle>& out) {
     const Mat3 turn = glm::mat3_cast(pose.orientation) * scale;
     if (world::isGfxObj(model))
         return addGfxObj(model, turn, pose.origin, out);
@@ -190,7 +191,8 @@ std::optional<CellShape> Shapes::readCell(dat::RecordId id) {
     cell.solids.add(std::move(triangles));
     for (const dat::CellPortal& portal : record->portals) {
         Opening opening;
-        opening.otherCell = portal.otherCellId == dat::kOutdoors ? 0 : (id & 0xFFFF0000u) | portal.otherCellId;
+        opening.otherCell =
+            portal.otherCellId == dat::kOutdoors ? 0 : (id & 0xFFFF0000u) | portal.otherCellId;
         opening.otherPortal = portal.otherPortalId;
         if (const auto found = outlines.find(portal.polygonId); found != outlines.end()) {
             opening.outline = found->second;

@@ -19,9 +19,10 @@ constexpr double kHighestStep = 3.0; // metres from the ground to a sill: stairs
 constexpr double kOverGround = 0.3;  // metres that a line of sight stays above the ground
 constexpr double kNearDoor = 0.05;   // metres before a door's plane
 constexpr std::size_t kMostTried = 8;
-constexpr std::array kDistances{8.0, 10.0, 6.5, 5.0, 13.0, 4.0};           // metres before a door
-constexpr std::array kTurns{22.0, -22.0, 0.0, 38.0, -38.0, 55.0, -55.0};   // degrees off the door's axis
-constexpr std::array kSides{200.0, 160.0, 240.0, 120.0, 280.0, 80.0, 0.0}; // degrees, a building without doors
+constexpr std::array kDistances{8.0, 10.0, 6.5, 5.0, 13.0, 4.0};         // metres before a door
+constexpr std::array kTurns{22.0, -22.0, 0.0, 38.0, -38.0, 55.0, -55.0}; // degrees off the door's axis
+constexpr std::array kSides{200.0, 160.0, 240.0, 120.0,
+                            280.0, 80.0,  0.0}; // degrees, a building without doors
 
 Vec3 level(const Vec3& direction) {
     const double length = std::hypot(direction.x, direction.y);
@@ -216,7 +217,8 @@ std::optional<CellViewpoint> insideCell(const CellShape& cell) {
             const double distance = glm::length(target - eye);
             if (!opening.isDoor() || distance < 1.0 || cell.solids.blocks(eye, target))
                 continue;
-            const double score = std::min(distance, 9.0) + std::min(opening.width * opening.height, 9.0) * 0.5;
+            const double score =
+                std::min(distance, 9.0) + std::min(opening.width * opening.height, 9.0) * 0.5;
             if (!best || score > best->score) {
                 best = {{{}, eye, 0.0, 0.0, cell.id}, score};
                 lookAt(best->place, {target.x, target.y, std::min(opening.eye().z, eye.z + 1.0)});
