@@ -42,12 +42,14 @@ TEST_P(JudgesOfRecords, findRecordsWithTheStatedValuesRight) {
 
 TEST_P(JudgesOfRecords, findEveryChangedValueWrong) {
     static const dat::Archive archive = OriginalRecords(Values::Changed).archive();
-    for (const Line& line : judged(archive).lines())
+    const Ledger ledger = judged(archive);
+    for (const Line& line : ledger.lines())
         EXPECT_TRUE(line.verdict == Verdict::Wrong || needsNoFiles(line)) << inWords(line);
 }
 
 TEST_P(JudgesOfRecords, findMissingRecordsNotThere) {
-    for (const Line& line : judged(test::emptyArchive()).lines())
+    const Ledger ledger = judged(test::emptyArchive());
+    for (const Line& line : ledger.lines())
         EXPECT_TRUE(line.verdict == Verdict::NotThere || needsNoFiles(line)) << inWords(line);
 }
 

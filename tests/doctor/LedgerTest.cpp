@@ -9,7 +9,7 @@
 namespace limen::doctor {
 namespace {
 
-Verdict verdictOf(Fact fact, std::optional<Numbers> found) {
+Verdict judgedAlone(Fact fact, std::optional<Numbers> found) {
     Ledger ledger;
     ledger.judge(std::move(fact), std::move(found));
     return ledger.lines().front().verdict;
@@ -20,17 +20,17 @@ Fact factOf(Numbers expected) {
 }
 
 TEST(Ledger, comparesByTheRule) {
-    EXPECT_EQ(verdictOf(factOf({1, 2}), Numbers{1, 2}), Verdict::Right);
-    EXPECT_EQ(verdictOf(factOf({1, 2}), Numbers{1, 2.001}), Verdict::Wrong);
-    EXPECT_EQ(verdictOf(factOf({1, 2}).within(0.01), Numbers{1, 2.001}), Verdict::Right);
-    EXPECT_EQ(verdictOf(factOf({1, 2}), Numbers{1}), Verdict::Wrong);
-    EXPECT_EQ(verdictOf(factOf({7}).by(Rule::AtLeast), Numbers{7}), Verdict::Right);
-    EXPECT_EQ(verdictOf(factOf({7}).by(Rule::AtLeast), Numbers{6.9}), Verdict::Wrong);
-    EXPECT_EQ(verdictOf(factOf({7}).by(Rule::AtMost), Numbers{7}), Verdict::Right);
-    EXPECT_EQ(verdictOf(factOf({7}).by(Rule::AtMost), Numbers{7.1}), Verdict::Wrong);
-    EXPECT_EQ(verdictOf(factOf({7, 9}).by(Rule::OneOf), Numbers{9}), Verdict::Right);
-    EXPECT_EQ(verdictOf(factOf({7, 9}).by(Rule::OneOf), Numbers{8}), Verdict::Wrong);
-    EXPECT_EQ(verdictOf(factOf({7}), std::nullopt), Verdict::NotThere);
+    EXPECT_EQ(judgedAlone(factOf({1, 2}), Numbers{1, 2}), Verdict::Right);
+    EXPECT_EQ(judgedAlone(factOf({1, 2}), Numbers{1, 2.001}), Verdict::Wrong);
+    EXPECT_EQ(judgedAlone(factOf({1, 2}).within(0.01), Numbers{1, 2.001}), Verdict::Right);
+    EXPECT_EQ(judgedAlone(factOf({1, 2}), Numbers{1}), Verdict::Wrong);
+    EXPECT_EQ(judgedAlone(factOf({7}).by(Rule::AtLeast), Numbers{7}), Verdict::Right);
+    EXPECT_EQ(judgedAlone(factOf({7}).by(Rule::AtLeast), Numbers{6.9}), Verdict::Wrong);
+    EXPECT_EQ(judgedAlone(factOf({7}).by(Rule::AtMost), Numbers{7}), Verdict::Right);
+    EXPECT_EQ(judgedAlone(factOf({7}).by(Rule::AtMost), Numbers{7.1}), Verdict::Wrong);
+    EXPECT_EQ(judgedAlone(factOf({7, 9}).by(Rule::OneOf), Numbers{9}), Verdict::Right);
+    EXPECT_EQ(judgedAlone(factOf({7, 9}).by(Rule::OneOf), Numbers{8}), Verdict::Wrong);
+    EXPECT_EQ(judgedAlone(factOf({7}), std::nullopt), Verdict::NotThere);
 }
 
 TEST(Ledger, separatesMissingFromDamagedRecords) {

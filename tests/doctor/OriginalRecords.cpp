@@ -2,17 +2,18 @@
 
 #include "doctor/retail/Census.h"
 
+#include <array>
 #include <cstring>
 #include <set>
 
 namespace limen::test {
 namespace {
 
-dat::AnimationHook hookOf(std::uint32_t type, std::initializer_list<std::uint32_t> words, std::size_t bytes) {
+dat::AnimationHook hookOf(std::uint32_t type, const std::vector<std::uint32_t>& words, std::size_t bytes) {
     dat::AnimationHook hook;
     hook.type = type;
     hook.payload.resize(bytes);
-    std::memcpy(hook.payload.data(), std::data(words), words.size() * 4);
+    std::memcpy(hook.payload.data(), words.data(), words.size() * 4);
     return hook;
 }
 
@@ -50,7 +51,7 @@ dat::Polygon bareTriangle(std::int16_t surface) {
     dat::Polygon polygon;
     polygon.stippling = dat::kNoPositiveUv;
     polygon.posSurface = surface;
-    for (const std::uint16_t key : {0, 1, 2})
+    for (std::uint16_t key = 0; key < 3; ++key)
         polygon.vertexKeys.push_back(key);
     return polygon;
 }
@@ -205,7 +206,7 @@ void OriginalRecords::addRegion() {
     for (std::size_t i = 0; i <= 200; ++i)
         region.landDefs.heights[i] = v(2.0f * static_cast<float>(i));
     for (std::size_t i = 201; i < 256; ++i)
-        region.landDefs.heights[i] = 400.0f + static_cast<float>(i - 200) * (300.0f / 55.0f) + v(0.0f);
+        region.landDefs.heights[i] = 400.0f + static_cast<float>(i - 200) * 300.0f / 55.0f + v(0.0f);
     if (values_ == Values::Changed)
         region.landDefs.heights[201] = region.landDefs.heights[202] = 300.0f;
     dat::GameTime& time = region.gameTime;
@@ -235,7 +236,7 @@ void OriginalRecords::addSky(dat::Region& region) const {
     dat::SkyDesc& sky = region.sky;
     sky.tickSize = v(0.8);
     sky.lightTickSize = v(15.0);
-    sky.dayGroups.resize(changed ? 13 : 20);
+    sky.dayGroups.resize(changed ? 11 : 20);
     const std::set<std::size_t> rainy{3, 7, 9, 15, 16, 17, 18, 19};
     const auto add = [](dat::DayGroup& group, std::uint32_t properties, std::uint32_t script,
                         std::size_t count) {
@@ -296,7 +297,7 @@ void OriginalRecords::addBlocks() {
           0xBB9F, 0xBDD0, 0xC080, 0xC6A9, 0xC95B, 0xC98C, 0xCE41, 0xCE94, 0xDA55, 0xDA75, 0xDC3C,
           0xE632, 0xE63E, 0xE64E, 0xE822, 0xF224, 0xF559, 0xF682})
         cell_.add(block(word, values_ == Values::AsStated ? 0 : 255));
-    dat::LandBlock holtburg = block(0xA9B4, 0);
+    dat::LandBlock holtburg = block(0xA9B4, values_ == Values::AsStated ? 0 : 255);
     holtburg.hasObjects = v(1u);
     // The plane of landcell (0, 2) is at 77.934 m under the known point.
     const bool stated = values_ == Values::AsStated;
@@ -363,11 +364,11 @@ void OriginalRecords::addShapes() {
     dat::Environment inn;
     inn.id = 0x0D000364;
     dat::CellStruct first = shape(), second = shape();
-    for (const std::uint16_t id : {34, 36, 37, 35, 33}) {
+    for (const std::uint16_t id : std::array<std::uint16_t, 5>{34, 36, 37, 35, 33}) {
         first.portalPolygons.push_back(v(id));
         first.polygons.emplace_back(id, bareTriangle(v<std::int16_t>(9)));
     }
-    for (const std::uint16_t id : {7, 6}) {
+    for (const std::uint16_t id : std::array<std::uint16_t, 2>{7, 6}) {
         second.portalPolygons.push_back(v(id));
         second.polygons.emplace_back(id, bareTriangle(v<std::int16_t>(id == 7 ? 9 : 10)));
     }
