@@ -15,7 +15,7 @@ constexpr const char* kDamagedNext =
     "copy the file again from the game's installation; limen doctor --thorough lists all "
     "damaged records";
 constexpr dat::RecordId kPlayerBody = 0x02000001;
-constexpr std::size_t kFindingsOfThorough = 20;
+constexpr std::size_t kFindingsOfThorough = 20, kStoredFaults = 100000;
 
 const FileHealth* healthOf(std::span<const FileHealth> files, dat::FileRole role) {
     const auto found = std::find_if(files.begin(), files.end(), [&](const FileHealth& health) {
@@ -213,9 +213,9 @@ void addThorough(std::span<const FileHealth> files, const HealthProgress& progre
     for (const FileHealth& health : files)
         list.push_back(&*health.file);
     dat::VerifyOptions options;
-    options.mostFaults = kFindingsOfThorough;
+    options.mostFaults = kStoredFaults;
     options.progress = progress;
-    const dat::VerifyReport report = dat::verify(list, options);
+    dat::VerifyReport report = dat::verify(list, options);
     std::uint64_t records = 0;
     for (const dat::VerifyReport::Sum& sum : report.byKind)
         records += sum.records;
@@ -227,6 +227,10 @@ void addThorough(std::span<const FileHealth> files, const HealthProgress& progre
                         fmt::format("{} records: {} unreadable, {} changed, {} unresolved references",
                                     groupedText(records), unreadable, changed, unresolved),
                         outcome == Outcome::Ok ? "" : "limen dat verify lists all of them"});
+    // Unreadable records come first: references can be unresolved by the hundred.
+    std::stable_sort(report.faults.begin(), report.faults.end(),
+                     [](const dat::Fault& a, const dat::Fault& b) { return a.kind < b.kind; });
+    report.faults.resize(std::min(report.faults.size(), kFindingsOfThorough));
     for (const dat::Fault& fault : report.faults)
         findings.push_back(
             {"", fault.kind == dat::FaultKind::Unreadable ? Outcome::Failed : Outcome::Warning,
