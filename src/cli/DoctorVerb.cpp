@@ -37,8 +37,7 @@ void examineUserDirectory(const std::string& path, Patient& patient) {
     const Result<engine::DatDirectory> found = engine::findDatDirectory(path);
     if (!found) {
         patient.files = doctor::examineDirectory(path);
-        patient.findings.push_back({"files", doctor::Outcome::Failed, found.error().message(),
-                                    "give the directory that holds client_portal.dat and client_cell_1.dat"});
+        patient.findings.push_back({"files", doctor::Outcome::Failed, found.error().message(), ""});
         return;
     }
     patient.files = doctor::examineFiles(found->paths);
