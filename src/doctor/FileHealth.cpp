@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kFetchAgain = "copy the file again from the game's installation; a file that was cut "
                                     "short or changed cannot be repaired";
 
-/// What is lost without an optional file.
+/// The loss without an optional file.
 const char* lossWithout(dat::FileRole role) {
     return role == dat::FileRole::Highres ? "textures are drawn in their smaller size"
                                           : "nothing that Limen draws";

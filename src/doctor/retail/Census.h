@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-// One pass over all records, which counts what the facts are about.
+// One pass over all records, which takes the counts that the facts state.
 namespace limen::doctor {
 
 /// A count, or a number derived from counts.
