@@ -16,7 +16,7 @@ Result<DatFiles> openDatFiles(const std::string& path) {
         files.list.push_back(files.single.get());
         return files;
     }
-    Result<engine::WorldSource> source = engine::openWorldSource(path);
+    Result<engine::WorldSource> source = engine::openWorldSource(path, engine::PlaceSearch::Skip);
     if (!source)
         return tl::unexpected(source.error());
     files.source = std::make_unique<engine::WorldSource>(std::move(*source));

@@ -29,9 +29,9 @@ Result<void> resize(const std::string& text, play::WalkRecord& walk) {
 
 void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames) {
     command
-        .add_option(
-            "--path", arguments.path,
-            "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour)")
+        .add_option("--path", arguments.path,
+                    "follow these way points, one line of shot's options each, e.g. --at hill (the world's "
+                    "tour, else one made from its records)")
         ->type_name("FILE");
     CLI::Option* walk =
         command
@@ -104,7 +104,8 @@ Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& argume
             points.push_back(engine::requestAt(place));
         if (points.empty())
             return fail(ErrorCode::NotFound, "tour",
-                        "world.json of this world has no tour; give way points with --path FILE");
+                        "this world has no tour, and none was found in its records; give way points with "
+                        "--path FILE");
         return points;
     }
     const Result<std::vector<ListedView>> views = readViews(arguments.path, {}, {}, "");

@@ -169,7 +169,9 @@ Result<PlaceNotation> parsePlace(std::string_view option, std::string_view text)
         place.root = block->root;
         return place;
     }
-    if (clean.find_first_of(" ,") != std::string_view::npos)
+    const char first = static_cast<char>(clean.front() | 0x20); // lower case
+    const bool isLikeName = first >= 'a' && first <= 'z' && clean.find(',') == std::string_view::npos;
+    if (clean.find_first_of(" ,") != std::string_view::npos && !isLikeName)
         return bad(
             option,
             fmt::format(

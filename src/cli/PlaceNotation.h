@@ -7,7 +7,7 @@
 
 namespace limen::cli {
 
-/// A place by its name in `world.json`.
+/// A place by its name: one of `world.json`, or one found in the data.
 struct PlaceName {
     std::string name;
 };
@@ -24,7 +24,7 @@ struct PlacePosition {
 using PlaceNotation = std::variant<PlaceName, PlacePosition>;
 
 /// Parses every notation of a place except that of the option --eye:
-///   cottage.cellar                       a name
+///   cottage.cellar                       a name; with blanks if it begins with a letter: Glenden Wood
 ///   A9B4.12,34,5 or 0xA9B4.12,34,5       landblock and local metres; with eight digits also the cell
 ///   0xA9B40031 [x y z] w x y z           retail: cell or landcell, local metres, optional unit quaternion
 ///   42.1N, 33.6E                         map coordinates, on the ground

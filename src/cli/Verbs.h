@@ -18,12 +18,14 @@ struct Choice {
     std::function<Result<Exit>()> run;
 };
 
+void addDoctorVerb(CLI::App& program, const Console& console, Choice& choice);
 void addDemoVerb(CLI::App& program, const Console& console, Choice& choice);
 void addShotVerb(CLI::App& program, const Console& console, Choice& choice);
 void addCheckVerb(CLI::App& program, const Console& console, Choice& choice);
 void addProbeVerb(CLI::App& program, const Console& console, Choice& choice);
 void addWalkVerb(CLI::App& program, const Console& console, Choice& choice);
 void addTourVerb(CLI::App& program, const Console& console, Choice& choice);
+void addPlacesVerb(CLI::App& program, const Console& console, Choice& choice);
 void addDatVerb(CLI::App& program, const Console& console, Choice& choice);
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice);
 void addBenchVerb(CLI::App& program, const Console& console, Choice& choice);

@@ -1,5 +1,6 @@
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
+#include "cli/RetailVerb.h"
 #include "dat/Verify.h"
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,8 @@ struct VerifyArguments {
     std::string path;
     std::size_t most = 50;
     bool json = false;
+    bool retail = false, all = false;
+    std::string report;
 };
 
 /// The number of records and bytes of one kind.
@@ -80,6 +83,9 @@ std::string textOf(const dat::VerifyReport& report) {
 }
 
 Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console) {
+    if (arguments.retail)
+        return runRetail({arguments.path, arguments.report, arguments.most, arguments.json, arguments.all},
+                         console);
     const Result<DatFiles> files = openDatFiles(arguments.path);
     if (!files)
         return tl::unexpected(files.error());
@@ -113,13 +119,23 @@ void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice) {
         dat.add_subcommand("verify", "read every record, encode it again in memory and check its references");
     verb->add_option("PATH", arguments->path, "verify this dat file or directory (the built-in world)")
         ->type_name("");
-    verb->add_option("--most", arguments->most, "print at most this many faults (50); all are counted")
+    verb->add_option("--most", arguments->most,
+                     "print at most this many faults or lines (50); all are counted")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
     verb->add_flag("--json", arguments->json, "print one JSON object");
-    verb->footer(
-        "Exit codes: 0: no fault; 1: faults found; 2: an error. References to other files are not checked\n"
-        "when a single file is given.");
+    CLI::Option* retail =
+        verb->add_flag("--retail", arguments->retail,
+                       "compare the files with facts about the original game's files instead");
+    verb->add_option("--report", arguments->report,
+                     "also write the verdicts to this file: numbers, no game data")
+        ->type_name("FILE")
+        ->needs(retail);
+    verb->add_flag("--all", arguments->all, "print the facts that are right, too")->needs(retail);
+    verb->footer("Example: limen dat verify DIR --retail --report limen-report.json\n"
+                 "Exit codes: 0: no fault; 1: faults found, or a fact is wrong; 2: an error. References to "
+                 "other files\n"
+                 "are not checked when a single file is given.");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runVerify(*arguments, console); };
     });

@@ -9,11 +9,6 @@
 namespace limen::dat {
 namespace {
 
-constexpr const char* kPortalName = "client_portal.dat";
-constexpr const char* kCellName = "client_cell_1.dat";
-constexpr const char* kHighresName = "client_highres.dat";
-constexpr const char* kLocalName = "client_local_English.dat";
-
 const char* nameOf(FileRole role) {
     switch (role) {
     case FileRole::Portal:
@@ -64,26 +59,34 @@ Result<Archive> Archive::open(const std::filesystem::path& directory) {
             "portal.dat and cell.dat are game files older than the end of retail; only end-of-retail files "
             "(client_portal.dat, client_cell_1.dat) can be read");
     }
-    auto portal = openAs(directory / kPortalName, FileRole::Portal);
+    const auto ifPresent = [&](const char* name) {
+        return std::filesystem::exists(directory / name, error) ? directory / name : std::filesystem::path();
+    };
+    return open(ArchivePaths{directory, directory / kPortalName, directory / kCellName,
+                             ifPresent(kHighresName), ifPresent(kLocalName)});
+}
+
+Result<Archive> Archive::open(const ArchivePaths& paths) {
+    auto portal = openAs(paths.portal, FileRole::Portal);
     if (!portal)
         return tl::unexpected(portal.error());
-    auto cell = openAs(directory / kCellName, FileRole::Cell);
+    auto cell = openAs(paths.cell, FileRole::Cell);
     if (!cell)
         return tl::unexpected(cell.error());
-    Archive archive(directory, std::move(*portal), std::move(*cell));
-    const auto openIfPresent = [&](const char* name, FileRole role,
-                                   std::optional<File>& into) -> Result<void> {
-        if (!std::filesystem::exists(directory / name, error))
+    Archive archive(paths.directory, std::move(*portal), std::move(*cell));
+    const auto openIfNamed = [](const std::filesystem::path& path, FileRole role,
+                                std::optional<File>& into) -> Result<void> {
+        if (path.empty())
             return {};
-        auto file = openAs(directory / name, role);
+        auto file = openAs(path, role);
         if (!file)
             return tl::unexpected(file.error());
         into = std::move(*file);
         return {};
     };
-    if (auto done = openIfPresent(kHighresName, FileRole::Highres, archive.highres_); !done)
+    if (auto done = openIfNamed(paths.highres, FileRole::Highres, archive.highres_); !done)
         return tl::unexpected(done.error());
-    if (auto done = openIfPresent(kLocalName, FileRole::Local, archive.local_); !done)
+    if (auto done = openIfNamed(paths.local, FileRole::Local, archive.local_); !done)
         return tl::unexpected(done.error());
     return archive;
 }

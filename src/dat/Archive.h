@@ -4,6 +4,19 @@
 
 namespace limen::dat {
 
+/// The names of the files as the game's installer writes them.
+inline constexpr const char* kPortalName = "client_portal.dat";
+inline constexpr const char* kCellName = "client_cell_1.dat";
+inline constexpr const char* kHighresName = "client_highres.dat";
+inline constexpr const char* kLocalName = "client_local_English.dat";
+
+/// The paths of one world's files. The names may differ from the installer's.
+struct ArchivePaths {
+    std::filesystem::path directory;
+    std::filesystem::path portal, cell;
+    std::filesystem::path highres, local; ///< empty: none
+};
+
 /// The files of one world: `client_portal.dat` and `client_cell_1.dat`; `client_highres.dat` and
 /// `client_local_English.dat` are optional. Safe to read from several threads.
 class Archive {
@@ -11,6 +24,8 @@ public:
     /// Errors: the directory does not exist; a required file is missing, of another format or damaged; a
     /// file's role is not that of its name.
     [[nodiscard]] static Result<Archive> open(const std::filesystem::path& directory);
+    /// Errors: a file is missing, of another format or damaged; a file's role is not that of its path.
+    [[nodiscard]] static Result<Archive> open(const ArchivePaths& paths);
     /// An archive of open files. For tests and fuzzing.
     [[nodiscard]] static Archive of(File portal, File cell) {
         return Archive("memory", std::move(portal), std::move(cell));

@@ -92,12 +92,57 @@ Result<std::optional<Entry>> File::find(RecordId id) const {
     return found;
 }
 
-Result<void> File::forEach(const std::function<bool(const Entry&)>& visit,
-                           std::vector<std::string>* warnings) const {
-    auto done = impl_->tree.forEach(visit, warnings);
+Result<void> File::forEach(const std::function<bool(const Entry&)>& visit, std::vector<std::string>* warnings,
+                           IndexShape* shape) const {
+    auto done = impl_->tree.forEach(visit, warnings, shape);
     if (!done)
         return impl_->explained(std::move(done.error()));
     return done;
+}
+
+FreeList File::freeList() const {
+    const Header& h = impl_->header;
+    const Blocks& blocks = impl_->blocks;
+    FreeList list;
+    if (h.freeCount == 0)
+        return list;
+    if (h.freeCount > blocks.blockCount()) {
+        list.fault = fmt::format("the header counts {} free blocks, the file has {} blocks", h.freeCount,
+                                 blocks.blockCount());
+        return list;
+    }
+    std::uint32_t block = h.firstFree, last = 0;
+    while (list.blocks < h.freeCount) {
+        if (!blocks.isBlock(block)) {
+            list.fault = fmt::format("free block {} of {} is at 0x{:X}, which is not the offset of a block",
+                                     list.blocks + 1, h.freeCount, block);
+            return list;
+        }
+        const std::uint32_t link = blocks.link(block);
+        if ((link & kFreeBit) == 0) {
+            list.fault = fmt::format("the block at 0x{:X} is in the list and not marked as free", block);
+            return list;
+        }
+        ++list.blocks;
+        last = block;
+        block = link & ~kFreeBit;
+        if (block == 0)
+            break;
+    }
+    if (list.blocks != h.freeCount || block != 0)
+        list.fault = fmt::format("the header counts {} free blocks, the list has {}", h.freeCount,
+                                 block != 0 ? "more" : std::to_string(list.blocks));
+    else if (last != h.lastFree)
+        list.fault = fmt::format("the list ends at 0x{:X}, the header says 0x{:X}", last, h.lastFree);
+    return list;
+}
+
+std::uint64_t File::length() const {
+    return impl_->mapping.bytes().size();
+}
+
+bool File::isInFile(const Entry& entry) const {
+    return impl_->blocks.isBlock(entry.offset) && entry.size <= length();
 }
 
 Result<ByteView> File::read(const Entry& entry, Bytes& scratch) const {

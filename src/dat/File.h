@@ -2,6 +2,7 @@
 
 #include "dat/Codec.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,6 +14,9 @@ namespace limen::dat {
 struct Header {
     std::uint32_t blockSize = 0, fileSize = 0, type = 0, subset = 0, root = 0;
     std::uint32_t engineVersion = 0, gameVersion = 0, minorVersion = 0;
+    std::uint32_t firstFree = 0, lastFree = 0, freeCount = 0; ///< the list of free blocks
+    std::uint32_t masterMap = 0;                              ///< a record id
+    std::array<std::uint8_t, 16> majorVersion{};              ///< a GUID, as stored
 };
 
 /// A B-tree entry.
@@ -22,6 +26,20 @@ struct Entry {
     std::uint16_t version = 0;
     std::uint32_t offset = 0, size = 0, date = 0;
     std::int32_t iteration = 0;
+};
+
+/// The shape of a file's B-tree.
+struct IndexShape {
+    std::uint32_t nodes = 0;
+    int depth = 0; ///< nodes from the root to a leaf, both included
+    std::vector<RecordId> rootKeys;
+    std::vector<std::uint32_t> rootBranches; ///< offsets of nodes; empty if the root is a leaf
+};
+
+/// The list of free blocks, followed from the header's first one.
+struct FreeList {
+    std::uint32_t blocks = 0;
+    std::string fault; ///< the reason why the list does not agree with the header; empty: it agrees
 };
 
 /// A memory-mapped dat file. Bytes are read on use. All const members may be called from several threads at
@@ -53,9 +71,17 @@ public:
     [[nodiscard]] Result<ByteView> read(const Entry& entry, Bytes& scratch) const;
     [[nodiscard]] Result<ByteView> read(RecordId id, Bytes& scratch) const;
     /// Calls `visit` for every entry in ascending order of id until it returns false. Checks all nodes that
-    /// it visits. Adds faults that do not prevent reading (leaves at unequal depths) to `warnings` if given.
+    /// it visits. Adds faults that do not prevent reading (leaves at unequal depths) to `warnings` if given,
+    /// and writes the shape of the visited nodes to `shape` if given.
     [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
-                                       std::vector<std::string>* warnings = nullptr) const;
+                                       std::vector<std::string>* warnings = nullptr,
+                                       IndexShape* shape = nullptr) const;
+    /// Follows the list of free blocks. Readers ignore it, so a fault harms writers only.
+    [[nodiscard]] FreeList freeList() const;
+    /// The file's real length, bytes.
+    [[nodiscard]] std::uint64_t length() const;
+    /// Whether the first block of an entry's record is a block of this file, and its size fits into the file.
+    [[nodiscard]] bool isInFile(const Entry& entry) const;
     /// Faults of the header that do not prevent reading: a fileSize that differs from the real length.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
     /// Releases the pages that were read, so that they do not count as memory of this process. Views stay

@@ -36,7 +36,7 @@ void removeQuietly(const fs::path& path) {
     fs::remove_all(path, ignored);
 }
 
-/// Removes all but the kKept newest worlds; `current` always stays. Staging directories older than one hour
+/// Removes all but the kKept newest worlds; `current` and the found places (PlaceCache) always stay. Staging directories older than one hour
 /// are removed, too: the process that wrote them has died.
 void prune(const fs::path& root, const fs::path& current) {
     struct Old {
@@ -51,7 +51,8 @@ void prune(const fs::path& root, const fs::path& current) {
         const bool halfWritten = it->path().extension() == ".tmp";
         if (halfWritten && fs::file_time_type::clock::now() - time > std::chrono::hours(1))
             removeQuietly(it->path());
-        else if (!halfWritten && it->path() != current && it->is_directory(ignored))
+        else if (!halfWritten && it->path() != current && it->path().filename() != "places" &&
+                 it->is_directory(ignored))
             worlds.push_back({time, it->path()});
     }
     std::sort(worlds.begin(), worlds.end(), [](const Old& a, const Old& b) { return a.time > b.time; });

@@ -1,6 +1,8 @@
 #include "engine/ViewRequest.h"
 
 #include "core/Assert.h"
+#include "core/Nearest.h"
+#include "engine/WorldSource.h"
 #include "world/Loader.h"
 
 #include <algorithm>
@@ -10,22 +12,36 @@
 namespace limen::engine {
 namespace {
 
-Result<const world::Place*> findPlace(const world::WorldFile& file, const std::string& name) {
+const world::Place* placeNamed(const world::WorldFile& file, const std::string& name) {
     const auto found = std::find_if(file.places.begin(), file.places.end(),
                                     [&](const world::Place& p) { return p.name == name; });
     if (found != file.places.end())
         return &*found;
+    const std::string plain = plainName(name);
+    const auto similar = std::find_if(file.places.begin(), file.places.end(),
+                                      [&](const world::Place& p) { return plainName(p.name) == plain; });
+    return similar == file.places.end() ? nullptr : &*similar;
+}
+
+Result<const world::Place*> findPlace(const world::WorldFile& file, const std::string& name) {
+    if (const world::Place* place = placeNamed(file, name))
+        return place;
     if (file.places.empty())
-        return fail(
-            ErrorCode::NotFound, "--at",
-            fmt::format("unknown place '{}': this world's world.json names no places; give --eye X,Y,Z",
-                        name));
+        return fail(ErrorCode::NotFound, "--at",
+                    fmt::format("unknown place '{}': this world has no places; give --eye X,Y,Z", name));
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min<std::size_t>(file.places.size(), 12); ++i)
-        names.push_back(file.places[i].name);
+    for (const world::Place& place : file.places)
+        names.push_back(place.name);
+    const std::vector<std::string> similar = nearest(name, names);
+    constexpr std::size_t kListed = 12;
+    const std::size_t count = names.size();
+    names.resize(std::min(count, kListed));
     return fail(ErrorCode::NotFound, "--at",
-                fmt::format("unknown place '{}'; this world has {}{}", name, fmt::join(names, ", "),
-                            file.places.size() > names.size() ? ", ..." : ""));
+                similar.empty()
+                    ? fmt::format("unknown place '{}'; this world has {}{}. limen places lists all", name,
+                                  fmt::join(names, ", "), count > kListed ? ", ..." : "")
+                    : fmt::format("unknown place '{}'.{} limen places lists all {}", name,
+                                  didYouMean(similar), count));
 }
 
 RootChoice rootOf(const world::Place& place) {
@@ -73,6 +89,21 @@ const world::Place* firstPlace(const world::WorldFile& file) {
     if (!file.tour.empty())
         return &file.tour.front();
     return file.places.empty() ? nullptr : &file.places.front();
+}
+
+std::optional<ViewRequest> firstView(const WorldSource& source,
+                                     const std::optional<RememberedPlace>& remembered) {
+    if (remembered && isFinite(remembered->eye)) {
+        const world::Place place{{}, remembered->eye, remembered->yaw, remembered->pitch, remembered->cell};
+        const bool isThere =
+            place.cell != 0
+                ? source.archive.contains<dat::EnvCell>(place.cell)
+                : source.archive.contains<dat::LandBlock>(dat::landBlockId(world::blockAt(place.eye)));
+        if (isThere)
+            return requestAt(place);
+    }
+    const world::Place* first = firstPlace(source.file);
+    return first == nullptr ? std::nullopt : std::optional(requestAt(*first));
 }
 
 } // namespace limen::engine

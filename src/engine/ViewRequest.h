@@ -14,6 +14,8 @@
 // ids. FrameRequest.h has the same frame with the indices of a loaded part.
 namespace limen::engine {
 
+struct WorldSource;
+
 /// The rule by which the space of an eye or of a body is found. Auto: from the position.
 struct RootChoice {
     enum class Rule { Auto, Outside, Cell } rule = Rule::Auto;
@@ -58,7 +60,8 @@ struct ViewRequest {
 };
 
 /// Replaces the name of a place by its position, and fills in heading and root if the request has none.
-/// `place` is then empty. Errors: NotFound for an unknown name; the message lists some known ones.
+/// `place` is then empty. A name matches exactly, else without regard to case, spaces and hyphens. Errors:
+/// NotFound for an unknown name; the message lists similar ones.
 [[nodiscard]] Result<ViewRequest> resolvePlace(ViewRequest request, const world::WorldFile& file);
 
 /// A request at a named place.
@@ -71,5 +74,16 @@ struct ViewRequest {
 /// The first viewpoint in a world: its start, else the first of its tour, else its first place. Null: the
 /// world has none.
 [[nodiscard]] const world::Place* firstPlace(const world::WorldFile& file);
+
+/// A viewpoint that a program keeps from one run to the next, for one directory of dats.
+struct RememberedPlace {
+    Vec3 eye{0.0};                 ///< global, metres
+    double yaw = 0.0, pitch = 0.0; ///< degrees
+    dat::RecordId cell = 0;        ///< 0: outside
+};
+/// The request of the first view: the remembered place if this world still has its cell (or, outside, its
+/// landblock), else firstPlace. None: the world has no viewpoint.
+[[nodiscard]] std::optional<ViewRequest> firstView(const WorldSource& source,
+                                                   const std::optional<RememberedPlace>& remembered = {});
 
 } // namespace limen::engine

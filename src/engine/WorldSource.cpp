@@ -1,5 +1,7 @@
 #include "engine/WorldSource.h"
 
+#include "engine/DatDirectory.h"
+#include "engine/places/FoundPlaces.h"
 #include "worlds/Demo.h"
 
 namespace limen::engine {
@@ -7,18 +9,29 @@ namespace {
 
 constexpr dat::RecordId kHumanMale = 0x02000001; // setup (docs/uncertain.md)
 
-Result<WorldSource> openDirectory(const std::filesystem::path& directory) {
-    Result<dat::Archive> archive = dat::Archive::open(directory);
+Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch search) {
+    Result<dat::Archive> archive = dat::Archive::open(paths);
     if (!archive)
         return tl::unexpected(archive.error());
-    Result<world::WorldFile> file = world::loadWorldFile(directory);
+    Result<world::WorldFile> file = world::loadWorldFile(paths.directory);
     if (!file)
         return tl::unexpected(file.error());
-    // The original game's files have no world.json. The player's body is then the game's human male.
-    if (!std::filesystem::exists(directory / world::kWorldFileName) &&
-        archive->contains<dat::Setup>(kHumanMale))
-        file->moving.player = kHumanMale;
+    if (!std::filesystem::exists(paths.directory / world::kWorldFileName)) {
+        if (search == PlaceSearch::Find) {
+            file = findPlacesCached(*archive, cacheRoot());
+            if (!file)
+                return tl::unexpected(file.error());
+        }
+        // The original game's files have no world.json. The player's body is then the game's human male.
+        if (archive->contains<dat::Setup>(kHumanMale))
+            file->moving.player = kHumanMale;
+    }
     return WorldSource{{}, std::move(*archive), std::move(*file), ""};
+}
+
+Result<WorldSource> openAt(const std::filesystem::path& path, PlaceSearch search) {
+    return findDatDirectory(path).and_then(
+        [&](const DatDirectory& there) { return openDirectory(there.paths, search); });
 }
 
 /// Opens the cached world. If it is damaged (by a full disk, or by another program), it is written again,
@@ -29,7 +42,7 @@ Result<WorldSource> openBuiltIn() {
         Result<BuiltInWorld> builtIn = openBuiltInWorld(cacheRoot(), key, worlds::writeBuiltInWorld);
         if (!builtIn)
             return tl::unexpected(builtIn.error());
-        Result<WorldSource> source = openDirectory(builtIn->directory());
+        Result<WorldSource> source = openAt(builtIn->directory(), PlaceSearch::Find);
         if (source)
             source->builtIn = std::move(*builtIn);
         if (source || attempt == 1)
@@ -40,12 +53,12 @@ Result<WorldSource> openBuiltIn() {
 
 } // namespace
 
-Result<WorldSource> openWorldSource(const std::string& directory) {
-    if (directory.empty())
+Result<WorldSource> openWorldSource(const std::string& path, PlaceSearch search) {
+    if (path.empty())
         return openBuiltIn();
-    Result<WorldSource> source = openDirectory(directory);
+    Result<WorldSource> source = openAt(path, search);
     if (source)
-        source->datOption = " --dat '" + directory + "'";
+        source->datOption = " --dat '" + path + "'";
     return source;
 }
 

@@ -16,8 +16,14 @@ struct WorldSource {
     std::string datOption; ///< "" or " --dat DIR", for command lines in reports
 };
 
-/// Opens the dat files of `directory`; empty: the built-in world. Errors: the archive's; the world file's;
-/// the built-in world cannot be written.
-[[nodiscard]] Result<WorldSource> openWorldSource(const std::string& directory);
+/// Whether a world without world.json gets the places, start and tour that its records suggest. Skip saves the
+/// search (docs/performance.md) where a position is given.
+enum class PlaceSearch { Find, Skip };
+
+/// Opens the dat files at `path`: a directory, one of its files, or a directory above it (DatDirectory.h).
+/// Empty: the built-in world. Errors: findDatDirectory's; the archive's; the world file's; the built-in world
+/// cannot be written.
+[[nodiscard]] Result<WorldSource> openWorldSource(const std::string& path,
+                                                  PlaceSearch search = PlaceSearch::Find);
 
 } // namespace limen::engine

@@ -17,7 +17,8 @@ bool isRecording(std::span<const world::Place> points) {
     if (points.size() < kFewest)
         return false;
     for (std::size_t i = 1; i < points.size(); ++i)
-        if (glm::length(points[i].eye - points[i - 1].eye) > kLongestStep)
+        if (!world::isJump(points[i - 1], points[i]) &&
+            glm::length(points[i].eye - points[i - 1].eye) > kLongestStep)
             return false;
     return true;
 }
@@ -41,7 +42,9 @@ CameraPath::CameraPath(std::span<const world::Place> wayPoints)
     double time = 0.0;
     for (std::size_t i = 0; i < wayPoints_.size(); ++i) {
         if (i > 0)
-            time += recording ? kRecordedStep : secondsBetween(wayPoints_[i - 1], wayPoints_[i]);
+            time += isJumpTo(i) ? kJumpSeconds
+                    : recording ? kRecordedStep
+                                : secondsBetween(wayPoints_[i - 1], wayPoints_[i]);
         times_.push_back(time);
     }
 }
@@ -55,7 +58,7 @@ engine::Camera CameraPath::at(double time) const {
         std::min<std::size_t>(static_cast<std::size_t>(after - times_.begin()) - 1, last);
     const std::size_t to = std::min(from + 1, last);
     const double span = times_[to] - times_[from];
-    const double t = span > 0.0 ? (clamped - times_[from]) / span : 0.0;
+    const double t = span > 0.0 && !isJumpTo(to) ? (clamped - times_[from]) / span : 0.0;
     // Between distant way points the turn eases in and out while the speed stays constant. Way points close
     // together form a curve already.
     const double turned = span > kLongStretch ? t * t * (3.0 - 2.0 * t) : t;
@@ -66,11 +69,15 @@ engine::Camera CameraPath::at(double time) const {
     return camera;
 }
 
-void CameraPath::cornersBetween(double from, double to, std::vector<Vec3>& out) const {
+void CameraPath::cornersBetween(double from, double to, std::vector<Corner>& out) const {
     out.clear();
     for (std::size_t i = 0; i < times_.size(); ++i)
-        if (times_[i] > from && times_[i] < to)
-            out.push_back(wayPoints_[i].eye);
+        if (times_[i] > from && (times_[i] < to || (times_[i] == to && isJumpTo(i))))
+            out.push_back({wayPoints_[i].eye, wayPoints_[i].cell, isJumpTo(i)});
+}
+
+bool CameraPath::isJumpTo(std::size_t point) const {
+    return point > 0 && world::isJump(wayPoints_[point - 1], wayPoints_[point]);
 }
 
 double CameraPath::timeOfFrame(std::size_t frame, std::size_t count) const {

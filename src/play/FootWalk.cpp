@@ -42,6 +42,12 @@ public:
         if (Result<void> began = frame({}); !began)
             return tl::unexpected(began.error());
         for (std::size_t i = 0, missed = 0; i < points_.size();) {
+            if (i > 0 && isJump(points_[i - 1], points_[i])) {
+                for (const std::size_t there = jumpBeyond(i - 1); i < there; ++i)
+                    walk_.missed.push_back(i);
+                if (i == points_.size())
+                    break; // no named place is there
+            }
             const Result<bool> there = goTo(points_[i]);
             if (!there)
                 return tl::unexpected(there.error());
@@ -58,6 +64,15 @@ public:
 
 private:
     [[nodiscard]] Vec3 feet() const { return play_.walk().body().standing.feet; }
+    [[nodiscard]] static bool isJump(const engine::ViewRequest& from, const engine::ViewRequest& to) {
+        const auto placeOf = [](const engine::ViewRequest& point) {
+            world::Place place;
+            place.eye = point.eye;
+            place.cell = point.root.value_or(engine::RootChoice()).cell;
+            return place;
+        };
+        return world::isJump(placeOf(from), placeOf(to));
+    }
     [[nodiscard]] static Vec3 feetAt(const engine::ViewRequest& point) {
         return point.eye - Vec3(0.0, 0.0, kWayPointHeight);
     }

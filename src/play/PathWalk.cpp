@@ -21,6 +21,8 @@ Result<CameraPath> makePath(const engine::LoadedPart& loaded,
         place.eye = frame->camera.eye;
         place.yaw = frame->camera.heading.yaw;
         place.pitch = frame->camera.heading.pitch;
+        if (point.root && point.root->rule == engine::RootChoice::Rule::Cell)
+            place.cell = point.root->cell;
         places.push_back(std::move(place));
     }
     return CameraPath(places);
@@ -54,15 +56,27 @@ Result<PathStart> startPath(engine::Session& session, const std::vector<engine::
     });
 }
 
+void PathWalk::jumpTo(const CameraPath::Corner& corner) {
+    world::Place place;
+    place.eye = corner.eye;
+    place.cell = corner.cell;
+    static_cast<void>(session_.load(engine::centreOf(engine::requestAt(place)))); // else the old part stays
+    frame_.root = engine::rootIn(session_.part(), corner.cell, corner.eye);
+    tracker_.place(frame_.root);
+}
+
 const engine::FrameRequest& PathWalk::moveTo(double time) {
     frame_.scene.seconds = time;
     path_.cornersBetween(time_, time, corners_);
     const engine::Camera camera = path_.at(time);
-    corners_.push_back(camera.eye);
+    corners_.push_back({camera.eye});
     const double seconds = (time - time_) / static_cast<double>(corners_.size());
-    for (const Vec3& corner : corners_) {
-        frame_.root = tracker_.move(session_.part().world, frame_.camera.eye, corner, seconds);
-        frame_.camera.eye = corner;
+    for (const CameraPath::Corner& corner : corners_) {
+        if (corner.isJump)
+            jumpTo(corner);
+        else
+            frame_.root = tracker_.move(session_.part().world, frame_.camera.eye, corner.eye, seconds);
+        frame_.camera.eye = corner.eye;
     }
     frame_.camera.heading = camera.heading;
     frame_.scene.player = frame_.camera.eye;

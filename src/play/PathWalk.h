@@ -41,12 +41,15 @@ public:
     const engine::FrameRequest& moveTo(double time);
 
 private:
+    /// Puts the camera at a point that no line leads to, and loads the blocks around it.
+    void jumpTo(const CameraPath::Corner& corner);
+
     engine::Session& session_;
     const CameraPath& path_;
     engine::FrameRequest frame_;
     RootTracker tracker_;
     double time_ = 0.0;
-    std::vector<Vec3> corners_;
+    std::vector<CameraPath::Corner> corners_;
 };
 
 } // namespace limen::play

@@ -1,8 +1,10 @@
 #include "world/Places.h"
 
 #include "world/JsonFields.h"
+#include "world/Lookup.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 namespace limen::world {
@@ -46,7 +48,18 @@ bool isPlace(const WorldFile& world, const std::string& name) {
                        [&](const Place& place) { return place.name == name; });
 }
 
+dat::BlockCoord blockOfPlace(const Place& place) {
+    return place.cell != 0 ? dat::blockOf(place.cell) : blockAt(place.eye);
+}
+
 } // namespace
+
+bool isJump(const Place& from, const Place& to) {
+    if (from.cell == 0 && to.cell == 0)
+        return false;
+    const dat::BlockCoord a = blockOfPlace(from), b = blockOfPlace(to);
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > 1;
+}
 
 Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
     const std::filesystem::path path = directory / kWorldFileName;

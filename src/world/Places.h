@@ -20,6 +20,10 @@ struct Place {
     dat::RecordId cell = 0; ///< the cell that contains the eye; 0: outside
 };
 
+/// True if the way between two successive way points is no line: one of them is in a cell whose block is not
+/// that of the other point nor next to it. No line leads into a dungeon.
+[[nodiscard]] bool isJump(const Place& from, const Place& to);
+
 inline constexpr const char* kWorldFileName = "world.json";
 
 /// The content of `world.json`, which is in the directory of the .dat files. All of it is optional.

@@ -22,6 +22,11 @@ TEST(PlaceNotation, takesAWordAsAName) {
               "cafe.room"); // hexadecimal by chance
 }
 
+TEST(PlaceNotation, takesWordsWithBlanksAsAName) {
+    EXPECT_EQ(std::get<PlaceName>(parsePlace("--at", "Glenden Wood").value()).name, "Glenden Wood");
+    EXPECT_EQ(std::get<PlaceName>(parsePlace("--at", "town 42.1N 33.6E").value()).name, "town 42.1N 33.6E");
+}
+
 TEST(PlaceNotation, addsTheBlocksCornerToLocalMetres) {
     const PlacePosition place = positionOf("A9B4.12,34.5,-6");
     EXPECT_EQ(place.eye, Vec3(0xA9 * 192.0 + 12.0, 0xB4 * 192.0 + 34.5, -6.0));
@@ -79,7 +84,7 @@ TEST(PlaceNotation, refusesNonsense) {
                              "][",
                              "42.1N 33.6N",
                              "200N 0E",
-                             "two words",
+                             "2 words",
                              "1,2,3"})
         EXPECT_FALSE(parsePlace("--at", text)) << text;
 }

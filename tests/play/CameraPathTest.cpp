@@ -46,12 +46,27 @@ TEST(CameraPath, takesTimeToTurnOnTheSpot) {
 TEST(CameraPath, namesTheCornersAStepCutsOff) {
     const CameraPath path(
         std::vector<world::Place>{wayPoint({0, 0, 0}, 0), wayPoint({3, 0, 0}, 0), wayPoint({3, 3, 0}, 0)});
-    std::vector<Vec3> corners;
+    std::vector<CameraPath::Corner> corners;
     path.cornersBetween(0.5, 1.5, corners);
     ASSERT_EQ(corners.size(), 1u);
-    EXPECT_EQ(corners[0], Vec3(3, 0, 0));
+    EXPECT_EQ(corners[0].eye, Vec3(3, 0, 0));
+    EXPECT_FALSE(corners[0].isJump);
     path.cornersBetween(1.0, 2.0, corners);
     EXPECT_TRUE(corners.empty());
+}
+
+TEST(CameraPath, restsBeforeAJumpIntoADungeonAndPassesNothingBetween) {
+    world::Place dungeon = wayPoint({9000, 9000, 5}, 90);
+    dungeon.cell = 0x01020100;
+    const CameraPath path(std::vector<world::Place>{wayPoint({0, 0, 0}, 0), wayPoint({3, 0, 0}, 0), dungeon});
+    EXPECT_DOUBLE_EQ(path.seconds(), 1.0 + CameraPath::kJumpSeconds);
+    EXPECT_EQ(path.at(1.0 + 0.9 * CameraPath::kJumpSeconds).eye, Vec3(3, 0, 0));
+    EXPECT_EQ(path.at(path.seconds()).eye, dungeon.eye);
+    std::vector<CameraPath::Corner> corners;
+    path.cornersBetween(1.5, path.seconds(), corners);
+    ASSERT_EQ(corners.size(), 1u);
+    EXPECT_TRUE(corners[0].isJump);
+    EXPECT_EQ(corners[0].cell, dungeon.cell);
 }
 
 TEST(CameraPath, keepsThePaceOfARecording) {

@@ -26,7 +26,9 @@ struct TourPoint {
 std::vector<TourPoint> pointsAlong(std::span<const world::Place> tour, std::size_t count) {
     std::vector<double> until{0.0}; // length up to each way point
     for (std::size_t i = 1; i < tour.size(); ++i)
-        until.push_back(until.back() + glm::length(tour[i].eye - tour[i - 1].eye));
+        until.push_back(until.back() + (world::isJump(tour[i - 1], tour[i])
+                                            ? 0.0
+                                            : glm::length(tour[i].eye - tour[i - 1].eye)));
     std::vector<TourPoint> points(count);
     std::size_t leg = 0;
     for (std::size_t k = 0; k < count; ++k) {

@@ -14,8 +14,9 @@ inline constexpr std::uint32_t kMagic = 0x5442; ///< "BT"
 /// Offsets of header fields.
 namespace header {
 inline constexpr std::size_t kTransaction = 0x100, kMagicAt = 0x140, kBlockSize = 0x144, kFileSize = 0x148,
-                             kType = 0x14C, kSubset = 0x150, kRoot = 0x160, kEngineVersion = 0x174,
-                             kGameVersion = 0x178, kMinorVersion = 0x18C;
+                             kType = 0x14C, kSubset = 0x150, kFirstFree = 0x154, kLastFree = 0x158,
+                             kFreeCount = 0x15C, kRoot = 0x160, kMasterMap = 0x170, kEngineVersion = 0x174,
+                             kGameVersion = 0x178, kMajorVersion = 0x17C, kMinorVersion = 0x18C;
 /// The offset of the same magic in files from before the end of retail.
 inline constexpr std::size_t kOldMagicAt = 0x12C;
 } // namespace header
@@ -34,6 +35,9 @@ static_assert(kNodeBytes == 1716);
 /// The content of unused branches in files of one writer.
 inline constexpr std::uint32_t kNoBranchFill = 0xCDCDCDCD;
 inline constexpr int kMaxDepth = 16;
+
+/// In the link of a free block.
+inline constexpr std::uint32_t kFreeBit = 0x80000000;
 
 inline constexpr std::uint16_t kCompressedFlag = 1;
 inline constexpr std::size_t kMaxInflatedBytes = std::size_t{64} << 20;

@@ -93,6 +93,11 @@ Result<Header> readHeader(ByteView file, const std::string& name, std::vector<st
     h.engineVersion = wordAt(file, header::kEngineVersion);
     h.gameVersion = wordAt(file, header::kGameVersion);
     h.minorVersion = wordAt(file, header::kMinorVersion);
+    h.firstFree = wordAt(file, header::kFirstFree);
+    h.lastFree = wordAt(file, header::kLastFree);
+    h.freeCount = wordAt(file, header::kFreeCount);
+    h.masterMap = wordAt(file, header::kMasterMap);
+    std::memcpy(h.majorVersion.data(), file.data() + header::kMajorVersion, h.majorVersion.size());
     if (std::string reason = fault(h, file.size()); !reason.empty())
         return fail(ErrorCode::Malformed, name, std::move(reason));
     if (h.fileSize != file.size())

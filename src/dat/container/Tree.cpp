@@ -1,5 +1,7 @@
 #include "dat/container/Tree.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace limen::dat {
@@ -13,6 +15,7 @@ constexpr std::size_t kStatesPerWord = 32;
 struct Tree::Traversal {
     const std::function<bool(const Entry&)>& visit;
     std::vector<bool> seen; ///< by block number
+    IndexShape shape;
     int leafDepth = -1;
     bool unevenLeaves = false;
     bool stopped = false;
@@ -160,6 +163,17 @@ Result<void> Tree::checkRoot() const {
     return {};
 }
 
+void Tree::note(const Node& node, int depth, IndexShape& shape) const {
+    ++shape.nodes;
+    shape.depth = std::max(shape.depth, depth + 1);
+    if (depth > 0)
+        return;
+    for (std::size_t i = 0; i < node.count; ++i)
+        shape.rootKeys.push_back(idAt(node, i));
+    for (std::size_t i = 0; !node.isLeaf && i <= node.count; ++i)
+        shape.rootBranches.push_back(branch(node, i));
+}
+
 Result<void> Tree::traverse(std::uint32_t offset, const Range& range, int depth, Traversal& traversal) const {
     if (depth >= kMaxDepth)
         return damaged(offset, fmt::format("the index is deeper than {} nodes", kMaxDepth));
@@ -170,6 +184,7 @@ Result<void> Tree::traverse(std::uint32_t offset, const Range& range, int depth,
     if (traversal.seen[block])
         return damaged(offset, "two branches lead to it");
     traversal.seen[block] = true;
+    note(node, depth, traversal.shape);
     if (node.isLeaf) {
         traversal.unevenLeaves =
             traversal.unevenLeaves || (traversal.leafDepth >= 0 && traversal.leafDepth != depth);
@@ -190,14 +205,16 @@ Result<void> Tree::traverse(std::uint32_t offset, const Range& range, int depth,
     return {};
 }
 
-Result<void> Tree::forEach(const std::function<bool(const Entry&)>& visit,
-                           std::vector<std::string>* warnings) const {
+Result<void> Tree::forEach(const std::function<bool(const Entry&)>& visit, std::vector<std::string>* warnings,
+                           IndexShape* shape) const {
     if (root_ == 0)
         return {};
-    Traversal traversal{visit, std::vector<bool>(blocks_.blockCount()), -1, false, false};
+    Traversal traversal{visit, std::vector<bool>(blocks_.blockCount()), {}, -1, false, false};
     auto done = traverse(root_, {}, 0, traversal);
     if (done && traversal.unevenLeaves && warnings != nullptr)
         warnings->push_back(fmt::format("{}: the leaves of the index are at unequal depths", name_));
+    if (shape != nullptr)
+        *shape = std::move(traversal.shape);
     return done;
 }
 

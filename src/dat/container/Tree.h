@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] Result<std::optional<Entry>> find(RecordId id) const;
     [[nodiscard]] Result<void> forEach(const std::function<bool(const Entry&)>& visit,
-                                       std::vector<std::string>* warnings) const;
+                                       std::vector<std::string>* warnings, IndexShape* shape) const;
     [[nodiscard]] Result<void> checkRoot() const;
 
 private:
@@ -57,6 +57,8 @@ private:
     [[nodiscard]] std::string inspect(const Node& node) const;
     [[nodiscard]] bool isInOnePiece(const Node& node) const;
     [[nodiscard]] tl::unexpected<Error> damaged(std::uint32_t offset, std::string reason) const;
+    /// Adds a visited node to the shape.
+    void note(const Node& node, int depth, IndexShape& shape) const;
     [[nodiscard]] Result<void> traverse(std::uint32_t offset, const Range& range, int depth,
                                         Traversal& traversal) const;
 

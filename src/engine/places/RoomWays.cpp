@@ -1,0 +1,184 @@
+#include "engine/places/RoomWays.h"
+
+#include "engine/ViewRequest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limen::engine {
+namespace {
+
+constexpr double kKnee = 0.5;         // metres above the floor; lower obstacles are steps
+constexpr double kHalfBody = 0.3;     // metres, as of a body's capsule
+constexpr double kStepHeight = 0.6;   // metres, as of a body
+constexpr double kSampled = 0.4;      // metres between tests of the floor
+constexpr double kBeyond = 0.15;      // metres behind a door's plane: the point is in the next cell
+constexpr double kFarthestLook = 8.0; // metres walked into a room
+constexpr double kNoWay = 1e300;
+
+/// The eye just beyond an opening.
+Vec3 beyond(const Opening& opening) {
+    return opening.eye() - opening.inward * kBeyond;
+}
+
+bool isOpen(const CellShape& cell, const Vec3& from, const Vec3& to, const Vec3& offset) {
+    return !cell.solids.blocks(from + offset, to + offset);
+}
+
+/// The opening of `cell` that leads back through `opening`; null if it is one-way.
+const Opening* wayBack(const CellShape& cell, const Opening& opening) {
+    return opening.otherPortal < cell.openings.size() ? &cell.openings[opening.otherPortal] : nullptr;
+}
+
+void append(const std::vector<Vec3>& eyes, dat::RecordId cell, std::vector<WayPoint>& out) {
+    for (const Vec3& eye : eyes)
+        out.push_back({eye, cell});
+}
+
+/// The way from an entry to the stop farthest from it; empty if no stop can be reached.
+std::vector<Vec3> wayIntoRoom(const CellShape& cell, const Vec3& entry, const std::vector<Vec3>& stops) {
+    std::vector<Vec3> order = stops;
+    std::stable_sort(order.begin(), order.end(), [&](const Vec3& a, const Vec3& b) {
+        return glm::length(a - entry) > glm::length(b - entry);
+    });
+    for (const Vec3& stop : order) {
+        if (glm::length(stop - entry) > kFarthestLook)
+            continue;
+        std::vector<Vec3> way = wayInside(cell, entry, stop, stops);
+        if (!way.empty())
+            return way;
+    }
+    return {};
+}
+
+} // namespace
+
+bool isWalkable(const CellShape& cell, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    const double length = std::hypot(way.x, way.y);
+    if (length < 1e-6)
+        return std::abs(way.z) < kStepHeight;
+    const Vec3 side = Vec3(-way.y, way.x, 0.0) * (kHalfBody / length);
+    const Vec3 knee(0.0, 0.0, kKnee - kEyeHeight);
+    for (const Vec3& offset : {Vec3(0.0), knee, side, -side, knee + side, knee - side})
+        if (!isOpen(cell, from, to, offset))
+            return false;
+    // Both ends stand on a floor: their own or the sill of a door. Beside a sill the floor of the next cell
+    // begins, so the ends are not tested.
+    double feet = from.z - kEyeHeight;
+    for (double metres = kSampled; metres < length - 0.2; metres += kSampled) {
+        const Vec3 at = from + way * (metres / length);
+        const double floor = cell.solids.floorBelow({at.x, at.y, feet + kStepHeight + 0.3}, 2.0);
+        if (!(std::abs(floor - feet) <= kStepHeight))
+            return false;
+        feet = floor;
+    }
+    return std::abs(to.z - kEyeHeight - feet) <= kStepHeight + 0.1;
+}
+
+std::vector<Vec3> wayInside(const CellShape& cell, const Vec3& from, const Vec3& to,
+                            const std::vector<Vec3>& stops) {
+    if (isWalkable(cell, from, to))
+        return {to};
+    // Dijkstra's algorithm over from, the stops, and to.
+    std::vector<Vec3> nodes{from};
+    nodes.insert(nodes.end(), stops.begin(), stops.end());
+    nodes.push_back(to);
+    std::vector<double> cost(nodes.size(), kNoWay);
+    std::vector<std::size_t> before(nodes.size(), 0);
+    std::vector<bool> isDone(nodes.size(), false);
+    cost[0] = 0.0;
+    for (;;) {
+        std::size_t next = nodes.size();
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (!isDone[i] && cost[i] < kNoWay && (next == nodes.size() || cost[i] < cost[next]))
+                next = i;
+        if (next == nodes.size())
+            return {};
+        if (next + 1 == nodes.size())
+            break;
+        isDone[next] = true;
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+            const double through = cost[next] + glm::length(nodes[i] - nodes[next]);
+            if (!isDone[i] && through < cost[i] && isWalkable(cell, nodes[next], nodes[i])) {
+                cost[i] = through;
+                before[i] = next;
+            }
+        }
+    }
+    std::vector<Vec3> way;
+    for (std::size_t i = nodes.size() - 1; i != 0; i = before[i])
+        way.push_back(nodes[i]);
+    std::reverse(way.begin(), way.end());
+    return way;
+}
+
+void roundThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& entry, std::size_t& rooms,
+                       std::set<dat::RecordId>& visited, std::vector<WayPoint>& out) {
+    const CellShape* cell = shapes.cell(id);
+    if (cell == nullptr || rooms == 0 || !visited.insert(id).second)
+        return;
+    --rooms;
+    const std::vector<Vec3> stops = standingEyes(*cell);
+    Vec3 here = entry;
+    if (const std::vector<Vec3> into = wayIntoRoom(*cell, entry, stops); !into.empty()) {
+        append(into, id, out);
+        here = into.back();
+    }
+    for (const Opening& opening : cell->openings) {
+        const CellShape* next = opening.otherCell == 0 ? nullptr : shapes.cell(opening.otherCell);
+        const Opening* back = next == nullptr ? nullptr : wayBack(*next, opening);
+        if (back == nullptr || !opening.isDoor() || rooms == 0 || visited.contains(next->id))
+            continue;
+        const std::vector<Vec3> there = wayInside(*cell, here, opening.eye(), stops);
+        const std::vector<Vec3> again = wayInside(*cell, beyond(*back), here, stops);
+        if (there.empty() || again.empty())
+            continue;
+        append(there, id, out);
+        out.back() = {beyond(opening), next->id};
+        roundThroughRooms(shapes, next->id, beyond(opening), rooms, visited, out);
+        out.push_back({beyond(*back), id});
+        append(again, id, out);
+    }
+    if (here != entry)
+        append(wayInside(*cell, here, entry, stops), id, out);
+}
+
+void wayThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& from, std::size_t rooms,
+                     std::vector<WayPoint>& out) {
+    std::set<dat::RecordId> visited;
+    Vec3 here = from;
+    while (visited.size() < rooms) {
+        const CellShape* cell = shapes.cell(id);
+        if (cell == nullptr)
+            return;
+        visited.insert(id);
+        const std::vector<Vec3> stops = standingEyes(*cell);
+        std::vector<const Opening*> doors;
+        for (const Opening& opening : cell->openings)
+            if (opening.isDoor() && opening.otherCell != 0 && !visited.contains(opening.otherCell) &&
+                shapes.cell(opening.otherCell) != nullptr)
+                doors.push_back(&opening);
+        std::stable_sort(doors.begin(), doors.end(), [&](const Opening* a, const Opening* b) {
+            return glm::length(a->middle - here) > glm::length(b->middle - here);
+        });
+        const Opening* taken = nullptr;
+        for (const Opening* door : doors) {
+            const std::vector<Vec3> way = wayInside(*cell, here, door->eye(), stops);
+            if (way.empty())
+                continue;
+            append(way, id, out);
+            out.back() = {beyond(*door), door->otherCell};
+            taken = door;
+            break;
+        }
+        if (taken == nullptr) {
+            append(wayIntoRoom(*cell, here, stops), id, out); // the end: into the last room
+            return;
+        }
+        here = out.back().eye;
+        id = taken->otherCell;
+    }
+}
+
+} // namespace limen::engine
