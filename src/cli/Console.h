@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Error.h"
+#include "core/Interrupt.h"
 
 #include <chrono>
 #include <cstddef>
@@ -14,12 +15,14 @@ enum class Exit : int {
     Done = 0,
     Finding = 1,    ///< the verb found a fault that it searches for: a missed target, a wrong pixel
     Impossible = 2, ///< the verb failed
+    Interrupted = 3 ///< the verb stopped after a signal; the process then ends by that signal
 };
 
-/// The output streams of a verb: data on standard output, everything else on standard error.
+/// The terminal of a verb: data on standard output, everything else on standard error, and Ctrl-C.
 class Console {
 public:
-    explicit Console(std::FILE* out = stdout, std::FILE* err = stderr) : out_(out), err_(err) {}
+    explicit Console(std::FILE* out = stdout, std::FILE* err = stderr, Interrupt interrupt = {})
+        : out_(out), err_(err), interrupt_(interrupt) {}
 
     /// Writes data unchanged.
     void data(std::string_view text) const;
@@ -30,12 +33,15 @@ public:
     /// Returns false if standard output lost data (a full disk, a closed pipe).
     [[nodiscard]] bool flush() const;
     [[nodiscard]] std::FILE* err() const { return err_; }
+    /// A long verb calls defer(), reads isRequested() between units, and returns Exit::Interrupted.
+    [[nodiscard]] const Interrupt& interrupt() const { return interrupt_; }
     /// True if standard error is a terminal.
     [[nodiscard]] bool isTerminal() const;
 
 private:
     std::FILE* out_;
     std::FILE* err_;
+    Interrupt interrupt_;
 };
 
 /// A progress bar on the terminal's last line, shown after one second of work. Invisible if standard error is

@@ -1,6 +1,7 @@
 #include "dat/Writer.h"
 
 #include "core/Assert.h"
+#include "core/Interrupt.h"
 #include "dat/container/Format.h"
 #include "dat/container/Inflate.h"
 #include "dat/container/TreeBuilder.h"
@@ -156,6 +157,7 @@ Bytes Writer::build() const {
 
 Result<void> Writer::write(const std::filesystem::path& path) const {
     const Bytes bytes = build();
+    const UninterruptedWrite whole;
     const std::filesystem::path temporary = temporaryBeside(path);
     {
         std::ofstream out(temporary, std::ios::binary | std::ios::trunc);

@@ -1,5 +1,7 @@
 #include "output/OutputFile.h"
 
+#include "core/Interrupt.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -110,6 +112,7 @@ Result<void> checkWritable(const fs::path& path) {
         return refused(path, fmt::format("cannot be written: {}", reason(errno)));
     if (isDeviceOrPipe(place))
         return {};
+    const UninterruptedWrite whole;
     if (const TemporaryFile probe(place); !probe.made())
         return refused(path, fmt::format("cannot be written: {}", reason(errno)));
     return {};
@@ -123,6 +126,7 @@ Result<void> writeFile(const fs::path& path, std::span<const std::byte> bytes) {
             return refused(path, fmt::format("cannot be written: {}", reason(errno)));
         return {};
     }
+    const UninterruptedWrite whole; // destroyed after the temporary file
     TemporaryFile temporary(place);
     if (!temporary.made() || !writeAll(temporary.file().get(), bytes) || !temporary.file().close() ||
         !temporary.moveTo(place))
