@@ -4,9 +4,14 @@
 #include "core/Interrupt.h"
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <thread>
 
 namespace limen::cli {
 
@@ -28,6 +33,8 @@ public:
     void data(std::string_view text) const;
     /// Writes one line for a person.
     void note(std::string_view text) const;
+    /// Writes one line: an output, with its full path, and its content, e.g. "640x360 pixels".
+    void wrote(const std::filesystem::path& path, std::string_view content = {}) const;
     /// Writes one line with the error. Control characters and line breaks are replaced by blanks.
     void error(const Error& error) const;
     /// Returns false if standard output lost data (a full disk, a closed pipe).
@@ -61,6 +68,25 @@ private:
     std::size_t total_;
     Clock::time_point start_ = Clock::now(), drawn_{};
     bool shown_ = false;
+};
+
+/// A line such as "loading the world ... 3 s" on the terminal, shown after one second of a step without a
+/// count. Invisible if standard error is not a terminal. Nothing else may write while it exists.
+class Waiting {
+public:
+    Waiting(const Console& console, std::string title);
+    ~Waiting();
+    Waiting(const Waiting&) = delete;
+    Waiting& operator=(const Waiting&) = delete;
+
+private:
+    void show();
+    const Console& console_;
+    const std::string title_;
+    std::mutex lock_;
+    std::condition_variable ended_;
+    bool isEnding_ = false; ///< under lock_
+    std::thread thread_;    ///< last: uses the members above; not started without a terminal
 };
 
 } // namespace limen::cli

@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "dat/Verify.h"
@@ -79,6 +80,13 @@ std::string textOf(const dat::VerifyReport& report) {
     return text;
 }
 
+std::uint64_t recordsOf(const dat::VerifyReport& report) {
+    std::uint64_t records = 0;
+    for (const dat::VerifyReport::Sum& sum : report.byKind)
+        records += sum.records;
+    return records;
+}
+
 Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console) {
     const Result<DatFiles> files = openDatFiles(arguments.path);
     if (!files)
@@ -92,6 +100,8 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
         if (done % 256 == 0)
             progress->step(done);
     };
+    console.interrupt().defer();
+    options.stopped = [&console] { return console.interrupt().isRequested(); };
     const auto start = std::chrono::steady_clock::now();
     dat::VerifyReport report = dat::verify(files->list, options);
     progress.reset();
@@ -99,9 +109,14 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
     for (const dat::File* file : files->list)
         for (const std::string& warning : file->warnings())
             report.warnings.push_back(fmt::format("{}: {}", file->name(), warning));
+    if (report.isStopped)
+        console.note(
+            fmt::format("limen: stopped after {} records; the report covers these", recordsOf(report)));
     console.data(arguments.json ? jsonOf(report, seconds) : textOf(report));
     for (const std::string& warning : report.warnings)
         console.note(fmt::format("limen: {}", warning));
+    if (report.isStopped)
+        return Exit::Interrupted;
     return report.isClean() ? Exit::Done : Exit::Finding;
 }
 
@@ -115,11 +130,12 @@ void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice) {
         ->type_name("");
     verb->add_option("--most", arguments->most, "print at most this many faults (50); all are counted")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
+        ->check(within(0, 1000000));
     verb->add_flag("--json", arguments->json, "print one JSON object");
     verb->footer(
         "Exit codes: 0: no fault; 1: faults found; 2: an error. References to other files are not checked\n"
-        "when a single file is given.");
+        "when a single file is given.\n"
+        "Examples:\n  limen dat verify\n  limen dat verify --most 5 --json");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runVerify(*arguments, console); };
     });
