@@ -162,14 +162,14 @@ Result<void> Writer::write(const std::filesystem::path& path) const {
     {
         std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
         if (!out)
-            return fail(ErrorCode::Unreadable, path.string(), "the file cannot be created there");
+            return fail(ErrorCode::Unreadable, path.string(), "the file cannot be created there; choose another directory");
         out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         out.close();
         if (!out) {
             std::error_code ignored;
             std::filesystem::remove(temporary, ignored);
             return fail(ErrorCode::Unreadable, path.string(),
-                        "the file cannot be written (is the disk full?)");
+                        "the file cannot be written; check the free space of the disk");
         }
     }
     std::error_code error;

@@ -66,7 +66,7 @@ def examples(page, text):
             if not re.match(r"(limen|\./run)(\s|$)", command):
                 continue
             expected = EXIT.search(command)
-            command = re.sub(r"\s+#.*$", "", command).strip()
+            command = re.sub(r"\s+#.*$|\s{3,}\S.*$", "", command).strip()  # a comment, or an explanation in a column
             why = reason
             bare = re.sub(r"^\./run", "limen", command)
             if not why and PLACEHOLDER.search(bare):
