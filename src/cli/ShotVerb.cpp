@@ -239,7 +239,8 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
     std::optional<reference::Scene> scene;
     Progress progress(console, "shot", views.size());
     std::size_t done = 0;
-    console.interrupt().defer();
+    if (views.size() > 1)
+        console.interrupt().defer();
     for (const std::size_t i : drawingOrder(views)) {
         if (console.interrupt().isRequested())
             return stopped(done, views.size(), console);
@@ -307,7 +308,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         return tl::unexpected(fit.error());
     Progress progress(console, "shot", views->size());
     std::size_t done = 0;
-    console.interrupt().defer();
+    if (views->size() > 1)
+        console.interrupt().defer();
     for (const std::size_t i : drawingOrder(*views)) {
         if (console.interrupt().isRequested())
             return stopped(done, views->size(), console);

@@ -162,7 +162,8 @@ Result<void> Writer::write(const std::filesystem::path& path) const {
     {
         std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
         if (!out)
-            return fail(ErrorCode::Unreadable, path.string(), "the file cannot be created there; choose another directory");
+            return fail(ErrorCode::Unreadable, path.string(),
+                        "the file cannot be created there; choose another directory");
         out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         out.close();
         if (!out) {

@@ -28,7 +28,7 @@ std::string reason(int error) {
 std::string notWritten(int error) {
     const char* next = error == ENOSPC || error == EDQUOT ? "free some space"
                        : error == ENOENT                  ? "make the directory first"
-                                                          : "choose another directory, or check its permissions";
+                                         : "choose another directory, or check its permissions";
     return fmt::format("cannot be written: {}; {}", reason(error), next);
 }
 
@@ -168,7 +168,8 @@ Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
         return refused(path, "is a directory, not a file to read; add a file name");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!file)
-        return refused(path, fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));
+        return refused(path,
+                       fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));
     std::string text;
     char chunk[4096];
     std::size_t got = 0;
@@ -179,7 +180,8 @@ Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
                            fmt::format("is longer than {} bytes, the limit for this kind of file", limit));
     }
     if (std::ferror(file.get()) != 0)
-        return refused(path, fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));
+        return refused(path,
+                       fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));
     return text;
 }
 

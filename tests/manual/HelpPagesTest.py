@@ -4,6 +4,7 @@ Arguments: the program, a cache directory, the source tree."""
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -47,7 +48,7 @@ class ManPagesTest(unittest.TestCase):
 
     def test_a_page_reads_well(self):
         page = subprocess.run(["mandoc", "-T", "utf8"], input=limen("man", "shot"), capture_output=True, text=True, check=True).stdout
-        plain = subprocess.run(["col", "-b"], input=page, capture_output=True, text=True, check=True).stdout
+        plain = re.sub(".\b", "", page)  # overstruck letters
         self.assertIn("LIMEN-SHOT(1)", plain)
         self.assertIn("--size WxH", plain)
         self.assertIn("limen shot --at hill -o hill.png", plain)

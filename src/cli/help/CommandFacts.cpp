@@ -101,6 +101,8 @@ CommandFacts factsOf(const CLI::App& app, std::vector<std::string> path) {
     for (const CLI::Option* option : app.get_options())
         if (!option->get_group().empty()) // hidden options have no group
             facts.options.push_back(factsOfOption(*option));
+    std::stable_partition(facts.options.begin(), facts.options.end(),
+                          [](const OptionFacts& option) { return option.names.back() != "--help"; });
     for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
         std::vector<std::string> below = facts.path;
         below.push_back(verb->get_name());
@@ -127,7 +129,8 @@ std::vector<NotesPart> partsOf(const std::string& notes) {
         const bool isVerbatim = line.starts_with(' ');
         if (line.empty())
             continue;
-        if (parts.empty() || parts.back().isVerbatim != isVerbatim)
+        const bool isHeading = line == "Examples:" || line.starts_with("Exit codes:");
+        if (parts.empty() || parts.back().isVerbatim != isVerbatim || isHeading)
             parts.push_back({isVerbatim, line});
         else
             parts.back().text += (isVerbatim ? "\n" : " ") + line;
@@ -146,7 +149,6 @@ std::string helpPage(const CommandFacts& command, std::size_t width) {
     for (const OptionFacts& option : command.options)
         if (std::find(groups.begin(), groups.end(), option.group) == groups.end())
             groups.push_back(option.group);
-    // CLI11's own group, which holds --help, stands last unless the verb uses it for its options.
     for (const std::string& group : groups) {
         page += "\n" + group + ":\n";
         for (const OptionFacts& option : command.options)

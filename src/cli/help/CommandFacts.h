@@ -37,7 +37,8 @@ struct CommandFacts {
 /// The command at `names` below `root`; null: there is none.
 [[nodiscard]] const CommandFacts* commandAt(const CommandFacts& root, const std::vector<std::string>& names);
 
-/// Notes cut into paragraphs of text and blocks of lines that begin with blanks, such as examples.
+/// Notes cut into paragraphs and into blocks of lines that begin with blanks. "Examples:" and "Exit codes:" begin a
+/// paragraph.
 struct NotesPart {
     bool isVerbatim = false;
     std::string text;

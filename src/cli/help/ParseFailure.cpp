@@ -89,6 +89,8 @@ Error parseFailure(const CLI::App& program, const CLI::ParseError& error) {
     std::string what = error.what();
     while (!what.empty() && (what.back() == '\n' || what.back() == '.'))
         what.pop_back();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) // "--eye: 1 required X,Y,Z missing"
+        what = what.substr(0, what.find(": ")) + ": the value is missing, or there are too many";
     return {ErrorCode::BadArgument, verb, what + "; " + readHelp(command)};
 }
 
