@@ -55,9 +55,13 @@ class ManPagesTest(unittest.TestCase):
 
 
 class BashTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.script = limen("completions", "bash")
+
     def complete(self, line):
         """The replies for the last word of a line, cut as bash cuts it."""
-        script = limen("completions", "bash") + r'''
+        script = self.script + r'''
         _get() { COMP_LINE=$1; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _limen; printf '%s\n' "${COMPREPLY[@]}"; }
         _get "$@"
         '''
@@ -90,7 +94,7 @@ class BashTest(unittest.TestCase):
         self.assertEqual(self.complete("limen tour --path READ"), ["README.md"])
 
     def test_it_registers_itself(self):
-        run = subprocess.run(["bash", "--norc", "-c", limen("completions", "bash") + "\ncomplete -p limen"], capture_output=True, text=True)
+        run = subprocess.run(["bash", "--norc", "-c", self.script + "\ncomplete -p limen"], capture_output=True, text=True)
         self.assertIn("-F _limen limen", run.stdout)
 
 
