@@ -58,9 +58,9 @@ def examples(page, text):
         joined, begin = "", start
         for offset, line in enumerate(lines):
             begin = begin if joined else start + offset
-            joined += line.rstrip()
+            joined += line.strip()
             if joined.endswith("\\"):
-                joined = joined[:-1]
+                joined = joined[:-1].rstrip() + " "
                 continue
             command, joined = joined, ""
             if not re.match(r"(limen|\./run)(\s|$)", command):
