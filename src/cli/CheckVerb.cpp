@@ -327,7 +327,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("clear|rain");
     CLI::Option* walk =
         verb->add_option("--walk", options->walk,
-                         "check every frame of a walk recorded with limen view --record or limen walk")
+                         "check every frame of a walk recorded with limen view --record or limen walk (none)")
             ->type_name("FILE");
     for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather"})
         walk->excludes(other);

@@ -85,7 +85,7 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
     const auto chosen = std::make_shared<DemoChoice>();
     verb->add_option("DIR", chosen->directory, "write to this directory; create it if missing")
         ->type_name("");
-    verb->add_option("-o,--output", chosen->output, "same as DIR")->type_name("DIR");
+    verb->add_option("-o,--output", chosen->output, "same as DIR (none)")->type_name("DIR");
     verb->add_option(
             "--kind", chosen->kind,
             "choose the world: built-in; dungeon: rooms, corridors and shafts; town: houses and streets; "

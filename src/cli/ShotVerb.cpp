@@ -336,7 +336,7 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
     addOutputOptions(*verb, options->outputs);
     verb->add_option("--views", options->views,
                      "draw one frame per line of this file; a line holds options such as --at hill --yaw 90; "
-                     "-o is then a directory")
+                     "-o is then a directory (none)")
         ->type_name("FILE")
         ->group("Output");
     verb->add_flag("--reference", options->reference,
