@@ -9,6 +9,7 @@
 #include "StreamBench.h"
 
 #include "cli/Console.h"
+#include "core/Nearest.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace limen::bench {
 namespace {
@@ -48,6 +50,15 @@ struct BenchOptions {
     bool json = false, list = false;
 };
 
+std::string unknownMessage(const std::string& name) {
+    std::vector<std::string> names;
+    for (const Bench& bench : kBenches)
+        names.emplace_back(bench.name);
+    const std::vector<std::string> similar = nearest(name, names, 1);
+    return fmt::format("unknown benchmark '{}'{}", name,
+                       similar.empty() ? "; limen bench --list prints the names" : "." + didYouMean(similar));
+}
+
 Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, bool overDat) {
     std::vector<const Bench*> benches;
     for (const Bench& bench : kBenches) {
@@ -58,11 +69,9 @@ Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, 
         if (isNamed || (names.empty() && (!overDat || bench.runOver != nullptr)))
             benches.push_back(&bench);
     }
-    for (const std::string& name : names) {
+    for (const std::string& name : names)
         if (std::none_of(kBenches.begin(), kBenches.end(), [&](const Bench& b) { return b.name == name; }))
-            return fail(ErrorCode::NotFound, "bench",
-                        fmt::format("unknown benchmark '{}'; limen bench --list prints the names", name));
-    }
+            return fail(ErrorCode::NotFound, "bench", unknownMessage(name));
     return benches;
 }
 
@@ -76,11 +85,18 @@ Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& cons
     if (!benches)
         return tl::unexpected(benches.error());
     bool allMet = true;
-    cli::Progress progress(console, "bench", benches->size());
+    console.interrupt().defer();
     for (std::size_t i = 0; i < benches->size(); ++i) {
-        progress.step(i);
+        if (console.interrupt().isRequested()) {
+            console.note(fmt::format("Stopped after {} of {} benchmarks", i, benches->size()));
+            return cli::Exit::Interrupted;
+        }
+        std::optional<cli::Waiting> waiting(
+            std::in_place, console,
+            fmt::format("bench {} ({} of {})", (*benches)[i]->name, i + 1, benches->size()));
         const std::vector<BenchRow> rows =
             options.dat.empty() ? (*benches)[i]->run(&allocationCount) : (*benches)[i]->runOver(options.dat);
+        waiting.reset();
         allMet = allMet && std::all_of(rows.begin(), rows.end(), isMet);
         if (!options.json)
             console.data(benchTable(rows));
@@ -104,7 +120,7 @@ int run(int argc, const char* const* argv) {
     program.add_flag("--json", options.json, "print one JSON object a row");
     program.add_flag("--list", options.list, "list the benchmarks");
     program.footer("ratio: how many times better than the best figure it is compared with.");
-    const cli::Console console;
+    const cli::Console console(stdout, stderr, Interrupt::install());
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -104,7 +104,8 @@ Result<Progress> parseProgress(const std::string& text) {
         return Progress{json.at("run").get<std::string>(), json.at("tasks").get<std::uint64_t>(),
                         json.at("views").get<std::uint64_t>(), totalsOf(json.at("totals"))};
     } catch (const Json::exception&) {
-        return fail(ErrorCode::Malformed, "", "is not the state of a limen check run");
+        return fail(ErrorCode::Malformed, "",
+                    "is not the state of a limen check run; name another file with --resume");
     }
 }
 

@@ -87,6 +87,8 @@ private:
             helper_->start(block, queue, judging);
         Result<void> drawn = drawAll(queue, drawer_, judging, [&](std::size_t index) -> Result<void> {
             step(index + 1);
+            if (events_.stopped && events_.stopped())
+                return fail(ErrorCode::Unsupported, "check", "was stopped before its last view");
             return Clock::now() - saved_ > kBetweenSaves ? save(judging.progress()) : Result<void>{};
         });
         Result<void> helpersDrawn = helped ? helper_->finish() : Result<void>{};

@@ -39,6 +39,7 @@ struct RunEvents {
     std::function<Result<void>(const Progress&)>
         saved; ///< the state to save; every few seconds and at the end
     std::function<Result<void>(const FindingPicture&)> picture;
+    std::function<bool()> stopped; ///< true: draw no further view; runCheck then returns an error
     std::function<void(dat::BlockCoord, const Error&)> leftOut; ///< a block that could not be loaded
 };
 
@@ -51,7 +52,7 @@ struct RunEvents {
 
 /// Draws and judges all views from `progress` on, and updates it. Drawing runs ahead of tracing, across
 /// blocks, too. The drawer's helper, if there is one, shares the drawing. Errors: the drawer's and the
-/// events'; `progress` then has all views judged so far.
+/// events', and `stopped`; `progress` then has all views judged so far.
 [[nodiscard]] Result<void> runCheck(const RunRequest& request, Drawer& drawer, const RunEvents& events,
                                     Progress& progress);
 

@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/Verbs.h"
 
 #include <CLI/CLI.hpp>
@@ -35,15 +36,41 @@ Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
     return fail(ErrorCode::Unreadable, program->string(), std::strerror(errno));
 }
 
+struct BenchArguments {
+    std::vector<std::string> names;
+    std::string dat;
+    bool json = false, list = false;
+};
+
+std::vector<std::string> wordsOf(const BenchArguments& arguments) {
+    std::vector<std::string> words = arguments.names;
+    if (!arguments.dat.empty())
+        words.insert(words.end(), {"--dat", arguments.dat});
+    if (arguments.json)
+        words.emplace_back("--json");
+    if (arguments.list)
+        words.emplace_back("--list");
+    return words;
+}
+
 } // namespace
 
+// The options are those of bench/Main.cpp, which reads them again.
 void addBenchVerb(CLI::App& program, const Console&, Choice& choice) {
-    CLI::App* verb = program.add_subcommand(
-        "bench", "run benchmarks and compare the results with targets (exit 1 if a target is missed)");
-    verb->set_help_flag();      // the benchmark program prints its own help
-    verb->prefix_command(true); // and reads its own options
+    const auto arguments = std::make_shared<BenchArguments>();
+    CLI::App* verb =
+        program.add_subcommand("bench", "measure the program and compare the results with targets");
+    verb->add_option("NAME", arguments->names, "run these benchmarks, e.g. flood (all)")->type_name("");
+    verb->add_option("--dat", arguments->dat,
+                     "use this directory of dat files in place of the benchmark's own world; only stream can")
+        ->type_name("DIR")
+        ->check(notEmpty());
+    verb->add_flag("--json", arguments->json, "print one JSON object per row");
+    verb->add_flag("--list", arguments->list, "list the benchmarks");
+    verb->footer("Exit codes: 0: all targets are met; 1: a target is missed; 2: a measurement failed.\n"
+                 "Examples:\n  limen bench --list\n  limen bench flood");
     verb->callback(
-        [&choice, verb] { choice.run = [arguments = verb->remaining()] { return becomeBench(arguments); }; });
+        [&choice, arguments] { choice.run = [arguments] { return becomeBench(wordsOf(*arguments)); }; });
 }
 
 } // namespace limen::cli

@@ -1,4 +1,5 @@
 #include "check/Run.h"
+#include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/PathArguments.h"
 #include "cli/SessionArguments.h"
@@ -6,6 +7,7 @@
 #include "engine/CheckDrawer.h"
 #include "engine/CheckView.h"
 #include "engine/DayGroup.h"
+#include "engine/FrameMemory.h"
 #include "gpu/device/NullDevice.h"
 #include "output/CheckPicture.h"
 #include "output/OutputFile.h"
@@ -40,9 +42,9 @@ Result<std::vector<check::ViewKind>> kindsOf(const std::string& list) {
         const std::string_view name = trimmed(std::string_view(list).substr(begin, end - begin));
         const std::optional<check::ViewKind> kind = check::kindNamed(name);
         if (!kind)
-            return fail(
-                ErrorCode::BadArgument, "--kinds",
-                fmt::format("unknown kind '{}'; choose from random, outside, path, sweep, still", name));
+            return fail(ErrorCode::BadArgument, "--kinds",
+                        fmt::format("unknown kind of view '{}'{}", name,
+                                    suggestion(name, {"random", "outside", "path", "sweep", "still"})));
         kinds.push_back(*kind);
         begin = end + 1;
     }
@@ -205,6 +207,7 @@ Result<void> checkOutputPlaces(const CheckOptions& options) {
 check::RunEvents eventsOf(const CheckOptions& options, const Console& console, Progress& bar) {
     check::RunEvents events;
     events.step = [&bar](std::size_t done) { bar.step(done); };
+    events.stopped = [&console] { return console.interrupt().isRequested(); };
     events.leftOut = [&console](dat::BlockCoord block, const Error& error) {
         console.note(
             fmt::format("limen: landblock {:02X}{:02X} is skipped: {}", block.x, block.y, error.message()));
@@ -227,9 +230,29 @@ check::RunEvents eventsOf(const CheckOptions& options, const Console& console, P
     return events;
 }
 
+/// After a signal: saves the state, and reports the views judged so far.
+Result<Exit> stopEarly(const CheckOptions& options, const check::Progress& progress,
+                       const check::ReportContext& context, std::size_t asked, const Console& console) {
+    if (!options.resume.empty()) {
+        if (Result<void> saved = output::writeFile(options.resume, check::progressJson(progress)); !saved)
+            return tl::unexpected(saved.error());
+    }
+    console.note(fmt::format("limen: stopped after {} of {} views{}", progress.totals.sum().views, asked,
+                             options.resume.empty() ? "" : "; the same command with --resume continues"));
+    if (progress.totals.sum().views > 0)
+        console.data(options.json ? check::reportJson(progress.totals, context)
+                                  : check::reportText(progress.totals, context));
+    return Exit::Interrupted;
+}
+
 Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     if (options.apart)
         options.session.load.mergeZones = false;
+    if (Result<void> fits =
+            engine::checkMemory("--views", fmt::format("a list of {} views", options.views),
+                                options.views * sizeof(check::View), engine::availableMemory());
+        !fits)
+        return tl::unexpected(fits.error());
     if (Result<void> places = checkOutputPlaces(options); !places)
         return tl::unexpected(places.error());
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
@@ -246,17 +269,32 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
     const Result<check::RunRequest> request = requestOf(options, headless->session->shareSource(), console);
     if (!request)
         return tl::unexpected(request.error());
+    if (Result<void> fits =
+            engine::checkFrameFits({request->width, request->height}, options.session.samples,
+                                   headless->device->capabilities(), engine::availableMemory());
+        !fits)
+        return tl::unexpected(fits.error());
     engine::CheckDrawer drawer(*headless->session, !options.directory.empty(), options.session.samples > 1);
     {
         Progress bar(console, "check", check::viewsAsked(*request));
         const check::RunEvents events = eventsOf(options, console, bar);
-        if (Result<void> done = check::runCheck(*request, drawer, events, *progress); !done)
+        console.interrupt().defer();
+        const Result<void> done = check::runCheck(*request, drawer, events, *progress);
+        if (!done && console.interrupt().isRequested())
+            return stopEarly(options, *progress, context, check::viewsAsked(*request), console);
+        if (!done)
             return tl::unexpected(done.error());
     }
     const check::Totals& totals = progress->totals;
     if (totals.sum().views == 0)
         return fail(ErrorCode::NotFound, "check",
                     "no viewpoint was found in this world; choose other --kinds or another --seed");
+    if (!options.directory.empty()) {
+        const std::uint64_t pictures = std::min(totals.sum().findings(), kMostPictures);
+        console.wrote(options.directory, pictures == 0
+                                             ? "no picture, as there is no finding"
+                                             : fmt::format("pictures of the findings, at most {}", pictures));
+    }
     console.data(options.json ? check::reportJson(totals, context) : check::reportText(totals, context));
     return totals.sum().findings() > 0 ? Exit::Finding : Exit::Done;
 }
@@ -269,7 +307,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     const auto options = std::make_shared<CheckOptions>();
     verb->add_option("--views", options->views, "check this many views, shared among the kinds (1000)")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, kMostViews));
+        ->check(within(1, static_cast<double>(kMostViews)));
     verb->add_option("--kinds", options->kinds,
                      "check these kinds of view, e.g. random,path (random,outside,path,sweep,still)")
         ->type_name("LIST");
@@ -282,14 +320,14 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option(
             "--doors", options->doors,
             "set the openness of all doors: rest, closed, half, open or 0..1 (rest: each as in the data)")
-        ->type_name("STATE");
+        ->type_name("rest|closed|half|open|0..1");
     verb->add_option("--day", options->day, "choose a day group of the data by number or name, e.g. Snow (0)")
         ->type_name("NUMBER|NAME");
     verb->add_option("--weather", options->weather, "set the weather: clear or rain (clear)")
-        ->type_name("WEATHER");
+        ->type_name("clear|rain");
     CLI::Option* walk =
         verb->add_option("--walk", options->walk,
-                         "check every frame of a walk recorded with limen view --record or limen walk")
+                         "check every frame of a walk recorded with limen view --record or limen walk (none)")
             ->type_name("FILE");
     for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather"})
         walk->excludes(other);
@@ -305,8 +343,9 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     addSessionOptions(*verb, options->session);
     verb->footer(
         "With --msaa 4 pictures are drawn in one colour per id and compared sample by sample.\n"
-        "Example: limen check --views 100 --kinds random,path -o findings\n"
-        "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.");
+        "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.\n"
+        "Examples:\n  limen check --views 20 --size 160x90\n"
+        "  limen check --views 100 --kinds random,path -o findings");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runCheckVerb(*options, console); };
     });

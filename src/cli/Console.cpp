@@ -21,6 +21,12 @@ void Console::note(std::string_view text) const {
     write(err_, fmt::format("{}\n", text));
 }
 
+void Console::wrote(const std::filesystem::path& path, std::string_view content) const {
+    std::error_code failed;
+    const std::filesystem::path full = std::filesystem::absolute(path, failed).lexically_normal();
+    note(fmt::format("Wrote {}{}{}", (failed ? path : full).string(), content.empty() ? "" : ": ", content));
+}
+
 void Console::error(const Error& error) const {
     std::string line = fmt::format("limen: {}", error.message());
     for (char& c : line)
@@ -57,6 +63,33 @@ void Progress::step(std::size_t done) {
     (void)std::fflush(console_.err());
     drawn_ = now;
     shown_ = true;
+}
+
+Waiting::Waiting(const Console& console, std::string title) : console_(console), title_(std::move(title)) {
+    if (console.isTerminal())
+        thread_ = std::thread([this] { show(); });
+}
+
+Waiting::~Waiting() {
+    if (!thread_.joinable())
+        return;
+    {
+        const std::lock_guard guard(lock_);
+        isEnding_ = true;
+    }
+    ended_.notify_one();
+    thread_.join();
+}
+
+void Waiting::show() {
+    std::unique_lock guard(lock_);
+    for (int seconds = 1; !ended_.wait_for(guard, std::chrono::seconds(1), [this] { return isEnding_; });
+         ++seconds) {
+        write(console_.err(), fmt::format("\r\x1b[K{} ... {} s", title_, seconds));
+        (void)std::fflush(console_.err());
+    }
+    write(console_.err(), "\r\x1b[K");
+    (void)std::fflush(console_.err());
 }
 
 } // namespace limen::cli

@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "cli/Verbs.h"
@@ -6,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +37,7 @@ Result<std::optional<dat::RecordKind>> parseKind(const std::string& text) {
         names.emplace_back(dat::nameOf(kind));
     }
     return fail(ErrorCode::BadArgument, "--type",
-                fmt::format("unknown record type '{}'; choose from {}", text, fmt::join(names, ", ")));
+                fmt::format("unknown record type '{}'{}", text, suggestion(text, names)));
 }
 
 std::string entryLine(const dat::File& file, const dat::Entry& entry, bool json) {
@@ -66,17 +66,23 @@ Result<Exit> runList(const ListOptions& options, const Console& console) {
     const Result<DatFiles> files = openDatFiles(options.path);
     if (!files)
         return tl::unexpected(files.error());
+    std::size_t count = 0;
     for (const dat::File* file : files->list) {
         for (const std::string& warning : file->warnings())
             console.note(fmt::format("limen: {}: {}", file->name(), warning));
         const Result<void> walked = file->forEach([&](const dat::Entry& entry) {
-            if (!*wanted || **wanted == dat::kindOf(file->role(), entry.id))
+            if (!*wanted || **wanted == dat::kindOf(file->role(), entry.id)) {
                 console.data(entryLine(*file, entry, options.json));
+                ++count;
+            }
             return true;
         });
         if (!walked)
             return tl::unexpected(walked.error());
     }
+    if (count == 0)
+        console.note(fmt::format("limen: no {} record is in these files; list all kinds with limen dat ls",
+                                 options.type));
     return Exit::Done;
 }
 
@@ -136,6 +142,8 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
     CLI::App* verb =
         program.add_subcommand("dat", "list, show, export, pack and verify the records of dat files");
     verb->require_subcommand(1);
+    verb->footer("To read about one of them: limen help dat VERB.\n"
+                 "Examples:\n  limen dat ls --type Region\n  limen dat verify");
 
     const auto list = std::make_shared<ListOptions>();
     CLI::App* ls =
@@ -144,6 +152,7 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
     ls->add_option("--type", list->type, "list only records of this type, e.g. EnvCell (all)")
         ->type_name("TYPE");
     ls->add_flag("--json", list->json, "print one JSON object per line");
+    ls->footer("Examples:\n  limen dat ls --type Region\n  limen dat ls --type EnvCell --json");
     ls->callback(
         [&console, &choice, list] { choice.run = [&console, list] { return runList(*list, console); }; });
 
@@ -154,8 +163,10 @@ void addDatVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("");
     print->add_option("--dat", show->path, "read this dat file or directory (the built-in world)")
         ->type_name("PATH");
-    print->add_option("--in", show->in, "read the record from this file if two contain the id")
-        ->check(CLI::IsMember({"portal", "cell", "highres", "local"}));
+    print->add_option("--in", show->in, "read the record from this file if two contain the id (the only one)")
+        ->type_name("portal|cell|highres|local")
+        ->check(oneOf({"portal", "cell", "highres", "local"}));
+    print->footer("Examples:\n  limen dat show 0x13000000\n  limen dat show 0xA9B40100 --in cell");
     print->callback(
         [&console, &choice, show] { choice.run = [&console, show] { return runShow(*show, console); }; });
     addExportVerb(*verb, console, choice);

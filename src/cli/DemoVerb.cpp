@@ -1,9 +1,12 @@
+#include "cli/Choices.h"
 #include "cli/Verbs.h"
+#include "engine/FrameMemory.h"
 #include "output/OutputFile.h"
 #include "worlds/Demo.h"
 #include "worlds/Generated.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -36,26 +39,41 @@ std::optional<GeneratedKind> kindOf(std::string_view name) {
     return std::nullopt;
 }
 
+/// Memory for writing a world: measured on worlds of the largest sizes, with a third as reserve.
+std::uint64_t bytesToWrite(GeneratedKind kind, std::uint64_t size) {
+    constexpr std::uint64_t kProgram = 100'000'000;
+    constexpr std::array<std::uint64_t, 5> kEach{6'000, 190'000, 110'000, 200'000, 8'500}; // by GeneratedKind
+    return kProgram + size * kEach.at(static_cast<std::size_t>(kind));
+}
+
 Result<Exit> write(const DemoChoice& chosen, const Console& console) {
     const std::string& directory = chosen.output.empty() ? chosen.directory : chosen.output;
+    const std::optional<GeneratedKind> kind = kindOf(chosen.kind);
     if (directory.empty() || !(chosen.directory.empty() || chosen.output.empty()))
         return fail(ErrorCode::BadArgument, "demo", "give one directory to write to, either DIR or -o DIR");
-    if (Result<void> made = output::makeDirectory(directory); !made)
-        return tl::unexpected(made.error());
-    const std::optional<GeneratedKind> kind = kindOf(chosen.kind);
     if (!kind && chosen.tuned)
         return fail(ErrorCode::BadArgument, "demo",
                     "--size, --seed and --overlap need a generated world; choose one with --kind");
+    if (kind) {
+        if (Result<void> fits =
+                engine::checkMemory("--size", fmt::format("a {} of size {}", chosen.kind, chosen.size),
+                                    bytesToWrite(*kind, chosen.size), engine::availableMemory());
+            !fits)
+            return tl::unexpected(fits.error());
+    }
+    if (Result<void> made = output::makeDirectory(directory); !made)
+        return tl::unexpected(made.error());
+    std::optional<Waiting> waiting(std::in_place, console, "writing the world");
     const Result<void> written =
         kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap}, directory)
              : worlds::writeBuiltInWorld(directory);
+    waiting.reset();
     if (!written)
         return tl::unexpected(written.error());
     const std::string title =
-        kind ? fmt::format("A {} of size {}, seed {},", chosen.kind, chosen.size, chosen.seed)
-             : "The built-in world";
-    console.note(fmt::format("{} was written to {}: client_portal.dat, client_cell_1.dat, world.json", title,
-                             directory));
+        kind ? fmt::format("a {} of size {}, seed {}", chosen.kind, chosen.size, chosen.seed)
+             : "the built-in world";
+    console.wrote(directory, fmt::format("{} as client_portal.dat, client_cell_1.dat and world.json", title));
     return Exit::Done;
 }
 
@@ -67,30 +85,28 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
     const auto chosen = std::make_shared<DemoChoice>();
     verb->add_option("DIR", chosen->directory, "write to this directory; create it if missing")
         ->type_name("");
-    verb->add_option("-o,--output", chosen->output, "same as DIR")->type_name("DIR");
+    verb->add_option("-o,--output", chosen->output, "same as DIR (none)")->type_name("DIR");
     verb->add_option(
             "--kind", chosen->kind,
             "choose the world: built-in; dungeon: rooms, corridors and shafts; town: houses and streets; "
             "complex: convex cells with openings of every shape; terrain: cells that the ground passes "
-            "through; map: all 255 x 255 landblocks with towns and dungeons")
-        ->type_name("KIND")
-        ->check(CLI::IsMember({"built-in", "dungeon", "town", "complex", "terrain", "map"}))
-        ->capture_default_str();
+            "through; map: all 255 x 255 landblocks with towns and dungeons (built-in)")
+        ->type_name("built-in|dungeon|town|complex|terrain|map")
+        ->check(oneOf({"built-in", "dungeon", "town", "complex", "terrain", "map"}));
     CLI::Option* size =
-        verb->add_option("--size", chosen->size,
-                         "set the number of cells (dungeon, complex, map), houses (town) or sites (terrain)")
-            ->type_name("N")
-            ->capture_default_str();
+        verb->add_option(
+                "--size", chosen->size,
+                "set the number of cells (dungeon, complex, map), houses (town) or sites (terrain) (50)")
+            ->type_name("N");
     CLI::Option* seed =
         verb->add_option("--seed", chosen->seed,
-                         "choose one world of this kind and size; equal seeds give equal worlds")
-            ->type_name("S")
-            ->capture_default_str();
+                         "choose one world of this kind and size; equal seeds give equal worlds (1)")
+            ->type_name("S");
     CLI::Option* overlap =
         verb->add_option("--overlap", chosen->overlap,
-                         "dungeon: set the share of cells that overlap other cells, 0..0.05")
-            ->type_name("SHARE")
-            ->capture_default_str();
+                         "dungeon: set the share of cells that overlap other cells, 0..0.05 (0.02)")
+            ->type_name("SHARE");
+    verb->footer("Examples:\n  limen demo world\n  limen demo --kind town --size 20 --seed 7 -o town");
     verb->callback([&console, &choice, chosen, size, seed, overlap] {
         chosen->tuned = size->count() + seed->count() + overlap->count() > 0;
         choice.run = [&console, chosen] { return write(*chosen, console); };

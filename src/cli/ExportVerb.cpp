@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "dat/Describe.h"
@@ -159,7 +160,14 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
         return tl::unexpected(source.error());
     if (Result<void> made = output::makeDirectory(arguments.directory); !made)
         return tl::unexpected(made.error());
+    console.interrupt().defer();
+    std::size_t count = 0;
+    Progress progress(console, "export", ids.size());
     for (const dat::RecordId id : ids) {
+        if (console.interrupt().isRequested()) {
+            console.note(fmt::format("Stopped after {} of {} records", count, ids.size()));
+            return Exit::Interrupted;
+        }
         const Result<Exported> out = exported(source->archive, id, arguments.format);
         if (!out)
             return tl::unexpected(out.error());
@@ -168,7 +176,9 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
         if (Result<void> written = output::writeFile(path, std::string_view(out->bytes)); !written)
             return tl::unexpected(written.error());
         console.data(path.string() + "\n");
+        progress.step(++count);
     }
+    console.wrote(arguments.directory, fmt::format("{} {}", count, count == 1 ? "record" : "records"));
     return Exit::Done;
 }
 
@@ -195,11 +205,11 @@ void addExportVerb(CLI::App& dat, const Console& console, Choice& choice) {
             "choose the format (pictures: png; models, cells and landblocks: gltf, binary; others: json); "
             "raw writes the bytes for limen dat pack")
         ->type_name("png|gltf|json|raw")
-        ->check(CLI::IsMember({"png", "gltf", "json", "raw"}));
+        ->check(oneOf({"png", "gltf", "json", "raw"}));
     verb->footer(
         "Writes one file per record, named by its id, and prints the names. A cell includes its objects;\n"
         "a landblock (0xXXYYFFFE) excludes its ground.\n"
-        "Example: limen dat export 0x0200001A -o models");
+        "Examples:\n  limen dat export 0x13000000\n  limen dat export 0xA9B40100 --as gltf -o models");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runExport(*arguments, console); };
     });

@@ -1,6 +1,9 @@
 #include "cli/Verbs.h"
 
 int main(int argc, char** argv) {
-    const limen::cli::Console console;
-    return static_cast<int>(limen::cli::runProgram(argc, argv, console));
+    const limen::cli::Console console(stdout, stderr, limen::Interrupt::install());
+    const limen::cli::Exit exit = limen::cli::runProgram(argc, argv, console);
+    if (exit == limen::cli::Exit::Interrupted && console.interrupt().isRequested())
+        console.interrupt().die();
+    return static_cast<int>(exit);
 }

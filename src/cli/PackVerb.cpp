@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "dat/Describe.h"
@@ -148,7 +149,13 @@ Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
             return tl::unexpected(added.error());
     }
     Progress progress(console, "pack", files->size());
+    console.interrupt().defer();
     for (std::size_t i = 0; i < files->size(); ++i) {
+        if (console.interrupt().isRequested()) {
+            console.note(
+                fmt::format("Stopped after {} of {} records; nothing was written", i, files->size()));
+            return Exit::Interrupted;
+        }
         if (Result<void> added = addFile((*files)[i], target->role, writer); !added)
             return tl::unexpected(added.error());
         progress.step(i + 1);
@@ -156,7 +163,9 @@ Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
     base.reset(); // the output may replace this file
     if (Result<void> written = writer.write(arguments.output); !written)
         return tl::unexpected(written.error());
-    console.note(fmt::format("{}: wrote a {} file", arguments.output, nameOfRole(target->role)));
+    console.wrote(arguments.output,
+                  fmt::format("a {} file, with {} records from files{}", nameOfRole(target->role),
+                              files->size(), arguments.base.empty() ? "" : " and those of the base"));
     return Exit::Done;
 }
 
@@ -174,15 +183,17 @@ void addPackVerb(CLI::App& dat, const Console& console, Choice& choice) {
         verb->add_option("--base", arguments->base,
                          "start from the records of this dat file; INPUT replaces records of equal id (none)")
             ->type_name("FILE");
-    verb->add_option("--role", arguments->role, "set the role of the new file")
-        ->check(CLI::IsMember({"portal", "cell", "highres", "local"}))
+    verb->add_option("--role", arguments->role, "set the role of the new file (that of --base)")
+        ->type_name("portal|cell|highres|local")
+        ->check(oneOf({"portal", "cell", "highres", "local"}))
         ->excludes(base);
-    verb->add_option("--without", arguments->without, "omit this record of the base; repeatable")
+    verb->add_option("--without", arguments->without, "omit this record of the base; repeatable (none)")
         ->type_name("ID")
         ->needs(base);
     verb->footer(
         "Files that do not decode as their record are refused. Check references with limen dat verify.\n"
-        "Example: limen dat pack records --role portal -o client_portal.dat");
+        "Examples:\n  limen dat export 0x13000000 --as raw -o records\n"
+        "  limen dat pack records --role portal -o part.dat");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runPack(*arguments, console); };
     });

@@ -50,9 +50,9 @@ Result<double> parseNumber(std::string_view option, std::string_view text) {
     if (error == std::errc::result_out_of_range)
         return bad(option, text, "a number that fits a double; give a smaller one");
     if (error != std::errc{} || end != digits.data() + digits.size())
-        return bad(option, text, "a number");
+        return bad(option, text, "a number such as 1.5");
     if (!std::isfinite(value))
-        return bad(option, text, "a finite number");
+        return bad(option, text, "a finite number such as 1.5");
     return value;
 }
 

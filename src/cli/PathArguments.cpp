@@ -35,8 +35,9 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
         ->type_name("FILE");
     CLI::Option* walk =
         command
-            .add_option("--walk", arguments.walk,
-                        "replay a walk recorded with limen view --record or limen walk, frame by frame")
+            .add_option(
+                "--walk", arguments.walk,
+                "replay a walk recorded with limen view --record or limen walk, frame by frame (none)")
             ->type_name("FILE")
             ->excludes("--path");
     command
@@ -50,7 +51,7 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
         ->excludes(walk);
     command
         .add_option("--fps", arguments.fps,
-                    "draw this many frames per second of the path, instead of --frames")
+                    "draw this many frames per second of the path, instead of --frames (none)")
         ->type_name("F")
         ->excludes(walk);
     command.add_option("--fov", arguments.fov, "set the vertical field of view in degrees (60)")

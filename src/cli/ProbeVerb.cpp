@@ -6,7 +6,9 @@
 #include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 namespace limen::cli {
 namespace {
@@ -28,13 +30,20 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     gpu::NullDevice device; // the decisions do not depend on a driver
     engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
                             device);
+    std::optional<Waiting> waiting(std::in_place, console, "loading the world");
     const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
+    waiting.reset();
     if (!frames)
         return tl::unexpected(frames.error());
     const std::size_t count = (*frames)->count();
     output::Probe probe;
     Progress progress(console, "probe", count);
+    console.interrupt().defer();
     for (std::size_t frame = 0; frame < count; ++frame) {
+        if (console.interrupt().isRequested()) {
+            console.note(fmt::format("limen: stopped after {} of {} frames", frame, count));
+            return Exit::Interrupted;
+        }
         const Result<const engine::FrameRequest*> next = (*frames)->next();
         if (!next)
             return tl::unexpected(next.error());
@@ -63,7 +72,8 @@ void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->footer(
         "Prints one line for every change: root (with the path of the eye), visits, spaces seen, outside,\n"
         "stages, blocks loaded, budgets. Draws nothing and needs no driver.\n"
-        "With --walk the exit code is 1 if the replay differs from the recording.");
+        "With --walk the exit code is 1 if the replay differs from the recording.\n"
+        "Examples:\n  limen probe --frames 50\n  limen probe --frames 20 --size 64x36");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runProbe(*options, console); };
     });

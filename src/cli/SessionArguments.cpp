@@ -1,5 +1,6 @@
 #include "cli/SessionArguments.h"
 
+#include "cli/Choices.h"
 #include "engine/Quality.h"
 
 #include <CLI/CLI.hpp>
@@ -14,9 +15,9 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
             [&options](const std::string& text) {
                 engine::applyQuality(*engine::qualityNamed(text), options);
             },
-            "set --radius, --far, --detail, --msaa and anisotropic filtering together")
+            "set --radius, --far, --detail, --msaa and anisotropic filtering together (none)")
         ->type_name("low|medium|high|ultra")
-        ->check(CLI::IsMember({"low", "medium", "high", "ultra"}))
+        ->check(oneOf({"low", "medium", "high", "ultra"}))
         ->group("World");
     command
         .add_option("--dat", options.dat,
@@ -24,35 +25,33 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
                     "built-in world)")
         ->type_name("DIR")
         ->group("World")
-        ->check([](const std::string& text) {
-            return std::string(text.empty() ? "is empty; give a directory" : "");
-        });
+        ->check(notEmpty());
     command
         .add_option_function<std::string>(
             "--zones", [&options](const std::string& text) { options.load.mergeZones = text == "merged"; },
             "choose the zones; merged: cells that cannot hide each other share a zone; cells: one zone per "
             "cell; pictures are equal (merged)")
         ->type_name("merged|cells")
-        ->check(CLI::IsMember({"merged", "cells"}))
+        ->check(oneOf({"merged", "cells"}))
         ->group("World");
     command
         .add_option("--radius", options.load.radius,
                     "load this many landblocks in each direction around the eye (4)")
         ->type_name("N")
-        ->check(CLI::Range(0, 16))
+        ->check(within(0, 16))
         ->group("World");
     command
         .add_option("--far", options.load.farRadius,
                     "load the ground alone of landblocks beyond --radius, up to this many in each direction "
                     "(0: none)")
         ->type_name("N")
-        ->check(CLI::Range(0, 32))
+        ->check(within(0, 32))
         ->group("World");
     command
         .add_option("--detail", options.load.detail,
                     "multiply the distances of levels of detail by this factor (1); inf: always the finest")
         ->type_name("F")
-        ->check(CLI::Range(0.01, std::numeric_limits<double>::infinity()))
+        ->check(within(0.01, std::numeric_limits<double>::infinity()))
         ->group("World");
     command
         .add_option_function<std::string>(
@@ -64,7 +63,7 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
             },
             "bind textures by handle or as array pages (auto: bindless where the driver has it)")
         ->type_name("auto|bindless|pages")
-        ->check(CLI::IsMember({"auto", "bindless", "pages"}))
+        ->check(oneOf({"auto", "bindless", "pages"}))
         ->group("World");
     command
         .add_option_function<std::string>(
@@ -77,12 +76,12 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
             "skip triangles that cover no pixel (unseen), also those behind walls and ground (hidden), or "
             "none; pictures are equal (hidden)")
         ->type_name("none|unseen|hidden")
-        ->check(CLI::IsMember({"none", "unseen", "hidden"}))
+        ->check(oneOf({"none", "unseen", "hidden"}))
         ->group("World");
     command
         .add_option("--msaa", options.samples, "set the samples per pixel (1); ids and depth always have one")
         ->type_name("1|4")
-        ->check(CLI::IsMember({0, 1, 4}))
+        ->check(oneOf({"0", "1", "4"}))
         ->group("World");
 }
 

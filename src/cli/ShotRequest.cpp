@@ -1,5 +1,6 @@
 #include "cli/ShotRequest.h"
 
+#include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/PlaceNotation.h"
 #include "output/OutputFile.h"
@@ -89,18 +90,9 @@ std::vector<std::filesystem::path> OutputPaths::all() const {
     return paths;
 }
 
-namespace {
-
-/// A CLI11 check: an empty argument is an error, usually an unset variable in a script.
-std::string refuseEmpty(const std::string& text) {
-    return text.empty() ? "has no value; check for an unset variable" : "";
-}
-
-} // namespace
-
 void addViewOptions(CLI::App& command, ViewArguments& a) {
     const auto add = [&command](const char* name, std::string& value, const char* type, const char* help) {
-        command.add_option(name, value, help)->type_name(type)->group("View")->check(refuseEmpty);
+        command.add_option(name, value, help)->type_name(type)->group("View")->check(notEmpty());
     };
     add("--eye", a.eye, "X,Y,Z",
         "set the position of the eye in metres from the map's south-west corner, z up, e.g. 32530,34660,32");
@@ -120,7 +112,9 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     add("--seconds", a.seconds, "S", "set the world's time in seconds, which moves villagers and smoke (0)");
     add("--doors", a.doors, "rest|closed|half|open|0..1",
         "set the openness of all doors (rest: each as in the data)");
-    command.add_option("--door", a.eachDoor, "set the openness of one door, e.g. inn.front=0.25; repeatable")
+    command
+        .add_option("--door", a.eachDoor,
+                    "set the openness of one door, e.g. inn.front=0.25; repeatable (as in the data)")
         ->type_name("NAME=0..1")
         ->group("View")
         ->expected(1)
@@ -143,13 +137,14 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
                 name, [&path](const std::string& text) { path = text; }, help)
             ->type_name("FILE")
             ->group("Output")
-            ->check(refuseEmpty);
+            ->check(notEmpty());
     };
-    add("-o,--output", outputs.frame, "write the picture as PNG");
-    add("--ids", outputs.ids, "write the id image as NumPy uint32 HxW");
-    add("--depth", outputs.depth, "write the distance along each ray in metres as NumPy float32 HxW");
-    add("--json", outputs.json, "write the frame's visits, stages, ids and times as JSON");
-    add("--overlay", outputs.overlay, "write the picture with the outlined region of every visit as PNG");
+    add("-o,--output", outputs.frame, "write the picture as PNG (none)");
+    add("--ids", outputs.ids, "write the id image as NumPy uint32 HxW (none)");
+    add("--depth", outputs.depth, "write the distance along each ray in metres as NumPy float32 HxW (none)");
+    add("--json", outputs.json, "write the frame's visits, stages, ids and times as JSON (none)");
+    add("--overlay", outputs.overlay,
+        "write the picture with the outlined region of every visit as PNG (none)");
 }
 
 namespace {

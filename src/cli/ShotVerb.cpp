@@ -2,6 +2,7 @@
 #include "cli/ShotRequest.h"
 #include "cli/Verbs.h"
 #include "engine/CheckView.h"
+#include "engine/FrameMemory.h"
 #include "engine/Session.h"
 #include "output/FrameJson.h"
 #include "output/Npy.h"
@@ -186,6 +187,51 @@ Result<void> trace(engine::PartPlanner& loaded, reference::Scene& scene, const e
     });
 }
 
+/// Prints the files that were written.
+void report(const ShotOptions& options, const std::vector<ListedView>& views, const Console& console) {
+    if (!options.views.empty()) {
+        std::size_t files = 0;
+        for (const ListedView& view : views)
+            files += view.outputs.all().size();
+        const std::filesystem::path directory = options.outputs.frame.empty() ? "." : options.outputs.frame;
+        console.wrote(directory, fmt::format("{} files of {} views", files, views.size()));
+        return;
+    }
+    for (const ListedView& view : views)
+        for (const std::filesystem::path& path : view.outputs.all())
+            console.wrote(path, fmt::format("{}x{}", view.view.size.width, view.view.size.height));
+}
+
+Exit stopped(std::size_t done, std::size_t count, const Console& console) {
+    console.note(fmt::format("limen: stopped after {} of {} views", done, count));
+    return Exit::Interrupted;
+}
+
+Result<void> loadFor(engine::Session& session, const ListedView& listed, const Console& console) {
+    const Waiting waiting(console, "loading the world");
+    return session.load(engine::centreOf(listed.view));
+}
+
+Result<void> checkViewsFit(const std::vector<ListedView>& views, const ShotOptions& options,
+                           const gpu::Capabilities& capabilities) {
+    const std::optional<std::uint64_t> available = engine::availableMemory();
+    for (const ListedView& view : views)
+        if (Result<void> fits =
+                engine::checkFrameFits(view.view.size, options.session.samples, capabilities, available);
+            !fits)
+            return fits;
+    return {};
+}
+
+/// Errors: a view without an output.
+Result<void> checkSomethingIsWritten(const std::vector<ListedView>& views) {
+    for (const ListedView& view : views)
+        if (view.outputs.all().empty())
+            return fail(ErrorCode::BadArgument, "shot",
+                        "no output given, so nothing would be written; add -o FILE for the picture");
+    return {};
+}
+
 /// Traces all views. Needs no device and no GL.
 Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& options,
                        const std::vector<ListedView>& views, const Console& console) {
@@ -193,12 +239,17 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
     std::optional<reference::Scene> scene;
     Progress progress(console, "shot", views.size());
     std::size_t done = 0;
+    if (views.size() > 1)
+        console.interrupt().defer();
     for (const std::size_t i : drawingOrder(views)) {
+        if (console.interrupt().isRequested())
+            return stopped(done, views.size(), console);
         const engine::PartTarget target{engine::centreOf(views[i].view), options.session.load};
         if (!loaded || !(loaded->part->target == target)) {
             const bool first = !loaded;
             scene.reset(); // it refers to the old world
             loaded.reset();
+            const Waiting waiting(console, "loading the world");
             Result<std::shared_ptr<const engine::LoadedPart>> next =
                 engine::loadPart(source.archive, target, source.file.moving);
             if (!next)
@@ -213,6 +264,7 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
             return tl::unexpected(traced.error());
         progress.step(++done);
     }
+    report(options, views, console);
     return Exit::Done;
 }
 
@@ -230,6 +282,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<std::vector<ListedView>> views = viewsOf(options);
     if (!views)
         return tl::unexpected(views.error());
+    if (Result<void> written = checkSomethingIsWritten(*views); !written)
+        return tl::unexpected(written.error());
     if (Result<void> traceable = options.reference ? checkTraceable(*views) : Result<void>{}; !traceable)
         return tl::unexpected(traceable.error());
     if (Result<void> checked = checkAllOutputs(options, *views); !checked)
@@ -253,11 +307,17 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
+    if (Result<void> fit = checkViewsFit(*views, options, headless->device->capabilities()); !fit)
+        return tl::unexpected(fit.error());
     Progress progress(console, "shot", views->size());
     std::size_t done = 0;
+    if (views->size() > 1)
+        console.interrupt().defer();
     for (const std::size_t i : drawingOrder(*views)) {
+        if (console.interrupt().isRequested())
+            return stopped(done, views->size(), console);
         const bool first = !session.isLoaded();
-        if (Result<void> loaded = session.load(engine::centreOf((*views)[i].view)); !loaded)
+        if (Result<void> loaded = loadFor(session, (*views)[i], console); !loaded)
             return tl::unexpected(loaded.error());
         if (const std::string findings = engine::findingsLine(session.part().world);
             first && !findings.empty())
@@ -266,6 +326,7 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
             return tl::unexpected(shot.error());
         progress.step(++done);
     }
+    report(options, *views, console);
     return Exit::Done;
 }
 
@@ -278,7 +339,7 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
     addOutputOptions(*verb, options->outputs);
     verb->add_option("--views", options->views,
                      "draw one frame per line of this file; a line holds options such as --at hill --yaw 90; "
-                     "-o is then a directory")
+                     "-o is then a directory (none)")
         ->type_name("FILE")
         ->group("Output");
     verb->add_flag("--reference", options->reference,
@@ -287,7 +348,8 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->group("Output");
     addSessionOptions(*verb, options->session);
     verb->footer("Writes only the outputs that are given.\n"
-                 "Example: limen shot --at hill --yaw 90 --size 640x360 -o hill.png --json hill.json");
+                 "Examples:\n  limen shot --at hill -o hill.png\n"
+                 "  limen shot --at inn.hall --yaw 90 --size 640x360 -o hall.png --json hall.json");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runShot(*options, console); };
     });

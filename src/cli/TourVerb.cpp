@@ -2,6 +2,7 @@
 #include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
 #include "engine/CheckView.h"
+#include "engine/FrameMemory.h"
 #include "output/OutputFile.h"
 #include "output/Picture.h"
 #include "play/FrameSource.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace limen::cli {
 namespace {
@@ -50,25 +52,30 @@ std::string statsLine(const engine::Session& session, const engine::FrameRequest
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, const TourOptions& options,
+Result<Exit> drawFrames(engine::Session& session, play::FrameSource& frames, const TourOptions& options,
                         const Console& console) {
     const std::size_t count = frames.count();
     const std::filesystem::path directory = options.directory;
     output::ContactSheet sheet(count, kSheetTiles, 6, 320);
     Progress progress(console, "tour", count);
+    console.interrupt().defer();
     for (std::size_t frame = 0; frame < count; ++frame) {
+        if (console.interrupt().isRequested()) {
+            console.wrote(directory, fmt::format("{} of {} frames, then stopped", frame, count));
+            return Exit::Interrupted;
+        }
         const Result<const engine::FrameRequest*> next = frames.next();
         if (!next)
             return tl::unexpected(next.error());
         const engine::FrameRequest& request = **next;
         if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
-            return drawn;
+            return tl::unexpected(drawn.error());
         const output::Picture picture =
             output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
         if (Result<void> written =
                 output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
             !written)
-            return written;
+            return tl::unexpected(written.error());
         if (sheet.wants(frame))
             sheet.add(picture,
                       fmt::format("{} {}", frame, engine::spaceName(session.part().world, request.root)));
@@ -76,7 +83,10 @@ Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, con
             console.data(statsLine(session, request, frame));
         progress.step(frame + 1);
     }
-    return output::writePicture(directory / "contact.png", sheet.compose());
+    if (Result<void> written = output::writePicture(directory / "contact.png", sheet.compose()); !written)
+        return tl::unexpected(written.error());
+    console.wrote(directory, fmt::format("{} frames and contact.png", count));
+    return Exit::Done;
 }
 
 Result<engine::HeadlessSession> openTour(const TourOptions& options,
@@ -104,17 +114,26 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
+    engine::PixelSize size = request->path.size;
+    if (request->walk && !request->walk->frames.empty())
+        size = request->walk->frames.front().input.size;
+    if (Result<void> fits = engine::checkFrameFits(
+            size, options.session.samples, headless->device->capabilities(), engine::availableMemory());
+        !fits)
+        return tl::unexpected(fits.error());
+    std::optional<Waiting> waiting(std::in_place, console, "loading the world");
     const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
+    waiting.reset();
     if (!frames)
         return tl::unexpected(frames.error());
     if (const std::string findings = engine::findingsLine(session.part().world); !findings.empty())
         console.note(findings);
-    if (Result<void> drawn = drawFrames(session, **frames, options, console); !drawn)
-        return tl::unexpected(drawn.error());
+    const Result<Exit> drawn = drawFrames(session, **frames, options, console);
+    if (!drawn)
+        return drawn;
     if (const std::string difference = play::differenceLine(**frames); !difference.empty())
         console.note(difference);
-    console.note(fmt::format("The frames and contact.png were written to {}", options.directory));
-    return Exit::Done;
+    return drawn;
 }
 
 } // namespace
@@ -129,6 +148,8 @@ void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
     addPathOptions(*verb, options->path, kTourFrames);
     verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
+    verb->footer("Examples:\n  limen tour -o tour --frames 12 --size 320x180\n"
+                 "  limen tour -o noon --frames 12 --size 320x180 --time 0.5");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runTour(*options, console); };
     });

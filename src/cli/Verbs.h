@@ -29,6 +29,9 @@ void addPlacesVerb(CLI::App& program, const Console& console, Choice& choice);
 void addDatVerb(CLI::App& program, const Console& console, Choice& choice);
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice);
 void addBenchVerb(CLI::App& program, const Console& console, Choice& choice);
+void addHelpVerb(CLI::App& program, const Console& console, Choice& choice);
+void addManVerb(CLI::App& program, const Console& console, Choice& choice);
+void addCompletionsVerb(CLI::App& program, const Console& console, Choice& choice);
 
 /// Runs the program: parses the command line, runs the verb, and prints an error as one line on standard
 /// error.

@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "cli/RetailVerb.h"
@@ -82,6 +83,13 @@ std::string textOf(const dat::VerifyReport& report) {
     return text;
 }
 
+std::uint64_t recordsOf(const dat::VerifyReport& report) {
+    std::uint64_t records = 0;
+    for (const dat::VerifyReport::Sum& sum : report.byKind)
+        records += sum.records;
+    return records;
+}
+
 Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console) {
     if (arguments.retail)
         return runRetail({arguments.path, arguments.report, arguments.most, arguments.json, arguments.all},
@@ -98,6 +106,8 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
         if (done % 256 == 0)
             progress->step(done);
     };
+    console.interrupt().defer();
+    options.stopped = [&console] { return console.interrupt().isRequested(); };
     const auto start = std::chrono::steady_clock::now();
     dat::VerifyReport report = dat::verify(files->list, options);
     progress.reset();
@@ -105,9 +115,14 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
     for (const dat::File* file : files->list)
         for (const std::string& warning : file->warnings())
             report.warnings.push_back(fmt::format("{}: {}", file->name(), warning));
+    if (report.isStopped)
+        console.note(
+            fmt::format("limen: stopped after {} records; the report covers these", recordsOf(report)));
     console.data(arguments.json ? jsonOf(report, seconds) : textOf(report));
     for (const std::string& warning : report.warnings)
         console.note(fmt::format("limen: {}", warning));
+    if (report.isStopped)
+        return Exit::Interrupted;
     return report.isClean() ? Exit::Done : Exit::Finding;
 }
 
@@ -122,20 +137,20 @@ void addVerifyVerb(CLI::App& dat, const Console& console, Choice& choice) {
     verb->add_option("--most", arguments->most,
                      "print at most this many faults or lines (50); all are counted")
         ->type_name("N")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
+        ->check(within(0, 1000000));
     verb->add_flag("--json", arguments->json, "print one JSON object");
     CLI::Option* retail =
         verb->add_flag("--retail", arguments->retail,
                        "compare the files with facts about the original game's files instead");
     verb->add_option("--report", arguments->report,
-                     "also write the verdicts to this file: numbers, no game data")
+                     "also write the verdicts to this file: numbers, no game data (none)")
         ->type_name("FILE")
         ->needs(retail);
     verb->add_flag("--all", arguments->all, "print the facts that are right, too")->needs(retail);
-    verb->footer("Example: limen dat verify DIR --retail --report limen-report.json\n"
-                 "Exit codes: 0: no fault; 1: faults found, or a fact is wrong; 2: an error. References to "
+    verb->footer("Exit codes: 0: no fault; 1: faults found, or a fact is wrong; 2: an error. References to "
                  "other files\n"
-                 "are not checked when a single file is given.");
+                 "are not checked when a single file is given.\n"
+                 "Examples:\n  limen dat verify\n  limen dat verify --retail --report limen-report.json");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runVerify(*arguments, console); };
     });

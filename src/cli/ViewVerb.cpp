@@ -201,11 +201,12 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "save screenshots to this directory (the current one)")
         ->type_name("DIR")
         ->group("View");
-    verb->add_option("--screenshot", options->screenshot, "write the last frame as PNG; needs --frames")
+    verb->add_option("--screenshot", options->screenshot,
+                     "write the last frame as PNG; needs --frames (none)")
         ->type_name("FILE")
         ->group("Scripts");
     verb->add_option("--record", options->record,
-                     "record the input of each frame, for --walk of tour, probe and check")
+                     "record the input of each frame, for --walk of tour, probe and check (none)")
         ->type_name("FILE")
         ->group("Scripts");
     verb->add_flag("--fly", options->fly, "start flying; the key G switches")->group("View");
@@ -223,7 +224,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
             "(limen/keys.json in the user's configuration directory)")
         ->type_name("FILE")
         ->group("View");
-    verb->footer(keysFooter());
+    verb->footer(keysFooter() + "Examples:\n  limen view\n  limen view --at inn.hall --fly");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runView(*options, console); };
     });

@@ -1,3 +1,4 @@
+#include "cli/Choices.h"
 #include "cli/PathArguments.h"
 #include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
+#include <optional>
 
 namespace limen::cli {
 namespace {
@@ -41,7 +43,9 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     gpu::NullDevice device; // the walk needs no pictures
     engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
                             device);
+    std::optional<Waiting> waiting(std::in_place, console, "loading the world");
     const Result<play::PathStart> start = play::startPath(session, *points, *request);
+    waiting.reset();
     if (!start)
         return tl::unexpected(start.error());
     Progress progress(console, "walk", points->size());
@@ -54,8 +58,9 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
         text += play::frameLine(frame);
     if (Result<void> written = output::writeFile(options.output, text); !written)
         return tl::unexpected(written.error());
-    console.note(fmt::format("{} frames to {} way points{}{}", walk->record.frames.size(), points->size(),
-                             listed("; not reached: ", walk->missed), listed("; jumped to ", walk->jumps)));
+    console.wrote(options.output,
+                  fmt::format("{} frames to {} way points{}{}", walk->record.frames.size(), points->size(),
+                              listed("; not reached: ", walk->missed), listed("; jumped to ", walk->jumps)));
     return Exit::Done;
 }
 
@@ -80,13 +85,14 @@ void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("0..1");
     verb->add_option("--fps", options->foot.fps, "record this many frames per second (30)")
         ->type_name("F")
-        ->check(CLI::Range(5.0, 1000.0));
+        ->check(within(5.0, 1000.0));
     verb->add_flag("--chase", options->foot.chase, "use the third-person camera");
     verb->add_flag("--run", options->foot.run, "run instead of walking");
     addSessionOptions(*verb, options->session);
     verb->footer(
         "Walks straight between way points and opens doors. If there is no way on foot, jumps to the next\n"
-        "named place at a way point. Draws nothing and needs no driver.");
+        "named place at a way point. Draws nothing and needs no driver.\n"
+        "Examples:\n  limen walk -o tour.walk\n  limen walk --run --chase -o tour.walk");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runWalk(*options, console); };
     });

@@ -72,6 +72,10 @@ public:
                 verifyEntry(entry);
                 if (options_.progress)
                     options_.progress(total_, ++done);
+                if (options_.stopped && options_.stopped()) {
+                    report_.isStopped = true;
+                    return std::move(report_);
+                }
             }
             finishBlock();
         }

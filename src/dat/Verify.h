@@ -29,6 +29,8 @@ struct VerifyReport {
     std::vector<Fault> faults;         ///< the first `mostFaults`, in the order of files and ids
     std::vector<std::string> warnings; ///< about files as a whole
 
+    bool isStopped = false; ///< the rest of the records was not read
+
     [[nodiscard]] bool isClean() const { return faultCounts[0] + faultCounts[1] + faultCounts[2] == 0; }
 };
 
@@ -36,6 +38,8 @@ struct VerifyOptions {
     std::size_t mostFaults = 1000; ///< faults that are stored; all are counted
     /// Called after each record with the number of records and of those done.
     std::function<void(std::size_t total, std::size_t done)> progress;
+    /// Called after each record; true ends the run early.
+    std::function<bool()> stopped{};
 };
 
 /// Reads every record, decodes those of RecordTypes, encodes them again and compares, and looks up every

@@ -1,6 +1,7 @@
 #include "dat/Writer.h"
 
 #include "core/Assert.h"
+#include "core/Interrupt.h"
 #include "dat/container/Format.h"
 #include "dat/container/Inflate.h"
 #include "dat/container/TreeBuilder.h"
@@ -156,18 +157,20 @@ Bytes Writer::build() const {
 
 Result<void> Writer::write(const std::filesystem::path& path) const {
     const Bytes bytes = build();
+    const UninterruptedWrite whole;
     const std::filesystem::path temporary = temporaryBeside(path);
     {
         std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
         if (!out)
-            return fail(ErrorCode::Unreadable, path.string(), "the file cannot be created there");
+            return fail(ErrorCode::Unreadable, path.string(),
+                        "the file cannot be created there; choose another directory");
         out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         out.close();
         if (!out) {
             std::error_code ignored;
             std::filesystem::remove(temporary, ignored);
             return fail(ErrorCode::Unreadable, path.string(),
-                        "the file cannot be written (is the disk full?)");
+                        "the file cannot be written; check the free space of the disk");
         }
     }
     std::error_code error;

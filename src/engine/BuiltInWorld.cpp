@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "core/Hash.h"
+#include "core/Interrupt.h"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,7 @@ Result<BuiltInWorld> writeTemporary(const WorldWriter& write) {
 /// Writes into `staging` and renames it to `place`. False if the rename failed, for example because another
 /// process wrote the same world first.
 Result<bool> writeAndMove(const fs::path& staging, const fs::path& place, const WorldWriter& write) {
+    const UninterruptedWrite whole;
     if (const Result<void> written = write(staging); !written) {
         removeQuietly(staging);
         return tl::unexpected(written.error());

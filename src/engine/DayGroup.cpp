@@ -1,6 +1,7 @@
 #include "engine/DayGroup.h"
 
 #include "core/Assert.h"
+#include "core/Nearest.h"
 #include "world/Sky.h"
 
 #include <algorithm>
@@ -33,10 +34,15 @@ Result<std::uint32_t> dayGroupOf(const dat::SkyDesc& sky, const std::string& tex
         return 0u;
     if (const std::optional<std::uint32_t> group = world::dayGroupNamed(sky, text))
         return *group;
+    if (sky.dayGroups.empty())
+        return fail(ErrorCode::NotFound, "--day", "this world has no kinds of days; leave --day out");
+    std::vector<std::string> names;
+    for (const dat::DayGroup& group : sky.dayGroups)
+        names.push_back(group.name);
+    const std::vector<std::string> similar = nearest(text, names, 1);
     return fail(ErrorCode::NotFound, "--day",
-                sky.dayGroups.empty()
-                    ? "this world has no kinds of days; leave --day out"
-                    : fmt::format("unknown kind of day '{}'; this world has {}", text, labels(sky)));
+                fmt::format("unknown kind of day '{}'; this world has {}{}", text, labels(sky),
+                            similar.empty() ? "" : "." + didYouMean(similar)));
 }
 
 } // namespace limen::engine

@@ -1,6 +1,7 @@
 #include "engine/FrameRequest.h"
 
 #include "core/Assert.h"
+#include "core/Nearest.h"
 #include "engine/DayGroup.h"
 #include "frame/GpuLayout.h"
 #include "motion/Collisions.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace limen::engine {
 namespace {
@@ -43,6 +45,18 @@ Result<Vec3> placedEye(const world::World& world, const ViewRequest& request) {
     return eye;
 }
 
+Error unknownDoor(const std::string& name, const world::WorldFile& file) {
+    std::vector<std::string> names;
+    for (const auto& door : file.moving.doors)
+        names.push_back(door.name);
+    const std::vector<std::string> similar = nearest(name, names, 1);
+    return {ErrorCode::NotFound, "--door",
+            names.empty() ? fmt::format("unknown door '{}': this world names no doors; use --doors", name)
+            : similar.empty()
+                ? fmt::format("unknown door '{}'; this world has {}", name, fmt::join(names, ", "))
+                : fmt::format("unknown door '{}'.{}", name, didYouMean(similar))};
+}
+
 /// Openness by World::doors. Doors that the file names but that are not loaded are left out.
 Result<std::vector<double>> eachDoor(const world::World& world, const world::WorldFile& file,
                                      std::span<const check::View::DoorState> states) {
@@ -52,8 +66,7 @@ Result<std::vector<double>> eachDoor(const world::World& world, const world::Wor
     for (const check::View::DoorState& state : states) {
         const auto isIt = [&](const auto& door) { return door.name == state.name; };
         if (std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
-            return fail(ErrorCode::NotFound, "--door",
-                        "unknown door '" + state.name + "': world.json does not name it");
+            return tl::unexpected(unknownDoor(state.name, file));
         const auto found = std::find_if(world.doors.begin(), world.doors.end(), isIt);
         if (found != world.doors.end())
             open[static_cast<std::size_t>(found - world.doors.begin())] = state.open;

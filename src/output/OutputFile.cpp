@@ -1,5 +1,7 @@
 #include "output/OutputFile.h"
 
+#include "core/Interrupt.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +22,14 @@ tl::unexpected<Error> refused(const fs::path& path, std::string what) {
 
 std::string reason(int error) {
     return std::strerror(error);
+}
+
+/// The reason and the next step.
+std::string notWritten(int error) {
+    const char* next = error == ENOSPC || error == EDQUOT ? "free some space"
+                       : error == ENOENT                  ? "make the directory first"
+                                         : "choose another directory, or check its permissions";
+    return fmt::format("cannot be written: {}; {}", reason(error), next);
 }
 
 /// The file behind a symbolic link, so that the link itself is not replaced; else the path.
@@ -104,14 +114,15 @@ Result<void> checkWritable(const fs::path& path) {
         return refused(path, "the name of an output file is empty; give a file name");
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
-        return refused(path, "is a directory, not a file to write");
+        return refused(path, "is a directory, not a file to write; add a file name");
     const fs::path place = target(path);
     if (fs::exists(place, ignored) && ::access(place.c_str(), W_OK) != 0)
-        return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+        return refused(path, notWritten(errno));
     if (isDeviceOrPipe(place))
         return {};
+    const UninterruptedWrite whole;
     if (const TemporaryFile probe(place); !probe.made())
-        return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+        return refused(path, notWritten(errno));
     return {};
 }
 
@@ -120,13 +131,14 @@ Result<void> writeFile(const fs::path& path, std::span<const std::byte> bytes) {
     if (isDeviceOrPipe(place)) {
         Descriptor device(::open(place.c_str(), O_WRONLY | O_CLOEXEC));
         if (!device.isOpen() || !writeAll(device.get(), bytes) || !device.close())
-            return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+            return refused(path, notWritten(errno));
         return {};
     }
+    const UninterruptedWrite whole; // destroyed after the temporary file
     TemporaryFile temporary(place);
     if (!temporary.made() || !writeAll(temporary.file().get(), bytes) || !temporary.file().close() ||
         !temporary.moveTo(place))
-        return refused(path, fmt::format("cannot be written: {}", reason(errno)));
+        return refused(path, notWritten(errno));
     return {};
 }
 
@@ -145,7 +157,7 @@ Result<void> makeDirectory(const fs::path& path) {
     std::error_code error, ignored;
     fs::create_directories(path, error);
     if (!fs::is_directory(path, ignored))
-        return refused(path, fmt::format("the directory cannot be made: {}",
+        return refused(path, fmt::format("the directory cannot be made: {}; choose another one",
                                          error ? error.message() : "a file has that name"));
     return {};
 }
@@ -153,10 +165,11 @@ Result<void> makeDirectory(const fs::path& path) {
 Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
     std::error_code error;
     if (fs::is_directory(path, error))
-        return refused(path, "is a directory, not a file to read");
+        return refused(path, "is a directory, not a file to read; add a file name");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!file)
-        return refused(path, fmt::format("cannot be read: {}", reason(errno)));
+        return refused(path,
+                       fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));
     std::string text;
     char chunk[4096];
     std::size_t got = 0;
@@ -167,7 +180,8 @@ Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
                            fmt::format("is longer than {} bytes, the limit for this kind of file", limit));
     }
     if (std::ferror(file.get()) != 0)
-        return refused(path, fmt::format("cannot be read: {}", reason(errno)));
+        return refused(path,
+                       fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));
     return text;
 }
 

@@ -20,11 +20,12 @@ Result<std::string> readText(const std::filesystem::path& path) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size > kMostBytes)
         return fail(ErrorCode::Unreadable, path.string(),
-                    error ? "cannot be read" : "is too large for a world file");
+                    error ? "cannot be read; check its permissions"
+                          : "is too large for a world file; remove it");
     std::ifstream file(path, std::ios::binary);
     std::string text(static_cast<std::size_t>(size), '\0');
     if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
-        return fail(ErrorCode::Unreadable, path.string(), "cannot be read");
+        return fail(ErrorCode::Unreadable, path.string(), "cannot be read; check its permissions");
     return text;
 }
 
@@ -76,7 +77,9 @@ Result<WorldFile> parseWorldFile(const std::string& text, const std::string& fil
     WorldFile world;
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object())
-        return fail(ErrorCode::Malformed, file, "is not a JSON object");
+        return fail(ErrorCode::Malformed, file,
+                    "is not a JSON object; docs/world-file.md describes the form, and without the file the "
+                    "world opens, too");
     if (const auto places = json.find("places"); places != json.end()) {
         if (!places->is_object())
             return fail(ErrorCode::Malformed, file, "\"places\" must be an object of named places");

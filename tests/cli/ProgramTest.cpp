@@ -38,7 +38,10 @@ TEST(Program, helpIsDataAndExitsWithZero) {
                                                                                       {"dat", "show"},
                                                                                       {"dat", "verify"},
                                                                                       {"demo"},
-                                                                                      {"bench"}}) {
+                                                                                      {"bench"},
+                                                                                      {"help"},
+                                                                                      {"man"},
+                                                                                      {"completions"}}) {
         std::vector<std::string> arguments = verb;
         arguments.emplace_back("--help");
         const ProgramRun run = runner.run(arguments);
@@ -47,6 +50,39 @@ TEST(Program, helpIsDataAndExitsWithZero) {
         EXPECT_THAT(run.out, HasSubstr("Usage"));
     }
     EXPECT_THAT(runner.run({"--version"}).out, HasSubstr("limen "));
+}
+
+TEST(Program, withoutAVerbPrintsHelpIfThereIsNoDisplay) {
+    const ProgramRunner runner;
+    const ProgramRun run = runner.run({});
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.out, runner.run({"help"}).out);
+}
+
+TEST(Program, helpExplainsVerbsAtEveryLevel) {
+    const ProgramRunner runner;
+    EXPECT_THAT(runner.run({"help", "shot"}).out, HasSubstr("limen shot"));
+    EXPECT_THAT(runner.run({"help", "dat", "ls"}).out, HasSubstr("--type TYPE"));
+    expectRefusal(runner, {"help", "shto"}, "Did you mean 'shot'?");
+    expectRefusal(runner, {"help", "dat", "sl"}, "Did you mean 'ls'?");
+    expectRefusal(runner, {"help", "shot", "ls"}, "no verbs of its own");
+}
+
+TEST(Program, suggestsTheNearestName) {
+    const ProgramRunner runner;
+    using Words = std::vector<std::string>;
+    for (const auto& [arguments, nearest] : std::vector<std::pair<Words, std::string>>{
+             {{"shto"}, "'shot'"},
+             {{"dat", "shwo"}, "'show'"},
+             {{"shot", "--at", "hill", "--szie", "9x9"}, "'--size'"},
+             {{"shot", "--at", "hill", "--day", "Snwo", "-o", "a.png"}, "'Snow'"},
+             {{"shot", "--at", "hill", "--quality", "hihg"}, "'high'"},
+             {{"check", "--kinds", "swepe"}, "'sweep'"},
+             {{"dat", "ls", "--type", "EnvCel"}, "'EnvCell'"},
+             {{"demo", "--kind", "twon", "x"}, "'town'"},
+             {{"bench", "flodo"}, "'flood'"}})
+        expectRefusal(runner, arguments, "Did you mean " + nearest);
 }
 
 // Needs no driver.
@@ -190,8 +226,7 @@ TEST(Program, aWorldWithoutAWorldFileIsWalkedByASetupOfItsOwn) {
 TEST(Program, refusesBadUsageWithOneLine) {
     const ProgramRunner runner;
     for (const std::vector<std::string>& arguments :
-         std::vector<std::vector<std::string>>{{},
-                                               {"fly"},
+         std::vector<std::vector<std::string>>{{"fly"},
                                                {"--dat", "x"},
                                                {"shot"},
                                                {"shot", "--wrong"},

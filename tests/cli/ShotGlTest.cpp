@@ -44,7 +44,9 @@ void expectDone(const ProgramRun& run) {
 
 TEST(Shot, writesWhatItIsAskedForAndNothingElse) {
     const ProgramRunner runner;
-    expectDone(runner.run({"shot", "--at", "hill", "--size", "64x36"}));
+    const ProgramRun none = runner.run({"shot", "--at", "hill", "--size", "64x36"});
+    EXPECT_EQ(none.exit, 2);
+    EXPECT_THAT(none.err, HasSubstr("no output given"));
     EXPECT_EQ(runner.work().entryCount(), 0u);
     expectDone(runner.run({"shot", "--at", "hill", "--size", "64x36", "-o", "a.png"}));
     EXPECT_EQ(runner.work().entryCount(), 1u);

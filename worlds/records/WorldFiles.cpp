@@ -1,5 +1,6 @@
 #include "worlds/records/WorldFiles.h"
 
+#include "core/Interrupt.h"
 #include "dat/Writer.h"
 
 #include <fstream>
@@ -16,6 +17,7 @@ void addAll(dat::Writer& writer, const std::vector<Record>& records) {
 
 /// Writes to a second name and renames the file, so that no reader sees a partial file.
 Result<void> writeText(const std::filesystem::path& path, const std::string& text) {
+    const UninterruptedWrite whole;
     const std::filesystem::path part = path.string() + ".part";
     std::ofstream file(part, std::ios::binary | std::ios::trunc);
     file << text;

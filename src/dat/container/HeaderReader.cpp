@@ -45,12 +45,12 @@ bool isOlderDat(ByteView start) {
 tl::unexpected<Error> notADat(ByteView file, const std::string& name) {
     const ByteView start = file.first(std::min(file.size(), kHeaderBytes));
     if (file.empty())
-        return fail(ErrorCode::Malformed, name, "the file is empty, not a dat file");
+        return fail(ErrorCode::Malformed, name, "the file is empty, not a dat file; copy it again");
     if (isZeros(start))
         return fail(ErrorCode::Malformed, name,
-                    "the file begins with nothing but zeros; it is not a dat file");
+                    "the file begins with nothing but zeros, so its copy is damaged; copy it again");
     if (isText(start))
-        return fail(ErrorCode::Malformed, name, "this is a text file, not a dat file");
+        return fail(ErrorCode::Malformed, name, "this is a text file, not a dat file; choose another file");
     if (file.size() < kHeaderBytes)
         return fail(ErrorCode::Malformed, name,
                     fmt::format("the file has {} bytes; the header of a dat file takes {}", file.size(),

@@ -281,7 +281,9 @@ Result<void> checkMemory(std::string_view what) {
         error = glGetError();
     }
     if (isShort)
-        return fail(ErrorCode::Driver, driverString(), fmt::format("has no memory for {}", what));
+        return fail(
+            ErrorCode::Driver, driverString(),
+            fmt::format("has no memory for {}; choose a smaller --size, --radius or --quality", what));
     return {};
 }
 

@@ -80,7 +80,7 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
         {records, models, region->get(), pictures}, [&stream] { return stream.next(); }, moving);
     if (world.blocks.empty())
         return fail(ErrorCode::NotFound, archive.directory().string(),
-                    "no landblock around the place asked for");
+                    "no landblock is near this place; choose another place with --at");
     return world;
 }
 

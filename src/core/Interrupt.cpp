@@ -1,0 +1,91 @@
+#include "core/Interrupt.h"
+
+#include "core/Assert.h"
+
+#include <atomic>
+#include <csignal>
+#include <initializer_list>
+#include <unistd.h>
+
+namespace limen {
+namespace {
+
+// The only mutable globals of the program. A signal handler has no argument through which it could reach an
+// object. Lock-free atomics are safe in a handler and on every thread.
+struct InterruptState {
+    std::atomic<int> first{0};      ///< the first signal
+    std::atomic<bool> again{false}; ///< a second signal came
+    std::atomic<bool> deferred{false};
+    std::atomic<int> writes{0}; ///< objects of UninterruptedWrite
+};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+constinit InterruptState interruptState;
+
+bool mustDie() {
+    return interruptState.first != 0 && interruptState.writes == 0 &&
+           (!interruptState.deferred || interruptState.again);
+}
+
+/// Ends the process by the default action. Calls only functions that a handler may call.
+[[noreturn]] void dieBy(int signal) {
+    struct sigaction action {};
+    action.sa_handler = SIG_DFL;
+    ::sigaction(signal, &action, nullptr);
+    sigset_t set;
+    ::sigemptyset(&set);
+    ::sigaddset(&set, signal);
+    ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    ::raise(signal);
+    ::_exit(128 + signal);
+}
+
+extern "C" void onInterrupt(int signal) {
+    int none = 0;
+    if (!interruptState.first.compare_exchange_strong(none, signal))
+        interruptState.again = true;
+    if (mustDie())
+        dieBy(interruptState.first);
+}
+
+} // namespace
+
+Interrupt Interrupt::install() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN)
+            continue;
+        struct sigaction action {};
+        action.sa_handler = onInterrupt;
+        action.sa_flags = SA_RESTART;
+        ::sigemptyset(&action.sa_mask);
+        ::sigaction(signal, &action, nullptr);
+    }
+    Interrupt interrupt;
+    interrupt.installed_ = true;
+    return interrupt;
+}
+
+void Interrupt::defer() const {
+    if (installed_)
+        interruptState.deferred = true;
+}
+
+int Interrupt::signal() const {
+    return installed_ ? interruptState.first.load() : 0;
+}
+
+void Interrupt::die() const {
+    LIMEN_ASSERT(isRequested(), "a signal came");
+    dieBy(signal());
+}
+
+UninterruptedWrite::UninterruptedWrite() {
+    ++interruptState.writes;
+}
+
+UninterruptedWrite::~UninterruptedWrite() {
+    if (--interruptState.writes == 0 && mustDie())
+        dieBy(interruptState.first);
+}
+
+} // namespace limen
