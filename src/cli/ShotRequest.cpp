@@ -145,11 +145,13 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
             ->group("Output")
             ->check(refuseEmpty);
     };
-    add("-o,--output", outputs.frame, "write the picture as PNG");
+    add("-o,--output", outputs.frame,
+        "write the picture; the ending selects the format: .png, .jpg or .webp");
     add("--ids", outputs.ids, "write the id image as NumPy uint32 HxW");
     add("--depth", outputs.depth, "write the distance along each ray in metres as NumPy float32 HxW");
     add("--json", outputs.json, "write the frame's visits, stages, ids and times as JSON");
-    add("--overlay", outputs.overlay, "write the picture with the outlined region of every visit as PNG");
+    add("--overlay", outputs.overlay,
+        "write the picture with the outlined region of every visit (.png, .jpg or .webp)");
 }
 
 namespace {

@@ -291,6 +291,10 @@ TEST(Program, refusesOutputsThatCannotBeWrittenBeforeItDraws) {
         expectRefusal(runner, {"shot", "--at", "hill", option, ""});
     }
     expectRefusal(runner, {"shot", "--at", "hill", "-o", "a", "--ids", "./a"});
+    for (const char* option : {"-o", "--overlay"}) {
+        expectRefusal(runner, {"shot", "--at", "hill", option, "picture.bmp"}, ".webp");
+        expectRefusal(runner, {"shot", "--at", "hill", option, "picture"}, ".jpeg");
+    }
     expectRefusal(runner, {"tour", "-o", "/proc/tour"});
     expectRefusal(runner, {"demo", "/proc/demo"});
     EXPECT_EQ(runner.work().entryCount(), before);
