@@ -1,12 +1,17 @@
+#include "cli/Parse.h"
 #include "cli/PathArguments.h"
+#include "cli/ReportFacts.h"
 #include "cli/SessionArguments.h"
+#include "cli/ShotRequest.h"
+#include "cli/TourOutputs.h"
 #include "cli/Verbs.h"
 #include "engine/CheckView.h"
-#include "output/OutputFile.h"
-#include "output/Picture.h"
 #include "play/FrameSource.h"
+#include "play/TurnTable.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,12 +22,15 @@ namespace {
 struct TourOptions {
     engine::SessionOptions session;
     PathArguments path;
-    std::string directory;
-    bool json = false;
+    TourOutputOptions outputs;
+    std::string at, distance; ///< of a turn-table
+    std::string command;      ///< as typed
+    bool turnTable = false, json = false;
 };
 
-constexpr std::size_t kTourFrames = 120; // default of --frames
-constexpr std::size_t kSheetTiles = 24;
+constexpr std::size_t kTourFrames = 120;      // default of --frames
+constexpr std::size_t kTurnTableFrames = 240; // of a turn-table
+constexpr double kFilmRate = 30.0;            // frames a second
 
 /// One line of `--json`.
 std::string statsLine(const engine::Session& session, const engine::FrameRequest& request,
@@ -50,86 +58,175 @@ std::string statsLine(const engine::Session& session, const engine::FrameRequest
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Result<void> drawFrames(engine::Session& session, play::FrameSource& frames, const TourOptions& options,
-                        const Console& console) {
+/// The frames to draw: along a path, of a walk, or around a place.
+struct TourFrames {
+    std::optional<play::FramesRequest> path;
+    std::optional<play::TurnTableRequest> turnTable;
+    double framesPerSecond = kFilmRate;
+};
+
+/// The rate at which a walk was recorded: its frames divided by their time.
+double rateOf(const play::WalkRecord& walk) {
+    double seconds = 0.0;
+    for (const play::RecordedFrame& frame : walk.frames)
+        seconds += frame.input.seconds;
+    return seconds > 0.0 ? std::clamp(static_cast<double>(walk.frames.size()) / seconds, 1.0, 240.0)
+                         : kFilmRate;
+}
+
+Result<TourFrames> checkPathFrames(const TourOptions& options, const world::WorldFile& file) {
+    PathArguments arguments = options.path;
+    const bool isSpaced = !arguments.frames.empty() || !arguments.fps.empty() || !arguments.walk.empty();
+    if (!options.outputs.film.empty() && !isSpaced)
+        arguments.fps = fmt::format("{:g}", kFilmRate); // a film shows the path at its own pace
+    Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, file);
+    if (!request)
+        return tl::unexpected(request.error());
+    TourFrames frames;
+    if (request->walk)
+        frames.framesPerSecond = rateOf(*request->walk);
+    else if (request->path.fps > 0.0)
+        frames.framesPerSecond = request->path.fps;
+    frames.path = std::move(*request);
+    return frames;
+}
+
+Result<TourFrames> checkTurnTable(const TourOptions& options, const world::WorldFile& file) {
+    PathArguments arguments = options.path;
+    const Result<play::PathRequest> path = checkPath(arguments, kTurnTableFrames);
+    if (!path)
+        return tl::unexpected(path.error());
+    play::TurnTableRequest request;
+    if (!options.distance.empty()) {
+        const Result<double> distance = parseNumberBetween("--distance", options.distance, 0.0, 500.0);
+        if (!distance)
+            return tl::unexpected(distance.error());
+        request.distance = *distance;
+    }
+    if (!options.at.empty()) {
+        ViewArguments place;
+        place.at = options.at;
+        Result<engine::ViewRequest> view = checkView(place);
+        if (!view)
+            return tl::unexpected(view.error());
+        request.centre = std::move(*view);
+    } else if (const world::Place* first = engine::firstPlace(file)) {
+        request.centre = engine::requestAt(*first);
+    } else {
+        return fail(ErrorCode::NotFound, "--at", "this world names no place; give one with --at PLACE");
+    }
+    Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), file);
+    if (!resolved)
+        return tl::unexpected(resolved.error());
+    request.centre = std::move(*resolved);
+    request.centre.fov = path->fov;
+    request.centre.size = path->size;
+    request.centre.scene.time = path->time;
+    request.frames = path->frames;
+    request.framesPerSecond = path->fps > 0.0 ? path->fps : kFilmRate;
+    TourFrames frames;
+    frames.framesPerSecond = request.framesPerSecond;
+    frames.turnTable = std::move(request);
+    return frames;
+}
+
+Result<std::unique_ptr<play::FrameSource>> openTourFrames(engine::Session& session, TourFrames& frames) {
+    if (frames.turnTable)
+        return play::openTurnTable(session, std::move(*frames.turnTable));
+    return play::openFrames(session, std::move(*frames.path));
+}
+
+Result<void> drawTour(engine::Session& session, play::FrameSource& frames, TourOutputs& outputs,
+                      const TourOptions& options, const Console& console) {
     const std::size_t count = frames.count();
-    const std::filesystem::path directory = options.directory;
-    output::ContactSheet sheet(count, kSheetTiles, 6, 320);
     Progress progress(console, "tour", count);
     for (std::size_t frame = 0; frame < count; ++frame) {
         const Result<const engine::FrameRequest*> next = frames.next();
         if (!next)
             return tl::unexpected(next.error());
-        const engine::FrameRequest& request = **next;
-        if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
+        if (Result<void> drawn = session.draw(**next, {.ids = false}); !drawn)
             return drawn;
-        const output::Picture picture =
-            output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
-        if (Result<void> written =
-                output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
-            !written)
+        if (Result<void> written = outputs.add(session, **next, frame); !written)
             return written;
-        if (sheet.wants(frame))
-            sheet.add(picture,
-                      fmt::format("{} {}", frame, engine::spaceName(session.part().world, request.root)));
         if (options.json)
-            console.data(statsLine(session, request, frame));
+            console.data(statsLine(session, **next, frame));
         progress.step(frame + 1);
     }
-    return output::writePicture(directory / "contact.png", sheet.compose());
-}
-
-Result<engine::HeadlessSession> openTour(const TourOptions& options,
-                                         std::optional<play::FramesRequest>& request) {
-    if (Result<void> made = output::makeDirectory(options.directory); !made)
-        return tl::unexpected(made.error());
-    if (Result<void> writable =
-            output::checkWritable(std::filesystem::path(options.directory) / "contact.png");
-        !writable)
-        return tl::unexpected(writable.error());
-    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
-    if (!source)
-        return tl::unexpected(source.error());
-    Result<play::FramesRequest> checked = checkFrames(options.path, kTourFrames, source->file);
-    if (!checked)
-        return tl::unexpected(checked.error());
-    request = std::move(*checked);
-    return engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)),
-                                options.session);
+    return {};
 }
 
 Result<Exit> runTour(const TourOptions& options, const Console& console) {
-    std::optional<play::FramesRequest> request;
-    Result<engine::HeadlessSession> headless = openTour(options, request);
+    if (!options.turnTable && !(options.at + options.distance).empty())
+        return fail(ErrorCode::BadArgument, options.at.empty() ? "--distance" : "--at",
+                    "belongs to a turn-table; add --turn-table");
+    Result<TourOutputs> outputs = TourOutputs::open(options.outputs);
+    if (!outputs)
+        return tl::unexpected(outputs.error());
+    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    if (!source)
+        return tl::unexpected(source.error());
+    Result<TourFrames> request =
+        options.turnTable ? checkTurnTable(options, source->file) : checkPathFrames(options, source->file);
+    if (!request)
+        return tl::unexpected(request.error());
+    Result<engine::HeadlessSession> headless = engine::openHeadless(
+        std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
-    const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
+    const Result<std::unique_ptr<play::FrameSource>> frames = openTourFrames(session, *request);
     if (!frames)
         return tl::unexpected(frames.error());
-    if (const std::string findings = engine::findingsLine(session.part().world); !findings.empty())
+    const std::string findings = engine::findingsLine(session.part().world);
+    if (!findings.empty())
         console.note(findings);
-    if (Result<void> drawn = drawFrames(session, **frames, options, console); !drawn)
+    outputs->begin((*frames)->count(), request->framesPerSecond);
+    if (Result<void> drawn = drawTour(session, **frames, *outputs, options, console); !drawn)
         return tl::unexpected(drawn.error());
-    if (const std::string difference = play::differenceLine(**frames); !difference.empty())
+    const std::string difference = play::differenceLine(**frames);
+    if (!difference.empty())
         console.note(difference);
-    console.note(fmt::format("The frames and contact.png were written to {}", options.directory));
+    const Result<std::vector<std::string>> lines =
+        outputs->finish(session, options.command, {findings, difference});
+    if (!lines)
+        return tl::unexpected(lines.error());
+    for (const std::string& line : *lines)
+        console.note(line);
     return Exit::Done;
+}
+
+void addTurnTableOptions(CLI::App& verb, TourOptions& options) {
+    verb.add_flag("--turn-table", options.turnTable,
+                  "circle a place once, looking at it, instead of following a path")
+        ->group("Turn-table")
+        ->excludes("--path")
+        ->excludes("--walk");
+    verb.add_option("--at", options.at,
+                    "circle this place, in the notations of shot's --at (the first place of the world)")
+        ->type_name("PLACE")
+        ->group("Turn-table");
+    verb.add_option("--distance", options.distance,
+                    "set the distance of the camera in metres; 0: turn at the place (the largest free circle "
+                    "up to 24)")
+        ->type_name("M")
+        ->group("Turn-table");
 }
 
 } // namespace
 
 void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("tour", "draw the frames along a camera path to files");
+    CLI::App* verb =
+        program.add_subcommand("tour", "draw the frames along a camera path to pictures, a film or a report");
     const auto options = std::make_shared<TourOptions>();
-    verb->add_option("-o,--output", options->directory,
-                     "write frame-NNNNN.png and contact.png to this directory; create it if missing")
-        ->required()
-        ->type_name("DIR");
+    addTourOutputOptions(*verb, options->outputs);
     addPathOptions(*verb, options->path, kTourFrames);
+    addTurnTableOptions(*verb, *options);
     verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
-    verb->callback([&console, &choice, options] {
+    verb->footer("Example: limen tour --frames 40 --size 480x270 --report report\n"
+                 "Example: limen tour --turn-table --at lane --film lane.mp4");
+    verb->callback([&console, &choice, options, verb] {
+        options->command = commandLineOf(*verb);
         choice.run = [&console, options] { return runTour(*options, console); };
     });
 }
