@@ -5,14 +5,16 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace limen::play {
 namespace {
 
 constexpr std::array kDistances{24.0, 16.0, 11.0, 7.0, 4.5, 3.0};           ///< metres
 constexpr std::array kElevations{12.0, 18.0, 25.0, 33.0, 42.0, 52.0, 62.0}; ///< degrees
-constexpr int kDirections = 48;                                             ///< tested directions of a circle
-constexpr double kMargin = 1.0; ///< metres kept free behind the camera
+constexpr std::size_t kFlatElevations = 4; ///< of these: the horizon stays in the picture or near it
+constexpr int kDirections = 48;            ///< tested directions of a circle
+constexpr double kMargin = 1.0;            ///< metres kept free behind the camera
 
 /// The unit vector from the centre to the camera. `yaw`: the camera's heading, degrees.
 Vec3 towardsCamera(double yaw, double elevation) {
@@ -76,11 +78,13 @@ TurnTableCircle chooseCircle(const world::World& world, world::SpaceIndex root, 
         }
         return best;
     }
-    for (const double radius : kDistances)
-        for (const double elevation : kElevations)
-            if (const TurnTableCircle circle{radius, elevation};
-                blockedDirections(scene, root, centre, circle) == 0)
-                return circle;
+    const std::span all(kElevations);
+    for (const auto& elevations : {all.first(kFlatElevations), all.subspan(kFlatElevations)})
+        for (const double radius : kDistances)
+            for (const double elevation : elevations)
+                if (const TurnTableCircle circle{radius, elevation};
+                    blockedDirections(scene, root, centre, circle) == 0)
+                    return circle;
     return {};
 }
 

@@ -19,7 +19,7 @@ struct TurnTableCircle {
 };
 
 /// Chooses the largest circle, and then the lowest elevation, on which no wall is between camera and centre.
-/// With a `distance`, the elevation with the fewest walls in between. Without any free circle, as in a small
+/// Circles steeper than 33 degrees are used only where no flatter one is free. With a `distance`, the elevation with the fewest walls in between. Without any free circle, as in a small
 /// room, the camera stands at the centre.
 [[nodiscard]] TurnTableCircle chooseCircle(const world::World& world, world::SpaceIndex root,
                                            const Vec3& centre, std::optional<double> distance);

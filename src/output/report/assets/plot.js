@@ -124,13 +124,14 @@ class Plot {
     for (const value of steps) {
       const y = this.y(value);
       svg("line", { class: "grid", x1: this.left, x2: this.right, y1: y, y2: y }, this.root);
-      svg("text", { x: this.left - 6, y: y + 4, "text-anchor": "end" }, this.root).textContent = figure(value);
+      const text = value >= 10000 ? `${figure(value / 1000)}k` : figure(value);
+      svg("text", { x: this.left - 6, y: y + 4, "text-anchor": "end" }, this.root).textContent = text;
     }
     svg("text", { x: 4, y: 10 }, this.root).textContent = this.data.unit;
-    const last = this.numbers.length - 1, count = Math.max(1, Math.min(6, last, Math.floor((this.right - this.left) / 70)));
-    for (let i = 0; i <= count; ++i) {
-      const index = Math.round((i / count) * last), anchor = i === 0 ? "start" : i === count ? "end" : "middle";
-      svg("text", { x: this.x(index), y: this.bottom + 15, "text-anchor": anchor }, this.root).textContent = this.numbers[index];
+    const last = this.numbers.length - 1, room = Math.max(1, Math.floor((this.right - this.left) / 60));
+    const step = Math.max(1, Math.round(ticks(Math.max(1, last), room)[1]));
+    for (let index = 0; index <= last; index += step) {
+      svg("text", { x: this.x(index), y: this.bottom + 15, "text-anchor": "middle" }, this.root).textContent = this.numbers[index];
     }
     svg("text", { x: (this.left + this.right) / 2, y: this.bottom + 28, "text-anchor": "middle" }, this.root).textContent = "frame";
   }
