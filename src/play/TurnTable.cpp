@@ -44,7 +44,7 @@ public:
         const auto frame = static_cast<double>(next_++);
         frame_.camera = turnTableCamera(centre_.camera, circle_, frame / static_cast<double>(count_));
         frame_.root =
-            motion::sweep(session_.part().world, centre_.root, centre_.camera.eye, frame_.camera.eye);
+            turnTableRoot(session_.part().world, centre_.root, centre_.camera.eye, frame_.camera.eye);
         frame_.scene.seconds = centre_.scene.seconds + frame / framesPerSecond_;
         frame_.scene.player = frame_.camera.eye;
         return &frame_;
@@ -96,6 +96,12 @@ engine::Camera turnTableCamera(const engine::Camera& centre, const TurnTableCirc
     camera.heading.pitch = -circle.elevation;
     camera.eye = centre.eye + towardsCamera(camera.heading.yaw, circle.elevation) * circle.distance;
     return camera;
+}
+
+world::SpaceIndex turnTableRoot(const world::World& world, world::SpaceIndex root, const Vec3& centre,
+                                const Vec3& eye) {
+    const bool isDungeon = root != world::kOutside && !world.spaces[root].ofBuilding;
+    return isDungeon ? motion::sweep(world, root, centre, eye) : motion::locate(world, eye).space;
 }
 
 Result<std::unique_ptr<FrameSource>> openTurnTable(engine::Session& session, TurnTableRequest request) {

@@ -28,6 +28,11 @@ struct TurnTableCircle {
 [[nodiscard]] engine::Camera turnTableCamera(const engine::Camera& centre, const TurnTableCircle& circle,
                                              double share);
 
+/// The space of a camera around a centre in the space `root`. In a dungeon it is reached through portals.
+/// Elsewhere the position decides, so that a camera can circle the building that contains the centre.
+[[nodiscard]] world::SpaceIndex turnTableRoot(const world::World& world, world::SpaceIndex root,
+                                              const Vec3& centre, const Vec3& eye);
+
 /// Loads the blocks around the centre. Errors: the session's; an unknown place.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openTurnTable(engine::Session& session,
                                                                  TurnTableRequest request);

@@ -47,6 +47,9 @@ TEST(TurnTable, theCircleIsTheLargestThatNoWallCrosses) {
         ++room;
     EXPECT_EQ(chooseCircle(world, room, hut.at({12, 12, 3.5}), {}).distance, 0.0);
     EXPECT_EQ(chooseCircle(world, room, hut.at({12, 12, 3.5}), 1.5).distance, 1.5);
+    // A camera around the hut is outside, although a wall is between it and the centre.
+    EXPECT_EQ(turnTableRoot(world, room, hut.at({12, 12, 3.5}), hut.at({30, 12, 6})), world::kOutside);
+    EXPECT_EQ(turnTableRoot(world, room, hut.at({12, 12, 3.5}), hut.at({11, 12, 3.5})), room);
 }
 
 } // namespace
