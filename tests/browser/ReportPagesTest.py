@@ -150,5 +150,5 @@ class ReportPages(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    ReportPages.program, ReportPages.cache = sys.argv[1:3]
+    ReportPages.program, ReportPages.cache = map(os.path.abspath, sys.argv[1:3])
     unittest.main(argv=sys.argv[:1] + sys.argv[3:])
