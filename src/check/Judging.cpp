@@ -109,9 +109,10 @@ void Judging::judge(const DrawnView& drawn) {
         progress_.totals.traceSeconds += seconds;
         ++progress_.views;
     }
-    if (!events_.picture || (comparison_.findings() == 0 && drawn.moved == 0))
+    const auto& shows = comparison_.findings() == 0 && drawn.moved == 0 ? events_.right : events_.picture;
+    if (!shows)
         return;
-    Result<void> shown = events_.picture({drawn.view, number, drawn.images, picture_, comparison_});
+    Result<void> shown = shows({drawn.view, number, drawn.images, picture_, comparison_});
     const std::lock_guard guard(lock_);
     if (!shown && failure_)
         failure_ = std::move(shown);

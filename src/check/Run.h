@@ -24,7 +24,7 @@ struct RunRequest {
     unsigned threads = 2;   ///< for tracing
 };
 
-/// A view with findings, for pictures of it. Valid during the call only.
+/// A judged view, for pictures of it. Valid during the call only.
 struct FindingPicture {
     const View& view;
     std::uint64_t number;
@@ -40,6 +40,7 @@ struct RunEvents {
         saved; ///< the state to save; every few seconds and at the end
     std::function<Result<void>(const FindingPicture&)> picture;
     std::function<bool()> stopped; ///< true: draw no further view; runCheck then returns an error
+    std::function<Result<void>(const FindingPicture&)> right;   ///< as picture, for views without findings
     std::function<void(dat::BlockCoord, const Error&)> leftOut; ///< a block that could not be loaded
 };
 

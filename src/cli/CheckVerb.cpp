@@ -2,6 +2,7 @@
 #include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/PathArguments.h"
+#include "cli/ReportFacts.h"
 #include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
 #include "engine/CheckDrawer.h"
@@ -10,7 +11,9 @@
 #include "engine/FrameMemory.h"
 #include "gpu/device/NullDevice.h"
 #include "output/CheckPicture.h"
+#include "output/Encode.h"
 #include "output/OutputFile.h"
+#include "output/report/CheckRecorder.h"
 #include "play/FrameSource.h"
 
 #include <CLI/CLI.hpp>
@@ -25,7 +28,8 @@ namespace {
 
 struct CheckOptions {
     engine::SessionOptions session;
-    std::string kinds, size, block, directory, resume, walk, doors = "rest", day, weather = "clear";
+    std::string kinds, size, block, directory, resume, walk, doors = "rest", day, weather = "clear",
+                                                             format = "png", report, command;
     std::size_t views = 1000;
     std::uint64_t seed = 1;
     bool apart = false, json = false;
@@ -201,10 +205,21 @@ Result<void> checkOutputPlaces(const CheckOptions& options) {
             !writable)
             return writable;
     }
+    if (Result<void> place = checkReportPlace(options.report); !place)
+        return place;
     return options.resume.empty() ? Result<void>{} : output::checkWritable(options.resume);
 }
 
-check::RunEvents eventsOf(const CheckOptions& options, const Console& console, Progress& bar) {
+/// Writes one picture file for a finding.
+Result<void> writeFinding(const CheckOptions& options, const check::FindingPicture& finding) {
+    const std::string name =
+        fmt::format("finding-{:08}-{}.{}", finding.number, check::nameOf(finding.view.kind), options.format);
+    return output::writePicture(std::filesystem::path(options.directory) / name,
+                                output::pictureOfFinding(finding));
+}
+
+check::RunEvents eventsOf(const CheckOptions& options, const Console& console, Progress& bar,
+                          std::optional<output::CheckRecorder>& recorder) {
     check::RunEvents events;
     events.step = [&bar](std::size_t done) { bar.step(done); };
     events.stopped = [&console] { return console.interrupt().isRequested(); };
@@ -216,17 +231,17 @@ check::RunEvents eventsOf(const CheckOptions& options, const Console& console, P
         events.saved = [&options](const check::Progress& state) {
             return output::writeFile(options.resume, check::progressJson(state));
         };
-    if (!options.directory.empty()) {
+    if (!options.directory.empty() || recorder) {
         const auto written = std::make_shared<std::atomic<std::uint64_t>>(0);
-        events.picture = [&options, written](const check::FindingPicture& finding) -> Result<void> {
-            if ((*written)++ >= kMostPictures)
-                return {};
-            const std::string name =
-                fmt::format("finding-{:08}-{}.png", finding.number, check::nameOf(finding.view.kind));
-            return output::writePicture(std::filesystem::path(options.directory) / name,
-                                        output::pictureOfFinding(finding));
+        events.picture = [&options, &recorder, written](const check::FindingPicture& finding) {
+            Result<void> done = recorder ? recorder->addFinding(finding) : Result<void>{};
+            if (done && !options.directory.empty() && (*written)++ < kMostPictures)
+                done = writeFinding(options, finding);
+            return done;
         };
     }
+    if (recorder)
+        events.right = [&recorder](const check::FindingPicture& view) { return recorder->addSample(view); };
     return events;
 }
 
@@ -243,6 +258,22 @@ Result<Exit> stopEarly(const CheckOptions& options, const check::Progress& progr
         console.data(options.json ? check::reportJson(progress.totals, context)
                                   : check::reportText(progress.totals, context));
     return Exit::Interrupted;
+}
+
+Result<void> writeCheckReport(const CheckOptions& options, engine::Session& session,
+                              output::CheckRecorder recorder, const check::Totals& totals,
+                              const Console& console) {
+    if (Result<void> drawn = recorder.addLitPictures(session); !drawn)
+        return drawn;
+    output::ReportHead head = reportHead(session, options.command);
+    head.facts.emplace_back("Seed", fmt::format("{}", options.seed));
+    head.facts.emplace_back("Time", fmt::format("{:.1f} s", totals.seconds));
+    const output::CheckReport report = std::move(recorder).finish(std::move(head), totals);
+    const Result<std::string> page = writeReport(options.report, output::checkPage(report));
+    if (!page)
+        return tl::unexpected(page.error());
+    console.wrote(*page, "the report");
+    return {};
 }
 
 Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
@@ -274,10 +305,14 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
                                    headless->device->capabilities(), engine::availableMemory());
         !fits)
         return tl::unexpected(fits.error());
-    engine::CheckDrawer drawer(*headless->session, !options.directory.empty(), options.session.samples > 1);
+    std::optional<output::CheckRecorder> recorder;
+    if (!options.report.empty())
+        recorder.emplace(context.worldOptions);
+    engine::CheckDrawer drawer(*headless->session, !options.directory.empty() || recorder.has_value(),
+                               options.session.samples > 1);
     {
         Progress bar(console, "check", check::viewsAsked(*request));
-        const check::RunEvents events = eventsOf(options, console, bar);
+        const check::RunEvents events = eventsOf(options, console, bar, recorder);
         console.interrupt().defer();
         const Result<void> done = check::runCheck(*request, drawer, events, *progress);
         if (!done && console.interrupt().isRequested())
@@ -296,6 +331,12 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
                                              : fmt::format("pictures of the findings, at most {}", pictures));
     }
     console.data(options.json ? check::reportJson(totals, context) : check::reportText(totals, context));
+    if (recorder) {
+        if (Result<void> written =
+                writeCheckReport(options, *headless->session, std::move(*recorder), totals, console);
+            !written)
+            return tl::unexpected(written.error());
+    }
     return totals.sum().findings() > 0 ? Exit::Finding : Exit::Done;
 }
 
@@ -336,6 +377,13 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
             "-o,--output", options->directory,
             "write a picture of each view with a finding to this directory; create it if missing (none)")
         ->type_name("DIR");
+    verb->add_option("--format", options->format, "set the format of these pictures (png)")
+        ->type_name("png|jpg|webp")
+        ->check(CLI::IsMember({"png", "jpg", "webp"}));
+    verb->add_option(
+            "--report", options->report,
+            "write index.html, one page with totals, findings and pictures, to this directory (none)")
+        ->type_name("DIR");
     verb->add_option("--resume", options->resume,
                      "save the state of the run in this file; if it exists, continue from it (none)")
         ->type_name("FILE");
@@ -346,7 +394,8 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.\n"
         "Examples:\n  limen check --views 20 --size 160x90\n"
         "  limen check --views 100 --kinds random,path -o findings");
-    verb->callback([&console, &choice, options] {
+    verb->callback([&console, &choice, options, verb] {
+        options->command = commandLineOf(*verb);
         choice.run = [&console, options] { return runCheckVerb(*options, console); };
     });
 }

@@ -130,8 +130,8 @@ void addDoctorVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--thorough", arguments->thorough,
                    "decode every record and follow all references (a sample)");
     verb->add_flag("--json", arguments->json, "print one JSON object");
-    verb->footer("Example: limen doctor DIR\n"
-                 "Exit codes: 0: ready, warnings allowed; 1: a check failed; 2: nothing could be examined.");
+    verb->footer("Exit codes: 0: ready, warnings allowed; 1: a check failed; 2: nothing could be examined.\n"
+                 "Examples:\n  limen doctor\n  limen doctor --thorough --json");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runDoctor(*arguments, console); };
     });

@@ -2,6 +2,7 @@
 #include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "dat/Describe.h"
+#include "output/Encode.h"
 #include "output/Gltf.h"
 #include "output/OutputFile.h"
 #include "world/Loader.h"

@@ -80,7 +80,7 @@ void addPlacesVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->footer(
         "Lists the places of world.json. A world without that file gets the towns, well-known places\n"
         "and dungeons that its records show. Letter case, spaces and hyphens do not matter in --at.\n"
-        "Example: limen places --dat \"$HOME/ac\"");
+        "Examples:\n  limen places\n  limen places --json");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runPlaces(*options, console); };
     });

@@ -139,12 +139,13 @@ void addOutputOptions(CLI::App& command, OutputPaths& outputs) {
             ->group("Output")
             ->check(notEmpty());
     };
-    add("-o,--output", outputs.frame, "write the picture as PNG (none)");
+    add("-o,--output", outputs.frame,
+        "write the picture; the ending selects the format: .png, .jpg or .webp (none)");
     add("--ids", outputs.ids, "write the id image as NumPy uint32 HxW (none)");
     add("--depth", outputs.depth, "write the distance along each ray in metres as NumPy float32 HxW (none)");
     add("--json", outputs.json, "write the frame's visits, stages, ids and times as JSON (none)");
     add("--overlay", outputs.overlay,
-        "write the picture with the outlined region of every visit as PNG (none)");
+        "write the picture with the outlined region of every visit (none): .png, .jpg or .webp");
 }
 
 namespace {

@@ -130,6 +130,11 @@ Result<void> checkAllOutputs(const ShotOptions& options, const std::vector<Liste
     }
     std::vector<std::filesystem::path> outputs;
     for (const ListedView& view : views) {
+        for (const std::filesystem::path& picture : {view.outputs.frame, view.outputs.overlay})
+            if (Result<void> writable =
+                    picture.empty() ? Result<void>{} : output::checkPictureWritable(picture);
+                !writable)
+                return writable;
         const std::vector<std::filesystem::path> all = view.outputs.all();
         outputs.insert(outputs.end(), all.begin(), all.end());
     }

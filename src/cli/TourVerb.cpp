@@ -1,17 +1,21 @@
+#include "cli/Parse.h"
 #include "cli/PathArguments.h"
+#include "cli/ReportFacts.h"
 #include "cli/SessionArguments.h"
+#include "cli/ShotRequest.h"
+#include "cli/TourOutputs.h"
 #include "cli/Verbs.h"
 #include "engine/CheckView.h"
 #include "engine/FrameMemory.h"
-#include "output/OutputFile.h"
-#include "output/Picture.h"
 #include "play/FrameSource.h"
+#include "play/TurnTable.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 namespace limen::cli {
 namespace {
@@ -19,12 +23,15 @@ namespace {
 struct TourOptions {
     engine::SessionOptions session;
     PathArguments path;
-    std::string directory;
-    bool json = false;
+    TourOutputOptions outputs;
+    std::string at, distance; ///< of a turn-table
+    std::string command;      ///< as typed
+    bool turnTable = false, json = false;
 };
 
-constexpr std::size_t kTourFrames = 120; // default of --frames
-constexpr std::size_t kSheetTiles = 24;
+constexpr std::size_t kTourFrames = 120;      // default of --frames
+constexpr std::size_t kTurnTableFrames = 240; // of a turn-table
+constexpr double kFilmRate = 30.0;            // frames a second
 
 /// One line of `--json`.
 std::string statsLine(const engine::Session& session, const engine::FrameRequest& request,
@@ -52,105 +59,207 @@ std::string statsLine(const engine::Session& session, const engine::FrameRequest
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Result<Exit> drawFrames(engine::Session& session, play::FrameSource& frames, const TourOptions& options,
-                        const Console& console) {
+/// The frames to draw: along a path, of a walk, or around a place.
+struct TourFrames {
+    std::optional<play::FramesRequest> path;
+    std::optional<play::TurnTableRequest> turnTable;
+    double framesPerSecond = kFilmRate;
+};
+
+/// The rate at which a walk was recorded: its frames divided by their time.
+double rateOf(const play::WalkRecord& walk) {
+    double seconds = 0.0;
+    for (const play::RecordedFrame& frame : walk.frames)
+        seconds += frame.input.seconds;
+    return seconds > 0.0 ? std::clamp(static_cast<double>(walk.frames.size()) / seconds, 1.0, 240.0)
+                         : kFilmRate;
+}
+
+Result<TourFrames> checkPathFrames(const TourOptions& options, const world::WorldFile& file) {
+    PathArguments arguments = options.path;
+    const bool isSpaced = !arguments.frames.empty() || !arguments.fps.empty() || !arguments.walk.empty();
+    if (!options.outputs.film.empty() && !isSpaced)
+        arguments.fps = fmt::format("{:g}", kFilmRate); // a film shows the path at its own pace
+    Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, file);
+    if (!request)
+        return tl::unexpected(request.error());
+    TourFrames frames;
+    if (request->walk)
+        frames.framesPerSecond = rateOf(*request->walk);
+    else if (request->path.fps > 0.0)
+        frames.framesPerSecond = request->path.fps;
+    frames.path = std::move(*request);
+    return frames;
+}
+
+Result<TourFrames> checkTurnTable(const TourOptions& options, const world::WorldFile& file) {
+    PathArguments arguments = options.path;
+    const Result<play::PathRequest> path = checkPath(arguments, kTurnTableFrames);
+    if (!path)
+        return tl::unexpected(path.error());
+    play::TurnTableRequest request;
+    if (!options.distance.empty()) {
+        const Result<double> distance = parseNumberBetween("--distance", options.distance, 0.0, 500.0);
+        if (!distance)
+            return tl::unexpected(distance.error());
+        request.distance = *distance;
+    }
+    if (!options.at.empty()) {
+        ViewArguments place;
+        place.at = options.at;
+        Result<engine::ViewRequest> view = checkView(place);
+        if (!view)
+            return tl::unexpected(view.error());
+        request.centre = std::move(*view);
+    } else if (const world::Place* first = engine::firstPlace(file)) {
+        request.centre = engine::requestAt(*first);
+    } else {
+        return fail(ErrorCode::NotFound, "--at", "this world names no place; give one with --at PLACE");
+    }
+    Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), file);
+    if (!resolved)
+        return tl::unexpected(resolved.error());
+    request.centre = std::move(*resolved);
+    request.centre.fov = path->fov;
+    request.centre.size = path->size;
+    request.centre.scene.time = path->time;
+    request.frames = path->frames;
+    request.framesPerSecond = path->fps > 0.0 ? path->fps : kFilmRate;
+    TourFrames frames;
+    frames.framesPerSecond = request.framesPerSecond;
+    frames.turnTable = std::move(request);
+    return frames;
+}
+
+Result<std::unique_ptr<play::FrameSource>> openTourFrames(engine::Session& session, TourFrames& frames) {
+    if (frames.turnTable)
+        return play::openTurnTable(session, std::move(*frames.turnTable));
+    return play::openFrames(session, std::move(*frames.path));
+}
+
+/// The size of the first frame; a recorded walk has its own.
+engine::PixelSize sizeOf(const TourFrames& frames) {
+    if (frames.turnTable)
+        return frames.turnTable->centre.size;
+    if (frames.path->walk && !frames.path->walk->frames.empty())
+        return frames.path->walk->frames.front().input.size;
+    return frames.path->path.size;
+}
+
+/// After a signal: the pictures so far stay. A film and a report are not written.
+void reportStop(const TourOutputOptions& options, std::size_t drawn, std::size_t count,
+                const Console& console) {
+    if (!options.directory.empty())
+        console.wrote(options.directory, fmt::format("{} of {} frames, then stopped", drawn, count));
+    if (!(options.film + options.report).empty())
+        console.note(fmt::format("limen: stopped after {} of {} frames; no film and no report was written",
+                                 drawn, count));
+}
+
+/// Draws all frames, or those before a signal.
+Result<Exit> drawTour(engine::Session& session, play::FrameSource& frames, TourOutputs& outputs,
+                      const TourOptions& options, const Console& console) {
     const std::size_t count = frames.count();
-    const std::filesystem::path directory = options.directory;
-    output::ContactSheet sheet(count, kSheetTiles, 6, 320);
     Progress progress(console, "tour", count);
     console.interrupt().defer();
     for (std::size_t frame = 0; frame < count; ++frame) {
         if (console.interrupt().isRequested()) {
-            console.wrote(directory, fmt::format("{} of {} frames, then stopped", frame, count));
+            reportStop(options.outputs, frame, count, console);
             return Exit::Interrupted;
         }
         const Result<const engine::FrameRequest*> next = frames.next();
         if (!next)
             return tl::unexpected(next.error());
-        const engine::FrameRequest& request = **next;
-        if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
+        if (Result<void> drawn = session.draw(**next, {.ids = false}); !drawn)
             return tl::unexpected(drawn.error());
-        const output::Picture picture =
-            output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
-        if (Result<void> written =
-                output::writePicture(directory / fmt::format("frame-{:05}.png", frame), picture);
-            !written)
+        if (Result<void> written = outputs.add(session, **next, frame); !written)
             return tl::unexpected(written.error());
-        if (sheet.wants(frame))
-            sheet.add(picture,
-                      fmt::format("{} {}", frame, engine::spaceName(session.part().world, request.root)));
         if (options.json)
-            console.data(statsLine(session, request, frame));
+            console.data(statsLine(session, **next, frame));
         progress.step(frame + 1);
     }
-    if (Result<void> written = output::writePicture(directory / "contact.png", sheet.compose()); !written)
-        return tl::unexpected(written.error());
-    console.wrote(directory, fmt::format("{} frames and contact.png", count));
     return Exit::Done;
 }
 
-Result<engine::HeadlessSession> openTour(const TourOptions& options,
-                                         std::optional<play::FramesRequest>& request) {
-    if (Result<void> made = output::makeDirectory(options.directory); !made)
-        return tl::unexpected(made.error());
-    if (Result<void> writable =
-            output::checkWritable(std::filesystem::path(options.directory) / "contact.png");
-        !writable)
-        return tl::unexpected(writable.error());
+Result<Exit> runTour(const TourOptions& options, const Console& console) {
+    if (!options.turnTable && !(options.at + options.distance).empty())
+        return fail(ErrorCode::BadArgument, options.at.empty() ? "--distance" : "--at",
+                    "belongs to a turn-table; add --turn-table");
+    Result<TourOutputs> outputs = TourOutputs::open(options.outputs);
+    if (!outputs)
+        return tl::unexpected(outputs.error());
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<play::FramesRequest> checked = checkFrames(options.path, kTourFrames, source->file);
-    if (!checked)
-        return tl::unexpected(checked.error());
-    request = std::move(*checked);
-    return engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)),
-                                options.session);
-}
-
-Result<Exit> runTour(const TourOptions& options, const Console& console) {
-    std::optional<play::FramesRequest> request;
-    Result<engine::HeadlessSession> headless = openTour(options, request);
+    Result<TourFrames> request =
+        options.turnTable ? checkTurnTable(options, source->file) : checkPathFrames(options, source->file);
+    if (!request)
+        return tl::unexpected(request.error());
+    Result<engine::HeadlessSession> headless = engine::openHeadless(
+        std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
-    engine::PixelSize size = request->path.size;
-    if (request->walk && !request->walk->frames.empty())
-        size = request->walk->frames.front().input.size;
     if (Result<void> fits = engine::checkFrameFits(
-            size, options.session.samples, headless->device->capabilities(), engine::availableMemory());
+            sizeOf(*request), options.session.samples, headless->device->capabilities(), engine::availableMemory());
         !fits)
         return tl::unexpected(fits.error());
     std::optional<Waiting> waiting(std::in_place, console, "loading the world");
-    const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
+    const Result<std::unique_ptr<play::FrameSource>> frames = openTourFrames(session, *request);
     waiting.reset();
     if (!frames)
         return tl::unexpected(frames.error());
-    if (const std::string findings = engine::findingsLine(session.part().world); !findings.empty())
+    const std::string findings = engine::findingsLine(session.part().world);
+    if (!findings.empty())
         console.note(findings);
-    const Result<Exit> drawn = drawFrames(session, **frames, options, console);
-    if (!drawn)
+    outputs->begin((*frames)->count(), request->framesPerSecond);
+    const Result<Exit> drawn = drawTour(session, **frames, *outputs, options, console);
+    if (!drawn || *drawn == Exit::Interrupted)
         return drawn;
-    if (const std::string difference = play::differenceLine(**frames); !difference.empty())
+    const std::string difference = play::differenceLine(**frames);
+    if (!difference.empty())
         console.note(difference);
-    return drawn;
+    const Result<std::vector<WrittenOutput>> written =
+        outputs->finish(session, options.command, {findings, difference});
+    if (!written)
+        return tl::unexpected(written.error());
+    for (const WrittenOutput& output : *written)
+        console.wrote(output.path, output.content);
+    return Exit::Done;
+}
+
+void addTurnTableOptions(CLI::App& verb, TourOptions& options) {
+    verb.add_flag("--turn-table", options.turnTable,
+                  "circle a place once, looking at it, instead of following a path")
+        ->group("Turn-table")
+        ->excludes("--path")
+        ->excludes("--walk");
+    verb.add_option("--at", options.at,
+                    "circle this place, in the notations of shot's --at (the first place of the world)")
+        ->type_name("PLACE")
+        ->group("Turn-table");
+    verb.add_option("--distance", options.distance,
+                    "set the distance of the camera in metres; 0: turn at the place (the largest free circle "
+                    "up to 24)")
+        ->type_name("M")
+        ->group("Turn-table");
 }
 
 } // namespace
 
 void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
-    CLI::App* verb = program.add_subcommand("tour", "draw the frames along a camera path to files");
+    CLI::App* verb =
+        program.add_subcommand("tour", "draw the frames along a camera path to pictures, a film or a report");
     const auto options = std::make_shared<TourOptions>();
-    verb->add_option("-o,--output", options->directory,
-                     "write frame-NNNNN.png and contact.png to this directory; create it if missing")
-        ->required()
-        ->type_name("DIR");
+    addTourOutputOptions(*verb, options->outputs);
     addPathOptions(*verb, options->path, kTourFrames);
+    addTurnTableOptions(*verb, *options);
     verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
-    verb->footer("Examples:\n  limen tour -o tour --frames 12 --size 320x180\n"
-                 "  limen tour -o noon --frames 12 --size 320x180 --time 0.5");
-    verb->callback([&console, &choice, options] {
+    verb->footer("Examples:\n  limen tour --frames 12 --size 320x180 --report report\n"
+                 "  limen tour --turn-table --at lane --size 320x180 --film lane.gif");
+    verb->callback([&console, &choice, options, verb] {
+        options->command = commandLineOf(*verb);
         choice.run = [&console, options] { return runTour(*options, console); };
     });
 }

@@ -143,10 +143,14 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     Result<Script> script = scriptOf(options);
     if (!script)
         return tl::unexpected(script.error());
-    for (const std::string& output : {options.screenshot, options.record})
-        if (Result<void> writable = output.empty() ? Result<void>{} : output::checkWritable(output);
-            !writable)
-            return tl::unexpected(writable.error());
+    if (Result<void> writable =
+            options.screenshot.empty() ? Result<void>{} : output::checkPictureWritable(options.screenshot);
+        !writable)
+        return tl::unexpected(writable.error());
+    if (Result<void> writable =
+            options.record.empty() ? Result<void>{} : output::checkWritable(options.record);
+        !writable)
+        return tl::unexpected(writable.error());
     if (Result<void> made =
             options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
         !made)
@@ -202,7 +206,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("DIR")
         ->group("View");
     verb->add_option("--screenshot", options->screenshot,
-                     "write the last frame as PNG; needs --frames (none)")
+                     "write the last frame to this picture file; needs --frames (none)")
         ->type_name("FILE")
         ->group("Scripts");
     verb->add_option("--record", options->record,

@@ -68,20 +68,27 @@ Picture pictureOfVerdicts(std::uint32_t width, std::uint32_t height, const check
     return picture;
 }
 
-Picture pictureOfFinding(const check::FindingPicture& finding) {
+FindingPanels panelsOfFinding(const check::FindingPicture& finding) {
     const std::uint32_t width = finding.drawn.width, height = finding.drawn.height;
     const std::uint32_t factor = std::max(1u, kPanelWidth / std::max(1u, width));
-    Picture drawn =
+    FindingPanels panels;
+    panels.drawn =
         enlarged(finding.drawn.samples.empty() ? pictureOfIds(width, height, finding.drawn.ids)
                                                : pictureFromRgba(width, height, finding.drawn.colour),
                  factor);
-    drawOutlines(drawn, finding.drawn.outlines);
-    Picture all(3 * width * factor + 2 * kGap, height * factor, {255, 255, 255});
-    paste(all, drawn, 0);
-    paste(all, enlarged(pictureOfIds(width, height, tracedIds(finding.traced)), factor),
-          width * factor + kGap);
-    paste(all, enlarged(pictureOfVerdicts(width, height, finding.comparison), factor),
-          2 * (width * factor + kGap));
+    drawOutlines(panels.drawn, finding.drawn.outlines);
+    panels.traced = enlarged(pictureOfIds(width, height, tracedIds(finding.traced)), factor);
+    panels.verdicts = enlarged(pictureOfVerdicts(width, height, finding.comparison), factor);
+    return panels;
+}
+
+Picture pictureOfFinding(const check::FindingPicture& finding) {
+    const FindingPanels panels = panelsOfFinding(finding);
+    const std::uint32_t width = panels.drawn.width;
+    Picture all(3 * width + 2 * kGap, panels.drawn.height, {255, 255, 255});
+    paste(all, panels.drawn, 0);
+    paste(all, panels.traced, width + kGap);
+    paste(all, panels.verdicts, 2 * (width + kGap));
     return all;
 }
 

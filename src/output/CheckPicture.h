@@ -11,8 +11,14 @@ namespace limen::output {
 [[nodiscard]] Picture pictureOfVerdicts(std::uint32_t width, std::uint32_t height,
                                         const check::Comparison& comparison);
 
-/// One picture of a finding, with three panels: the drawn ids with the visits outlined, the traced ids, and
-/// the verdicts. Small pictures are enlarged by an integer factor.
+/// The panels of a finding: the drawn ids with the visits outlined, the traced ids, and the verdicts. Small
+/// pictures are enlarged by an integer factor.
+struct FindingPanels {
+    Picture drawn, traced, verdicts;
+};
+[[nodiscard]] FindingPanels panelsOfFinding(const check::FindingPicture& finding);
+
+/// One picture of a finding, with its three panels beside each other.
 [[nodiscard]] Picture pictureOfFinding(const check::FindingPicture& finding);
 
 } // namespace limen::output

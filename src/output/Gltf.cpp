@@ -1,6 +1,6 @@
 #include "output/Gltf.h"
 
-#include "output/Picture.h"
+#include "output/Encode.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,7 @@
 #include "output/OutputFile.h"
 
 #include "core/Interrupt.h"
+#include "output/Encode.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -107,6 +108,12 @@ bool writeAll(int fd, std::span<const std::byte> bytes) {
     return true;
 }
 
+Result<PictureFormat> formatFor(const fs::path& path) {
+    if (!path.empty() && isDeviceOrPipe(target(path)))
+        return PictureFormat::Png;
+    return pictureFormatOf(path);
+}
+
 } // namespace
 
 Result<void> checkWritable(const fs::path& path) {
@@ -146,11 +153,19 @@ Result<void> writeFile(const fs::path& path, std::string_view text) {
     return writeFile(path, std::as_bytes(std::span(text)));
 }
 
+Result<void> checkPictureWritable(const fs::path& path) {
+    const Result<PictureFormat> format = formatFor(path);
+    return format ? checkWritable(path) : tl::unexpected(format.error());
+}
+
 Result<void> writePicture(const fs::path& path, const Picture& picture) {
-    const Result<std::vector<std::byte>> png = encodePng(picture);
-    if (!png)
-        return tl::unexpected(png.error());
-    return writeFile(path, *png);
+    const Result<PictureFormat> format = formatFor(path);
+    if (!format)
+        return tl::unexpected(format.error());
+    const Result<std::vector<std::byte>> bytes = encodePicture(picture, *format);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    return writeFile(path, *bytes);
 }
 
 Result<void> makeDirectory(const fs::path& path) {

@@ -19,7 +19,12 @@ namespace limen::output {
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view text);
 
-/// Writes a picture as PNG. Errors: as writeFile; no pixels.
+/// Tests whether a picture can be written at `path`. Errors: an ending that names no picture format; as
+/// checkWritable.
+[[nodiscard]] Result<void> checkPictureWritable(const std::filesystem::path& path);
+
+/// Writes a picture in the format that the file name's ending selects; pipes and devices get PNG. Errors: an
+/// ending that names no picture format; as writeFile; those of the encoder.
 [[nodiscard]] Result<void> writePicture(const std::filesystem::path& path, const Picture& picture);
 
 /// Makes a directory and its parents if they are missing. Errors: it cannot be made; a file has that name.

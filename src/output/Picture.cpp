@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fmt/format.h>
-#include <png.h>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -36,39 +34,6 @@ Picture pictureFromRgba(std::uint32_t width, std::uint32_t height, std::span<con
     for (std::size_t pixel = 0; pixel < rgba.size() / 4; ++pixel)
         std::copy_n(&rgba[pixel * 4], 3, &picture.rgb[pixel * 3]);
     return picture;
-}
-
-namespace {
-
-Result<std::vector<std::byte>> encodeAs(png_uint_32 format, std::uint32_t width, std::uint32_t height,
-                                        std::span<const std::uint8_t> pixels) {
-    if (pixels.empty())
-        return fail(ErrorCode::BadArgument, "PNG", "a picture without pixels cannot be encoded");
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = width;
-    image.height = height;
-    image.format = format;
-    image.flags = PNG_IMAGE_FLAG_FAST;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-    std::vector<std::byte> bytes(size);
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
-        return fail(ErrorCode::Unsupported, "PNG",
-                    fmt::format("the picture cannot be encoded: {}", image.message));
-    bytes.resize(size);
-    return bytes;
-}
-
-} // namespace
-
-Result<std::vector<std::byte>> encodePng(const Picture& picture) {
-    return encodeAs(PNG_FORMAT_RGB, picture.width, picture.height, picture.rgb);
-}
-
-Result<std::vector<std::byte>> encodePng(std::uint32_t width, std::uint32_t height,
-                                         std::span<const std::uint8_t> rgba) {
-    LIMEN_ASSERT(rgba.size() == static_cast<std::size_t>(width) * height * 4, "four bytes a pixel");
-    return encodeAs(PNG_FORMAT_RGBA, width, height, rgba);
 }
 
 Picture shrunkToFit(const Picture& picture, std::uint32_t maxWidth, std::uint32_t maxHeight) {

@@ -32,13 +32,6 @@ struct Picture {
 [[nodiscard]] Picture pictureFromRgba(std::uint32_t width, std::uint32_t height,
                                       std::span<const std::uint8_t> rgba);
 
-/// Encodes a picture as PNG, RGB with 8 bits a channel. Errors: no pixels; out of memory.
-[[nodiscard]] Result<std::vector<std::byte>> encodePng(const Picture& picture);
-/// Encodes R, G, B, A bytes as PNG with alpha, not premultiplied. Requires rgba.size() == width*height*4.
-/// Errors: no pixels; out of memory.
-[[nodiscard]] Result<std::vector<std::byte>> encodePng(std::uint32_t width, std::uint32_t height,
-                                                       std::span<const std::uint8_t> rgba);
-
 /// Reduces a picture to fit into a box, with the same proportions. Each pixel is the mean of those it covers.
 /// A picture that fits already stays as it is.
 [[nodiscard]] Picture shrunkToFit(const Picture& picture, std::uint32_t maxWidth, std::uint32_t maxHeight);

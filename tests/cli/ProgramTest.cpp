@@ -326,7 +326,17 @@ TEST(Program, refusesOutputsThatCannotBeWrittenBeforeItDraws) {
         expectRefusal(runner, {"shot", "--at", "hill", option, ""});
     }
     expectRefusal(runner, {"shot", "--at", "hill", "-o", "a", "--ids", "./a"});
+    for (const char* option : {"-o", "--overlay"}) {
+        expectRefusal(runner, {"shot", "--at", "hill", option, "picture.bmp"}, ".webp");
+        expectRefusal(runner, {"shot", "--at", "hill", option, "picture"}, ".jpeg");
+    }
     expectRefusal(runner, {"tour", "-o", "/proc/tour"});
+    expectRefusal(runner, {"tour", "--report", "/proc/tour"});
+    expectRefusal(runner, {"check", "--report", "/proc/check"});
+    expectRefusal(runner, {"tour"}, "--report");
+    expectRefusal(runner, {"tour", "--film", "film.avi"}, ".webm");
+    expectRefusal(runner, {"tour", "-o", "t", "--at", "lane"}, "--turn-table");
+    expectRefusal(runner, {"tour", "-o", "t", "--format", "bmp"}, "bmp");
     expectRefusal(runner, {"demo", "/proc/demo"});
     EXPECT_EQ(runner.work().entryCount(), before);
 }

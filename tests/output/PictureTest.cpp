@@ -3,36 +3,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <png.h>
 
 namespace limen::output {
 namespace {
-
-Picture readPng(const std::vector<std::byte>& bytes) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
-    image.format = PNG_FORMAT_RGB;
-    Picture picture(image.width, image.height);
-    EXPECT_NE(png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr), 0);
-    return picture;
-}
-
-TEST(Picture, pngReadsBackPixelForPixel) {
-    Picture picture(5, 3);
-    for (std::size_t i = 0; i < picture.rgb.size(); ++i)
-        picture.rgb[i] = static_cast<std::uint8_t>(i * 37);
-    const auto png = encodePng(picture);
-    ASSERT_TRUE(png);
-    const Picture read = readPng(*png);
-    EXPECT_EQ(read.width, 5u);
-    EXPECT_EQ(read.height, 3u);
-    EXPECT_EQ(read.rgb, picture.rgb);
-}
-
-TEST(Picture, pngWithoutPixelsIsRefused) {
-    EXPECT_FALSE(encodePng(Picture{}));
-}
 
 TEST(Picture, shrinkingTakesTheMeanAndKeepsProportions) {
     Picture picture(8, 4, {10, 20, 30});

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+// The files of src/output/report/assets, embedded by the build.
+namespace limen::output::assets {
+
+extern const std::string_view kStyleCss, kCommonJs, kPlotJs, kGraphJs, kTourJs, kTourHtml, kCheckHtml;
+
+} // namespace limen::output::assets
