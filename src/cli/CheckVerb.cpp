@@ -379,7 +379,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("DIR");
     verb->add_option("--format", options->format, "set the format of these pictures (png)")
         ->type_name("png|jpg|webp")
-        ->check(CLI::IsMember({"png", "jpg", "webp"}));
+        ->check(oneOf({"png", "jpg", "webp"}));
     verb->add_option(
             "--report", options->report,
             "write index.html, one page with totals, findings and pictures, to this directory (none)")
