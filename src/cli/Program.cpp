@@ -52,6 +52,7 @@ Exit runProgram(int argc, const char* const* argv, const Console& console) {
     addProbeVerb(program, console, choice);
     addWalkVerb(program, console, choice);
     addCheckVerb(program, console, choice);
+    addMapVerb(program, console, choice);
     addDatVerb(program, console, choice);
     addDemoVerb(program, console, choice);
     addBenchVerb(program, console, choice);
