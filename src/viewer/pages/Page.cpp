@@ -31,7 +31,7 @@ Page backFrom(const PageState& state) {
     case Page::Photo:
         return state.hasWorld ? Page::World : Page::Menu;
     default:
-        return Page::Menu;
+        return state.hasWorld && state.isFromWorld ? Page::World : Page::Menu;
     }
 }
 
@@ -65,6 +65,7 @@ PageState after(PageState state, const PageEvent& event) {
             return state;
         if (event.page != Page::Open)
             state.error.clear();
+        state.isFromWorld = state.page == Page::World;
         state.page = event.page;
         return state;
     case PageEvent::Kind::Begin:
