@@ -41,7 +41,8 @@ public:
         return read({centre, options_.load});
     }
     [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(const PartTarget& target,
-                                                            unsigned threads = 1) const;
+                                                            unsigned threads = 1,
+                                                            world::LoadProgress* progress = nullptr) const;
     /// Uploads a part that was read and draws it from now on. On an error the old part stays.
     [[nodiscard]] Result<void> show(std::unique_ptr<PartPlanner> part) {
         return pipeline_.show(std::move(part));

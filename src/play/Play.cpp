@@ -73,6 +73,9 @@ void Play::act(const PlayAct& act) {
             act.value < static_cast<double>(session_.part().world.sky.desc.dayGroups.size()))
             request_.scene.dayGroup = static_cast<std::uint32_t>(act.value);
         return;
+    case PlayActKind::Fov:
+        request_.camera.fovDegrees = std::clamp(act.value, 1.0, 170.0);
+        return;
     case PlayActKind::Place:
         goTo(static_cast<std::size_t>(std::max(act.value, 0.0)));
         return;

@@ -127,11 +127,11 @@ TEST(LandscapeMap, roadsAreLinesAlongTheirVertices) {
 TEST(LandscapeMap, buildingsAreFootprintsAndTurnWithTheirFrames) {
     TestWorld world;
     world.setFlatTerrain(world.home(), 0);
-    const auto house = world.addBox({-9, -3, 0}, {9, 3, 4});
+    const auto house = world.addBox({93, 80, 0}, {99, 112, 4});
     TestWorld::BuildingOptions turned;
     turned.frame = test::frameAt({96, 96, 0}, 90);
-    const auto door = world.openOutside(house, test::rectangle({-1, -3, 0}, {1, -3, 2}));
-    world.addBuilding(test::boxExterior({-20, -4, 0}, {20, 4, 5}), {door}, turned);
+    const auto door = world.openOutside(house, test::rectangle({95, 80, 0}, {97, 80, 2}));
+    world.addBuilding(test::boxExterior({92, 80, 0}, {100, 116, 5}), {door}, turned);
     const Result<LandscapeMap> map = Files(world).paint(64); // 3 m a texel
     ASSERT_TRUE(map) << map.error().message();
     const auto at = [&](double x, double y) {
@@ -144,7 +144,7 @@ TEST(LandscapeMap, buildingsAreFootprintsAndTurnWithTheirFrames) {
     EXPECT_FALSE(map->find(world.home())->isDungeon());
     const Result<LandscapeMap> coarse = Files(world).paint(8);
     ASSERT_TRUE(coarse);
-    EXPECT_NE(*coarse->colourAt(Vec2(world.home().x, world.home().y) * 192.0 + Vec2(97, 97)),
+    EXPECT_NE(*coarse->colourAt(Vec2(world.home().x, world.home().y) * 192.0 + Vec2(97, 100)),
               *coarse->colourAt(Vec2(world.home().x, world.home().y) * 192.0 + Vec2(20, 20)))
         << "a building narrower than a texel is still there";
 }
@@ -173,17 +173,28 @@ TEST(LandscapeMap, damagedAndMissingRecordsAreDarkAndCounted) {
     EXPECT_NE(colourAt(*map, 0x20 + 0.5, 0x30 + 0.5), kNoGround);
 }
 
-TEST(LandscapeMap, aWorldWithoutRegionIsAnErrorIfItHasGround) {
-    TestWorld world;
+TEST(LandscapeMap, dungeonsAreNoLandscapeAndDoNotWidenTheMap) {
+    TestWorld world({0x20, 0x30});
     world.setFlatTerrain(world.home(), 0);
-    world.omitRegion();
-    EXPECT_FALSE(Files(world).paint());
+    TestWorld::CellOptions far;
+    far.block = dat::BlockCoord{0x02, 0x05};
+    world.addBox({0, 0, -10}, {4, 4, -7}, "grey", far);
+    const Result<LandscapeMap> map = Files(world).paint();
+    ASSERT_TRUE(map) << map.error().message();
+    EXPECT_EQ(std::tuple(map->left, map->bottom, map->columns, map->rows), std::tuple(0x20, 0x30, 1, 1));
+    ASSERT_NE(map->find({0x02, 0x05}), nullptr);
+    EXPECT_TRUE(map->find({0x02, 0x05})->isDungeon());
+    EXPECT_FALSE(map->find({0x02, 0x05})->hasGround);
+}
+
+TEST(LandscapeMap, aWorldWithoutRegionHasNoGround) {
     TestWorld dungeon;
     dungeon.addBox({0, 0, 0}, {4, 4, 3});
     dungeon.omitRegion();
     const Result<LandscapeMap> map = Files(dungeon).paint();
     ASSERT_TRUE(map) << map.error().message();
-    ASSERT_NE(map->find(dungeon.home()), nullptr);
+    EXPECT_EQ(map->columns, 1);
+    EXPECT_EQ(colourAt(*map, dungeon.home().x + 0.5, dungeon.home().y + 0.5), kDungeonBlock);
     EXPECT_TRUE(map->find(dungeon.home())->isDungeon());
 }
 

@@ -15,8 +15,8 @@ class Archive;
 
 namespace limen::engine {
 
-/// A picture of the landscape from above: north is up, west is left. It covers the smallest rectangle of
-/// landblocks that holds all blocks of the data.
+/// A picture of the landscape from above: north is up, west is left. It covers the smallest rectangle that
+/// holds all landblocks with landscape; in data without landscape, all blocks.
 struct LandscapeMap {
     /// The content of a landblock.
     struct Block {
@@ -49,7 +49,8 @@ struct LandscapeMap {
 };
 
 inline constexpr int kLeastMapScale = 8, kMostMapScale = 64;
-/// The colour of blocks without ground.
+/// The colours of blocks without ground: those that hold nothing, and dungeons.
 inline constexpr std::array<std::uint8_t, 3> kNoGround{18, 20, 24};
+inline constexpr std::array<std::uint8_t, 3> kDungeonBlock{58, 52, 66};
 
 } // namespace limen::engine

@@ -1,7 +1,7 @@
 #include "engine/map/MapPainter.h"
 
 #include "core/Assert.h"
-#include "world/Nearby.h"
+#include "world/block/BlockReader.h"
 #include "world/terrain/Terrain.h"
 
 #include <algorithm>
@@ -76,12 +76,17 @@ bool contains(const Footprint& shape, const Vec2& point) {
     return isLeft || isRight;
 }
 
-void fitRectangle(LandscapeMap& map) {
+/// Around the blocks for which `counts` is true; around all if there are none.
+template <class Counts>
+void fitRectangle(LandscapeMap& map, Counts counts) {
     if (map.blocks.empty())
         return;
+    const bool hasAny = std::any_of(map.blocks.begin(), map.blocks.end(), counts);
     int right = 0, top = 0;
     map.left = map.bottom = world::kMapSize;
     for (const LandscapeMap::Block& block : map.blocks) {
+        if (hasAny && !counts(block))
+            continue;
         map.left = std::min(map.left, block.coord.x);
         map.bottom = std::min(map.bottom, block.coord.y);
         right = std::max(right, block.coord.x);
@@ -89,6 +94,15 @@ void fitRectangle(LandscapeMap& map) {
     }
     map.columns = right - map.left + 1;
     map.rows = top - map.bottom + 1;
+}
+
+/// Whether a block has cells, and no building that leads into them.
+bool isDungeonOf(const dat::Archive& archive, const LandscapeMap::Block& block,
+                 const std::optional<dat::Entry>& info) {
+    if (block.cells == 0 || !info)
+        return block.cells > 0;
+    const auto record = archive.load<dat::LandBlockInfo>(info->id);
+    return record && record->buildings.empty();
 }
 
 void fillDark(LandscapeMap& map) {
@@ -140,10 +154,15 @@ Result<MapPainter> MapPainter::begin(const dat::Archive& archive, int scale) {
         hasGround = hasGround || at.entries.ground.has_value();
         entries.push_back(std::move(at.entries));
     }
-    fitRectangle(map);
+    // A small world may have dungeons far away from its landscape, at the edge of the map.
+    std::map<std::pair<int, int>, bool> lands;
+    for (std::size_t i = 0; i < map.blocks.size(); ++i)
+        lands[{map.blocks[i].coord.x, map.blocks[i].coord.y}] =
+            entries[i].ground && !isDungeonOf(archive, map.blocks[i], entries[i].info);
+    fitRectangle(map, [&](const LandscapeMap::Block& block) { return lands[{block.coord.x, block.coord.y}]; });
     fillDark(map);
     std::optional<dat::Region> region;
-    if (hasGround) {
+    if (hasGround && archive.contains<dat::Region>(dat::kRegionId)) {
         Result<dat::Region> loaded = archive.load<dat::Region>(dat::kRegionId);
         if (!loaded)
             return tl::unexpected(loaded.error());
@@ -164,26 +183,37 @@ std::optional<Record> MapPainter::read(const dat::Entry& entry) {
 
 void MapPainter::paint(std::size_t count) {
     const std::size_t end = std::min(map_.blocks.size(), next_ + count);
-    for (; next_ < end; ++next_) {
-        LandscapeMap::Block& block = map_.blocks[next_];
-        const Entries& entries = entries_[next_];
-        if (entries.ground)
-            if (const std::optional<dat::LandBlock> ground = read<dat::LandBlock>(*entries.ground)) {
-                block.hasGround = true;
-                paintGround(block, *ground);
-            }
-        if (!entries.info)
-            continue;
-        const std::optional<dat::LandBlockInfo> info = read<dat::LandBlockInfo>(*entries.info);
-        if (!info)
-            continue;
-        block.buildings = static_cast<std::uint32_t>(info->buildings.size());
-        for (const dat::Building& building : info->buildings)
-            if (const std::optional<Footprint> footprint = footprints_.of(building))
-                paintBuilding(block, *footprint);
-    }
+    for (; next_ < end; ++next_)
+        paintBlock(map_.blocks[next_], entries_[next_]);
     if (isDone())
         archive_->letPagesGo();
+}
+
+void MapPainter::paintBlock(LandscapeMap::Block& block, const Entries& entries) {
+    const auto info = entries.info ? read<dat::LandBlockInfo>(*entries.info) : std::nullopt;
+    const auto ground = entries.ground && region_ ? read<dat::LandBlock>(*entries.ground) : std::nullopt;
+    if (ground && !world::isPureDungeon(*ground, info ? &*info : nullptr)) {
+        block.hasGround = true;
+        paintGround(block, *ground);
+    } else if (block.cells > 0) {
+        paintDungeon(block);
+    }
+    if (!info)
+        return;
+    block.buildings = static_cast<std::uint32_t>(info->buildings.size());
+    for (const dat::Building& building : info->buildings)
+        if (const std::optional<Footprint> footprint = footprints_.of(building))
+            paintBuilding(block, *footprint);
+}
+
+/// A dungeon has no ground; its block is a little lighter than the void.
+void MapPainter::paintDungeon(const LandscapeMap::Block& block) {
+    const Vec3f colour(light_.linear(kDungeonBlock[0]), light_.linear(kDungeonBlock[1]),
+                       light_.linear(kDungeonBlock[2]));
+    for (int x = 0; x < map_.scale; ++x)
+        for (int y = 0; y < map_.scale; ++y)
+            blend((block.coord.x - map_.left) * map_.scale + x, (block.coord.y - map_.bottom) * map_.scale + y,
+                  colour, 1.0f);
 }
 
 void MapPainter::blend(int x, int y, const Vec3f& linear, float share) {

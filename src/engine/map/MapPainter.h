@@ -15,8 +15,8 @@ namespace limen::engine {
 /// damaged leaves its block dark.
 class MapPainter {
 public:
-    /// Lists the blocks of the data. The archive must outlive it. Errors: the cell file's index is damaged; the
-    /// data has blocks with ground, and the Region cannot be read. `scale`: kLeastMapScale..kMostMapScale.
+    /// Lists the blocks of the data. The archive must outlive it. Errors: the cell file's index is damaged; there
+    /// is a Region that cannot be read. Without a Region no block has ground. `scale`: kLeastMapScale..kMostMapScale.
     [[nodiscard]] static Result<MapPainter> begin(const dat::Archive& archive, int scale = kLeastMapScale);
 
     [[nodiscard]] const LandscapeMap& map() const { return map_; }
@@ -35,6 +35,8 @@ private:
                std::optional<dat::Region> region);
     template <class Record>
     [[nodiscard]] std::optional<Record> read(const dat::Entry& entry);
+    void paintBlock(LandscapeMap::Block& block, const Entries& entries);
+    void paintDungeon(const LandscapeMap::Block& block);
     void paintGround(const LandscapeMap::Block& block, const dat::LandBlock& ground);
     void paintBuilding(const LandscapeMap::Block& block, const Footprint& footprint);
     void blend(int x, int y, const Vec3f& linear, float share);

@@ -27,9 +27,10 @@ struct LargePictureOptions {
 [[nodiscard]] std::uint64_t bytesOfLargePicture(PixelSize size, const LargePictureOptions& options,
                                                 std::uint32_t samples);
 
-/// A picture being drawn. Each call of `drawNext` draws one tile, so that a window can show progress. The
-/// union of the tiles equals the picture in one piece, byte for byte: all tiles are drawn from the plan of the
-/// whole picture, and shaders compute with positions in the whole picture. The loaded part must stay the same.
+/// A picture being drawn. Each call of `drawNext` draws one tile, so that a window can show progress. All
+/// tiles are drawn from the plan of the whole picture, and shaders compute with positions in the whole picture:
+/// tiles join without a seam. The union of the tiles equals the picture in one piece, up to the rounding of the
+/// driver's interpolation (TilesGlTest). The loaded part must stay the same.
 class LargePicture {
 public:
     /// `request`: with the size of the finished picture in pixels. Errors: as checkLargePicture; Driver.

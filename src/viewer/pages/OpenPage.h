@@ -21,7 +21,8 @@ private:
     std::array<char, 4096> text_{}; ///< as the user typed it
     std::string listed_;            ///< the text that `entries_` belongs to
     std::vector<std::string> entries_;
-    bool movesCursor_ = false; ///< put the cursor behind the new text
+    bool isWorld_ = false;     ///< `listed_` looks like the directory of a world
+    bool movesCursor_ = false; ///< give the field the focus, behind the new text
 };
 
 } // namespace limen::viewer

@@ -14,8 +14,8 @@ constexpr std::array<PageFacts, kPages> kPageFacts{{
     {.name = "open", .title = "Open a world", .pausesWorld = true, .isInMainMenu = true},
     {.name = "loading", .title = "Loading", .pausesWorld = true},
     {.name = "places", .title = "Places", .pausesWorld = true, .needsWorld = true, .isInMainMenu = true},
-    {.name = "map", .title = "Map", .pausesWorld = true, .needsWorld = true},
-    {.name = "photo", .title = "Photo mode", .needsWorld = true},
+    {.name = "map", .title = "Map", .pausesWorld = true, .needsWorld = true, .isInMainMenu = true},
+    {.name = "photo", .title = "Photo mode", .pausesWorld = true, .needsWorld = true, .isInMainMenu = true},
     {.name = "graphics", .title = "Graphics", .pausesWorld = true, .isInMainMenu = true},
     {.name = "controls", .title = "Controls", .pausesWorld = true, .isInMainMenu = true},
     {.name = "about", .title = "About", .pausesWorld = true, .isInMainMenu = true},
@@ -31,7 +31,7 @@ Page backFrom(const PageState& state) {
     case Page::Photo:
         return state.hasWorld ? Page::World : Page::Menu;
     default:
-        return Page::Menu;
+        return state.hasWorld && state.isFromWorld ? Page::World : Page::Menu;
     }
 }
 
@@ -65,6 +65,7 @@ PageState after(PageState state, const PageEvent& event) {
             return state;
         if (event.page != Page::Open)
             state.error.clear();
+        state.isFromWorld = state.page == Page::World;
         state.page = event.page;
         return state;
     case PageEvent::Kind::Begin:

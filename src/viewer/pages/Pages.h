@@ -29,7 +29,7 @@ struct PagesFacts {
     std::span<const std::filesystem::path> gameDirectories; ///< found on this computer
     std::span<const world::Place> places;                   ///< of the shown world
     std::string worldName;                                  ///< of the shown world; empty: none
-    std::string driver, fontNote;                           ///< for the About page
+    std::string version, driver, fontNote;                  ///< for the About page
     bool hasGamepad = false;
 };
 

@@ -22,7 +22,7 @@ public:
     void begin() { items_.clear(); }
     [[nodiscard]] const std::vector<UiItem>& items() const { return items_; }
 
-    /// Records the control that was drawn last.
+    /// Records the control that was drawn last, if its centre is on the screen.
     void note(std::string_view name);
     /// A button. `width` 0: as wide as its label; below 0: the rest of the line.
     bool button(const char* label, float width = 0.0f);
@@ -49,6 +49,9 @@ void uiNote(std::string_view text);
 void uiHeading(std::string_view text);
 /// A tooltip for the control that was drawn last.
 void uiHint(std::string_view text);
+
+/// Whether a text contains another one. Letters of either case count as equal.
+[[nodiscard]] bool containsText(std::string_view text, std::string_view part);
 
 /// The size of a page's window.
 struct PageBox {

@@ -128,6 +128,8 @@ PhotoChoice drawPhotoPage(Ui& ui, const PhotoFacts& facts) {
         choosePicture(ui, facts, choice.settings);
     }
     drawTake(ui, facts, choice);
+    if (!facts.fault.empty())
+        uiNote(facts.fault);
     if (!facts.saved.empty())
         uiNote("Saved: " + facts.saved);
     choice.isBack = ui.button("Leave photo mode", -1.0f);

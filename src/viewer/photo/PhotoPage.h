@@ -20,6 +20,7 @@ struct PhotoFacts {
     double progress = 0.0;               ///< of the picture that is being taken
     bool isBusy = false;                 ///< a picture is being taken
     std::string saved;                   ///< full path of the last picture; empty: none
+    std::string fault;                   ///< the reason why there is no picture; empty: none
     std::string takeKeys;                ///< the keys that take a picture, as text
 };
 

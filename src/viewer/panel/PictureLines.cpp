@@ -1,9 +1,10 @@
 #include "output/RegionOverlay.h"
-#include "viewer/PanelParts.h"
+#include "viewer/panel/PanelParts.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
-// The panel's drawings over the picture.
+// Drawings over the picture.
 namespace limen::viewer::panel {
 namespace {
 
@@ -48,31 +49,29 @@ void drawPortals(const PanelFacts& facts) {
     for (const PortalLine& line : portalLines(facts.world, facts.portals, view)) {
         const bool isSeen = line.fate >= visibility::PortalFate::LeadsNowhere;
         list->AddLine(screenPoint(line.from), screenPoint(line.to),
-                      inkOf(colourOf(line.fate), isSeen ? 255 : 150), scaled(isSeen ? 3.0f : 1.5f));
+                      inkOf(colourOf(line.fate), isSeen ? 255 : 150), uiLength(isSeen ? 3.0f : 1.5f));
     }
 }
 
-constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
-                                   ImGuiWindowFlags_NoFocusOnAppearing;
-
-/// Draws a line of text, centred horizontally, at a share of the window's height.
-void drawBanner(const char* name, const std::string& text, float height, float pivot) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x * 0.5f, size.y * height}, ImGuiCond_Always, {0.5f, pivot});
-    ImGui::SetNextWindowBgAlpha(0.6f);
+/// Draws a line of text, centred horizontally, at a distance from the upper or the lower edge.
+void drawBanner(const char* name, const std::string& text, bool isAtTop) {
+    constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const float gap = uiLength(isAtTop ? 16.0f : 110.0f);
+    ImGui::SetNextWindowPos({room.x * 0.5f, isAtTop ? gap : std::max(room.y - gap, room.y * 0.55f)},
+                            ImGuiCond_Always, {0.5f, isAtTop ? 0.0f : 1.0f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {room.x - uiLength(24.0f), room.y});
+    ImGui::SetNextWindowBgAlpha(0.78f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::Begin(name, nullptr, kBare);
+    const float most = room.x - uiLength(60.0f);
+    ImGui::PushTextWrapPos(ImGui::CalcTextSize(text.c_str()).x > most ? most : -1.0f);
     line(text);
+    ImGui::PopTextWrapPos();
     ImGui::End();
-}
-
-/// Shows near the bottom edge that the use key opens or closes the door in reach.
-void drawDoor(const PanelFacts& facts) {
-    if (facts.door != nullptr)
-        drawBanner("Door",
-                   fmt::format("{}   {} the door", keysText(facts.bindings, Action::Use),
-                               facts.doorOpens ? "close" : "open"),
-                   0.96f, 1.0f);
+    ImGui::PopStyleVar();
 }
 
 } // namespace
@@ -85,12 +84,17 @@ void drawLines(const PanelFacts& facts, const OverlaySwitches& switches) {
         drawPyramids(*facts.frozen, facts.request);
 }
 
-void drawBanners(const PanelFacts& facts, const OverlaySwitches& switches) {
-    drawDoor(facts);
-    if (!facts.notice.empty())
-        drawBanner("Notice", std::string(facts.notice), 0.04f, 0.0f);
-    if (facts.greets && !switches.help)
-        drawBanner("Greeting", greeting(facts.bindings), 0.9f, 1.0f);
+void drawDoor(const PanelFacts& facts) {
+    if (facts.door != nullptr)
+        drawBanner("##door",
+                   fmt::format("{}   {} the door", keysText(facts.bindings, Action::Use),
+                               facts.doorOpens ? "close" : "open"),
+                   false);
+}
+
+void drawNotice(const std::string& text) {
+    if (!text.empty())
+        drawBanner("##notice", text, true);
 }
 
 } // namespace limen::viewer::panel

@@ -1,13 +1,12 @@
-#include "engine/DayGroup.h"
 #include "engine/report/VisitTree.h"
-#include "viewer/PanelParts.h"
+#include "viewer/panel/PanelParts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-// The panel, section by section.
+// The part of the panel for developers, section by section.
 namespace limen::viewer::panel {
 namespace {
 
@@ -18,7 +17,7 @@ std::string windowText(const TimeWindow& window) {
 }
 
 void drawStages(const PanelFacts& facts) {
-    if (!ImGui::BeginTable("stages", 4))
+    if (!ImGui::BeginTable("stages", 4, ImGuiTableFlags_BordersInnerH))
         return;
     for (const char* heading : {"stage", "draws", "CPU ms, p95", "GPU ms, p95"})
         ImGui::TableSetupColumn(heading);
@@ -35,19 +34,6 @@ void drawStages(const PanelFacts& facts) {
     ImGui::EndTable();
 }
 
-/// Plots the frame times of the last seconds, from 0 to twice the p95.
-void drawFrameTimes(const TimeWindow& frame) {
-    if (frame.count() == 0)
-        return;
-    const auto value = [](void* window, int index) {
-        return static_cast<float>(
-            static_cast<const TimeWindow*>(window)->value(static_cast<std::size_t>(index)));
-    };
-    // ImGui passes the pointer back unchanged, but its parameter is not const.
-    ImGui::PlotLines("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()), 0,
-                     nullptr, 0.0f, static_cast<float>(2.0 * frame.p95()), {-1.0f, 40.0f});
-}
-
 /// The state of movement: flying, or the body's space and footing.
 std::string footingOf(const PanelFacts& facts) {
     if (facts.body == nullptr)
@@ -61,80 +47,34 @@ std::string footingOf(const PanelFacts& facts) {
 
 void drawFigures(const PanelFacts& facts) {
     const engine::Camera& camera = facts.request.camera;
-    const TimeWindow& frame = facts.times.frame;
-    line(fmt::format("{:.1f} ms a frame, p95 {:.1f} ms", frame.median(), frame.p95()));
-    drawFrameTimes(frame);
+    if (!ImGui::CollapsingHeader("Frame", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
     line(fmt::format("root {}", engine::spaceName(facts.world, facts.request.root)));
+    uiHint("The space that contains the eye. The flood of visibility starts here.");
     line(footingOf(facts));
     line(fmt::format("eye {:.2f} {:.2f} {:.2f}", camera.eye.x, camera.eye.y, camera.eye.z));
     line(fmt::format("yaw {:.1f} pitch {:.1f}", camera.heading.yaw, camera.heading.pitch));
     line(fmt::format("{} visits, {} cells seen", facts.visible.visits.size(),
                      engine::cellsSeen(facts.world, facts.visible).size()));
+    uiHint("A visit is a space seen through one chain of portals. A cell can be visited several times.");
     if (facts.visible.counts.visitsCut > 0)
         line(fmt::format("{} visits LEFT OUT: budget", facts.visible.counts.visitsCut));
     line(fmt::format("{} drawn, {} culled, {} triangles", facts.plan.counts.instancesDrawn,
                      facts.plan.counts.instancesCulled, facts.plan.counts.triangles));
+    uiHint("Instances inside and outside of the frustums of their visits, and triangles sent to the graphics card.");
     line(fmt::format("flood {:.3f} ms, plan {:.3f} ms, {} GL calls", facts.figures.floodMs,
                      facts.figures.planMs, facts.figures.glCalls));
+    uiHint("Processor time of visibility and of the draw plan, and calls of the driver in this frame.");
     const gpu::DeviceObjects& resident = facts.figures.resident;
     line(fmt::format("{} textures, {} handles, {:.0f} MiB of buffers", resident.textures,
                      resident.residentHandles, static_cast<double>(resident.bufferBytes) / (1 << 20)));
     line(fmt::format("ring {:.1f} MiB, {} stalls, {:.1f} KiB this frame",
                      static_cast<double>(resident.ringBytes) / (1 << 20), facts.figures.ringStalls,
                      static_cast<double>(facts.figures.bytesWritten) / 1024.0));
+    uiHint("Memory for the data of each frame; a stall is a wait for the graphics card.");
     if (!facts.figures.trouble.empty())
         line("culling disabled after a driver fault: " + facts.figures.trouble);
     drawStages(facts);
-}
-
-void drawQuality(PanelChoice& choice) {
-    const char* name = choice.quality ? engine::kQualities[*choice.quality].name : "custom";
-    if (!ImGui::BeginCombo("quality", name))
-        return;
-    for (std::size_t i = 0; i < engine::kQualities.size(); ++i)
-        if (ImGui::Selectable(engine::kQualities[i].name, choice.quality == i))
-            choice.quality = i;
-    ImGui::EndCombo();
-}
-
-void drawDay(const dat::SkyDesc& sky, PanelChoice& choice) {
-    if (sky.dayGroups.size() < 2 || choice.dayGroup >= sky.dayGroups.size())
-        return;
-    if (!ImGui::BeginCombo("day", engine::dayGroupLabel(sky, choice.dayGroup).c_str()))
-        return;
-    for (std::uint32_t group = 0; group < sky.dayGroups.size(); ++group) {
-        ImGui::PushID(static_cast<int>(group));
-        if (ImGui::Selectable(engine::dayGroupLabel(sky, group).c_str(), choice.dayGroup == group))
-            choice.dayGroup = group;
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
-}
-
-void drawControls(const dat::SkyDesc& sky, PanelChoice& choice) {
-    if (!ImGui::CollapsingHeader("World", ImGuiTreeNodeFlags_DefaultOpen))
-        return;
-    float hours = static_cast<float>(choice.time * 24.0);
-    if (ImGui::SliderFloat("time", &hours, 0.0f, 24.0f, "%.1f h"))
-        choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
-    drawDay(sky, choice);
-    bool rain = choice.weather == engine::Weather::Rain;
-    if (ImGui::Checkbox("rain", &rain))
-        choice.weather = rain ? engine::Weather::Rain : engine::Weather::Clear;
-    drawQuality(choice);
-    int doors = choice.doors ? 1 : 0;
-    ImGui::RadioButton("doors individually", &doors, 0);
-    ImGui::SameLine();
-    ImGui::RadioButton("all doors", &doors, 1);
-    if (doors == 0) {
-        choice.doors.reset();
-        return;
-    }
-    choice.doors = choice.doors.value_or(0.0);
-    float open = static_cast<float>(100.0 * *choice.doors);
-    if (ImGui::SliderFloat("open", &open, 0.0f, 100.0f,
-                           "%.0f %%")) // untouched, swinging doors keep their exact value
-        choice.doors = std::clamp(static_cast<double>(open) / 100.0, 0.0, 1.0);
 }
 
 /// Draws a visit and its descendants. Returns the first visit after them. `hovered` is set to the visit under
@@ -168,6 +108,7 @@ std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isSho
 void drawVisits(const PanelFacts& facts) {
     if (facts.visible.visits.empty() || !ImGui::CollapsingHeader("Visits", ImGuiTreeNodeFlags_DefaultOpen))
         return;
+    uiHint("The tree of portals by which each space is seen. Point at a visit to see its region.");
     int hovered = -1;
     drawVisit(facts, 0, true, hovered);
     if (hovered < 0)
@@ -231,7 +172,7 @@ void drawResidency(const ResidencyMap& map) {
         return;
     line(fmt::format("{} blocks, {} with terrain, {} cells, {} building portals", map.loaded, map.terrains,
                      map.cells, map.buildingPortals));
-    const float size = scaled(16.0f), gap = scaled(2.0f);
+    const float size = uiLength(16.0f), gap = uiLength(2.0f);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImDrawList* list = ImGui::GetWindowDrawList();
     for (int i = 0; i < map.side * map.side; ++i) {
@@ -285,32 +226,9 @@ void drawFindings(std::span<const world::Finding> findings) {
         line(fmt::format("and {} more", findings.size() - kMost));
 }
 
-int drawPlaces(std::span<const world::Place> places) {
-    int clicked = -1;
-    if (!places.empty() && ImGui::CollapsingHeader("Places")) {
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const std::string label =
-                i < 9 ? fmt::format("{}  {}", i + 1, places[i].name) : fmt::format("   {}", places[i].name);
-            if (ImGui::Selectable(label.c_str()))
-                clicked = static_cast<int>(i);
-        }
-    }
-    return clicked;
-}
-
 } // namespace
 
-PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
-    ImGui::SetNextWindowPos({scaled(8.0f), scaled(8.0f)}, ImGuiCond_FirstUseEver);
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
-    const ImVec2 most{std::max(room.x - scaled(16.0f), 1.0f), std::max(room.y - scaled(16.0f), 1.0f)};
-    ImGui::SetNextWindowSizeConstraints({std::min(scaled(330.0f), most.x), 0.0f}, most);
-    ImGui::SetNextWindowBgAlpha(0.75f);
-    const std::string title =
-        fmt::format("Limen ({} for help)###panel", keysText(facts.bindings, Action::Help));
-    ImGui::Begin(title.c_str(), nullptr,
-                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    drawControls(facts.world.sky.desc, choice);
+void drawDeveloperPart(Ui&, const PanelFacts& facts) {
     drawFigures(facts);
     drawVerdict(facts.verdict);
     drawPicked(facts.picked);
@@ -318,13 +236,10 @@ PanelChoice drawPanel(const PanelFacts& facts, PanelChoice choice) {
     drawPortalList(facts);
     drawResidency(facts.residency);
     drawFindings(facts.world.findings);
-    choice.place = drawPlaces(facts.places);
     if (ImGui::CollapsingHeader("Driver")) {
-        line(facts.figures.driver);
-        line(facts.figures.textures);
+        uiText(facts.figures.driver);
+        uiText(facts.figures.textures);
     }
-    ImGui::End();
-    return choice;
 }
 
 } // namespace limen::viewer::panel

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer/PortalTraces.h"
+#include "viewer/inspect/PortalTraces.h"
 #include "visibility/VisibleSet.h"
 
 #include <vector>

@@ -1,4 +1,4 @@
-#include "viewer/PortalTraces.h"
+#include "viewer/inspect/PortalTraces.h"
 
 #include "engine/Projection.h"
 #include "engine/report/IdTable.h"

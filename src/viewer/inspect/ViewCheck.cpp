@@ -1,4 +1,4 @@
-#include "viewer/ViewCheck.h"
+#include "viewer/inspect/ViewCheck.h"
 
 #include "engine/CheckDrawer.h"
 #include "output/TracedFrame.h"
