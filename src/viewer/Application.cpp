@@ -144,6 +144,7 @@ Result<void> Application::frameWorld() {
     const bool isPaused = factsOf(pages_.page).pausesWorld;
     WorldInput input{.held = window_.held(),
                      .size = window_.size(),
+                     .clicked = {},
                      .seconds = options_.step > 0.0 ? options_.step : frameSeconds_,
                      .now = lastSeconds_,
                      .frameSeconds = frameSeconds_,

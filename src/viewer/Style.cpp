@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ImVec4 rgba(int hex, float opacity = 1.0f) {
+ImVec4 rgba(int hex, float opacity = 1.0f) {
     return {static_cast<float>(hex >> 16 & 255) / 255.0f, static_cast<float>(hex >> 8 & 255) / 255.0f,
             static_cast<float>(hex & 255) / 255.0f, opacity};
 }

@@ -6,12 +6,12 @@
 namespace limen::viewer {
 namespace {
 
-using Kind = PageEvent::Kind;
+using On = PageEvent::Kind;
 
 PageState inWorld() {
     PageState state;
-    state = after(state, {Kind::Begin, Page::Loading, "somewhere"});
-    return after(state, {Kind::Loaded, Page::World, {}});
+    state = after(state, {On::Begin, Page::Loading, "somewhere"});
+    return after(state, {On::Loaded, Page::World, {}});
 }
 
 TEST(Page, escapeOpensTheMenuAndClosesIt) {
@@ -25,39 +25,39 @@ TEST(Page, escapeOpensTheMenuAndClosesIt) {
 }
 
 TEST(Page, backLeadsWhereThePageWasOpened) {
-    PageState fromWorld = after(inWorld(), {Kind::Go, Page::Controls, {}});
+    PageState fromWorld = after(inWorld(), {On::Go, Page::Controls, {}});
     EXPECT_EQ(after(fromWorld, {}).page, Page::World);
-    PageState fromMenu = after(after(inWorld(), {}), {Kind::Go, Page::Controls, {}});
+    PageState fromMenu = after(after(inWorld(), {}), {On::Go, Page::Controls, {}});
     EXPECT_EQ(after(fromMenu, {}).page, Page::Menu);
 }
 
 TEST(Page, withoutAWorldThereIsNoWayIntoIt) {
     PageState state;
     for (const Page page : {Page::World, Page::Places, Page::Map, Page::Photo})
-        EXPECT_EQ(after(state, {Kind::Go, page, {}}), state);
-    state = after(state, {Kind::Go, Page::Menu, {}});
+        EXPECT_EQ(after(state, {On::Go, page, {}}), state);
+    state = after(state, {On::Go, Page::Menu, {}});
     EXPECT_EQ(after(state, {}).page, Page::Menu); // Escape cannot close it
 }
 
 TEST(Page, aWorldThatFailsToOpenLeadsBackWithTheReason) {
-    PageState state = after(inWorld(), {Kind::Begin, Page::Loading, "/bad"});
+    PageState state = after(inWorld(), {On::Begin, Page::Loading, "/bad"});
     EXPECT_EQ(state.page, Page::Loading);
-    state = after(state, {Kind::Failed, Page::Open, "no such directory"});
+    state = after(state, {On::Failed, Page::Open, "no such directory"});
     EXPECT_EQ(state.page, Page::Open);
     EXPECT_EQ(state.error, "no such directory");
     EXPECT_TRUE(state.hasWorld); // the old world stays
-    state = after(state, {Kind::Begin, Page::Loading, "/good"});
+    state = after(state, {On::Begin, Page::Loading, "/good"});
     EXPECT_EQ(state.error, "");
 }
 
 TEST(Page, aResultAfterACancelChangesNothing) {
-    for (const PageEvent cancel : {PageEvent{}, PageEvent{Kind::Cancelled, Page::World, {}}}) {
-        PageState state = after(PageState{}, {Kind::Begin, Page::Loading, "/slow"});
-        EXPECT_EQ(after(state, {Kind::Go, Page::Menu, {}}), state); // no way past a world that loads
+    for (const PageEvent& cancel : {PageEvent{}, PageEvent{On::Cancelled, Page::World, {}}}) {
+        PageState state = after(PageState{}, {On::Begin, Page::Loading, "/slow"});
+        EXPECT_EQ(after(state, {On::Go, Page::Menu, {}}), state); // no way past a world that loads
         state = after(state, cancel);
         EXPECT_EQ(state.page, Page::Open);
-        EXPECT_EQ(after(state, {Kind::Loaded, Page::World, {}}), state);
-        EXPECT_EQ(after(state, {Kind::Failed, Page::World, "late"}), state);
+        EXPECT_EQ(after(state, {On::Loaded, Page::World, {}}), state);
+        EXPECT_EQ(after(state, {On::Failed, Page::World, "late"}), state);
     }
 }
 

@@ -12,11 +12,11 @@ import unittest
 import zlib
 
 
-def start_server():
+def start_server(screen="800x600x24"):
     """An Xvfb that chooses a free display itself."""
     read, write = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", screen, "-nolisten", "tcp"],
         pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(write)
     with os.fdopen(read) as pipe:
@@ -180,10 +180,11 @@ class Followed:
 
 class WindowTest(unittest.TestCase):
     program = cache = None
+    screen = "800x600x24"
 
     @classmethod
     def setUpClass(cls):
-        cls.server, cls.display = start_server()
+        cls.server, cls.display = start_server(cls.screen)
 
     @classmethod
     def tearDownClass(cls):

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <imgui.h>
 
 namespace limen::viewer {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <imgui.h>
 
 namespace limen::viewer {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <imgui.h>
 
 // The pages of settings: graphics, and controls with the key bindings.
 namespace limen::viewer {

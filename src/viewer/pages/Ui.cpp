@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <imgui.h>
 
 namespace limen::viewer {
 namespace {
@@ -56,6 +57,10 @@ bool Ui::selectable(const char* label, bool isSelected) {
     const bool isPressed = ImGui::Selectable(label, isSelected);
     note(label);
     return isPressed;
+}
+
+float uiLength(float length) {
+    return length * ImGui::GetFontSize() / kLetterSize;
 }
 
 void uiText(std::string_view text) {

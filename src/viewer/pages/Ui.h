@@ -1,6 +1,5 @@
 #pragma once
 
-#include <imgui.h>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +36,7 @@ private:
 };
 
 /// Scales a length designed for letters of 16 units to the current font.
-[[nodiscard]] inline float uiLength(float length) {
-    return length * ImGui::GetFontSize() / 16.0f;
-}
+[[nodiscard]] float uiLength(float length);
 
 /// Text as it is: no format characters.
 void uiText(std::string_view text);

@@ -158,7 +158,7 @@ void drawBlockHint(const ResidentBlock& block) {
     ImGui::EndTooltip();
 }
 
-ImU32 inkOf(const ResidentBlock& block) {
+ImU32 blockInk(const ResidentBlock& block) {
     if (block.state == ResidentBlock::State::Absent)
         return IM_COL32(50, 50, 50, 255);
     if (block.cells == 0)
@@ -180,7 +180,7 @@ void drawResidency(const ResidencyMap& map) {
         const ImVec2 from(corner.x + static_cast<float>(i % map.side) * size,
                           corner.y + static_cast<float>(i / map.side) * size);
         const ImVec2 to(from.x + size - gap, from.y + size - gap);
-        list->AddRectFilled(from, to, inkOf(block));
+        list->AddRectFilled(from, to, blockInk(block));
         if (block.holdsEye)
             list->AddRect(from, to, IM_COL32(255, 255, 255, 255), 0.0f, 0, gap);
         if (block.holdsPlayer)
