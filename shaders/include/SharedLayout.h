@@ -167,7 +167,8 @@ LIMEN_STRUCT(DeviceConstants) {
     uint firstRun LIMEN_ZERO;         // DrawRun
     uint slotCount LIMEN_ZERO;
     uint firstOccludee LIMEN_ZERO; // slots from here on are culled against the draws of those before
-    uint windowOrigin LIMEN_ZERO; // of a tile: its lower left corner in the whole picture, pixels; x | y << 16
+    uint windowOrigin
+        LIMEN_ZERO; // of a tile: its lower left corner in the whole picture, pixels; x | y << 16
 };
 
 // The two, one behind the other, so that each has one writer.

@@ -20,15 +20,18 @@ struct MapArguments {
 };
 
 /// The line that reports the written map: size, extent in landblocks and in map coordinates.
-std::string mapLine(const engine::LandscapeMap& map, const output::Picture& picture, const std::string& file) {
+std::string mapLine(const engine::LandscapeMap& map, const output::Picture& picture,
+                    const std::string& file) {
     std::size_t grounds = 0;
     for (const engine::LandscapeMap::Block& block : map.blocks)
         grounds += block.hasGround ? 1 : 0;
     const std::string damaged =
-        map.damaged > 0 ? fmt::format("; {} records could not be read: see limen dat verify", map.damaged) : "";
-    return fmt::format("{} was written: {}x{} pixels, {} landblocks with ground of {:02X}{:02X} to {:02X}{:02X}{}", file,
-                       picture.width, picture.height, grounds, map.left, map.bottom, map.left + map.columns - 1,
-                       map.bottom + map.rows - 1, damaged);
+        map.damaged > 0 ? fmt::format("; {} records could not be read: see limen dat verify", map.damaged)
+                        : "";
+    return fmt::format(
+        "{} was written: {}x{} pixels, {} landblocks with ground of {:02X}{:02X} to {:02X}{:02X}{}", file,
+        picture.width, picture.height, grounds, map.left, map.bottom, map.left + map.columns - 1,
+        map.bottom + map.rows - 1, damaged);
 }
 
 Result<output::Picture> drawMap(const MapArguments& arguments, const engine::WorldSource& source,
@@ -44,7 +47,8 @@ Result<output::Picture> drawMap(const MapArguments& arguments, const engine::Wor
         picture = output::shrunkToFit(picture, box->width, box->height);
     }
     if (arguments.labels)
-        output::drawPlaces(picture, map, source.file.places, static_cast<double>(picture.width) / map.width());
+        output::drawPlaces(picture, map, source.file.places,
+                           static_cast<double>(picture.width) / map.width());
     return picture;
 }
 
@@ -92,9 +96,10 @@ void addMapVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--labels", arguments->labels, "write the names of places on the map");
     verb->add_option("-o,--output", arguments->output, "write the picture to this file (map.png)")
         ->type_name("FILE");
-    verb->footer("North is up. The map shows the smallest rectangle around all landblocks of the data; blocks "
-                 "without ground are dark.\nNeeds no OpenGL.\n"
-                 "Example: limen map --dat ~/ac --labels -o map.png");
+    verb->footer(
+        "North is up. The map shows the smallest rectangle around all landblocks of the data; blocks "
+        "without ground are dark.\nNeeds no OpenGL.\n"
+        "Example: limen map --dat ~/ac --labels -o map.png");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runMap(*arguments, console); };
     });

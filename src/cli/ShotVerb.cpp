@@ -27,7 +27,7 @@ struct ShotOptions {
     ViewArguments view;
     OutputPaths outputs;
     std::string views;
-    bool reference = false; ///< trace instead of drawing
+    bool reference = false;        ///< trace instead of drawing
     std::uint32_t supersample = 1; ///< samples along a pixel's side
 };
 
@@ -137,8 +137,7 @@ Result<void> shoot(engine::Session& session, const ListedView& listed, std::uint
     const bool measure = !outputs.ids.empty() || !outputs.depth.empty() || !outputs.json.empty();
     const bool paint = !outputs.frame.empty() || !outputs.overlay.empty() || !measure;
     if (paint) {
-        if (Result<void> written = writePictures(session, *request, outputs, supersample, console);
-            !written)
+        if (Result<void> written = writePictures(session, *request, outputs, supersample, console); !written)
             return written;
     }
     return measure ? writeMeasurements(session, *request, outputs) : Result<void>{};
@@ -269,9 +268,10 @@ Result<void> checkSupersampling(const ShotOptions& options, const std::vector<Li
                     "the reference traces one ray a pixel; leave out --supersample or --reference");
     for (const ListedView& view : views) {
         if (!view.outputs.ids.empty() || !view.outputs.depth.empty())
-            return fail(ErrorCode::BadArgument, "--supersample",
-                        "ids and depth have one value a pixel and cannot be filtered; write them in a run without "
-                        "--supersample");
+            return fail(
+                ErrorCode::BadArgument, "--supersample",
+                "ids and depth have one value a pixel and cannot be filtered; write them in a run without "
+                "--supersample");
         if (Result<void> fits = engine::checkLargePicture(view.view.size, options.supersample); !fits)
             return fits;
     }
@@ -313,8 +313,7 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         if (const std::string findings = engine::findingsLine(session.part().world);
             first && !findings.empty())
             console.note(findings);
-        if (Result<void> shot = shoot(session, (*views)[i], options.supersample, console);
-            !shot)
+        if (Result<void> shot = shoot(session, (*views)[i], options.supersample, console); !shot)
             return tl::unexpected(shot.error());
         progress.step(++done);
     }
@@ -337,9 +336,10 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
                    "trace rays on the CPU by the ray rule instead of drawing; the picture has one colour per "
                    "id, the JSON lists the cells in which rays end and has no visits or stages")
         ->group("Output");
-    verb->add_option("--supersample", options->supersample,
-                     "draw N x N samples a pixel and filter them in linear light, 1 to 8; the picture's longer side "
-                     "times N can be 16384 (1)")
+    verb->add_option(
+            "--supersample", options->supersample,
+            "draw N x N samples a pixel and filter them in linear light, 1 to 8; the picture's longer side "
+            "times N can be 16384 (1)")
         ->type_name("N")
         ->check(CLI::Range(1u, engine::kMostSupersampling))
         ->group("Output");

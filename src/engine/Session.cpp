@@ -162,10 +162,10 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
     if (!target)
         return tl::unexpected(target.error());
     shown_ = *target;
-    return drawInto(
-        **target, request,
-        {.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit, .highlights = options.highlights},
-        {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
+    return drawInto(**target, request,
+                    {.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit,
+                     .highlights = options.highlights},
+                    {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
 }
 
 Result<gpu::RenderTarget> Session::makeTile(std::uint32_t width, std::uint32_t height) {

@@ -101,8 +101,8 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
         target.options().samples > 0 || culling_ == Culling::None || indices > kLargestCapacity;
     drawsStaticIndices_ = drawsStaticIndices_ || failures_ >= kMostFailures || !isMade(reserve(indices));
     firstOccludee_ = slotCount_;
-    usesOcclusion_ = culling_ == Culling::Hidden && options.occlusion && !drawsStaticIndices_ && !target.isTile() &&
-                     isMade(tiles_.prepare(target.width(), target.height()));
+    usesOcclusion_ = culling_ == Culling::Hidden && options.occlusion && !drawsStaticIndices_ &&
+                     !target.isTile() && isMade(tiles_.prepare(target.width(), target.height()));
     if (usesOcclusion_) {
         if (plan.firstOccludee < firstSlots_.size())
             firstOccludee_ = firstSlots_[plan.firstOccludee];

@@ -27,8 +27,8 @@ Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, s
 
 RenderTarget::RenderTarget(RenderTarget&& other) noexcept
     : device_(other.device_), handle_(std::exchange(other.handle_, TargetHandle::Invalid)),
-      width_(other.width_), height_(other.height_), options_(other.options_),
-      tile_(other.tile_), samples_(std::move(other.samples_)) {}
+      width_(other.width_), height_(other.height_), options_(other.options_), tile_(other.tile_),
+      samples_(std::move(other.samples_)) {}
 
 RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
     std::swap(device_, other.device_);

@@ -7,11 +7,12 @@ namespace {
 
 constexpr Rgb kInk{255, 255, 255}, kOutline{0, 0, 0};
 
-void drawOutlined(Picture& picture, std::int64_t x, std::int64_t y, std::uint32_t scale, const std::string& text) {
+void drawOutlined(Picture& picture, std::int64_t x, std::int64_t y, std::uint32_t scale,
+                  const std::string& text) {
     for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
         if (x + dx >= 0 && y + dy >= 0)
-            drawText(picture, static_cast<std::uint32_t>(x + dx), static_cast<std::uint32_t>(y + dy), scale, text,
-                     kOutline);
+            drawText(picture, static_cast<std::uint32_t>(x + dx), static_cast<std::uint32_t>(y + dy), scale,
+                     text, kOutline);
     drawText(picture, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), scale, text, kInk);
 }
 
@@ -46,11 +47,13 @@ void drawPlaces(Picture& picture, const engine::LandscapeMap& map, std::span<con
         const double width = letter * static_cast<double>(places[at.place].name.size());
         const double gap = 4.0 * scale;
         const bool isLeft = pixel.x + gap + width > picture.width && pixel.x - gap - width >= 0.0;
-        boxes.push_back({isLeft ? pixel.x - gap - width : pixel.x + gap, std::max(1.0, pixel.y - line / 2), width, line});
+        boxes.push_back(
+            {isLeft ? pixel.x - gap - width : pixel.x + gap, std::max(1.0, pixel.y - line / 2), width, line});
         named.push_back(at.place);
     }
     for (const std::size_t i : engine::labelsWithoutOverlap(boxes))
-        drawOutlined(picture, std::llround(boxes[i].x), std::llround(boxes[i].y), scale, places[named[i]].name);
+        drawOutlined(picture, std::llround(boxes[i].x), std::llround(boxes[i].y), scale,
+                     places[named[i]].name);
 }
 
 } // namespace limen::output

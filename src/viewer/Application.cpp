@@ -191,7 +191,8 @@ void Application::drawOverlay() {
                            .rebinding = rebinding_,
                            .loading = loading,
                            .gameDirectories = options_.gameDirectories,
-                           .places = world_ ? std::span(world_->session().source().file.places) : std::span(none),
+                           .places =
+                               world_ ? std::span(world_->session().source().file.places) : std::span(none),
                            .worldName = world_ ? nameOfWorld(directory_) : std::string(),
                            .version = options_.version,
                            .driver = world_ ? world_->session().driver() : std::string(),
@@ -202,8 +203,8 @@ void Application::drawOverlay() {
         drawMap();
     else if (photo_)
         drawPhoto();
-    hintOpacity_ = world_ && pages_.page == Page::World && !world_->switches().panel ? hintOpacity(hintSeconds_)
-                                                                                    : 0.0;
+    hintOpacity_ =
+        world_ && pages_.page == Page::World && !world_->switches().panel ? hintOpacity(hintSeconds_) : 0.0;
     drawHintBar(hints(keys_.bindings, settings_.mouse == MouseMode::Capture), hintOpacity_);
     panel::drawNotice(noticeText());
     overlay_.end();

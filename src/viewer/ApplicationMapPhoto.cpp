@@ -34,9 +34,8 @@ void Application::present() {
 
 void Application::drawPhoto() {
     const std::string keys = "Enter or " + keysText(keys_.bindings, Action::Screenshot);
-    const bool leaves = photo_->drawOverlay(ui_, keys, options_.screenshots, [this](const auto& request) {
-        return world_->commandOf(request);
-    });
+    const bool leaves = photo_->drawOverlay(
+        ui_, keys, options_.screenshots, [this](const auto& request) { return world_->commandOf(request); });
     if (leaves)
         go({PageEvent::Kind::Go, Page::World, {}});
 }

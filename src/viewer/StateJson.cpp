@@ -68,37 +68,37 @@ nlohmann::ordered_json pageJson(const Application& application) {
 nlohmann::ordered_json worldJson(const WorldView& view) {
     const engine::FrameRequest& request = view.request();
     const engine::Session& session = view.session();
-    return {        {"eye", {request.camera.eye.x, request.camera.eye.y, request.camera.eye.z}},
-        {"yaw", request.camera.heading.yaw},
-        {"pitch", request.camera.heading.pitch},
-        {"root", engine::spaceName(session.part().world, request.root)},
-        {"seconds", request.scene.seconds},
-        {"time", request.scene.time},
-        {"day", request.scene.dayGroup},
-        {"weather", request.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
-        {"doors", request.scene.doors ? nlohmann::ordered_json(*request.scene.doors)
-                                      : nlohmann::ordered_json(nullptr)},
-        {"open_doors", view.openDoors()},
-        {"visits", session.visible().visits.size()},
-        {"overlays",
-         {{"ids", view.switches().ids},
-          {"depth", view.switches().depth},
-          {"regions", view.switches().regions},
-          {"portals", view.switches().portals},
-          {"panel", view.switches().panel}}},
-        {"walking", view.walk().isOn()},
-        {"chased", view.walk().isChased()},
-        {"frozen_visits", view.frozenVisits()},
-        {"portals", fatesJson(view.portals())},
-        {"body", output::bodyJson(session.part().world, request.scene.body)},
-        {"on_ground", view.walk().isOn() && view.walk().body().isOnGround},
-        {"picked", pickedJson(view.picked())},
-        {"checked", verdictJson(view.verdict())},
-        {"distance", view.walk().distance()},
-        {"loaded", {session.part().target.centre.x, session.part().target.centre.y}},
-        {"going_to", view.goingTo()},
-        {"door", view.doorInReach()},
-        {"gl_calls", session.figures().glCalls}};
+    return {{"eye", {request.camera.eye.x, request.camera.eye.y, request.camera.eye.z}},
+            {"yaw", request.camera.heading.yaw},
+            {"pitch", request.camera.heading.pitch},
+            {"root", engine::spaceName(session.part().world, request.root)},
+            {"seconds", request.scene.seconds},
+            {"time", request.scene.time},
+            {"day", request.scene.dayGroup},
+            {"weather", request.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
+            {"doors", request.scene.doors ? nlohmann::ordered_json(*request.scene.doors)
+                                          : nlohmann::ordered_json(nullptr)},
+            {"open_doors", view.openDoors()},
+            {"visits", session.visible().visits.size()},
+            {"overlays",
+             {{"ids", view.switches().ids},
+              {"depth", view.switches().depth},
+              {"regions", view.switches().regions},
+              {"portals", view.switches().portals},
+              {"panel", view.switches().panel}}},
+            {"walking", view.walk().isOn()},
+            {"chased", view.walk().isChased()},
+            {"frozen_visits", view.frozenVisits()},
+            {"portals", fatesJson(view.portals())},
+            {"body", output::bodyJson(session.part().world, request.scene.body)},
+            {"on_ground", view.walk().isOn() && view.walk().body().isOnGround},
+            {"picked", pickedJson(view.picked())},
+            {"checked", verdictJson(view.verdict())},
+            {"distance", view.walk().distance()},
+            {"loaded", {session.part().target.centre.x, session.part().target.centre.y}},
+            {"going_to", view.goingTo()},
+            {"door", view.doorInReach()},
+            {"gl_calls", session.figures().glCalls}};
 }
 
 /// The map page: its view, and whether all blocks are painted.
@@ -115,10 +115,14 @@ nlohmann::ordered_json photoJson(const PhotoView* photo) {
     const PhotoSettings& settings = photo->mode().settings();
     const engine::FrameRequest picture = photo->mode().picture(photo->window());
     const Vec3& eye = picture.camera.eye;
-    return {{"eye", {eye.x, eye.y, eye.z}},   {"time", settings.time},
-            {"fov", settings.fov},            {"size", {picture.size.width, picture.size.height}},
-            {"supersample", settings.supersample}, {"busy", photo->isBusy()},
-            {"saved", photo->saved()},        {"fault", photo->fault()}};
+    return {{"eye", {eye.x, eye.y, eye.z}},
+            {"time", settings.time},
+            {"fov", settings.fov},
+            {"size", {picture.size.width, picture.size.height}},
+            {"supersample", settings.supersample},
+            {"busy", photo->isBusy()},
+            {"saved", photo->saved()},
+            {"fault", photo->fault()}};
 }
 
 } // namespace

@@ -7,8 +7,8 @@
 #include "viewer/WindowGeometry.h"
 
 #include <cstdint>
-#include <memory>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>

@@ -44,9 +44,10 @@ TEST(Map, writesTheLandscapeAndSaysWhatItWrote) {
 
 TEST(Map, wrongUsesAreRefusedInALine) {
     const ProgramRunner runner;
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"map", "--scale", "7"}, {"map", "--size", "20"}, {"map", "--dat", "none"},
-          {"map", "-o", "none/map.png"}}) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"map", "--scale", "7"},
+                                                      {"map", "--size", "20"},
+                                                      {"map", "--dat", "none"},
+                                                      {"map", "-o", "none/map.png"}}) {
         const ProgramRun run = runner.run(arguments);
         EXPECT_EQ(run.exit, 2) << arguments[1];
         EXPECT_EQ(run.errorLines(), 1u) << run.err;

@@ -73,8 +73,8 @@ TEST(LandscapeMap, flatGroundHasTheMeanColourOfItsTexture) {
     world.portalFile().add(checks);
     world.portalFile().add(texture);
     world.region().texMerge.textures.front().texture = texture.id;
-    world.setFlatTerrain(world.home(), 3, static_cast<std::uint8_t>(
-                                              world.region().texMerge.textures.front().terrainType));
+    world.setFlatTerrain(world.home(), 3,
+                         static_cast<std::uint8_t>(world.region().texMerge.textures.front().terrainType));
     const Result<LandscapeMap> map = Files(world).paint();
     ASSERT_TRUE(map) << map.error().message();
     // Black and white texels: the mean light is 1/2, which sRGB encodes as 188.

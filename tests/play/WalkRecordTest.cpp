@@ -67,7 +67,8 @@ TEST(WalkRecord, aPointOfTheMapHasTwoNumbers) {
     const Result<WalkRecord> walk = parseWalk(beginningLine("") + frameLine(frame), "w");
     ASSERT_TRUE(walk) << walk.error().message();
     EXPECT_EQ(walk->frames[0].input.acts, frame.input.acts);
-    for (const char* acts : {R"([["go",1]])", R"([["go",1,"2"]])", R"([["go",1,2,3]])", R"([["time",0.5,1]])"})
+    for (const char* acts :
+         {R"([["go",1]])", R"([["go",1,"2"]])", R"([["go",1,2,3]])", R"([["time",0.5,1]])"})
         EXPECT_FALSE(parseWalk(beginningLine("") + R"({"size":[4,4],"acts":)" + acts + "}\n", "w")) << acts;
 }
 

@@ -27,9 +27,9 @@ struct LandscapeMap {
         [[nodiscard]] bool isDungeon() const { return cells > 0 && buildings == 0; }
     };
 
-    int left = 0, bottom = 0;  ///< the south-west landblock
-    int columns = 0, rows = 0; ///< in landblocks; 0: the data has no landblock
-    int scale = 8;             ///< texels along a block's side
+    int left = 0, bottom = 0;      ///< the south-west landblock
+    int columns = 0, rows = 0;     ///< in landblocks; 0: the data has no landblock
+    int scale = 8;                 ///< texels along a block's side
     std::vector<std::uint8_t> rgb; ///< sRGB bytes, width() x height(), top row first
     std::vector<Block> blocks;     ///< blocks of the data, ascending by (x, y)
     std::uint32_t damaged = 0;     ///< records that could not be read; their blocks are dark

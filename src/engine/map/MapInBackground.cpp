@@ -38,7 +38,7 @@ void MapInBackground::publish(std::shared_ptr<const LandscapeMap> map) {
 
 void MapInBackground::paint(const WorldSource& source) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::size_t kStep = 64;                    ///< blocks
+    constexpr std::size_t kStep = 64;                         ///< blocks
     constexpr auto kBetween = std::chrono::milliseconds(300); ///< between partial maps, which are copies
     Result<MapPainter> painter = MapPainter::begin(source.archive);
     if (!painter) {

@@ -12,8 +12,8 @@
 namespace limen::engine {
 namespace {
 
-constexpr float kRoadHalfWidth = 5.0f;           ///< metres; wider than in the data, to be seen
-const Vec3f kRoofLinear(0.20f, 0.055f, 0.035f);  ///< a brick red that no terrain has
+constexpr float kRoadHalfWidth = 5.0f;          ///< metres; wider than in the data, to be seen
+const Vec3f kRoofLinear(0.20f, 0.055f, 0.035f); ///< a brick red that no terrain has
 constexpr float kLandcell = static_cast<float>(world::kLandcellSize);
 
 /// Light on a slope in proportion to that on level ground. `slope`: metres a metre, towards east and north.
@@ -159,7 +159,9 @@ Result<MapPainter> MapPainter::begin(const dat::Archive& archive, int scale) {
     for (std::size_t i = 0; i < map.blocks.size(); ++i)
         lands[{map.blocks[i].coord.x, map.blocks[i].coord.y}] =
             entries[i].ground && !isDungeonOf(archive, map.blocks[i], entries[i].info);
-    fitRectangle(map, [&](const LandscapeMap::Block& block) { return lands[{block.coord.x, block.coord.y}]; });
+    fitRectangle(map, [&](const LandscapeMap::Block& block) {
+        return lands[{block.coord.x, block.coord.y}];
+    });
     fillDark(map);
     std::optional<dat::Region> region;
     if (hasGround && archive.contains<dat::Region>(dat::kRegionId)) {
@@ -212,8 +214,8 @@ void MapPainter::paintDungeon(const LandscapeMap::Block& block) {
                        light_.linear(kDungeonBlock[2]));
     for (int x = 0; x < map_.scale; ++x)
         for (int y = 0; y < map_.scale; ++y)
-            blend((block.coord.x - map_.left) * map_.scale + x, (block.coord.y - map_.bottom) * map_.scale + y,
-                  colour, 1.0f);
+            blend((block.coord.x - map_.left) * map_.scale + x,
+                  (block.coord.y - map_.bottom) * map_.scale + y, colour, 1.0f);
 }
 
 void MapPainter::blend(int x, int y, const Vec3f& linear, float share) {
@@ -240,7 +242,8 @@ void MapPainter::paintGround(const LandscapeMap::Block& block, const dat::LandBl
     const int bottom = (block.coord.y - map_.bottom) * map_.scale;
     for (int x = 0; x < map_.scale; ++x) {
         for (int y = 0; y < map_.scale; ++y) {
-            const float east = (static_cast<float>(x) + 0.5f) * cells, north = (static_cast<float>(y) + 0.5f) * cells;
+            const float east = (static_cast<float>(x) + 0.5f) * cells,
+                        north = (static_cast<float>(y) + 0.5f) * cells;
             const int cellX = static_cast<int>(east), cellY = static_cast<int>(north);
             CellValues cell{ground.corners(cellX, cellY), {}};
             for (std::size_t i = 0; i < 4; ++i) {
@@ -277,7 +280,8 @@ void MapPainter::paintBuilding(const LandscapeMap::Block& block, const Footprint
         }
     }
     if (!isPainted)
-        blend(static_cast<int>(std::floor(middle.x)), static_cast<int>(std::floor(middle.y)), kRoofLinear, 0.7f);
+        blend(static_cast<int>(std::floor(middle.x)), static_cast<int>(std::floor(middle.y)), kRoofLinear,
+              0.7f);
 }
 
 Result<LandscapeMap> paintMap(const dat::Archive& archive, int scale,

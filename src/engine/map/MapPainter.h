@@ -53,7 +53,8 @@ private:
 };
 
 /// Paints a whole map. Errors: MapPainter::begin's.
-[[nodiscard]] Result<LandscapeMap> paintMap(const dat::Archive& archive, int scale = kLeastMapScale,
-                                            const std::function<void(std::size_t, std::size_t)>& progress = {});
+[[nodiscard]] Result<LandscapeMap>
+paintMap(const dat::Archive& archive, int scale = kLeastMapScale,
+         const std::function<void(std::size_t, std::size_t)>& progress = {});
 
 } // namespace limen::engine

@@ -35,9 +35,8 @@ std::vector<std::size_t> labelsWithoutOverlap(std::span<const LabelBox> boxes) {
 }
 
 bool matchesName(const std::string& name, const std::string& text) {
-    return std::search(name.begin(), name.end(), text.begin(), text.end(), [](char a, char b) {
-               return lowerCase(a) == lowerCase(b);
-           }) != name.end();
+    return std::search(name.begin(), name.end(), text.begin(), text.end(),
+                       [](char a, char b) { return lowerCase(a) == lowerCase(b); }) != name.end();
 }
 
 } // namespace limen::engine

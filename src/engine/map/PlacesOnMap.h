@@ -13,9 +13,11 @@ namespace limen::engine {
 struct PlaceOnMap {
     std::size_t place = 0; ///< index of the world's places
     Vec2 point{0.0};       ///< global metres
-    bool isDungeon = false; ///< in a block without buildings and without a way to the landscape: not on the map
+    bool isDungeon =
+        false; ///< in a block without buildings and without a way to the landscape: not on the map
 };
-[[nodiscard]] std::vector<PlaceOnMap> placesOnMap(std::span<const world::Place> places, const LandscapeMap& map);
+[[nodiscard]] std::vector<PlaceOnMap> placesOnMap(std::span<const world::Place> places,
+                                                  const LandscapeMap& map);
 
 /// A box in pixels.
 struct LabelBox {

@@ -15,7 +15,8 @@ Vec3f meanOf(const world::Image& image, const LinearMean& light) {
     const std::size_t texels = image.rgba.size() / 4;
     for (std::size_t i = 0; i < texels; ++i)
         for (int channel = 0; channel < 3; ++channel)
-            sum[channel] += static_cast<double>(light.linear(image.rgba[i * 4 + static_cast<std::size_t>(channel)]));
+            sum[channel] +=
+                static_cast<double>(light.linear(image.rgba[i * 4 + static_cast<std::size_t>(channel)]));
     return texels > 0 ? Vec3f(sum / static_cast<double>(texels)) : Vec3f(0.0f);
 }
 
@@ -33,8 +34,8 @@ TerrainColours terrainColours(const dat::Archive& archive, const dat::Region& re
     TerrainColours colours;
     for (std::size_t i = 0; i < kTerrainTypes; ++i)
         colours.linear[i] = i < region.terrainTypes.size() ? linearOf(region.terrainTypes[i].colour, light)
-                            : i == kRoadColour            ? Vec3f(0.25f, 0.2f, 0.15f)
-                                                          : Vec3f(0.05f, 0.08f, 0.04f);
+                            : i == kRoadColour             ? Vec3f(0.25f, 0.2f, 0.15f)
+                                                           : Vec3f(0.05f, 0.08f, 0.04f);
     std::map<dat::RecordId, std::optional<Vec3f>> means;
     for (const dat::TerrainTexture& texture : region.texMerge.textures) {
         if (texture.terrainType >= kTerrainTypes)

@@ -30,7 +30,7 @@ Result<void> checkLargePicture(PixelSize size, std::uint32_t supersample, std::u
     return fail(ErrorCode::BadArgument, fmt::format("a picture of {}x{}", size.width, size.height),
                 fmt::format("with {0}x{0} samples a pixel has {1} samples a side, of {2} at most; {3}",
                             supersample, std::uint64_t{side} * supersample, most,
-                            fitting > 1 ? fmt::format("use supersampling of {}", fitting)
+                            fitting > 1    ? fmt::format("use supersampling of {}", fitting)
                             : fitting == 1 ? std::string("leave out supersampling")
                                            : std::string("choose a smaller size")));
 }

@@ -13,8 +13,8 @@ inline constexpr std::uint32_t kMostSupersampling = 8;
 
 /// A picture in samples: `supersample` x `supersample` of them are filtered to one pixel.
 struct LargePictureOptions {
-    std::uint32_t supersample = 1;   ///< 1..kMostSupersampling
-    std::uint32_t tileSide = 2048;   ///< samples; rounded down to whole, even numbers of pixels
+    std::uint32_t supersample = 1; ///< 1..kMostSupersampling
+    std::uint32_t tileSide = 2048; ///< samples; rounded down to whole, even numbers of pixels
 };
 
 /// Errors: BadArgument for a picture of more than kMaxSide samples a side, or more than the driver draws; the
@@ -60,7 +60,7 @@ private:
 };
 
 /// Draws all tiles.
-[[nodiscard]] Result<std::vector<std::uint8_t>> drawLargePicture(Session& session, const FrameRequest& request,
-                                                                 const LargePictureOptions& options);
+[[nodiscard]] Result<std::vector<std::uint8_t>>
+drawLargePicture(Session& session, const FrameRequest& request, const LargePictureOptions& options);
 
 } // namespace limen::engine

@@ -20,7 +20,8 @@ LinearMean::LinearMean() {
     for (int i = 0; i < 256; ++i)
         linear_[i] = static_cast<float>(lightOf(i / 255.0));
     for (std::uint32_t i = 0; i <= kSteps; ++i)
-        encoded_[i] = static_cast<std::uint8_t>(std::lround(255.0 * valueOf(static_cast<double>(i) / kSteps)));
+        encoded_[i] =
+            static_cast<std::uint8_t>(std::lround(255.0 * valueOf(static_cast<double>(i) / kSteps)));
 }
 
 std::uint8_t LinearMean::encoded(float light) const {

@@ -184,8 +184,7 @@ public:
 
     /// Starts a frame on `target` and yields its ring memory, at least as reserved. Waits if the GPU is three
     /// frames behind.
-    [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target,
-                                                            const Viewport& viewport) = 0;
+    [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) = 0;
     /// Binds range i to storage binding i.
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
     /// Binds the target's ownership and depth images and the ring memory to their units, and `textures` from

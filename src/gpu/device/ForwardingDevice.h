@@ -64,8 +64,7 @@ public:
         device_.setGeometry(vertices, indices);
     }
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override { return device_.reserveRing(bytes); }
-    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target,
-                                                  const Viewport& viewport) override {
+    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override {
         return device_.beginFrame(target, viewport);
     }
     void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }

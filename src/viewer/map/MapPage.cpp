@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <imgui.h>
 #include <numbers>
 
 namespace limen::viewer {
@@ -56,9 +57,9 @@ MapChoice MapPage::draw(Ui& ui, const MapFacts& facts, bool isNew) {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(size);
     ImGui::SetNextWindowBgAlpha(1.0f);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
-                                        ImGuiWindowFlags_NoBringToFrontOnFocus;
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+        ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::Begin("##map page", nullptr, kFlags);
     const float side = std::min(uiLength(230.0f), size.x * 0.34f);
     ImGui::BeginChild("##map", {ImGui::GetContentRegionAvail().x - side - uiLength(8.0f), 0.0f}, false,
@@ -89,7 +90,7 @@ void MapPage::drawMap(Ui& ui, const MapFacts& facts, MapChoice& choice) {
     pointed_.clear();
     if (map_ == nullptr || map_->blocks.empty()) {
         const std::string failure = work_->failure();
-        uiNote(!failure.empty()     ? "The map cannot be drawn: " + failure
+        uiNote(!failure.empty()  ? "The map cannot be drawn: " + failure
                : work_->isDone() ? std::string("The data has no landblock.")
                                  : std::string("Reading the landscape ..."));
         return;
@@ -108,8 +109,8 @@ void MapPage::drawMap(Ui& ui, const MapFacts& facts, MapChoice& choice) {
     list->PushClipRect(least, most, true);
     const Vec2 corner = view_.screenAt(box_, {map_->southWest().x, map_->northEast().y});
     const Vec2 opposite = view_.screenAt(box_, {map_->northEast().x, map_->southWest().y});
-    list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())), screen(corner),
-                   screen(opposite));
+    list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())),
+                   screen(corner), screen(opposite));
     drawMarks(facts);
     drawPlaceNames(source_->file.places);
     list->PopClipRect();
@@ -136,8 +137,8 @@ void MapPage::takeMouse(MapChoice& choice) {
     const Vec2 point = view_.pointAt(box_, cursor);
     const engine::LandscapeMap::Block* block = map_->find(engine::blockAtPoint(point));
     const bool isOnGround = block != nullptr && block->hasGround && map_->colourAt(point);
-    pointed_ = fmt::format("{}   block {}{}", engine::mapText(point), engine::blockText(engine::blockAtPoint(point)),
-                           isOnGround ? "" : "   no ground");
+    pointed_ = fmt::format("{}   block {}{}", engine::mapText(point),
+                           engine::blockText(engine::blockAtPoint(point)), isOnGround ? "" : "   no ground");
     if (ImGui::IsItemDeactivated() && dragged_ <= kStill) {
         if (isOnGround)
             choice.point = point;
@@ -149,7 +150,8 @@ void MapPage::takeMouse(MapChoice& choice) {
 void MapPage::drawMarks(const MapFacts& facts) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const auto isLoaded = [&](int x, int y) {
-        return std::find(facts.loaded.begin(), facts.loaded.end(), dat::BlockCoord{x, y}) != facts.loaded.end();
+        return std::find(facts.loaded.begin(), facts.loaded.end(), dat::BlockCoord{x, y}) !=
+               facts.loaded.end();
     };
     const auto edge = [&](int x0, int y0, int x1, int y1) {
         list->AddLine(screen(view_.screenAt(box_, Vec2(x0, y0) * world::kBlockSize)),
@@ -169,7 +171,8 @@ void MapPage::drawMarks(const MapFacts& facts) {
     const double yaw = facts.yaw * std::numbers::pi / 180.0, size = static_cast<double>(uiLength(11.0f));
     const Vec2 ahead(std::sin(yaw), -std::cos(yaw)), right(std::cos(yaw), std::sin(yaw));
     const std::array<ImVec2, 4> arrow{screen(eye + ahead * size), screen(eye + (right - ahead) * size * 0.7),
-                                      screen(eye - ahead * size * 0.3), screen(eye - (right + ahead) * size * 0.7)};
+                                      screen(eye - ahead * size * 0.3),
+                                      screen(eye - (right + ahead) * size * 0.7)};
     list->AddTriangleFilled(arrow[0], arrow[1], arrow[2], kMapEye);
     list->AddTriangleFilled(arrow[0], arrow[2], arrow[3], kMapEye);
     list->AddPolyline(arrow.data(), static_cast<int>(arrow.size()), kMapShadow, ImDrawFlags_Closed, 1.5f);
@@ -182,8 +185,8 @@ void MapPage::drawPlaceNames(std::span<const world::Place> places) {
     const float radius = uiLength(3.0f);
     for (const engine::PlaceOnMap& at : places_) {
         const Vec2 dot = view_.screenAt(box_, at.point);
-        const bool isShown = dot.x >= box_.x && dot.y >= box_.y && dot.x < box_.x + box_.width &&
-                             dot.y < box_.y + box_.height;
+        const bool isShown =
+            dot.x >= box_.x && dot.y >= box_.y && dot.x < box_.x + box_.width && dot.y < box_.y + box_.height;
         if (at.isDungeon || !isShown)
             continue;
         list->AddCircleFilled(screen(dot), radius + 1.0f, kMapShadow);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/map/PlacesOnMap.h"
 #include "engine/map/MapInBackground.h"
+#include "engine/map/PlacesOnMap.h"
 #include "viewer/map/MapTexture.h"
 #include "viewer/map/MapView.h"
 #include "viewer/pages/Ui.h"

@@ -18,7 +18,8 @@ void MapTexture::write(const engine::LandscapeMap& map) {
         width_ = map.width();
         height_ = map.height();
         const auto levels = static_cast<GLsizei>(std::bit_width(std::max(width_, height_)));
-        glTextureStorage2D(name_, levels, GL_RGB8, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
+        glTextureStorage2D(name_, levels, GL_RGB8, static_cast<GLsizei>(width_),
+                           static_cast<GLsizei>(height_));
         glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
         glTextureParameteri(name_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         glTextureParameteri(name_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

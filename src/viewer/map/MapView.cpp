@@ -11,8 +11,8 @@ constexpr double kLeastMetresPerUnit = 0.125;
 
 double fittingMetresPerUnit(const engine::LandscapeMap& map, const ScreenBox& box) {
     const Vec2 extent = map.northEast() - map.southWest();
-    return std::max({extent.x / std::max(box.width, 1.0), extent.y / std::max(box.height, 1.0),
-                     kLeastMetresPerUnit});
+    return std::max(
+        {extent.x / std::max(box.width, 1.0), extent.y / std::max(box.height, 1.0), kLeastMetresPerUnit});
 }
 
 Vec2 withinMap(const engine::LandscapeMap& map, const Vec2& point) {

@@ -55,9 +55,9 @@ PageChoice drawLoading(Ui& ui, const PagesFacts& facts) {
     beginPage(factsOf(Page::Loading).title, kBox);
     uiText(facts.state.opening);
     ImGui::Spacing();
-    const float read = loading.blocks > 0 ? static_cast<float>(loading.blocksRead) /
-                                                static_cast<float>(loading.blocks)
-                                          : 0.0f;
+    const float read = loading.blocks > 0
+                           ? static_cast<float>(loading.blocksRead) / static_cast<float>(loading.blocks)
+                           : 0.0f;
     ImGui::ProgressBar(0.7f * read + 0.3f * static_cast<float>(loading.uploaded), {-1.0f, 0.0f}, "");
     uiText(loading.step);
     if (loading.blocks > 0)

@@ -30,8 +30,9 @@ void Ui::note(std::string_view name) {
     const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     const ImVec2 centre((from.x + to.x) * 0.5f, (from.y + to.y) * 0.5f);
     if (ImGui::IsRectVisible({centre.x - 1.0f, centre.y - 1.0f}, {centre.x + 1.0f, centre.y + 1.0f}))
-        items_.push_back({std::string(name.starts_with("##") ? name.substr(2) : name.substr(0, name.find("##"))),
-                          centre.x, centre.y, ImGui::IsItemFocused()});
+        items_.push_back(
+            {std::string(name.starts_with("##") ? name.substr(2) : name.substr(0, name.find("##"))), centre.x,
+             centre.y, ImGui::IsItemFocused()});
 }
 
 bool Ui::button(const char* label, float width) {

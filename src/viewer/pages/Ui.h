@@ -52,9 +52,9 @@ void uiHint(std::string_view text);
 
 /// The size of a page's window.
 struct PageBox {
-    float width = 560.0f;   ///< as for letters of 16 units
-    float height = 0.0f;    ///< 0: as high as its content
-    bool hasBack = true;    ///< draw a back button at the end
+    float width = 560.0f; ///< as for letters of 16 units
+    float height = 0.0f;  ///< 0: as high as its content
+    bool hasBack = true;  ///< draw a back button at the end
 };
 /// Begins a page: a window in the middle of the screen that fits every window size and scrolls if it must.
 /// Always call endPage afterwards. `title` as PageFacts::title.

@@ -26,10 +26,10 @@ struct PhotoSettings {
     double time = 0.5;          ///< fraction of the day
     std::uint32_t dayGroup = 0; ///< index of the Region's day groups
     engine::Weather weather = engine::Weather::Clear;
-    double fov = 60.0;              ///< vertical, degrees
-    std::size_t size = 0;           ///< of kPhotoSizes
-    std::uint32_t supersample = 1;  ///< samples along a pixel's side
-    bool showsBody = false;         ///< the player's body, if there is one
+    double fov = 60.0;             ///< vertical, degrees
+    std::size_t size = 0;          ///< of kPhotoSizes
+    std::uint32_t supersample = 1; ///< samples along a pixel's side
+    bool showsBody = false;        ///< the player's body, if there is one
     friend bool operator==(const PhotoSettings&, const PhotoSettings&) = default;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <imgui.h>
 
 namespace limen::viewer {
 namespace {
@@ -32,8 +33,8 @@ bool slider(Ui& ui, const char* label, const char* name, double& value, double l
     auto number = static_cast<float>(value);
     uiText(label);
     ImGui::SetNextItemWidth(-1.0f);
-    const bool isChanged = ImGui::SliderFloat(name, &number, static_cast<float>(least), static_cast<float>(most),
-                                              format, ImGuiSliderFlags_AlwaysClamp);
+    const bool isChanged = ImGui::SliderFloat(name, &number, static_cast<float>(least),
+                                              static_cast<float>(most), format, ImGuiSliderFlags_AlwaysClamp);
     ui.note(label);
     if (isChanged)
         value = static_cast<double>(number);
@@ -42,7 +43,8 @@ bool slider(Ui& ui, const char* label, const char* name, double& value, double l
 
 /// A list to choose from. Yields the chosen index.
 template <class NameOf>
-std::size_t chooser(Ui& ui, const char* label, const char* name, std::size_t chosen, std::size_t count, NameOf nameOf) {
+std::size_t chooser(Ui& ui, const char* label, const char* name, std::size_t chosen, std::size_t count,
+                    NameOf nameOf) {
     uiText(label);
     ImGui::SetNextItemWidth(-1.0f);
     const bool isOpen = ImGui::BeginCombo(name, nameOf(chosen).c_str());
@@ -77,16 +79,18 @@ void chooseWorld(Ui& ui, const PhotoFacts& facts, PhotoSettings& settings) {
         ui.checkbox("Show the body", settings.showsBody);
 }
 
-void choosePicture(Ui& ui, const PhotoFacts& facts, PhotoSettings& settings) {
-    slider(ui, "Field of view", "##fov", settings.fov, PhotoSettings::kLeastFov, PhotoSettings::kMostFov, "%.0f°");
+void choosePicture(Ui& ui, PhotoSettings& settings) {
+    slider(ui, "Field of view", "##fov", settings.fov, PhotoSettings::kLeastFov, PhotoSettings::kMostFov,
+           "%.0f°");
     settings.size = chooser(ui, "Size", "##size", settings.size, kPhotoSizes.size(),
                             [](std::size_t i) { return std::string(kPhotoSizes[i].name); });
     constexpr std::array<std::uint32_t, 4> kNumbers{1, 2, 4, 8};
     const auto found = std::find(kNumbers.begin(), kNumbers.end(), settings.supersample);
     const auto number = found != kNumbers.end() ? static_cast<std::size_t>(found - kNumbers.begin()) : 0;
-    settings.supersample = kNumbers[chooser(ui, "Samples a pixel", "##samples", number, kNumbers.size(), [&](std::size_t i) {
-        return kNumbers[i] == 1 ? std::string("1") : fmt::format("{0} x {0}", kNumbers[i]);
-    })];
+    settings.supersample =
+        kNumbers[chooser(ui, "Samples a pixel", "##samples", number, kNumbers.size(), [&](std::size_t i) {
+            return kNumbers[i] == 1 ? std::string("1") : fmt::format("{0} x {0}", kNumbers[i]);
+        })];
 }
 
 /// The button that takes the picture, or the reason why there is none.
@@ -102,10 +106,11 @@ void drawTake(Ui& ui, const PhotoFacts& facts, PhotoChoice& choice) {
         uiNote(fits.error().message());
         return;
     }
-    const double megabytes =
-        static_cast<double>(engine::bytesOfLargePicture(
-            facts.picture, {.supersample = settings.supersample}, facts.samples)) / 1e6;
-    uiNote(fmt::format("{} x {} pixels, {:.0f} MB of memory", facts.picture.width, facts.picture.height, megabytes));
+    const double megabytes = static_cast<double>(engine::bytesOfLargePicture(
+                                 facts.picture, {.supersample = settings.supersample}, facts.samples)) /
+                             1e6;
+    uiNote(fmt::format("{} x {} pixels, {:.0f} MB of memory", facts.picture.width, facts.picture.height,
+                       megabytes));
     choice.takes = ui.mainButton("Take picture", -1.0f);
     uiHint("Also by key: " + facts.takeKeys);
 }
@@ -125,7 +130,7 @@ PhotoChoice drawPhotoPage(Ui& ui, const PhotoFacts& facts) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     if (!facts.isBusy) {
         chooseWorld(ui, facts, choice.settings);
-        choosePicture(ui, facts, choice.settings);
+        choosePicture(ui, choice.settings);
     }
     drawTake(ui, facts, choice);
     if (!facts.fault.empty())

@@ -12,16 +12,16 @@ namespace limen::viewer {
 /// The input of the photo page for one frame.
 struct PhotoFacts {
     const PhotoSettings& settings;
-    engine::PixelSize window;            ///< pixels
-    engine::PixelSize picture;           ///< pixels
-    std::vector<std::string> dayGroups;  ///< names, of the Region
+    engine::PixelSize window;           ///< pixels
+    engine::PixelSize picture;          ///< pixels
+    std::vector<std::string> dayGroups; ///< names, of the Region
     bool hasBody = false;
-    std::uint32_t samples = 0;           ///< as SessionOptions::samples
-    double progress = 0.0;               ///< of the picture that is being taken
-    bool isBusy = false;                 ///< a picture is being taken
-    std::string saved;                   ///< full path of the last picture; empty: none
-    std::string fault;                   ///< the reason why there is no picture; empty: none
-    std::string takeKeys;                ///< the keys that take a picture, as text
+    std::uint32_t samples = 0; ///< as SessionOptions::samples
+    double progress = 0.0;     ///< of the picture that is being taken
+    bool isBusy = false;       ///< a picture is being taken
+    std::string saved;         ///< full path of the last picture; empty: none
+    std::string fault;         ///< the reason why there is no picture; empty: none
+    std::string takeKeys;      ///< the keys that take a picture, as text
 };
 
 struct PhotoChoice {

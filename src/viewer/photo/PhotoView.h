@@ -11,7 +11,8 @@ namespace limen::viewer {
 class PhotoView {
 public:
     /// `frame`: on the screen. The session must outlive it, and show the same part meanwhile.
-    PhotoView(engine::Session& session, const engine::FrameRequest& frame) : session_(session), mode_(frame) {}
+    PhotoView(engine::Session& session, const engine::FrameRequest& frame)
+        : session_(session), mode_(frame) {}
 
     /// The command line that draws a frame again.
     using CommandOf = std::function<std::string(const engine::FrameRequest&)>;
@@ -20,8 +21,8 @@ public:
     /// for a person when a picture is saved or fails. Errors: the renderer's, for the preview.
     [[nodiscard]] Result<std::string> frame(const play::PlayInput& input);
     /// Draws the controls. True: the user leaves.
-    [[nodiscard]] bool drawOverlay(Ui& ui, const std::string& takeKeys, const std::filesystem::path& directory,
-                                   const CommandOf& commandOf);
+    [[nodiscard]] bool drawOverlay(Ui& ui, const std::string& takeKeys,
+                                   const std::filesystem::path& directory, const CommandOf& commandOf);
     /// Takes a picture after the next `drawOverlay`. No effect while one is being taken.
     void take() { wantsPicture_ = true; }
 
