@@ -16,12 +16,13 @@ protected:
         const auto source = std::make_shared<const WorldSource>(std::move(*opened));
         SessionOptions options;
         options.samples = std::get<1>(GetParam());
+        options.load = {.radius = 0, .farRadius = 0};
         Result<HeadlessSession> headless = openHeadless(source, options);
         ASSERT_TRUE(headless) << headless.error().message();
         headless_ = std::move(*headless);
         ViewRequest view;
         view.place = std::get<0>(GetParam());
-        view.size = {96, 54};
+        view.size = {64, 36};
         view.scene.seconds = 3.0;
         const Result<ViewRequest> resolved = resolvePlace(view, source->file);
         ASSERT_TRUE(resolved) << resolved.error().message();

@@ -76,6 +76,7 @@ class MapPhoto(WindowTest):
             view.until(lambda s: math.dist(s["photo"]["eye"], before["photo"]["eye"]) > 0.3, "a camera that flies")
             view.do("keyup", "w")
             view.choose("Samples a pixel")
+            view.until(lambda s: "2 x 2" in s["items"], "the list")
             view.choose("2 x 2")
             view.until(lambda s: s["photo"]["supersample"] == 2, "supersampling")
             view.choose("Time of day")  # the middle of the slider: noon

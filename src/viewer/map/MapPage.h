@@ -38,11 +38,11 @@ public:
     /// last frame; the view then starts around the eye.
     [[nodiscard]] MapChoice draw(Ui& ui, const MapFacts& facts, bool isNew);
 
-    /// For `--tell`: the view, and the text under the cursor.
+    /// For `--tell`: the view, the text under the cursor, whether all blocks are painted and shown.
     [[nodiscard]] const MapView& view() const { return view_; }
     [[nodiscard]] const ScreenBox& box() const { return box_; }
     [[nodiscard]] const std::string& pointed() const { return pointed_; }
-    [[nodiscard]] bool isPainted() const { return work_ != nullptr && work_->isDone(); }
+    [[nodiscard]] bool isPainted() const { return work_ != nullptr && work_->isDone() && isFitted_; }
 
 private:
     void takeMap(const MapFacts& facts);
