@@ -207,10 +207,13 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
 std::string keysFooter() {
     std::string text =
         "Escape opens the menu: other worlds, places, settings, quit. A directory dropped onto the window is "
-        "opened.\nA world that does not open leads to the page Open a world, with the reason; with --frames the "
-        "program ends with exit code 2.\nSettings: limen/settings.json in the user's configuration directory; "
+        "opened.\nA world that does not open leads to the page Open a world, with the reason; with --frames "
+        "the "
+        "program ends with exit code 2.\nSettings: limen/settings.json in the user's configuration "
+        "directory; "
         "options of the command line win. With --frames they do not apply.\n"
-        "Ctrl-C and SIGTERM save the recorded walk and the settings; the exit code is 128 and the signal's number.\n"
+        "Ctrl-C and SIGTERM save the recorded walk and the settings; the exit code is 128 and the signal's "
+        "number.\n"
         "\nDefault keys, with the action names for --keys:\n";
     for (const viewer::HelpLine& line : viewer::helpLines(viewer::KeyBindings()))
         text += fmt::format("  {:<24}{:<12}{}\n", line.keys,

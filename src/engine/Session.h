@@ -40,8 +40,7 @@ public:
     [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(dat::BlockCoord centre) const {
         return read({centre, options_.load});
     }
-    [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(const PartTarget& target,
-                                                            unsigned threads = 1,
+    [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(const PartTarget& target, unsigned threads = 1,
                                                             world::LoadProgress* progress = nullptr) const;
     /// Uploads a part that was read and draws it from now on. On an error the old part stays.
     [[nodiscard]] Result<void> show(std::unique_ptr<PartPlanner> part) {

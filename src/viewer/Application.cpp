@@ -21,7 +21,8 @@ Application::Application(Window& window, gpu::GlDevice& device, ApplicationOptio
 Application::~Application() = default;
 
 Result<void> Application::frame() {
-    window_.poll(overlay_.takes(), keys_.bindings);
+    constexpr double kPageFrame = 1.0 / 60.0; // seconds: a page leaves the processor to the loading threads
+    window_.poll(overlay_.takes(), keys_.bindings, factsOf(pages_.page).pausesWorld ? kPageFrame : 0.0);
     const double now = window_.seconds();
     frameSeconds_ = now - lastSeconds_;
     lastSeconds_ = now;
@@ -177,6 +178,8 @@ void Application::drawOverlay() {
     ui_.begin();
     if (world_ && !page.usesPointer)
         world_->drawOverlay(ui_, overlay_, keys_.bindings);
+    if (world_ && page.pausesWorld)
+        dimPicture();
     const LoadingFacts loading = this->loading();
     std::vector<world::Place> none;
     const PagesFacts facts{.state = pages_,
@@ -185,15 +188,16 @@ void Application::drawOverlay() {
                            .rebinding = rebinding_,
                            .loading = loading,
                            .gameDirectories = options_.gameDirectories,
-                           .places = world_ ? std::span(world_->session().source().file.places) : std::span(none),
+                           .places =
+                               world_ ? std::span(world_->session().source().file.places) : std::span(none),
                            .worldName = world_ ? nameOfWorld(directory_) : std::string(),
                            .version = options_.version,
                            .driver = world_ ? world_->session().driver() : std::string(),
                            .fontNote = overlay_.fontNote(),
                            .hasGamepad = window_.hasGamepad()};
     const PageChoice choice = drawnPages_.draw(ui_, facts);
-    hintOpacity_ = world_ && pages_.page == Page::World && !world_->switches().panel ? hintOpacity(hintSeconds_)
-                                                                                    : 0.0;
+    hintOpacity_ =
+        world_ && pages_.page == Page::World && !world_->switches().panel ? hintOpacity(hintSeconds_) : 0.0;
     drawHintBar(hints(keys_.bindings, settings_.mouse == MouseMode::Capture), hintOpacity_);
     panel::drawNotice(noticeText());
     overlay_.end();

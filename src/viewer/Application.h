@@ -18,21 +18,22 @@ struct ViewerKeys {
 
 struct ApplicationOptions {
     engine::SessionOptions session; ///< of every world that is opened; its directory is not used
-    bool isQualityFixed = false;    ///< the command line chose quality options: those of the settings do not apply
+    bool isQualityFixed =
+        false; ///< the command line chose quality options: those of the settings do not apply
     /// The first view of the first world, by the command line. Unset, and in later worlds: the last place there,
     /// else the world's first place.
     std::function<Result<engine::ViewRequest>(const engine::WorldSource&)> start;
-    engine::ViewRequest view;       ///< size, time and weather of views that `start` does not make
+    engine::ViewRequest view; ///< size, time and weather of views that `start` does not make
     bool flies = false, isChased = false;
-    bool isFovFixed = false;        ///< the command line chose the field of view
-    double step = 0.0;              ///< seconds of a frame; 0: measured
-    std::optional<double> uiScale;  ///< of the command line; none: that of the settings
+    bool isFovFixed = false;       ///< the command line chose the field of view
+    double step = 0.0;             ///< seconds of a frame; 0: measured
+    std::optional<double> uiScale; ///< of the command line; none: that of the settings
     ViewerKeys keys;
-    std::filesystem::path screenshots; ///< directory of pictures
-    std::filesystem::path record;      ///< file of the recorded walk; empty: none
+    std::filesystem::path screenshots;  ///< directory of pictures
+    std::filesystem::path record;       ///< file of the recorded walk; empty: none
     std::filesystem::path settingsFile; ///< empty: settings are not written
     SettingsFile settings;
-    std::string version; ///< of the program
+    std::string version;                                ///< of the program
     std::vector<std::filesystem::path> gameDirectories; ///< found on this computer
 };
 

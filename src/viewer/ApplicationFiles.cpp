@@ -43,8 +43,7 @@ void Application::beginRecording() {
         return;
     }
     const engine::Session& session = world_->session();
-    const std::string start =
-        check::shotOptions(engine::viewOf(world_->request(), session.part().world));
+    const std::string start = check::shotOptions(engine::viewOf(world_->request(), session.part().world));
     static_cast<void>(recording_.add(play::beginningLine(start, session.options().load)));
 }
 
@@ -54,8 +53,8 @@ void Application::record() {
     const engine::Session& session = world_->session();
     const std::uint64_t decided =
         engine::decisionHash(world_->request(), session.visible(), session.dynamics());
-    const Result<void> added = recording_.add(play::frameLine(
-        {world_->input(), decided, world_->stream().shown(), world_->stream().hasRefused()}));
+    const Result<void> added = recording_.add(
+        play::frameLine({world_->input(), decided, world_->stream().shown(), world_->stream().hasRefused()}));
     if (!added)
         notice(added.error().message() + "; the rest waits in memory");
 }

@@ -37,7 +37,7 @@ Overlay::Overlay(const Window& window)
     : over_(std::make_unique<OverTexture>()), window_(window), font_(findFont(fontPaths(programPath()))) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // no file of window positions
+    ImGui::GetIO().IniFilename = nullptr;                // no file of window positions
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); // chains to the window's own callbacks
     ImGui_ImplOpenGL3_Init("#version 450 core");
     ImGui_ImplOpenGL3_CreateDeviceObjects(); // now: fitScale can rebuild the font before the first frame
@@ -72,7 +72,8 @@ void Overlay::fitScale(double scale) {
 void Overlay::begin(double scale, bool selects) {
     fitScale(scale);
     ImGuiIO& io = ImGui::GetIO();
-    constexpr ImGuiConfigFlags kSelects = ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
+    constexpr ImGuiConfigFlags kSelects =
+        ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
     io.ConfigFlags = (selects ? kSelects : 0) | (window_.isCaptured() ? ImGuiConfigFlags_NoMouse : 0);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();

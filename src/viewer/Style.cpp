@@ -22,7 +22,7 @@ constexpr int kLine = 0x3A4550, kLetters = 0xF1EEE6, kDimmed = 0xA9B1B8, kAccent
 constexpr int kGood = 0x7CC68D, kBad = 0xF0837A;
 
 void setColours(ImVec4* colours) {
-    constexpr float kPageOpacity = 0.95f;
+    constexpr float kPageOpacity = 0.97f;
     colours[ImGuiCol_Text] = rgba(kLetters);
     colours[ImGuiCol_TextDisabled] = rgba(kDimmed);
     colours[ImGuiCol_WindowBg] = rgba(kSurface, kPageOpacity);
@@ -31,11 +31,11 @@ void setColours(ImVec4* colours) {
     colours[ImGuiCol_Border] = rgba(kLine, 0.8f);
     for (const ImGuiCol raised : {ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header, ImGuiCol_Tab})
         colours[raised] = rgba(kRaised);
-    for (const ImGuiCol hovered : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered,
-                                   ImGuiCol_TabHovered})
+    for (const ImGuiCol hovered :
+         {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered, ImGuiCol_TabHovered})
         colours[hovered] = rgba(kHover);
-    for (const ImGuiCol pressed : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive,
-                                   ImGuiCol_TabActive})
+    for (const ImGuiCol pressed :
+         {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive, ImGuiCol_TabActive})
         colours[pressed] = rgba(kPressed);
     for (const ImGuiCol title : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed})
         colours[title] = rgba(kSurface, kPageOpacity);
@@ -52,8 +52,9 @@ void setColours(ImVec4* colours) {
 }
 
 /// Letters with accents, Greek, Cyrillic, punctuation, arrows, mathematical signs, simple shapes.
-constexpr std::array<ImWchar, 17> kGlyphs{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x2010, 0x205E, 0x20A0,
-                                         0x20BF, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
+constexpr std::array<ImWchar, 17> kGlyphs{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF,
+                                          0x2010, 0x205E, 0x20A0, 0x20BF, 0x2190, 0x21FF,
+                                          0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
 
 } // namespace
 
@@ -112,7 +113,8 @@ std::vector<fs::path> fontPaths(const fs::path& program) {
             paths.push_back(directory / kNames[0]);
     for (const char* directory : {"dejavu", "noto", "liberation", "liberation2", "."})
         for (const char* name : kNames)
-            for (const char* root : {"/usr/share/fonts/truetype", "/usr/local/share/fonts", "/usr/share/fonts"})
+            for (const char* root :
+                 {"/usr/share/fonts/truetype", "/usr/local/share/fonts", "/usr/share/fonts"})
                 paths.push_back(fs::path(root) / directory / name);
     return paths;
 }
@@ -131,7 +133,8 @@ bool applyFont(const std::optional<fs::path>& file, float pixels) {
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    if (file && atlas.AddFontFromFileTTF(file->c_str(), std::round(pixels), &config, kGlyphs.data()) != nullptr)
+    if (file &&
+        atlas.AddFontFromFileTTF(file->c_str(), std::round(pixels), &config, kGlyphs.data()) != nullptr)
         return true;
     ImFontConfig own;
     own.SizePixels = std::round(pixels * 13.0f / kLetterSize); // ImGui's own font is made for 13 pixels

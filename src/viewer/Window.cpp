@@ -190,13 +190,16 @@ void Window::receiveCursor(double x, double y) {
     cursorY_ = y;
 }
 
-void Window::poll(const Taken& taken, const KeyBindings& bindings) {
+void Window::poll(const Taken& taken, const KeyBindings& bindings, double wait) {
     pending_.clear();
     clicked_.reset();
     wheel_ = 0.0;
     mouseIsTaken_ = taken.mouse;
     pendingDrops_.clear();
-    glfwPollEvents();
+    if (wait > 0.0)
+        glfwWaitEventsTimeout(wait);
+    else
+        glfwPollEvents();
     dropped_ = pendingDrops_;
     takeSizes();
     held_ = {};

@@ -51,9 +51,8 @@ WorldView::WorldView(gpu::GlDevice& device, OpenedWorld opened)
       play_(*session_, std::move(opened.start), &stream_) {}
 
 bool WorldView::needsFrame(const WorldInput& input) const {
-    return !input.isPaused || frames_ == 0 || !acts_.empty() || input.size != request().size ||
-           wantsCheck_ || !play_.goingTo().empty() ||
-           stream_.streamer().phase() != engine::Streamer::Phase::Idle;
+    return !input.isPaused || frames_ == 0 || !acts_.empty() || input.size != request().size || wantsCheck_ ||
+           !play_.goingTo().empty() || stream_.streamer().phase() != engine::Streamer::Phase::Idle;
 }
 
 Result<void> WorldView::frame(const WorldInput& input) {
@@ -91,8 +90,8 @@ Result<void> WorldView::draw() {
     if (Result<void> drawn = session_->draw(request(), options); !drawn)
         return drawn;
     ids_ = switches_.ids ? session_->target().readIds() : std::vector<std::uint32_t>{};
-    distances_ = switches_.depth ? session_->target().readDistances(session_->plan().constants)
-                                 : std::vector<float>{};
+    distances_ =
+        switches_.depth ? session_->target().readDistances(session_->plan().constants) : std::vector<float>{};
     portals_ = !switches_.portals ? std::vector<PortalTrace>{} : frozen_ ? frozen_->portals : portalsNow();
     return {};
 }
@@ -171,8 +170,8 @@ bool WorldView::press(Action action) {
 Result<std::filesystem::path> WorldView::keepPicture(const std::filesystem::path& directory) {
     if (Result<void> drawn = session_->draw(request(), {}); !drawn)
         return tl::unexpected(drawn.error());
-    const output::Picture picture = output::pictureFromRgba(request().size.width, request().size.height,
-                                                            session_->target().readColour());
+    const output::Picture picture =
+        output::pictureFromRgba(request().size.width, request().size.height, session_->target().readColour());
     const std::string command =
         engine::reproduction(session_->part().world, request(), session_->source().datOption) +
         pictureOptions(session_->options());

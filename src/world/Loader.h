@@ -23,15 +23,15 @@ class LoadCache;
 
 /// Progress of a load, for another thread. Both threads may use it at any time.
 struct LoadProgress {
-    std::atomic<std::size_t> blocks{0};    ///< number of landblocks to read; 0: not known yet
-    std::atomic<std::size_t> done{0};      ///< of them are read
-    std::atomic<bool> isCancelled{false};  ///< set it to end the load with an error
+    std::atomic<std::size_t> blocks{0};   ///< number of landblocks to read; 0: not known yet
+    std::atomic<std::size_t> done{0};     ///< of them are read
+    std::atomic<bool> isCancelled{false}; ///< set it to end the load with an error
 };
 
 /// Means to make a load faster, and to watch it. They do not change its result.
 struct LoadHelp {
-    LoadCache* cache = nullptr; ///< of the same archive; null: none
-    unsigned threads = 1;       ///< that read blocks, including the calling one; at least 1
+    LoadCache* cache = nullptr;       ///< of the same archive; null: none
+    unsigned threads = 1;             ///< that read blocks, including the calling one; at least 1
     LoadProgress* progress = nullptr; ///< null: none
 };
 

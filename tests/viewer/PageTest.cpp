@@ -1,5 +1,5 @@
-#include "viewer/pages/HintBar.h"
 #include "viewer/pages/Page.h"
+#include "viewer/pages/HintBar.h"
 
 #include <gtest/gtest.h>
 

@@ -81,9 +81,9 @@ Result<WorldOpening::Read> WorldOpening::read() const {
         session_->read(target, openingThreads(), progress_.get());
     if (!part)
         return tl::unexpected(part.error());
-    Result<gpu::StagedScene> staged = gpu::stageScene(
-        frame::buildScene((*part)->part->scene), session_->renderer().options().textures,
-        session_->capabilities(), {});
+    Result<gpu::StagedScene> staged =
+        gpu::stageScene(frame::buildScene((*part)->part->scene), session_->renderer().options().textures,
+                        session_->capabilities(), {});
     if (!staged)
         return tl::unexpected(staged.error());
     return Read{std::move(*part), std::make_unique<gpu::StagedScene>(std::move(*staged))};
@@ -164,7 +164,8 @@ LoadingFacts WorldOpening::facts() const {
                                             : 0.0;
     switch (phase_) {
     case Phase::Files:
-        facts.step = request_.directory.empty() ? "writing and opening the built-in world" : "opening the files";
+        facts.step =
+            request_.directory.empty() ? "writing and opening the built-in world" : "opening the files";
         break;
     case Phase::Renderer:
         facts.step = "preparing the graphics card";

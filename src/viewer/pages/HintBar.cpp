@@ -30,8 +30,8 @@ void drawHint(const Hint& hint, float opacity) {
     list->AddRectFilled({corner.x, corner.y - high}, {corner.x + size.x + 2 * pad, corner.y + size.y + high},
                         styleInk(StyleInk::KeyCap, opacity), uiLength(4.0f));
     list->AddText({corner.x + pad, corner.y}, styleInk(StyleInk::Text, opacity), hint.keys.c_str());
-    list->AddText({corner.x + size.x + 2 * pad + uiLength(8.0f), corner.y},
-                  styleInk(StyleInk::Text, opacity), hint.does.c_str());
+    list->AddText({corner.x + size.x + 2 * pad + uiLength(8.0f), corner.y}, styleInk(StyleInk::Text, opacity),
+                  hint.does.c_str());
     ImGui::Dummy({widthOf(hint), size.y + uiLength(6.0f)});
 }
 

@@ -20,8 +20,8 @@ std::string homeDirectory() {
 int completeText(ImGuiInputTextCallbackData* data) {
     if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion)
         return 0;
-    const PathCompletion completion =
-        completeDirectory(std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)), homeDirectory());
+    const PathCompletion completion = completeDirectory(
+        std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)), homeDirectory());
     data->DeleteChars(0, data->BufTextLen);
     data->InsertChars(0, completion.text.c_str());
     return 0;
@@ -62,9 +62,10 @@ void OpenPage::drawField(Ui& ui, PageChoice& choice, bool isNew) {
     if (isNew || movesCursor_)
         ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-uiLength(kButton) - ImGui::GetStyle().ItemSpacing.x);
-    const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion;
-    const bool isEntered = ImGui::InputTextWithHint("##directory", "directory of the game's files", text_.data(),
-                                                    text_.size(), flags, completeText);
+    const ImGuiInputTextFlags flags =
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion;
+    const bool isEntered = ImGui::InputTextWithHint("##directory", "directory of the game's files",
+                                                    text_.data(), text_.size(), flags, completeText);
     ui.note("directory");
     movesCursor_ = false;
     ImGui::SameLine();

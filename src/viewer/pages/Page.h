@@ -24,9 +24,9 @@ struct PageFacts {
 /// The page on the screen.
 struct PageState {
     Page page = Page::Open;
-    bool hasWorld = false; ///< a world is drawn behind the page
-    std::string opening;   ///< the world that is loading, as the user named it; empty: none
-    std::string error;     ///< the reason why the last world did not open; shown on the Open page
+    bool hasWorld = false;    ///< a world is drawn behind the page
+    std::string opening;      ///< the world that is loading, as the user named it; empty: none
+    std::string error;        ///< the reason why the last world did not open; shown on the Open page
     bool isFromWorld = false; ///< the page was opened from the world: Back leads there
     bool quits = false;
     friend bool operator==(const PageState&, const PageState&) = default;

@@ -13,10 +13,10 @@ namespace limen::viewer {
 
 /// Progress of a world that is loading.
 struct LoadingFacts {
-    std::string step;                  ///< e.g. "reading landblocks"
+    std::string step; ///< e.g. "reading landblocks"
     std::size_t blocksRead = 0, blocks = 0;
-    double uploaded = 0.0;             ///< share of the upload, 0..1
-    double seconds = 0.0;              ///< since loading began
+    double uploaded = 0.0; ///< share of the upload, 0..1
+    double seconds = 0.0;  ///< since loading began
 };
 
 /// The input of all pages for one frame. Plain data; pages do not see the session.

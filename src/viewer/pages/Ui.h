@@ -50,11 +50,14 @@ void uiHint(std::string_view text);
 /// Whether a text contains another one. Letters of either case count as equal.
 [[nodiscard]] bool containsText(std::string_view text, std::string_view part);
 
+/// Darkens the world behind a page.
+void dimPicture();
+
 /// The size of a page's window.
 struct PageBox {
-    float width = 560.0f;   ///< as for letters of 16 units
-    float height = 0.0f;    ///< 0: as high as its content
-    bool hasBack = true;    ///< draw a back button at the end
+    float width = 560.0f; ///< as for letters of 16 units
+    float height = 0.0f;  ///< 0: as high as its content
+    bool hasBack = true;  ///< draw a back button at the end
 };
 /// Begins a page: a window in the middle of the screen that fits every window size and scrolls if it must.
 /// Always call endPage afterwards. `title` as PageFacts::title.

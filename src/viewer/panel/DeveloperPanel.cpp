@@ -61,7 +61,8 @@ void drawFigures(const PanelFacts& facts) {
         line(fmt::format("{} visits LEFT OUT: budget", facts.visible.counts.visitsCut));
     line(fmt::format("{} drawn, {} culled, {} triangles", facts.plan.counts.instancesDrawn,
                      facts.plan.counts.instancesCulled, facts.plan.counts.triangles));
-    uiHint("Instances inside and outside of the frustums of their visits, and triangles sent to the graphics card.");
+    uiHint("Instances inside and outside of the frustums of their visits, and triangles sent to the graphics "
+           "card.");
     line(fmt::format("flood {:.3f} ms, plan {:.3f} ms, {} GL calls", facts.figures.floodMs,
                      facts.figures.planMs, facts.figures.glCalls));
     uiHint("Processor time of visibility and of the draw plan, and calls of the driver in this frame.");

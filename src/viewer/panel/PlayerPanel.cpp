@@ -74,7 +74,8 @@ void drawPlaceList(Ui& ui, std::span<const world::Place> places, PanelChoice& ch
     constexpr std::size_t kMost = 40; // the Places page has all, with a search
     if (places.empty())
         return;
-    labelled("Place", "Go to a place. The keys 1 to 9 are the first nine; the menu has a list with a search.");
+    labelled("Place",
+             "Go to a place. The keys 1 to 9 are the first nine; the menu has a list with a search.");
     const bool isOpen = ImGui::BeginCombo("##place", "go to...");
     ui.note("panel place");
     if (!isOpen)
@@ -108,12 +109,14 @@ void drawFrameTimes(const TimeWindow& frame) {
     constexpr double kLeastTop = 40.0; // ms: both marks are visible on a fast machine
     const double top = std::max(1.25 * frame.p95(), kLeastTop);
     const auto value = [](void* window, int index) {
-        return static_cast<float>(static_cast<const TimeWindow*>(window)->value(static_cast<std::size_t>(index)));
+        return static_cast<float>(
+            static_cast<const TimeWindow*>(window)->value(static_cast<std::size_t>(index)));
     };
     // ImGui passes the pointer back unchanged, but its parameter is not const.
-    ImGui::PlotHistogram("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()), 0,
-                         nullptr, 0.0f, static_cast<float>(top), {-1.0f, uiLength(76.0f)});
-    const ImVec2 pad = ImGui::GetStyle().FramePadding, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    ImGui::PlotHistogram("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()),
+                         0, nullptr, 0.0f, static_cast<float>(top), {-1.0f, uiLength(76.0f)});
+    const ImVec2 pad = ImGui::GetStyle().FramePadding, from = ImGui::GetItemRectMin(),
+                 to = ImGui::GetItemRectMax();
     const ImVec2 lower(from.x + pad.x, from.y + pad.y), upper(to.x - pad.x, to.y - pad.y);
     drawMark(1000.0 / 60.0, top, "16.7 ms", lower, upper);
     drawMark(1000.0 / 30.0, top, "33.3 ms", lower, upper);
@@ -145,7 +148,8 @@ PanelChoice drawPanel(Ui& ui, const PanelFacts& facts, PanelChoice choice) {
     ImGui::SetNextWindowBgAlpha(0.88f);
     ImGui::Begin("##panel", nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
     if (ImGui::BeginTabBar("##parts")) {
         const bool isPlayer = ImGui::BeginTabItem("Player");
         ui.note("tab Player");

@@ -71,15 +71,16 @@ private:
     std::vector<std::string>& notes_;
 };
 
-constexpr double kFarthest = 1e7;               // metres; beyond the largest map
-constexpr double kMostCell = 4294967295.0;      // a record id
+constexpr double kFarthest = 1e7;                              // metres; beyond the largest map
+constexpr double kMostCell = 4294967295.0;                     // a record id
 constexpr double kSmallestSide = 64.0, kLargestSide = 16384.0; // pixels
 
 LastPlace lastPlaceIn(const SettingsJson& json, std::vector<std::string>& notes) {
     LastPlace place;
     const SettingsReader reader(json, notes);
     double cell = 0.0;
-    reader.text("name", "a text", [](const std::string&) { return true; }, place.name);
+    reader.text(
+        "name", "a text", [](const std::string&) { return true; }, place.name);
     reader.number("x", -kFarthest, kFarthest, place.eye.x);
     reader.number("y", -kFarthest, kFarthest, place.eye.y);
     reader.number("z", -kFarthest, kFarthest, place.eye.z);
@@ -112,9 +113,8 @@ void readWindow(const SettingsJson& json, Settings& settings, std::vector<std::s
 }
 
 SettingsJson placeJson(const LastPlace& place) {
-    return {{"name", place.name}, {"x", place.eye.x},     {"y", place.eye.y},
-            {"z", place.eye.z},   {"yaw", place.yaw},     {"pitch", place.pitch},
-            {"cell", place.cell}};
+    return {{"name", place.name}, {"x", place.eye.x},     {"y", place.eye.y},  {"z", place.eye.z},
+            {"yaw", place.yaw},   {"pitch", place.pitch}, {"cell", place.cell}};
 }
 
 std::string dumped(const SettingsJson& json) {

@@ -32,13 +32,13 @@ struct Settings {
     static constexpr std::size_t kMostRecent = 8;
     std::vector<std::string> recent; ///< directories of worlds, the latest first
     std::map<std::string, LastPlace> lastPlaces;
-    std::string quality;         ///< a name of engine::kQualities; empty: the program's own choice
-    double uiScale = 1.0;        ///< 0.5..4, on top of the screen's own scale
+    std::string quality;  ///< a name of engine::kQualities; empty: the program's own choice
+    double uiScale = 1.0; ///< 0.5..4, on top of the screen's own scale
     MouseMode mouse = MouseMode::Capture;
-    double sensitivity = 1.0;    ///< 0.1..5, factor on the turn per pixel
-    bool invertY = false;        ///< mouse and stick: pushing away looks down
-    double fieldOfView = 60.0;   ///< vertical, 30..110 degrees
-    std::uint32_t width = 1280;  ///< of the window, pixels
+    double sensitivity = 1.0;   ///< 0.1..5, factor on the turn per pixel
+    bool invertY = false;       ///< mouse and stick: pushing away looks down
+    double fieldOfView = 60.0;  ///< vertical, 30..110 degrees
+    std::uint32_t width = 1280; ///< of the window, pixels
     std::uint32_t height = 720;
     bool isFullScreen = false;
     friend bool operator==(const Settings&, const Settings&) = default;
