@@ -39,9 +39,10 @@ void setColours(ImVec4* colours) {
         colours[pressed] = rgba(kPressed);
     for (const ImGuiCol title : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed})
         colours[title] = rgba(kSurface, kPageOpacity);
-    for (const ImGuiCol accent : {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive,
-                                  ImGuiCol_PlotHistogram, ImGuiCol_PlotLines, ImGuiCol_NavHighlight})
+    for (const ImGuiCol accent : {ImGuiCol_CheckMark, ImGuiCol_SliderGrabActive, ImGuiCol_PlotHistogram,
+                                  ImGuiCol_PlotLines, ImGuiCol_NavHighlight})
         colours[accent] = rgba(kAccent);
+    colours[ImGuiCol_SliderGrab] = rgba(kAccent, 0.5f); // the number is drawn over it
     colours[ImGuiCol_Separator] = rgba(kLine);
     colours[ImGuiCol_ScrollbarBg] = rgba(kSurface, 0.0f);
     colours[ImGuiCol_ScrollbarGrab] = rgba(kHover);
