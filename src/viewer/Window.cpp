@@ -229,11 +229,12 @@ void Window::pollKeys(bool keysAreTaken, const KeyBindings& bindings) {
     held_.up = isDown(Action::Rise);
     held_.down = isDown(Action::Sink);
     keys_ = pending_;
-    if (keysAreTaken) // Escape leaves a page also while a text is typed
-        std::erase_if(keys_, [](KeyCode key) { return key != keyNamed("Escape"); });
-    for (const KeyCode key : keys_)
+    for (const KeyCode key : keys_) {
+        if (keysAreTaken && key != keyNamed("Escape")) // Escape leaves a page also while a text is typed
+            continue;
         for (const Action action : bindings.actionsOf(key))
             pressed_.push_back(action);
+    }
 }
 
 void Window::pollMouse(bool mouseIsTaken) {
