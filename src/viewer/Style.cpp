@@ -17,7 +17,7 @@ ImVec4 rgba(int hex, float opacity = 1.0f) {
 }
 
 // Slate surfaces, warm white letters, one amber accent. Contrast of text on surface: about 13 to 1.
-constexpr int kSurface = 0x14181D, kRaised = 0x232A32, kHover = 0x323C47, kPressed = 0x40505F;
+constexpr int kSurface = 0x14181D, kRaised = 0x2B343E, kHover = 0x3A4653, kPressed = 0x4A5C6D;
 constexpr int kLine = 0x3A4550, kLetters = 0xF1EEE6, kDimmed = 0xA9B1B8, kAccent = 0xE3A64B;
 constexpr int kGood = 0x7CC68D, kBad = 0xF0837A;
 
