@@ -21,7 +21,8 @@ Application::Application(Window& window, gpu::GlDevice& device, ApplicationOptio
 Application::~Application() = default;
 
 Result<void> Application::frame() {
-    window_.poll(overlay_.takes(), keys_.bindings);
+    constexpr double kPageFrame = 1.0 / 60.0; // seconds: a page leaves the processor to the loading threads
+    window_.poll(overlay_.takes(), keys_.bindings, factsOf(pages_.page).pausesWorld ? kPageFrame : 0.0);
     const double now = window_.seconds();
     frameSeconds_ = now - lastSeconds_;
     lastSeconds_ = now;
@@ -183,6 +184,8 @@ void Application::drawOverlay() {
     ui_.begin();
     if (world_ && !page.usesPointer)
         world_->drawOverlay(ui_, overlay_, keys_.bindings);
+    if (world_ && page.pausesWorld)
+        dimPicture();
     const LoadingFacts loading = this->loading();
     std::vector<world::Place> none;
     const PagesFacts facts{.state = pages_,

@@ -8,8 +8,9 @@
 
 namespace limen::viewer {
 
-void Application::open(const std::string& directory) {
+void Application::open(const std::string& typed) {
     dropOpening();
+    const std::string directory = absoluteDirectory(typed);
     OpenRequest request{directory, options_.session, {}};
     request.options.dat = directory;
     const auto quality = engine::qualityNamed(settings_.quality);

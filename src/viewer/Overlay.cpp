@@ -4,6 +4,8 @@
 
 #include <epoxy/gl.h>
 
+#include <GLFW/glfw3.h>
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <cmath>
@@ -49,6 +51,21 @@ Overlay::~Overlay() {
     ImGui::DestroyContext();
 }
 
+namespace {
+
+/// Passes keys to ImGui. A key that was pressed and released between two frames counts for one frame; ImGui's
+/// backend loses it.
+void passKeys(const Window& window, ImGuiIO& io) {
+    for (const KeyName& key : kKeyNames) {
+        const int code = static_cast<int>(key.code);
+        const auto& pressed = window.pressedKeys();
+        io.KeysDown[code] = glfwGetKey(window.handle(), code) == GLFW_PRESS ||
+                            std::find(pressed.begin(), pressed.end(), key.code) != pressed.end();
+    }
+}
+
+} // namespace
+
 Taken Overlay::takes() const {
     return {ImGui::GetIO().WantCaptureMouse, ImGui::GetIO().WantTextInput};
 }
@@ -77,6 +94,7 @@ void Overlay::begin(double scale, bool selects) {
     io.ConfigFlags = (selects ? kSelects : 0) | (window_.isCaptured() ? ImGuiConfigFlags_NoMouse : 0);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    passKeys(window_, io);
     // ImGui activates a selected button with Space only.
     if (selects && !io.WantTextInput && ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter)))
         io.NavInputs[ImGuiNavInput_Activate] = 1.0f;

@@ -17,12 +17,12 @@ ImVec4 rgba(int hex, float opacity = 1.0f) {
 }
 
 // Slate surfaces, warm white letters, one amber accent. Contrast of text on surface: about 13 to 1.
-constexpr int kSurface = 0x14181D, kRaised = 0x232A32, kHover = 0x323C47, kPressed = 0x40505F;
+constexpr int kSurface = 0x14181D, kRaised = 0x2B343E, kHover = 0x3A4653, kPressed = 0x4A5C6D;
 constexpr int kLine = 0x3A4550, kLetters = 0xF1EEE6, kDimmed = 0xA9B1B8, kAccent = 0xE3A64B;
 constexpr int kGood = 0x7CC68D, kBad = 0xF0837A;
 
 void setColours(ImVec4* colours) {
-    constexpr float kPageOpacity = 0.95f;
+    constexpr float kPageOpacity = 0.97f;
     colours[ImGuiCol_Text] = rgba(kLetters);
     colours[ImGuiCol_TextDisabled] = rgba(kDimmed);
     colours[ImGuiCol_WindowBg] = rgba(kSurface, kPageOpacity);
@@ -39,9 +39,10 @@ void setColours(ImVec4* colours) {
         colours[pressed] = rgba(kPressed);
     for (const ImGuiCol title : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed})
         colours[title] = rgba(kSurface, kPageOpacity);
-    for (const ImGuiCol accent : {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive,
-                                  ImGuiCol_PlotHistogram, ImGuiCol_PlotLines, ImGuiCol_NavHighlight})
+    for (const ImGuiCol accent : {ImGuiCol_CheckMark, ImGuiCol_SliderGrabActive, ImGuiCol_PlotHistogram,
+                                  ImGuiCol_PlotLines, ImGuiCol_NavHighlight})
         colours[accent] = rgba(kAccent);
+    colours[ImGuiCol_SliderGrab] = rgba(kAccent, 0.5f); // the number is drawn over it
     colours[ImGuiCol_Separator] = rgba(kLine);
     colours[ImGuiCol_ScrollbarBg] = rgba(kSurface, 0.0f);
     colours[ImGuiCol_ScrollbarGrab] = rgba(kHover);

@@ -190,13 +190,16 @@ void Window::receiveCursor(double x, double y) {
     cursorY_ = y;
 }
 
-void Window::poll(const Taken& taken, const KeyBindings& bindings) {
+void Window::poll(const Taken& taken, const KeyBindings& bindings, double wait) {
     pending_.clear();
     clicked_.reset();
     wheel_ = 0.0;
     mouseIsTaken_ = taken.mouse;
     pendingDrops_.clear();
-    glfwPollEvents();
+    if (wait > 0.0)
+        glfwWaitEventsTimeout(wait);
+    else
+        glfwPollEvents();
     dropped_ = pendingDrops_;
     takeSizes();
     held_ = {};
@@ -226,11 +229,12 @@ void Window::pollKeys(bool keysAreTaken, const KeyBindings& bindings) {
     held_.up = isDown(Action::Rise);
     held_.down = isDown(Action::Sink);
     keys_ = pending_;
-    if (keysAreTaken) // Escape leaves a page also while a text is typed
-        std::erase_if(keys_, [](KeyCode key) { return key != keyNamed("Escape"); });
-    for (const KeyCode key : keys_)
+    for (const KeyCode key : keys_) {
+        if (keysAreTaken && key != keyNamed("Escape")) // Escape leaves a page also while a text is typed
+            continue;
         for (const Action action : bindings.actionsOf(key))
             pressed_.push_back(action);
+    }
 }
 
 void Window::pollMouse(bool mouseIsTaken) {

@@ -32,8 +32,8 @@ public:
     Window& operator=(const Window&) = delete;
 
     /// Processes the events since the last call. A key pressed and released in between counts as held for one
-    /// frame.
-    void poll(const Taken& taken, const KeyBindings& bindings);
+    /// frame. `wait`: waits for an event, for at most this time in seconds.
+    void poll(const Taken& taken, const KeyBindings& bindings, double wait = 0.0);
     /// One-shot actions since the last poll.
     [[nodiscard]] const std::vector<Action>& pressed() const { return pressed_; }
     /// The named keys pressed since the last poll, bound or not.

@@ -84,6 +84,15 @@ std::string directoryOfDrop(const fs::path& path) {
     return fs::is_regular_file(path, error) ? path.parent_path().string() : path.string();
 }
 
+std::string absoluteDirectory(const std::string& directory) {
+    if (directory.empty())
+        return {};
+    std::error_code error;
+    const fs::path whole = fs::absolute(directory, error).lexically_normal();
+    const std::string text = error ? directory : whole.string();
+    return text.size() > 1 && text.back() == '/' ? text.substr(0, text.size() - 1) : text;
+}
+
 std::string nameOfWorld(const std::string& directory) {
     return directory.empty() ? "the built-in world" : directory;
 }

@@ -28,6 +28,9 @@ struct PathCompletion {
 /// The directory to open for a path that was dropped onto the window: itself, or the directory of a file.
 [[nodiscard]] std::string directoryOfDrop(const std::filesystem::path& path);
 
+/// An absolute path without a slash at the end, so that one world has one name. Empty stays empty.
+[[nodiscard]] std::string absoluteDirectory(const std::string& directory);
+
 /// The name of a world for people. `directory` empty: the built-in world.
 [[nodiscard]] std::string nameOfWorld(const std::string& directory);
 

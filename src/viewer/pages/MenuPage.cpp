@@ -23,11 +23,12 @@ void drawMenuEntry(Ui& ui, Page page, const PageState& state, PageChoice& choice
 PageChoice drawMenu(Ui& ui, const PagesFacts& facts) {
     PageChoice choice;
     constexpr PageBox kBox{.width = 320.0f, .hasBack = false};
+    const bool isTight = ImGui::GetIO().DisplaySize.y < uiLength(430.0f); // all entries fit into 360 units
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {uiLength(8.0f), uiLength(isTight ? 3.0f : 8.0f)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {uiLength(10.0f), uiLength(isTight ? 3.0f : 6.0f)});
     beginPage(factsOf(Page::Menu).title, kBox);
     uiNote(facts.worldName.empty() ? std::string("no world is open") : facts.worldName);
     ImGui::Spacing();
-    if (ImGui::IsWindowAppearing())
-        ImGui::SetKeyboardFocusHere();
     if (facts.state.hasWorld) {
         if (ui.mainButton("Resume", -1.0f))
             choice.go(Page::World);
@@ -45,6 +46,7 @@ PageChoice drawMenu(Ui& ui, const PagesFacts& facts) {
     if (ui.button("Quit", -1.0f))
         choice.event = PageEvent{PageEvent::Kind::Quit, Page::World, {}};
     static_cast<void>(endPage(ui, kBox));
+    ImGui::PopStyleVar(2);
     return choice;
 }
 

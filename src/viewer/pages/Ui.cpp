@@ -29,10 +29,14 @@ void pushAccent() {
 void Ui::note(std::string_view name) {
     const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     const ImVec2 centre((from.x + to.x) * 0.5f, (from.y + to.y) * 0.5f);
-    if (ImGui::IsRectVisible({centre.x - 1.0f, centre.y - 1.0f}, {centre.x + 1.0f, centre.y + 1.0f}))
-        items_.push_back(
-            {std::string(name.starts_with("##") ? name.substr(2) : name.substr(0, name.find("##"))), centre.x,
-             centre.y, ImGui::IsItemFocused()});
+    const ImVec2 low = ImGui::GetWindowDrawList()->GetClipRectMin(),
+                 high = ImGui::GetWindowDrawList()->GetClipRectMax();
+    constexpr float kEdge = 3.0f; // units; a centre this close to the edge cannot be clicked
+    if (centre.x < low.x + kEdge || centre.y < low.y + kEdge || centre.x > high.x - kEdge ||
+        centre.y > high.y - kEdge)
+        return;
+    const std::string_view shown = name.starts_with("##") ? name.substr(2) : name.substr(0, name.find("##"));
+    items_.push_back({std::string(shown), centre.x, centre.y, ImGui::IsItemFocused()});
 }
 
 bool Ui::button(const char* label, float width) {
@@ -98,6 +102,11 @@ bool containsText(std::string_view text, std::string_view part) {
     return std::search(text.begin(), text.end(), part.begin(), part.end(),
                        [&](char a, char b) { return lower(a) == lower(b); }) != text.end() ||
            part.empty();
+}
+
+void dimPicture() {
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0.0f, 0.0f}, ImGui::GetIO().DisplaySize,
+                                                  styleInk(StyleInk::Backdrop, 0.45f));
 }
 
 void beginPage(std::string_view title, const PageBox& box) {

@@ -50,6 +50,9 @@ void uiHint(std::string_view text);
 /// Whether a text contains another one. Letters of either case count as equal.
 [[nodiscard]] bool containsText(std::string_view text, std::string_view part);
 
+/// Darkens the world behind a page.
+void dimPicture();
+
 /// The size of a page's window.
 struct PageBox {
     float width = 560.0f; ///< as for letters of 16 units

@@ -89,16 +89,14 @@ void drawPlaceList(Ui& ui, std::span<const world::Place> places, PanelChoice& ch
     ImGui::EndCombo();
 }
 
-/// Draws a line across the plot at a frame time, with its rate.
-void drawMark(double ms, double top, const char* rate, const ImVec2& from, const ImVec2& to) {
-    if (ms >= top)
-        return;
+/// Draws a line across the plot at a frame time, with its text at the left or the right end.
+void drawMark(double ms, double top, const char* text, bool isAtRight, const ImVec2& from, const ImVec2& to) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float y = to.y - static_cast<float>(ms / top) * (to.y - from.y);
-    list->AddLine({from.x, y}, {to.x, y}, styleInk(StyleInk::Dim, 0.55f));
-    const float high = ImGui::GetFontSize();
-    if (y - high > from.y)
-        list->AddText({from.x + uiLength(4.0f), y - high}, styleInk(StyleInk::Dim), rate);
+    list->AddLine({from.x, y}, {to.x, y}, styleInk(StyleInk::Text, 0.6f));
+    const float gap = uiLength(4.0f);
+    const float x = isAtRight ? to.x - ImGui::CalcTextSize(text).x - gap : from.x + gap;
+    list->AddText({x, std::max(y - ImGui::GetFontSize(), from.y)}, styleInk(StyleInk::Text), text);
 }
 
 } // namespace
@@ -114,13 +112,15 @@ void drawFrameTimes(const TimeWindow& frame) {
     };
     // ImGui passes the pointer back unchanged, but its parameter is not const.
     ImGui::PlotHistogram("##frames", value, const_cast<TimeWindow*>(&frame), static_cast<int>(frame.count()),
-                         0, nullptr, 0.0f, static_cast<float>(top), {-1.0f, uiLength(76.0f)});
+                         0, nullptr, 0.0f, static_cast<float>(top),
+                         {ImGui::GetContentRegionAvail().x, uiLength(76.0f)});
     const ImVec2 pad = ImGui::GetStyle().FramePadding, from = ImGui::GetItemRectMin(),
                  to = ImGui::GetItemRectMax();
     const ImVec2 lower(from.x + pad.x, from.y + pad.y), upper(to.x - pad.x, to.y - pad.y);
-    drawMark(1000.0 / 60.0, top, "16.7 ms", lower, upper);
-    drawMark(1000.0 / 30.0, top, "33.3 ms", lower, upper);
-    line(fmt::format("{:.0f} frames a second", 1e3 / std::max(frame.median(), 1e-3)));
+    drawMark(1000.0 / 60.0, top, "16.7 ms", false, lower, upper);
+    drawMark(1000.0 / 30.0, top, "33.3 ms", true, lower, upper);
+    const double rate = 1e3 / std::max(frame.median(), 1e-3);
+    line(fmt::format("{:.{}f} frames a second", rate, rate < 10.0 ? 1 : 0));
     uiNote(fmt::format("{:.1f} ms median, {:.1f} ms for the slowest twentieth", frame.median(), frame.p95()));
 }
 
@@ -145,7 +145,7 @@ PanelChoice drawPanel(Ui& ui, const PanelFacts& facts, PanelChoice choice) {
     const ImVec2 most{std::max(room.x - 2 * margin, 1.0f), std::max(room.y - 2 * margin, 1.0f)};
     const float width = std::min(uiLength(340.0f), most.x);
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {std::max(width, most.x * 0.6f), most.y});
-    ImGui::SetNextWindowBgAlpha(0.88f);
+    ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::Begin("##panel", nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing |
