@@ -184,7 +184,7 @@ void Application::drawOverlay() {
     ui_.begin();
     if (world_ && !page.usesPointer)
         world_->drawOverlay(ui_, overlay_, keys_.bindings);
-    if (world_ && page.pausesWorld)
+    if (world_ && page.pausesWorld && !photo_)
         dimPicture();
     const LoadingFacts loading = this->loading();
     std::vector<world::Place> none;

@@ -18,7 +18,7 @@ struct TerrainColours {
 };
 [[nodiscard]] TerrainColours terrainColours(const dat::Archive& archive, const dat::Region& region);
 
-/// Water is types 0x10..0x14 (docs/formats/landscape.md#terrain-words).
+/// Water is types 0x10..0x14 (docs/formats/landscape.md#terrain-types).
 [[nodiscard]] constexpr bool isWater(std::uint32_t type) {
     return type >= 0x10 && type <= 0x14;
 }

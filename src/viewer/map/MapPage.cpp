@@ -111,8 +111,8 @@ void MapPage::drawMap(Ui& ui, const MapFacts& facts, MapChoice& choice) {
     const Vec2 opposite = view_.screenAt(box_, {map_->northEast().x, map_->southWest().y});
     list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())),
                    screen(corner), screen(opposite));
-    drawMarks(facts);
     drawPlaceNames(source_->file.places);
+    drawMarks(facts); // the eye is on top
     list->PopClipRect();
     const std::string work =
         work_->isDone() ? std::string() : fmt::format("   painting {:.0f} %", work_->progress() * 100.0);

@@ -10,7 +10,7 @@
 namespace limen::viewer {
 namespace {
 
-/// Dims what is outside of the picture.
+/// Dims the window outside of the picture.
 void drawFrame(const PhotoFacts& facts) {
     constexpr ImU32 kDim = IM_COL32(0, 0, 0, 150);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -128,11 +128,11 @@ PhotoChoice drawPhotoPage(Ui& ui, const PhotoFacts& facts) {
     ImGui::Begin("Photo mode", nullptr,
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    drawTake(ui, facts, choice); // first: visible without scrolling in a small window
     if (!facts.isBusy) {
         chooseWorld(ui, facts, choice.settings);
         choosePicture(ui, choice.settings);
     }
-    drawTake(ui, facts, choice);
     if (!facts.fault.empty())
         uiNote(facts.fault);
     if (!facts.saved.empty())

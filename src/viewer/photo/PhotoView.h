@@ -17,7 +17,7 @@ public:
     /// The command line that draws a frame again.
     using CommandOf = std::function<std::string(const engine::FrameRequest&)>;
 
-    /// Moves the camera, goes on with a picture, and draws the preview into the session's target. Yields a line
+    /// Moves the camera, draws the next tile of a picture, and draws the preview into the session's target. Yields a line
     /// for a person when a picture is saved or fails. Errors: the renderer's, for the preview.
     [[nodiscard]] Result<std::string> frame(const play::PlayInput& input);
     /// Draws the controls. True: the user leaves.
