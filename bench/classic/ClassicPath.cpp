@@ -108,7 +108,7 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Dyna
 
 void ClassicPath::begin(gpu::RenderTarget& target) {
     device_.setGeometry(scene_->vertices(), scene_->indices());
-    memory_ = device_.beginFrame(target.handle());
+    memory_ = device_.beginFrame(target.handle(), target.viewport());
     layout::FrameConstants constants;
     constants.view = base_.constants;
     constants.view.staticInstances = 0; // all instances are in the frame's memory

@@ -145,7 +145,7 @@ LIMEN_STRUCT(ViewConstants) {
 
 // Constants of a frame that follow from its target, its place in the ring memory and its culling. Written by gpu.
 LIMEN_STRUCT(DeviceConstants) {
-    vec4 viewport LIMEN_ZERO; // width, height, 1/width, 1/height
+    vec4 viewport LIMEN_ZERO; // of the whole picture: width, height, 1/width, 1/height
     vec4 rayCorner
         LIMEN_ZERO; // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
     vec4 rayRight LIMEN_ZERO; // and the steps of one pixel
@@ -167,7 +167,8 @@ LIMEN_STRUCT(DeviceConstants) {
     uint firstRun LIMEN_ZERO;         // DrawRun
     uint slotCount LIMEN_ZERO;
     uint firstOccludee LIMEN_ZERO; // slots from here on are culled against the draws of those before
-    uint reserved0 LIMEN_ZERO;
+    uint windowOrigin
+        LIMEN_ZERO; // of a tile: its lower left corner in the whole picture, pixels; x | y << 16
 };
 
 // The two, one behind the other, so that each has one writer.

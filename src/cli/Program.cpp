@@ -59,6 +59,7 @@ void addVerbs(CLI::App& program, const Console& console, Choice& choice) {
     addCheckVerb(program, console, choice);
     addPlacesVerb(program, console, choice);
     addDoctorVerb(program, console, choice);
+    addMapVerb(program, console, choice);
     addDatVerb(program, console, choice);
     addDemoVerb(program, console, choice);
     addBenchVerb(program, console, choice);

@@ -4,6 +4,7 @@
 #include "engine/CheckView.h"
 #include "engine/FrameMemory.h"
 #include "engine/Session.h"
+#include "engine/picture/LargePicture.h"
 #include "output/FrameJson.h"
 #include "output/Npy.h"
 #include "output/OutputFile.h"
@@ -27,7 +28,8 @@ struct ShotOptions {
     ViewArguments view;
     OutputPaths outputs;
     std::string views;
-    bool reference = false; ///< trace instead of drawing
+    bool reference = false;        ///< trace instead of drawing
+    std::uint32_t supersample = 1; ///< samples along a pixel's side
 };
 
 /// Distances for depth.npy: infinite only for sky, NaN for holes.
@@ -41,13 +43,43 @@ std::vector<float> depthOf(const engine::Session& session, std::span<const std::
     return depth;
 }
 
+/// Draws a large or supersampled picture in tiles.
+Result<output::Picture> drawInTiles(engine::Session& session, const engine::FrameRequest& request,
+                                    std::uint32_t supersample, const Console& console) {
+    Result<engine::LargePicture> large =
+        engine::LargePicture::begin(session, request, {.supersample = supersample});
+    if (!large)
+        return tl::unexpected(large.error());
+    Progress progress(console, "tiles", large->tiles());
+    while (!large->isDone()) {
+        if (Result<void> drawn = large->drawNext(session); !drawn)
+            return tl::unexpected(drawn.error());
+        progress.step(large->drawn());
+    }
+    output::Picture picture;
+    picture.width = request.size.width;
+    picture.height = request.size.height;
+    picture.rgb = large->takeRgb();
+    return picture;
+}
+
+Result<output::Picture> drawPicture(engine::Session& session, const engine::FrameRequest& request,
+                                    std::uint32_t supersample, const Console& console) {
+    constexpr std::uint32_t kInOnePiece = 4096; ///< pixels a side; larger targets need gigabytes
+    if (supersample > 1 || std::max(request.size.width, request.size.height) > kInOnePiece)
+        return drawInTiles(session, request, supersample, console);
+    if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
+        return tl::unexpected(drawn.error());
+    return output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
+}
+
 /// Writes the picture, and the picture with outlined visits.
 Result<void> writePictures(engine::Session& session, const engine::FrameRequest& request,
-                           const OutputPaths& outputs) {
-    if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
-        return drawn;
-    output::Picture picture =
-        output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
+                           const OutputPaths& outputs, std::uint32_t supersample, const Console& console) {
+    Result<output::Picture> drawn = drawPicture(session, request, supersample, console);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    output::Picture& picture = *drawn;
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, picture); !written)
             return written;
@@ -96,7 +128,8 @@ Result<engine::FrameRequest> requestOf(const engine::LoadedPart& part, const wor
     return request;
 }
 
-Result<void> shoot(engine::Session& session, const ListedView& listed, const Console& console) {
+Result<void> shoot(engine::Session& session, const ListedView& listed, std::uint32_t supersample,
+                   const Console& console) {
     const Result<engine::FrameRequest> request =
         requestOf(session.part(), session.source().file, listed.view, console);
     if (!request)
@@ -105,7 +138,7 @@ Result<void> shoot(engine::Session& session, const ListedView& listed, const Con
     const bool measure = !outputs.ids.empty() || !outputs.depth.empty() || !outputs.json.empty();
     const bool paint = !outputs.frame.empty() || !outputs.overlay.empty() || !measure;
     if (paint) {
-        if (Result<void> written = writePictures(session, *request, outputs); !written)
+        if (Result<void> written = writePictures(session, *request, outputs, supersample, console); !written)
             return written;
     }
     return measure ? writeMeasurements(session, *request, outputs) : Result<void>{};
@@ -283,6 +316,25 @@ Result<void> checkTraceable(const std::vector<ListedView>& views) {
     return {};
 }
 
+/// Errors: outputs that have one sample a pixel; a picture with too many samples.
+Result<void> checkSupersampling(const ShotOptions& options, const std::vector<ListedView>& views) {
+    if (options.supersample == 1)
+        return {};
+    if (options.reference)
+        return fail(ErrorCode::BadArgument, "--supersample",
+                    "the reference traces one ray a pixel; leave out --supersample or --reference");
+    for (const ListedView& view : views) {
+        if (!view.outputs.ids.empty() || !view.outputs.depth.empty())
+            return fail(
+                ErrorCode::BadArgument, "--supersample",
+                "ids and depth have one value a pixel and cannot be filtered; write them in a run without "
+                "--supersample");
+        if (Result<void> fits = engine::checkLargePicture(view.view.size, options.supersample); !fits)
+            return fits;
+    }
+    return {};
+}
+
 Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<std::vector<ListedView>> views = viewsOf(options);
     if (!views)
@@ -291,6 +343,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         return tl::unexpected(written.error());
     if (Result<void> traceable = options.reference ? checkTraceable(*views) : Result<void>{}; !traceable)
         return tl::unexpected(traceable.error());
+    if (Result<void> checked = checkSupersampling(options, *views); !checked)
+        return tl::unexpected(checked.error());
     if (Result<void> checked = checkAllOutputs(options, *views); !checked)
         return tl::unexpected(checked.error());
     const bool namesPlaces = std::any_of(views->begin(), views->end(),
@@ -327,7 +381,7 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         if (const std::string findings = engine::findingsLine(session.part().world);
             first && !findings.empty())
             console.note(findings);
-        if (Result<void> shot = shoot(session, (*views)[i], console); !shot)
+        if (Result<void> shot = shoot(session, (*views)[i], options.supersample, console); !shot)
             return tl::unexpected(shot.error());
         progress.step(++done);
     }
@@ -350,6 +404,13 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--reference", options->reference,
                    "trace rays on the CPU by the ray rule instead of drawing; the picture has one colour per "
                    "id, the JSON lists the cells in which rays end and has no visits or stages")
+        ->group("Output");
+    verb->add_option(
+            "--supersample", options->supersample,
+            "draw N x N samples a pixel and filter them in linear light, 1 to 8; the picture's longer side "
+            "times N can be 16384 (1)")
+        ->type_name("N")
+        ->check(CLI::Range(1u, engine::kMostSupersampling))
         ->group("Output");
     addSessionOptions(*verb, options->session);
     verb->footer("Writes only the outputs that are given.\n"

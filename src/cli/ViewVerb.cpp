@@ -2,12 +2,11 @@
 #include "cli/SessionArguments.h"
 #include "cli/ShotRequest.h"
 #include "cli/Verbs.h"
-#include "engine/CheckView.h"
 #include "engine/HeapTuning.h"
-#include "engine/report/DecisionHash.h"
 #include "output/OutputFile.h"
-#include "play/WalkRecord.h"
-#include "viewer/ViewerState.h"
+#include "viewer/Signals.h"
+#include "viewer/StateJson.h"
+#include "viewer/open/GameDirectories.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,32 +19,19 @@ namespace {
 struct ViewOptions {
     engine::SessionOptions session;
     ViewArguments view;
-    std::string frames, step, screenshot, screenshots, record, keys;
+    std::string frames, step, screenshot, screenshots, record, keys, uiScale;
     bool json = false, tell = false, fly = false, chase = false;
+    bool isQualityGiven = false;
+    [[nodiscard]] bool isScript() const { return !frames.empty(); }
+    [[nodiscard]] bool hasViewpoint() const { return !view.eye.empty() || !view.at.empty(); }
 };
 
-/// The first view: that of the options, or without a viewpoint the world's first place.
-Result<engine::ViewRequest> openingOf(const ViewOptions& options, const world::WorldFile& file) {
+/// The view of the options, with a placeholder for the viewpoint if there is none.
+Result<engine::ViewRequest> viewIn(const ViewOptions& options) {
     ViewArguments arguments = options.view;
-    if (!arguments.eye.empty() || !arguments.at.empty())
-        return checkView(arguments).and_then(
-            [&](engine::ViewRequest view) { return engine::resolvePlace(std::move(view), file); });
-    const world::Place* place = engine::firstPlace(file);
-    if (place == nullptr)
-        return fail(
-            ErrorCode::BadArgument, "--eye",
-            "no viewpoint given, and world.json has no place to start at; use --eye X,Y,Z or --at PLACE");
-    arguments.eye = "0,0,0"; // a placeholder while the other options are checked
-    Result<engine::ViewRequest> view = checkView(arguments);
-    if (!view)
-        return view;
-    const engine::ViewRequest there = engine::requestAt(*place);
-    view->eye = there.eye;
-    view->yaw = there.yaw;
-    view->pitch = there.pitch;
-    view->root = there.root;
-    view->player.reset();
-    return view;
+    if (!options.hasViewpoint())
+        arguments.eye = "0,0,0";
+    return checkView(arguments);
 }
 
 /// Reads the keys from the file of --keys, else from the user's configuration if that file exists.
@@ -89,98 +75,150 @@ Result<Script> scriptOf(const ViewOptions& options) {
     return script;
 }
 
-Result<Exit> loop(viewer::Window& window, gpu::GlDevice& device, engine::Session& session,
-                  const engine::FrameRequest& start, Script script, const ViewOptions& options,
-                  const Console& console) {
-    viewer::Viewer viewer(window, device, session, start, std::move(script.keys), options.screenshots);
-    if (!options.fly)
-        viewer.act({play::PlayActKind::Walk});
-    if (options.chase)
-        viewer.act({play::PlayActKind::Chase});
-    std::size_t frames = 0;
-    std::string record = play::beginningLine(check::shotOptions(engine::viewOf(start, session.part().world)),
-                                             session.options().load);
-    while (!viewer.isLeaving() && !window.isLost() && (script.frames == 0 || frames < script.frames)) {
+void printNotes(viewer::Application& application, const Console& console) {
+    for (const std::string& note : application.takeNotes())
+        console.note("limen: " + note);
+}
+
+/// Runs frames until the user or a signal ends the program, or the script is over. Counts them.
+Result<void> loop(viewer::Window& window, viewer::Application& application, viewer::Signals& signals,
+                  const Script& script, const ViewOptions& options, const Console& console,
+                  std::size_t& frames) {
+    while (!application.isLeaving() && !window.isLost() && !signals.arrived() &&
+           (script.frames == 0 || frames < script.frames)) {
         if (script.frames == 0 && !window.isShown()) {
-            viewer.rest();
+            application.rest();
             continue;
         }
-        if (Result<void> drawn = viewer.frame(script.step); !drawn)
-            return tl::unexpected(drawn.error());
+        if (Result<void> drawn = application.frame(); !drawn)
+            return drawn;
         ++frames;
-        if (!options.record.empty())
-            record += play::frameLine(
-                {viewer.input(),
-                 engine::decisionHash(viewer.request(), session.visible(), session.dynamics()),
-                 viewer.stream().shown(), viewer.stream().hasRefused()});
-        if (const std::string fault = viewer.stream().takeFault(); !fault.empty())
-            console.note("limen: cannot load nearby blocks: " + fault);
-        if (!viewer.probed().empty())
-            console.data(viewer.probed());
-        if (frames == script.frames && !options.screenshot.empty()) {
+        printNotes(application, console);
+        if (application.world() != nullptr && !application.world()->probed().empty())
+            console.data(application.world()->probed());
+        if (frames == script.frames && !options.screenshot.empty())
             if (Result<void> written = output::writePicture(options.screenshot, window.read()); !written)
-                return tl::unexpected(written.error());
-        }
+                return written;
         window.show();
         if (options.tell) {
-            console.data(viewer::stateJson(session, viewer, frames));
+            console.data(viewer::stateJson(application, frames));
             (void)console.flush();
         }
     }
-    if (!options.record.empty()) {
-        if (Result<void> written = output::writeFile(options.record, record); !written)
-            return tl::unexpected(written.error());
-    }
+    return {};
+}
+
+/// Runs the window and saves all files, however it ends.
+Result<Exit> runWindow(viewer::Window& window, viewer::Application& application, viewer::Signals& signals,
+                       const Script& script, const ViewOptions& options, const Console& console) {
+    application.open(options.session.dat);
+    if (options.isScript()) // its frames must not depend on the machine's speed
+        if (Result<void> opened = application.finishOpening(); !opened)
+            return tl::unexpected(opened.error());
+    std::size_t frames = 0;
+    const Result<void> ran = loop(window, application, signals, script, options, console, frames);
+    const Result<void> saved = application.save();
+    printNotes(application, console);
+    for (const Result<void>& result : {ran, saved})
+        if (!result)
+            return tl::unexpected(result.error());
     if (window.isLost())
         return fail(ErrorCode::Driver, "view", "the connection to the display was lost");
     if (options.json)
-        console.data(viewer::stateJson(session, viewer, frames));
+        console.data(viewer::stateJson(application, frames));
+    if (const std::optional<int> signal = signals.arrived()) {
+        console.note(fmt::format("limen: ended by {}", viewer::nameOfSignal(*signal)));
+        return static_cast<Exit>(viewer::exitCodeOf(*signal));
+    }
     return Exit::Done;
+}
+
+Result<void> checkFiles(const ViewOptions& options) {
+    if (Result<void> writable =
+            options.screenshot.empty() ? Result<void>{} : output::checkPictureWritable(options.screenshot);
+        !writable)
+        return writable;
+    if (Result<void> writable =
+            options.record.empty() ? Result<void>{} : output::checkWritable(options.record);
+        !writable)
+        return writable;
+    return options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
+}
+
+/// The options of the application. The settings file applies to people: a script's frames do not depend on it.
+Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options, Script& script) {
+    Result<engine::ViewRequest> view = viewIn(options);
+    if (!view)
+        return tl::unexpected(view.error());
+    viewer::ApplicationOptions application;
+    application.session = options.session;
+    application.isQualityFixed = options.isQualityGiven;
+    application.isFovFixed = options.isScript() || !options.view.fov.empty();
+    application.flies = options.fly;
+    application.isChased = options.chase;
+    application.step = script.step;
+    application.keys = std::move(script.keys);
+    application.screenshots = options.screenshots;
+    application.record = options.record;
+    application.version = LIMEN_VERSION;
+    application.gameDirectories = viewer::gameDirectories();
+    if (!options.uiScale.empty()) {
+        const Result<double> scale = parseNumberBetween("--ui-scale", options.uiScale, 0.5, 4.0);
+        if (!scale)
+            return tl::unexpected(scale.error());
+        application.uiScale = *scale;
+    }
+    if (!options.isScript()) {
+        application.settingsFile = viewer::settingsPath();
+        application.settings = viewer::readSettings(application.settingsFile);
+        const viewer::Settings& settings = application.settings.settings;
+        if (options.view.size.empty())
+            view->size = {settings.width, settings.height};
+        if (!application.isFovFixed)
+            view->fov = settings.fieldOfView;
+    }
+    application.view = *view;
+    if (options.hasViewpoint())
+        application.start = [view = *view](const engine::WorldSource& source) {
+            return engine::resolvePlace(view, source.file);
+        };
+    return application;
 }
 
 Result<Exit> runView(const ViewOptions& options, const Console& console) {
     engine::tuneHeap();
+    viewer::Signals signals; // before threads start
     Result<Script> script = scriptOf(options);
     if (!script)
         return tl::unexpected(script.error());
-    if (Result<void> writable =
-            options.screenshot.empty() ? Result<void>{} : output::checkPictureWritable(options.screenshot);
-        !writable)
-        return tl::unexpected(writable.error());
-    if (Result<void> writable =
-            options.record.empty() ? Result<void>{} : output::checkWritable(options.record);
-        !writable)
-        return tl::unexpected(writable.error());
-    if (Result<void> made =
-            options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
-        !made)
-        return tl::unexpected(made.error());
-    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
-    if (!source)
-        return tl::unexpected(source.error());
-    const Result<engine::ViewRequest> opening = openingOf(options, source->file);
-    if (!opening)
-        return tl::unexpected(opening.error());
-    const Result<std::unique_ptr<viewer::Window>> window = viewer::Window::open("Limen", opening->size);
+    if (Result<void> checked = checkFiles(options); !checked)
+        return tl::unexpected(checked.error());
+    Result<viewer::ApplicationOptions> application = applicationOptions(options, *script);
+    if (!application)
+        return tl::unexpected(application.error());
+    const Result<std::unique_ptr<viewer::Window>> window =
+        viewer::Window::open("Limen", application->view.size);
     if (!window)
         return tl::unexpected(window.error());
     const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
     if (!device)
         return tl::unexpected(device.error());
-    engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
-                            **device);
-    if (Result<void> loaded = session.load(engine::centreOf(*opening)); !loaded)
-        return tl::unexpected(loaded.error());
-    const Result<engine::FrameRequest> start =
-        engine::frameRequest(session.part().world, session.source().file, *opening);
-    if (!start)
-        return tl::unexpected(start.error());
-    return loop(**window, **device, session, *start, std::move(*script), options, console);
+    viewer::Application shown(**window, **device, std::move(*application));
+    return runWindow(**window, shown, signals, *script, options, console);
 }
 
 /// The default keys as text.
 std::string keysFooter() {
-    std::string text = "Default keys, with the action names for --keys:\n";
+    std::string text =
+        "Escape opens the menu: other worlds, places, settings, quit. A directory dropped onto the window is "
+        "opened.\nA world that does not open leads to the page Open a world, with the reason; with --frames "
+        "the "
+        "program ends with exit code 2.\nSettings: limen/settings.json in the user's configuration "
+        "directory; "
+        "options of the command line win. With --frames they do not apply.\n"
+        "Ctrl-C and SIGTERM save the recorded walk and the settings; the exit code is 128 and the signal's "
+        "number.\n"
+        "\nDefault keys, with the action names for --keys:\n";
     for (const viewer::HelpLine& line : viewer::helpLines(viewer::KeyBindings()))
         text += fmt::format("  {:<24}{:<12}{}\n", line.keys,
                             line.action ? viewer::factsOf(*line.action).name : "", line.does);
@@ -217,6 +255,10 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--chase", options->chase, "start in third person; the key C switches")
         ->group("View")
         ->excludes("--fly");
+    verb->add_option("--ui-scale", options->uiScale,
+                     "scale letters and controls by this factor, on top of the screen's scale (1)")
+        ->type_name("F")
+        ->group("View");
     verb->add_flag("--json", options->json, "print the final state (eye, root, overlays, ...) as JSON")
         ->group("Scripts");
     verb->add_flag("--tell", options->tell, "print the state after every frame, one line each")
@@ -229,7 +271,9 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("FILE")
         ->group("View");
     verb->footer(keysFooter() + "Examples:\n  limen view\n  limen view --at inn.hall --fly");
-    verb->callback([&console, &choice, options] {
+    verb->callback([&console, &choice, options, verb] {
+        for (const char* name : {"--quality", "--radius", "--far", "--detail", "--msaa"})
+            options->isQualityGiven = options->isQualityGiven || verb->count(name) > 0;
         choice.run = [&console, options] { return runView(*options, console); };
     });
 }

@@ -78,10 +78,11 @@ Result<void> Session::load(dat::BlockCoord centre) {
     return show(std::move(*loaded));
 }
 
-Result<std::unique_ptr<PartPlanner>> Session::read(const PartTarget& target, unsigned threads) const {
+Result<std::unique_ptr<PartPlanner>> Session::read(const PartTarget& target, unsigned threads,
+                                                   world::LoadProgress* progress) const {
     LIMEN_ASSERT(threads > 0, "at least one thread reads");
     Result<std::shared_ptr<const LoadedPart>> loaded =
-        loadPart(source_->archive, target, source_->file.moving, {cache_.get(), threads});
+        loadPart(source_->archive, target, source_->file.moving, {cache_.get(), threads, progress});
     source_->archive.letPagesGo(); // the cache holds the records that the next part needs
     if (!loaded)
         return tl::unexpected(loaded.error());
@@ -138,16 +139,9 @@ Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions&
     return &*target;
 }
 
-Result<void> Session::draw(const FrameRequest& request, const DrawOptions& options) {
-    LIMEN_ASSERT(isLoaded(), "load before drawing");
-    const Result<gpu::RenderTarget*> target = fitTarget(request.size, options);
-    if (!target)
-        return tl::unexpected(target.error());
-    shown_ = *target;
-    const FrameInputs inputs =
-        frameInputs(part().world, request,
-                    {.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit,
-                     .highlights = options.highlights});
+Result<void> Session::drawInto(gpu::RenderTarget& target, const FrameRequest& request,
+                               const FrameOutputs& outputs, const gpu::RenderOptions& options) {
+    const FrameInputs inputs = frameInputs(part().world, request, outputs);
     pipeline_.updateDynamics(inputs.dynamics);
     const Stopwatch flooding;
     if (Result<void> flooded = pipeline_.flood(inputs.view.view); !flooded)
@@ -156,11 +150,34 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
     const Stopwatch planning;
     pipeline_.plan(inputs.view);
     planMs_ = planning.ms();
-    Result<void> rendered = pipeline_.render(
-        **target, {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
+    Result<void> rendered = pipeline_.render(target, options);
     LIMEN_ASSERT(!checked_ || checked_->faults().empty(), checked_->faults().front().c_str());
     ++frames_;
     return rendered;
+}
+
+Result<void> Session::draw(const FrameRequest& request, const DrawOptions& options) {
+    LIMEN_ASSERT(isLoaded(), "load before drawing");
+    const Result<gpu::RenderTarget*> target = fitTarget(request.size, options);
+    if (!target)
+        return tl::unexpected(target.error());
+    shown_ = *target;
+    return drawInto(**target, request,
+                    {.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit,
+                     .highlights = options.highlights},
+                    {.wantIds = options.ids, .shading = options.shading, .wantLayers = options.layers});
+}
+
+Result<gpu::RenderTarget> Session::makeTile(std::uint32_t width, std::uint32_t height) {
+    return gpu::RenderTarget::create(drawnOn(), width, height,
+                                     {.samples = options_.samples > 1 ? options_.samples : 0});
+}
+
+Result<void> Session::drawTile(const FrameRequest& request, gpu::RenderTarget& tile) {
+    LIMEN_ASSERT(isLoaded(), "load before drawing");
+    LIMEN_ASSERT(tile.isTile(), "the tile has a place in the picture");
+    shown_ = nullptr;
+    return drawInto(tile, request, {}, {.wantIds = false});
 }
 
 Result<Picked> Session::pick(const FrameRequest& request, std::uint32_t x, std::uint32_t y) {

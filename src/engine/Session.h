@@ -40,8 +40,8 @@ public:
     [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(dat::BlockCoord centre) const {
         return read({centre, options_.load});
     }
-    [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(const PartTarget& target,
-                                                            unsigned threads = 1) const;
+    [[nodiscard]] Result<std::unique_ptr<PartPlanner>> read(const PartTarget& target, unsigned threads = 1,
+                                                            world::LoadProgress* progress = nullptr) const;
     /// Uploads a part that was read and draws it from now on. On an error the old part stays.
     [[nodiscard]] Result<void> show(std::unique_ptr<PartPlanner> part) {
         return pipeline_.show(std::move(part));
@@ -64,6 +64,11 @@ public:
 
     /// Draws one frame. Requires a loaded part. Errors: the renderer's, the target's.
     [[nodiscard]] Result<void> draw(const FrameRequest& request, const DrawOptions& options);
+    /// A target for drawTile, of this size in pixels and with this session's samples. Errors: the device's.
+    [[nodiscard]] Result<gpu::RenderTarget> makeTile(std::uint32_t width, std::uint32_t height);
+    /// Draws a part of a picture into a tile (RenderTarget::setTile). `request`: of the whole picture. Ends the
+    /// last frame: `target` needs another `draw`. Errors: the renderer's.
+    [[nodiscard]] Result<void> drawTile(const FrameRequest& request, gpu::RenderTarget& tile);
     /// The surface at a pixel, counted from the upper left corner. Draws a frame of ids into the target, so
     /// the visible frame must be drawn again afterwards. Requires a loaded part and a pixel inside of the
     /// picture.
@@ -95,6 +100,9 @@ public:
 
 private:
     [[nodiscard]] gpu::Device& drawnOn();
+    /// Draws into a target that fits. `outputs` refers to data of the caller.
+    [[nodiscard]] Result<void> drawInto(gpu::RenderTarget& target, const FrameRequest& request,
+                                        const FrameOutputs& outputs, const gpu::RenderOptions& options);
     /// The target for a frame of this size and kind; made again if the last one does not fit.
     [[nodiscard]] Result<gpu::RenderTarget*> fitTarget(PixelSize size, const DrawOptions& options);
 

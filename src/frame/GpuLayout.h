@@ -77,7 +77,7 @@ static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstan
               offsetof(DeviceConstants, firstSlotGroup) == 108 &&
               offsetof(DeviceConstants, firstRun) == 112 && offsetof(DeviceConstants, slotCount) == 116 &&
               offsetof(DeviceConstants, firstOccludee) == 120 &&
-              offsetof(DeviceConstants, reserved0) == 124 && sizeof(DeviceConstants) == 128);
+              offsetof(DeviceConstants, windowOrigin) == 124 && sizeof(DeviceConstants) == 128);
 static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 256 &&
               sizeof(FrameConstants) == 384);
 

@@ -102,7 +102,7 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
     drawsStaticIndices_ = drawsStaticIndices_ || failures_ >= kMostFailures || !isMade(reserve(indices));
     firstOccludee_ = slotCount_;
     usesOcclusion_ = culling_ == Culling::Hidden && options.occlusion && !drawsStaticIndices_ &&
-                     isMade(tiles_.prepare(target.width(), target.height()));
+                     !target.isTile() && isMade(tiles_.prepare(target.width(), target.height()));
     if (usesOcclusion_) {
         if (plan.firstOccludee < firstSlots_.size())
             firstOccludee_ = firstSlots_[plan.firstOccludee];

@@ -21,8 +21,8 @@ struct RenderOptions {
     /// Count the layers of transparent surfaces per pixel. The transparent stage then paints nothing, and sky
     /// objects are skipped. The target must have a layers image.
     bool wantLayers = false;
-    /// Cull triangles behind walls and ground, if the renderer can (Culling::Hidden). The picture is the
-    /// same.
+    /// Cull triangles behind walls and ground, if the renderer can (Culling::Hidden; not on tiles). The
+    /// picture is the same.
     bool occlusion = true;
 };
 

@@ -1,5 +1,7 @@
 #include "gpu/RenderTarget.h"
 
+#include "core/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,7 @@ Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, s
 
 RenderTarget::RenderTarget(RenderTarget&& other) noexcept
     : device_(other.device_), handle_(std::exchange(other.handle_, TargetHandle::Invalid)),
-      width_(other.width_), height_(other.height_), options_(other.options_),
+      width_(other.width_), height_(other.height_), options_(other.options_), tile_(other.tile_),
       samples_(std::move(other.samples_)) {}
 
 RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
@@ -34,6 +36,7 @@ RenderTarget& RenderTarget::operator=(RenderTarget&& other) noexcept {
     std::swap(width_, other.width_);
     std::swap(height_, other.height_);
     std::swap(options_, other.options_);
+    std::swap(tile_, other.tile_);
     std::swap(samples_, other.samples_);
     return *this;
 }
@@ -75,8 +78,17 @@ std::vector<glm::vec2> RenderTarget::samplePositions() const {
     return positions;
 }
 
+Viewport RenderTarget::viewport() const {
+    if (!isTile())
+        return {0, 0, width_, height_};
+    return {-static_cast<std::int32_t>(tile_.x), -static_cast<std::int32_t>(tile_.y), tile_.pictureWidth,
+            tile_.pictureHeight};
+}
+
 void RenderTarget::place(const frame::gpu::ViewConstants& view, frame::gpu::DeviceConstants& device) const {
-    const double width = width_, height = height_;
+    const Viewport whole = viewport();
+    const double width = whole.width, height = whole.height;
+    device.windowOrigin = tile_.x | tile_.y << 16;
     device.viewport = {width, height, 1.0 / width, 1.0 / height};
     // Rows for x, y and w of the clip position. The direction of view depth 1 through (x, y) of the window
     // solves rows * direction = (x, y, 1).
@@ -120,6 +132,7 @@ std::vector<LayerSum> RenderTarget::readLayers() const {
 }
 
 std::vector<float> RenderTarget::readDistances(const frame::gpu::ViewConstants& view) const {
+    LIMEN_ASSERT(!isTile(), "distances are read from whole pictures");
     std::vector<float> values = readDepth();
     const glm::dmat4 eyeFromClip = glm::inverse(glm::dmat4(view.clipFromEye));
     for (std::uint32_t y = 0; y < height_; ++y) {

@@ -13,6 +13,13 @@ struct LayerSum {
     friend bool operator==(const LayerSum&, const LayerSum&) = default;
 };
 
+/// A place in a larger picture: the tile's lower left corner, and the size of the whole picture, in pixels. The
+/// tile may reach beyond the picture's right and upper edges; nothing is drawn there.
+struct TilePlace {
+    std::uint32_t x = 0, y = 0; ///< < 65536; even, because drivers shade 2 x 2 pixels together
+    std::uint32_t pictureWidth = 0, pictureHeight = 0;
+};
+
 /// The images that a frame is drawn into. Read functions return the top row first and wait for the GPU.
 class RenderTarget {
 public:
@@ -27,6 +34,13 @@ public:
     [[nodiscard]] std::uint32_t height() const { return height_; }
     [[nodiscard]] const TargetOptions& options() const { return options_; }
     [[nodiscard]] TargetHandle handle() const { return handle_; }
+
+    /// Makes the target a tile of a larger picture. Frames of one plan on all its tiles are the picture, with no
+    /// seam. Requires the plan of the whole picture, and a picture that the driver allows
+    /// (Capabilities::maxViewport). Distances of tiles cannot be read.
+    void setTile(const TilePlace& tile) { tile_ = tile; }
+    [[nodiscard]] bool isTile() const { return tile_.pictureWidth > 0; }
+    [[nodiscard]] Viewport viewport() const;
 
     /// Sample positions of a multisampled target: pixels from the pixel's centre, x to the right, y
     /// downwards. Empty if the target is not multisampled.
@@ -61,6 +75,7 @@ private:
     TargetHandle handle_ = TargetHandle::Invalid;
     std::uint32_t width_ = 0, height_ = 0;
     TargetOptions options_;
+    TilePlace tile_;
     std::vector<glm::vec2> samples_; // from the lower left corner
 };
 

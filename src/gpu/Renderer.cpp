@@ -298,7 +298,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     // In every frame, because another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(),
                          culling.drawsStaticIndices() ? scene_->indices() : culling.keptIndices());
-    const std::span<std::byte> memory = device_->beginFrame(target.handle());
+    const std::span<std::byte> memory = device_->beginFrame(target.handle(), target.viewport());
     layout::DeviceConstants constants;
     target.place(plan.constants, constants);
     ring.locate(constants);

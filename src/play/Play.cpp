@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "engine/Quality.h"
+#include "engine/map/MapCoordinates.h"
 #include "play/FlyCamera.h"
 
 #include <algorithm>
@@ -72,8 +73,14 @@ void Play::act(const PlayAct& act) {
             act.value < static_cast<double>(session_.part().world.sky.desc.dayGroups.size()))
             request_.scene.dayGroup = static_cast<std::uint32_t>(act.value);
         return;
+    case PlayActKind::Fov:
+        request_.camera.fovDegrees = std::clamp(act.value, 1.0, 170.0);
+        return;
     case PlayActKind::Place:
         goTo(static_cast<std::size_t>(std::max(act.value, 0.0)));
+        return;
+    case PlayActKind::Go:
+        goTo(Vec2(act.value, act.north));
         return;
     case PlayActKind::Time:
         request_.scene.time = std::clamp(act.value, 0.0, 1.0);
@@ -129,6 +136,18 @@ void Play::goTo(std::size_t place) {
     const std::vector<world::Place>& places = session_.source().file.places;
     if (place < places.size())
         going_ = {engine::requestAt(places[place]), places[place].name};
+}
+
+/// The heading stays. Points beyond the map are ignored.
+void Play::goTo(const Vec2& point) {
+    constexpr double kEnd = world::kMapSize * world::kBlockSize;
+    if (!(point.x >= 0.0 && point.y >= 0.0 && point.x < kEnd && point.y < kEnd))
+        return;
+    engine::ViewRequest view;
+    view.eye = Vec3(point, request_.camera.eye.z); // the height applies where there is no ground
+    view.isOnGround = true;
+    view.yaw = request_.camera.heading.yaw;
+    going_ = {std::move(view), engine::mapText(point)};
 }
 
 /// Goes to the destination once its part is shown. Until then the eye moves in the old part.

@@ -42,6 +42,7 @@ private:
     void standDoors(double open);
     void useDoor();
     void goTo(std::size_t place);
+    void goTo(const Vec2& point);
     [[nodiscard]] Result<void> travel();
     void standAt(engine::ViewRequest view);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);

@@ -20,14 +20,17 @@ enum class PlayActKind : std::uint8_t {
     AllDoors, ///< set the openness of all doors to `value`; below 0: each door keeps its own
     Distance, ///< set the distance of a third-person camera to `value` metres
     Quality,  ///< choose a quality level: `value` is an index of engine::kQualities
-    Day       ///< choose a day group: `value` is its index in the Region
+    Day,      ///< choose a day group: `value` is its index in the Region
+    Fov,      ///< set the vertical field of view to `value` degrees
+    Go        ///< go to the ground at a point of the map: `value` and `north` are metres, global
 };
 
 /// A one-shot action of the player, in one frame.
 struct PlayAct {
-    static constexpr std::size_t kKinds = 11;
+    static constexpr std::size_t kKinds = 13;
     PlayActKind kind = PlayActKind::Walk;
     double value = 0.0;
+    double north = 0.0; ///< of Go: metres from the map's south-west corner; `value` is the metres to the east
     friend bool operator==(const PlayAct&, const PlayAct&) = default;
 };
 

@@ -19,7 +19,8 @@ using WalkJson = nlohmann::json;
 
 constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes, enough for days of walking
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
-    "walk", "chase", "doors", "use", "weather", "place", "time", "all_doors", "distance", "quality", "day"};
+    "walk",      "chase",    "doors",   "use", "weather", "place", "time",
+    "all_doors", "distance", "quality", "day", "fov",     "go"};
 
 /// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are
 /// omitted.
@@ -36,12 +37,28 @@ void eachField(Input& input, Number&& number, Flag&& flag) {
     flag("frozen", input.isFrozen);
 }
 
+/// Numbers of an act: a point has two.
+std::size_t numbersOf(PlayActKind kind) {
+    return kind == PlayActKind::Go ? 2 : 1;
+}
+
+nlohmann::ordered_json actJson(const PlayAct& act) {
+    nlohmann::ordered_json json{kActNames[static_cast<std::size_t>(act.kind)], act.value};
+    if (numbersOf(act.kind) == 2)
+        json.push_back(act.north);
+    return json;
+}
+
 bool readAct(const WalkJson& json, PlayAct& act) {
-    if (!json.is_array() || json.size() != 2 || !json[0].is_string() || !json[1].is_number())
+    if (!json.is_array() || json.size() < 2 || !json[0].is_string() || !json[1].is_number())
         return false;
     const auto found = std::find(kActNames.begin(), kActNames.end(), json[0].get<std::string>());
     act = {static_cast<PlayActKind>(found - kActNames.begin()), json[1].get<double>()};
-    return found != kActNames.end() && std::isfinite(act.value);
+    if (found == kActNames.end() || !std::isfinite(act.value) || json.size() != numbersOf(act.kind) + 1)
+        return false;
+    if (act.kind == PlayActKind::Go)
+        act.north = json[2].is_number() ? json[2].get<double>() : std::nan("");
+    return std::isfinite(act.north);
 }
 
 bool readSide(const WalkJson& json, std::uint32_t& side) {
@@ -168,7 +185,7 @@ std::string frameLine(const RecordedFrame& frame) {
         });
     json["size"] = {frame.input.size.width, frame.input.size.height};
     for (const PlayAct& act : frame.input.acts)
-        json["acts"].push_back({kActNames[static_cast<std::size_t>(act.kind)], act.value});
+        json["acts"].push_back(actJson(act));
     if (frame.shown) {
         json["shown"] = {{"x", frame.shown->centre.x}, {"y", frame.shown->centre.y}};
         json["shown"].update(loadJson(frame.shown->options));

@@ -15,6 +15,13 @@ void addSticks(const StickInput& sticks, play::PlayInput& input) {
 
 } // namespace
 
+void applyLookSettings(HeldInput& held, double speed, bool inverts) {
+    held.lookX *= speed;
+    held.lookY *= inverts ? -speed : speed;
+    if (held.sticks && inverts)
+        held.sticks->rightY = -held.sticks->rightY;
+}
+
 play::PlayInput inputOf(const HeldInput& held, double seconds) {
     constexpr double kDegreesPerPixel = 0.15;
     const auto axis = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };

@@ -17,6 +17,10 @@ struct HeldInput {
     std::optional<Sticks> sticks;    ///< of the first gamepad; none without a gamepad
 };
 
+/// Applies the user's mouse settings. `speed`: factor on mouse turns. `inverts`: pushing the mouse or the right
+/// stick away looks down.
+void applyLookSettings(HeldInput& held, double speed, bool inverts);
+
 /// The held input as a play input for a frame of `seconds`. Size, acts and isFrozen stay at their defaults.
 [[nodiscard]] play::PlayInput inputOf(const HeldInput& held, double seconds);
 

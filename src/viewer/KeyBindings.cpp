@@ -41,7 +41,10 @@ constexpr std::array<ActionFacts, kActions> kFacts{{
     {"depth", When::Always, "show depth as grey levels", {"F9", ""}},
     {"full_screen", When::Always, "toggle full screen", {"F11", ""}},
     {"screenshot", When::Always, "save a screenshot", {"F12", ""}},
-    {"leave", When::Always, "quit", {"Escape", ""}},
+    {"capture", When::Always, "capture or release the mouse", {"Tab", ""}},
+    {"map", When::Always, "show the map", {"M", ""}},
+    {"photo", When::Always, "photo mode", {"P", ""}},
+    {"leave", When::Always, "menu (quit is there)", {"Escape", ""}},
     {"place_1", When::Always, "go to the first place", {"1", ""}},
     {"place_2", When::Always, "go to the second place", {"2", ""}},
     {"place_3", When::Always, "go to the third place", {"3", ""}},
@@ -98,6 +101,20 @@ Result<std::vector<KeyCode>> keysIn(const Json& json, const std::string& where) 
             keys.push_back(*key);
     }
     return keys;
+}
+
+/// Actions that were added after the first key files. Keys of a file win over their default keys.
+constexpr std::array kNewActions{Action::Capture, Action::Map, Action::Photo};
+
+void freeNewKeys(KeyBindings& bindings, const std::vector<KeyCode>& taken, const Json& json) {
+    for (const Action action : kNewActions) {
+        if (json.contains(factsOf(action).name))
+            continue;
+        const std::span<const KeyCode> before = bindings.keysOf(action);
+        std::vector<KeyCode> keys(before.begin(), before.end());
+        std::erase_if(keys, [&](KeyCode key) { return has(taken, key); });
+        bindings.set(action, std::move(keys));
+    }
 }
 
 /// Errors: a key with two actions at the same time.
@@ -183,8 +200,10 @@ Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string&
             return tl::unexpected(keys.error());
         entries.emplace_back(*action, std::move(*keys));
     }
-    for (const auto& [action, keys] : entries)
+    for (const auto& [action, keys] : entries) {
+        freeNewKeys(bindings, keys, json);
         bindings.set(action, keys);
+    }
     if (Result<void> checked = checkRivals(bindings, name, json); !checked)
         return tl::unexpected(checked.error());
     return bindings;
@@ -242,23 +261,25 @@ Result<void> writeKeyBindings(const fs::path& file, const KeyBindings& bindings)
 }
 
 std::vector<HelpLine> helpLines(const KeyBindings& bindings) {
-    std::vector<HelpLine> lines{{"drag the mouse", "look around", {}},
+    std::vector<HelpLine> lines{{"click, or drag the mouse", "look around", {}},
                                 {"wheel", "third person; move the camera closer or farther", {}},
-                                {"click", "inspect the object under the cursor", {}}};
+                                {"click with the panel open", "inspect the object under the cursor", {}}};
     for (std::size_t i = 0; i < kActions; ++i)
         lines.push_back({keysText(bindings, actionAt(i)), std::string(kFacts[i].does), actionAt(i)});
     return lines;
 }
 
-std::string greeting(const KeyBindings& bindings) {
-    const auto first = [&](Action action) {
-        const auto keys = bindings.keysOf(action);
-        return keys.empty() ? std::string_view("no key") : nameOf(keys.front());
-    };
-    return fmt::format(
-        "{} {} {} {}   walk      drag the mouse   look around      {}   open a door      {}   all keys",
-        first(Action::Forward), first(Action::Left), first(Action::Back), first(Action::Right),
-        first(Action::Use), first(Action::Help));
+std::vector<PadLine> padLines() {
+    return {{"left stick", "walk; full deflection: run"},
+            {"right stick", "look around"},
+            {"A", "jump; in pages: choose"},
+            {"B", "walk or fly; in pages: back"},
+            {"X", "open or close the door in front of you"},
+            {"Y", "third person / first person"},
+            {"left shoulder", "sink (when flying)"},
+            {"Start", "menu"},
+            {"Back", "panel"},
+            {"direction pad", "in pages: select"}};
 }
 
 } // namespace limen::viewer

@@ -40,7 +40,10 @@ enum class Action : std::uint8_t {
     Depth,
     FullScreen,
     Screenshot,
-    Leave,
+    Capture,
+    Map,
+    Photo,
+    Menu,
     Place1,
     Place2,
     Place3,
@@ -118,7 +121,10 @@ struct HelpLine {
     std::optional<Action> action; ///< none: a mouse control
 };
 [[nodiscard]] std::vector<HelpLine> helpLines(const KeyBindings& bindings);
-/// A one-line introduction to the controls, shown when the window opens.
-[[nodiscard]] std::string greeting(const KeyBindings& bindings);
+/// A button or stick of a gamepad, with its effect.
+struct PadLine {
+    std::string button, does;
+};
+[[nodiscard]] std::vector<PadLine> padLines();
 
 } // namespace limen::viewer

@@ -58,7 +58,7 @@ static_assert(isCode("Keypad0", GLFW_KEY_KP_0) && isCode("Keypad9", GLFW_KEY_KP_
 constexpr std::array<std::pair<int, Action>, 5> kPadActions{{{GLFW_GAMEPAD_BUTTON_X, Action::Use},
                                                              {GLFW_GAMEPAD_BUTTON_Y, Action::Chase},
                                                              {GLFW_GAMEPAD_BUTTON_B, Action::Walk},
-                                                             {GLFW_GAMEPAD_BUTTON_START, Action::Help},
+                                                             {GLFW_GAMEPAD_BUTTON_START, Action::Menu},
                                                              {GLFW_GAMEPAD_BUTTON_BACK, Action::Panel}}};
 
 /// The OpenGL version that the driver offers, e.g. "3.3 (llvmpipe)"; empty if no window opens.
@@ -141,6 +141,10 @@ Window::Window(GLFWwindow* window) : window_(window) {
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->receiveWheel(notches);
     });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))
+            ->receiveDrop(std::span<const char* const>(paths, static_cast<std::size_t>(std::max(count, 0))));
+    });
     glfwGetCursorPos(window_, &mouseX_, &mouseY_);
     cursorX_ = mouseX_;
     cursorY_ = mouseY_;
@@ -175,6 +179,10 @@ void Window::receiveButton(bool isDown) {
     press_.reset();
 }
 
+void Window::receiveDrop(std::span<const char* const> paths) {
+    pendingDrops_.insert(pendingDrops_.end(), paths.begin(), paths.end());
+}
+
 void Window::receiveCursor(double x, double y) {
     if (press_)
         press_->wandered += std::hypot(x - cursorX_, y - cursorY_);
@@ -182,12 +190,17 @@ void Window::receiveCursor(double x, double y) {
     cursorY_ = y;
 }
 
-void Window::poll(const Taken& taken, const KeyBindings& bindings) {
+void Window::poll(const Taken& taken, const KeyBindings& bindings, double wait) {
     pending_.clear();
     clicked_.reset();
     wheel_ = 0.0;
     mouseIsTaken_ = taken.mouse;
-    glfwPollEvents();
+    pendingDrops_.clear();
+    if (wait > 0.0)
+        glfwWaitEventsTimeout(wait);
+    else
+        glfwPollEvents();
+    dropped_ = pendingDrops_;
     takeSizes();
     held_ = {};
     held_.wheel = taken.mouse ? 0.0 : wheel_;
@@ -215,12 +228,13 @@ void Window::pollKeys(bool keysAreTaken, const KeyBindings& bindings) {
     held_.jump = isDown(Action::Jump);
     held_.up = isDown(Action::Rise);
     held_.down = isDown(Action::Sink);
-    if (keysAreTaken)
-        return;
     keys_ = pending_;
-    for (const KeyCode key : keys_)
+    for (const KeyCode key : keys_) {
+        if (keysAreTaken && key != keyNamed("Escape")) // Escape leaves a page also while a text is typed
+            continue;
         for (const Action action : bindings.actionsOf(key))
             pressed_.push_back(action);
+    }
 }
 
 void Window::pollMouse(bool mouseIsTaken) {
@@ -228,18 +242,29 @@ void Window::pollMouse(bool mouseIsTaken) {
     glfwGetCursorPos(window_, &x, &y);
     const bool button = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
                         glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
-    const bool drags = button && (dragging_ || !mouseIsTaken);
-    if (drags && dragging_) {
+    const bool drags = button && !isCaptured_ && (dragging_ || !mouseIsTaken);
+    if ((drags && dragging_) || isCaptured_) {
         held_.lookX = x - mouseX_;
         held_.lookY = y - mouseY_;
     }
-    if (drags != dragging_)
-        glfwSetInputMode(window_, GLFW_CURSOR, drags ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-    if (drags != dragging_) // the mode change moves the cursor
-        glfwGetCursorPos(window_, &x, &y);
     dragging_ = drags;
-    mouseX_ = x;
-    mouseY_ = y;
+    setPointer();
+    glfwGetCursorPos(window_, &mouseX_, &mouseY_); // a change of mode moves the cursor
+}
+
+void Window::setPointer() {
+    const bool isHidden = dragging_ || isCaptured_;
+    if (isHidden != isPointerHidden_)
+        glfwSetInputMode(window_, GLFW_CURSOR, isHidden ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    isPointerHidden_ = isHidden;
+}
+
+void Window::capture(bool isCaptured) {
+    if (isCaptured == isCaptured_)
+        return;
+    isCaptured_ = isCaptured;
+    setPointer();
+    glfwGetCursorPos(window_, &mouseX_, &mouseY_);
 }
 
 void Window::pollGamepad() {
@@ -261,6 +286,8 @@ void Window::pollGamepad() {
     for (const auto& [button, action] : kPadActions)
         if (isDown(button) && (padButtons_ >> button & 1u) == 0)
             pressed_.push_back(action);
+    const std::uint32_t pressed = down & ~padButtons_;
+    isPadBack_ = (pressed >> GLFW_GAMEPAD_BUTTON_B & 1u) != 0;
     padButtons_ = down;
 }
 
@@ -331,6 +358,10 @@ void Window::switchFullScreen() {
         return;
     framed_ = frame;
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
 }
 
 void Window::show() {

@@ -7,8 +7,10 @@
 #include "viewer/WindowGeometry.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 struct GLFWwindow;
@@ -30,8 +32,8 @@ public:
     Window& operator=(const Window&) = delete;
 
     /// Processes the events since the last call. A key pressed and released in between counts as held for one
-    /// frame.
-    void poll(const Taken& taken, const KeyBindings& bindings);
+    /// frame. `wait`: waits for an event, for at most this time in seconds.
+    void poll(const Taken& taken, const KeyBindings& bindings, double wait = 0.0);
     /// One-shot actions since the last poll.
     [[nodiscard]] const std::vector<Action>& pressed() const { return pressed_; }
     /// The named keys pressed since the last poll, bound or not.
@@ -39,6 +41,14 @@ public:
     [[nodiscard]] const HeldInput& held() const { return held_; }
     /// The pixel of the last click (press and release of the left button without a drag) since the last poll.
     [[nodiscard]] std::optional<PixelPlace> clicked() const { return clicked_; }
+    /// Paths that were dropped onto the window since the last poll.
+    [[nodiscard]] const std::vector<std::filesystem::path>& dropped() const { return dropped_; }
+    /// Whether the gamepad's button for Back (B) was pressed since the last poll.
+    [[nodiscard]] bool isPadBack() const { return isPadBack_; }
+    [[nodiscard]] bool hasGamepad() const { return held_.sticks.has_value(); }
+    /// Captures the mouse, or releases it. While it is captured, each movement turns the view.
+    void capture(bool isCaptured);
+    [[nodiscard]] bool isCaptured() const { return isCaptured_; }
     [[nodiscard]] bool wantsToClose() const;
     /// True after the connection to the X server is lost.
     [[nodiscard]] bool isLost() const { return isLost_; }
@@ -55,6 +65,8 @@ public:
     void show();
     /// Toggles full screen on the window's monitor.
     void switchFullScreen();
+    [[nodiscard]] bool isFullScreen() const { return framed_.has_value(); }
+    void setTitle(const std::string& title);
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
     /// GLFW callbacks.
@@ -63,6 +75,7 @@ public:
     void receiveButton(bool isDown);
     void receiveCursor(double x, double y);
     void receiveWheel(double notches) { wheel_ += notches; }
+    void receiveDrop(std::span<const char* const> paths);
 
 private:
     explicit Window(GLFWwindow* window);
@@ -70,13 +83,15 @@ private:
     void pollGamepad();
     void pollMouse(bool mouseIsTaken);
     void takeSizes();
+    void setPointer();
     GLFWwindow* window_;
     WindowSizes sizes_;
     std::vector<KeyCode> pending_, keys_;
     std::vector<Action> pressed_;
     HeldInput held_;
     double mouseX_ = 0.0, mouseY_ = 0.0;
-    bool dragging_ = false;
+    bool dragging_ = false, isCaptured_ = false;
+    bool isPointerHidden_ = false; ///< as GLFW was set last
     bool mouseIsTaken_ = false;
     /// A press of the left button: its start and the length of the cursor's path since, in GLFW's screen
     /// units.
@@ -88,6 +103,8 @@ private:
     double cursorX_ = 0.0, cursorY_ = 0.0; ///< last received position
     std::optional<PixelPlace> clicked_;
     double wheel_ = 0.0;
+    std::vector<std::filesystem::path> pendingDrops_, dropped_;
+    bool isPadBack_ = false;
     std::uint32_t padButtons_ = 0; ///< gamepad buttons that were down at the last poll, one bit each
     /// The window's position and size before full screen.
     struct Frame {

@@ -52,6 +52,15 @@ TEST(Shot, writesWhatItIsAskedForAndNothingElse) {
     EXPECT_EQ(runner.work().entryCount(), 1u);
 }
 
+TEST(Shot, supersamplingSmoothsAndKeepsTheSize) {
+    const ProgramRunner runner;
+    expectDone(runner.run({"shot", "--at", "hill", "--size", "64x36", "-o", "a.png"}));
+    expectDone(runner.run({"shot", "--at", "hill", "--size", "64x36", "--supersample", "2", "-o", "b.png"}));
+    const std::string one = getText(runner.work() / "a.png"), four = getText(runner.work() / "b.png");
+    EXPECT_EQ(one.substr(0, 29), four.substr(0, 29)) << "the header: the same size";
+    EXPECT_NE(one, four);
+}
+
 TEST(Shot, idsDepthAndJsonAgree) {
     const ProgramRunner runner;
     expectDone(runner.run({"shot", "--at", "cottage.room", "--size", "96x54", "--ids", "i.npy", "--depth",

@@ -36,7 +36,7 @@ struct Watched {
         return *device.createBuffer("references", std::as_bytes(std::span(&reference, 1)));
     }
     void begin() {
-        static_cast<void>(device.beginFrame(target));
+        static_cast<void>(device.beginFrame(target, {}));
         std::vector<StorageRange> ranges(layout::kBindTextures + 1,
                                          StorageRange{BufferHandle::Invalid, 0, 16});
         ranges[layout::kBindTextures] = {references, 0, sizeof(layout::TextureRef)};

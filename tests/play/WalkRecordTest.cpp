@@ -58,7 +58,18 @@ TEST(WalkRecord, everyActHasAName) {
     const Result<WalkRecord> walk = parseWalk(beginningLine("") + frameLine(frame), "w");
     ASSERT_TRUE(walk);
     EXPECT_EQ(walk->frames[0].input.acts, frame.input.acts);
-    EXPECT_EQ(static_cast<std::size_t>(PlayActKind::Day) + 1, PlayAct::kKinds);
+    EXPECT_EQ(static_cast<std::size_t>(PlayActKind::Go) + 1, PlayAct::kKinds);
+}
+
+TEST(WalkRecord, aPointOfTheMapHasTwoNumbers) {
+    RecordedFrame frame;
+    frame.input.acts = {{PlayActKind::Go, 32530.25, 34660.5}};
+    const Result<WalkRecord> walk = parseWalk(beginningLine("") + frameLine(frame), "w");
+    ASSERT_TRUE(walk) << walk.error().message();
+    EXPECT_EQ(walk->frames[0].input.acts, frame.input.acts);
+    for (const char* acts :
+         {R"([["go",1]])", R"([["go",1,"2"]])", R"([["go",1,2,3]])", R"([["time",0.5,1]])"})
+        EXPECT_FALSE(parseWalk(beginningLine("") + R"({"size":[4,4],"acts":)" + acts + "}\n", "w")) << acts;
 }
 
 TEST(WalkRecord, refusesWhatIsNoWalkAndSaysWhere) {

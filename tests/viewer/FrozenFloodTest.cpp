@@ -1,4 +1,4 @@
-#include "viewer/FrozenFlood.h"
+#include "viewer/inspect/FrozenFlood.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -66,14 +66,14 @@ TEST(KeyBindings, atFirstNoKeyDoesTwoThingsAtATime) {
     }
 }
 
-TEST(KeyBindings, greetingNamesTheKeysAsTheyAre) {
-    KeyBindings bindings;
-    EXPECT_NE(greeting(bindings).find("W A S D   walk"), std::string::npos);
-    EXPECT_NE(greeting(bindings).find("F1   all keys"), std::string::npos);
-    bindings.bind(Action::Forward, key("Z"), false);
-    bindings.set(Action::Use, {});
-    EXPECT_NE(greeting(bindings).find("Z A S D   walk"), std::string::npos);
-    EXPECT_NE(greeting(bindings).find("no key   open a door"), std::string::npos);
+TEST(KeyBindings, filesFromBeforeANewActionStayValid) {
+    const Result<KeyBindings> parsed = parseKeyBindings(R"({"rain": "M", "use": ["Tab", "P"]})", "keys.json");
+    ASSERT_TRUE(parsed) << parsed.error().message();
+    EXPECT_TRUE(parsed->keysOf(Action::Map).empty());
+    EXPECT_TRUE(parsed->keysOf(Action::Photo).empty());
+    EXPECT_TRUE(parsed->keysOf(Action::Capture).empty());
+    EXPECT_EQ(parsed->actionsOf(key("M")), std::vector<Action>{Action::Rain});
+    EXPECT_FALSE(parseKeyBindings(R"({"map": "M", "rain": "M"})", "keys.json"));
 }
 
 TEST(KeyBindings, aFileChangesTheKeysOfTheActionsThatItNames) {
@@ -130,7 +130,7 @@ TEST(KeyBindings, whatIsWrittenIsReadBackTheSame) {
     EXPECT_EQ(keyBindingsJson(KeyBindings()), "{}\n");
     KeyBindings bindings;
     bindings.bind(Action::Forward, key("Z"), true);
-    bindings.bind(Action::Leave, key("\\"), false);
+    bindings.bind(Action::Menu, key("\\"), false);
     bindings.bind(Action::Rain, key("E"), false);
     EXPECT_EQ(parseKeyBindings(keyBindingsJson(bindings), "f"), bindings) << keyBindingsJson(bindings);
 }

@@ -1,4 +1,4 @@
-#include "viewer/PortalTraces.h"
+#include "viewer/inspect/PortalTraces.h"
 
 #include "support/SmallWorld.h"
 #include "visibility/View.h"

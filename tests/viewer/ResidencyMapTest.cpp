@@ -1,4 +1,4 @@
-#include "viewer/ResidencyMap.h"
+#include "viewer/inspect/ResidencyMap.h"
 
 #include <gtest/gtest.h>
 

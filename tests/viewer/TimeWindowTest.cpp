@@ -1,4 +1,4 @@
-#include "viewer/TimeWindow.h"
+#include "viewer/inspect/TimeWindow.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

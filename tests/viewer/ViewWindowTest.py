@@ -31,8 +31,6 @@ def patiently(test):
 
 
 class ViewWindow(WindowTest):
-    USE_KEY = (90, 263)
-
     def xdotool(self, *arguments):
         self.ask(*arguments)
 
@@ -44,24 +42,16 @@ class ViewWindow(WindowTest):
         return json.loads(done.stdout)
 
     def drive(self, steps, *arguments):
-        """Opens the window, runs `steps` to press keys, quits with Escape. Returns the last output line; earlier ones are in
+        """Opens the window, runs `steps` to press keys, ends it with Ctrl-C. Returns the last state; the probe's events are in
         `self.probed`."""
-        view = subprocess.Popen([PROGRAM, "view", "--size", "480x270", "--json", *arguments], env=self.env, cwd=self.work.name,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        try:
-            self.xdotool("search", "--sync", "--onlyvisible", "--name", "Limen")
+        with Followed(self, *arguments, step=None) as view:
             self.xdotool("mousemove", "440", "240")
-            self.wait(1.5)
+            view.latest()
+            self.wait(0.7)
             steps()
             self.wait(0.7)
-            self.xdotool("key", "Escape")
-            out, err = view.communicate(timeout=60)
-        finally:
-            if view.poll() is None:
-                view.kill()
-                view.communicate()
-        self.assertEqual(view.returncode, 0, err)
-        *self.probed, last = [json.loads(line) for line in out.splitlines()]
+            last = view.interrupt()
+            self.probed = view.events
         return last
 
     def hold(self, key, seconds):
@@ -76,8 +66,15 @@ class ViewWindow(WindowTest):
         self.assertEqual((width, height), (480, 270))
         self.assertGreater(len(set(pixels[i:i + 3] for i in range(0, len(pixels), 3))), 100)
 
-    def test_escape_leaves(self):
-        self.drive(lambda: None)
+    def test_escape_opens_the_menu_and_quit_is_in_it(self):
+        with Followed(self, "--at", "cottage.room", size="320x180") as view:
+            before = view.latest()
+            view.press("Escape")
+            view.page("menu")
+            view.press("Escape")
+            view.page("world")
+            self.assertEqual(view.state["eye"], before["eye"])
+            self.assertEqual(view.leave(), (0, ""))
 
     @patiently
     def test_w_flies_forward_and_d_to_the_right(self):
@@ -231,10 +228,8 @@ class ViewWindow(WindowTest):
             view.press("n")
             view.until(lambda s: s["weather"] == "rain", "rain by the key of the file")
             view.press("F1")
-            view.until(lambda s: s["overlays"]["help"], "help")
-            view.latest()
-            # The help page is centred in the window. This is the first key button in the row of the action "use".
-            self.ask("mousemove", str(self.USE_KEY[0]), str(self.USE_KEY[1]), "click", "1")
+            view.page("controls")
+            view.choose("key use")
             view.until(lambda s: s["rebinding"], "a key is waited for")
             view.press("Escape")
             view.until(lambda s: not s["rebinding"], "Escape lets go of it")
@@ -261,7 +256,7 @@ class ViewWindow(WindowTest):
         with Followed(self, "--at", "cottage.front", "--screenshots", "pictures", size="480x270") as view:
             for number in ("0001", "0002"):
                 view.press("F12")
-                view.until(lambda s: s["notice"] == f"pictures/limen-{number}.png", "the path on the screen")
+                view.until(lambda s: s["notice"] == "Saved " + self.path("pictures", f"limen-{number}.png"), "the path on the screen")
             self.assertEqual(view.leave()[0], 0)
         with open(self.path("pictures", "limen-0002.txt")) as file:
             command = file.read().split()
@@ -305,12 +300,13 @@ class ViewWindow(WindowTest):
     @patiently
     def test_function_keys_switch_the_overlays(self):
         def press():
-            for key in ("F1", "F2", "F9", "F3", "F8", "F4"):
+            for key in ("F2", "F9", "F3", "F8", "F4", "F1"):
                 self.xdotool("key", key)
                 self.wait(0.4)
 
-        overlays = self.drive(press)["overlays"]
-        self.assertEqual(overlays, {"help": True, "ids": True, "depth": True, "regions": True, "portals": True, "panel": False})
+        state = self.drive(press)
+        self.assertEqual(state["overlays"], {"ids": True, "depth": True, "regions": True, "portals": True, "panel": True})
+        self.assertEqual(state["page"], "controls")
 
     @patiently
     def test_o_opens_the_doors_r_makes_rain_and_t_makes_it_later(self):

@@ -3,6 +3,7 @@
 import json
 import os
 import queue
+import signal
 import subprocess
 import tempfile
 import threading
@@ -11,11 +12,11 @@ import unittest
 import zlib
 
 
-def start_server():
+def start_server(screen="800x600x24"):
     """An Xvfb that chooses a free display itself."""
     read, write = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", screen, "-nolisten", "tcp"],
         pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(write)
     with os.fdopen(read) as pipe:
@@ -55,11 +56,12 @@ def png_pixels(path):
 class Followed:
     """A window that prints the state of every frame (`--tell`), so that a test waits for states instead of a clock."""
 
-    def __init__(self, test, *arguments, size="480x270", step="0.0333", environment=None, find=True):
+    def __init__(self, test, *arguments, size="480x270", step="0.0333", environment=None, find=True, world=True):
         self.test = test
         self.env = dict(test.env, **(environment or {}))
         self.lines = queue.Queue()
         self.ended = False
+        self.events = []  # of the probe
         timing = ["--step", step] if step else []
         self.view = subprocess.Popen([test.program, "view", "--size", size, "--tell", *timing, *arguments], env=self.env, cwd=test.work.name,
                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -67,7 +69,10 @@ class Followed:
         self.threads = [threading.Thread(target=work, daemon=True) for work in (self.read, lambda: self.errors.extend(self.view.stderr))]
         for thread in self.threads:
             thread.start()
+        self.saved = []  # files that the program reports when it ends
         self.state = self.next()
+        if world:
+            self.until(lambda s: "eye" in s, "a world")
         self.window = test.ask("search", "--sync", "--onlyvisible", "--name", "Limen").split()[-1] if find else None
 
     def __enter__(self):
@@ -84,7 +89,11 @@ class Followed:
 
     def read(self):
         for line in self.view.stdout:
-            self.lines.put(json.loads(line))
+            state = json.loads(line)
+            if "event" in state:
+                self.events.append(state)
+            else:
+                self.lines.put(state)
         self.lines.put(None)
 
     def next(self, seconds=120):
@@ -118,23 +127,64 @@ class Followed:
     def press(self, key):
         self.do("key", key)
 
+    def page(self, name):
+        return self.until(lambda s: s["page"] == name, "the page " + name)
+
+    def choose(self, name):
+        """Clicks a control of a page or panel with the mouse. Scrolls down to it."""
+        for _ in range(60):
+            if name in self.latest()["items"]:
+                break
+            width, height = self.state["size"]
+            self.do("mousemove", str(width // 2), str(height // 2), "click", "5")
+        else:
+            self.test.fail(f"no control '{name}': {sorted(self.state['items'])}")
+        before = None
+        while before != self.state["items"].get(name):  # a page that was just opened still moves
+            before = self.state["items"].get(name)
+            self.latest()
+        x, y = self.state["items"][name]
+        self.do("mousemove", str(round(x)), str(round(y)))
+        self.latest()
+        self.do("click", "1")
+
+    def menu(self):
+        """Opens the main menu from any page."""
+        while self.latest()["page"] != "menu":
+            page = self.state["page"]
+            self.press("Escape")
+            self.until(lambda s: s["page"] != page, "another page")
+
     def leave(self):
-        """Quits. Returns the exit code and the text on standard error."""
-        self.press("Escape")
+        """Quits in the menu. Returns the exit code and the text on standard error, without the saved files."""
+        self.menu()
+        self.choose("Quit")
         return self.end()
+
+    def interrupt(self):
+        """Ends the program with Ctrl-C. Returns the last state."""
+        self.view.send_signal(signal.SIGINT)
+        code, errors = self.end()
+        self.threads[0].join(5)
+        while not self.lines.empty():
+            self.state = self.lines.get() or self.state
+        self.test.assertEqual(code, 128 + signal.SIGINT, errors)
+        return self.state
 
     def end(self):
         code = self.view.wait(60)
         self.threads[1].join(5)
-        return code, "".join(self.errors)
+        self.saved = [line for line in self.errors if line.startswith("limen: saved ")]
+        return code, "".join(line for line in self.errors if line not in self.saved)
 
 
 class WindowTest(unittest.TestCase):
     program = cache = None
+    screen = "800x600x24"
 
     @classmethod
     def setUpClass(cls):
-        cls.server, cls.display = start_server()
+        cls.server, cls.display = start_server(cls.screen)
 
     @classmethod
     def tearDownClass(cls):

@@ -117,6 +117,9 @@ Result<Capabilities> queryCapabilities() {
     caps.maxAnisotropy = queryAnisotropy();
     caps.textureUnits = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_IMAGE_UNITS));
     caps.maxTextureSize = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_SIZE));
+    std::array<GLint, 2> viewport{};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    caps.maxViewport = static_cast<std::uint32_t>(std::min(viewport[0], viewport[1]));
     caps.maxBufferTexels = static_cast<std::uint32_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));
     caps.maxArrayLayers = static_cast<std::uint32_t>(limitOf(GL_MAX_ARRAY_TEXTURE_LAYERS));
     caps.maxSamples = static_cast<std::uint32_t>(

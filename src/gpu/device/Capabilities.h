@@ -18,6 +18,7 @@ struct Capabilities {
     float maxAnisotropy = 1.0f;      ///< 1: none
     std::uint32_t textureUnits = 16; ///< of the fragment stage
     std::uint32_t maxTextureSize = 16384, maxArrayLayers = 2048;
+    std::uint32_t maxViewport = 16384; ///< side of a picture in pixels, also of one drawn in tiles
     /// per pixel, for colour, depth and integer images alike; 1: no multisampling
     std::uint32_t maxSamples = 4;
     std::uint32_t maxBufferTexels = 65536; ///< of a buffer read as a texture

@@ -224,13 +224,13 @@ void CheckedDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
     ForwardingDevice::setGeometry(vertices, indices);
 }
 
-std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target) {
+std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target, const Viewport& viewport) {
     if (underWay_.size() == kFramesInFlight)
         underWay_.pop_front(); // the device waits for that frame
     inFrame_ = true;
     program_ = ProgramHandle::Invalid;
     references_ = nullptr;
-    return ForwardingDevice::beginFrame(target);
+    return ForwardingDevice::beginFrame(target, viewport);
 }
 
 void CheckedDevice::bindStorage(std::span<const StorageRange> ranges) {

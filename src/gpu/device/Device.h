@@ -34,6 +34,14 @@ enum class TargetImage : std::uint8_t { Colour, Id, Depth, Ownership, Layers };
     return image == TargetImage::Layers ? 8 : 4;
 }
 
+/// The whole picture in pixels of a target, from the target's lower left corner. A target that is a tile of a
+/// larger picture has a viewport that is larger than itself, with x <= 0 and y <= 0.
+struct Viewport {
+    std::int32_t x = 0, y = 0;
+    std::uint32_t width = 0, height = 0;
+    friend bool operator==(const Viewport&, const Viewport&) = default;
+};
+
 /// Options of a render target beside colour, ids, depth and ownership.
 struct TargetOptions {
     bool layers = false; ///< with an image for counting transparent layers
@@ -176,7 +184,7 @@ public:
 
     /// Starts a frame on `target` and yields its ring memory, at least as reserved. Waits if the GPU is three
     /// frames behind.
-    [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target) = 0;
+    [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) = 0;
     /// Binds range i to storage binding i.
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
     /// Binds the target's ownership and depth images and the ring memory to their units, and `textures` from

@@ -64,8 +64,8 @@ public:
         device_.setGeometry(vertices, indices);
     }
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override { return device_.reserveRing(bytes); }
-    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override {
-        return device_.beginFrame(target);
+    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override {
+        return device_.beginFrame(target, viewport);
     }
     void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }
     void bindTextures(std::span<const TextureHandle> textures) override { device_.bindTextures(textures); }

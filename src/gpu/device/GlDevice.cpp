@@ -113,7 +113,7 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     return {};
 }
 
-std::span<std::byte> GlDevice::beginFrame(TargetHandle target) {
+std::span<std::byte> GlDevice::beginFrame(TargetHandle target, const Viewport& viewport) {
     LIMEN_ASSERT(frameTarget_ == nullptr, "the last frame has ended");
     LIMEN_ASSERT(!ring_.empty(), "the ring is reserved");
     frameTarget_ = targets_[static_cast<std::size_t>(target)].get();
@@ -122,8 +122,8 @@ std::span<std::byte> GlDevice::beginFrame(TargetHandle target) {
     frameCalls_ = 0;
     ringSlot_ = (ringSlot_ + 1) % kFramesInFlight;
     waitForFence(ringSlot_, true);
-    call(glViewport, 0, 0, static_cast<GLsizei>(frameTarget_->width),
-         static_cast<GLsizei>(frameTarget_->height));
+    call(glViewport, viewport.x, viewport.y, static_cast<GLsizei>(viewport.width),
+         static_cast<GLsizei>(viewport.height));
     return ring_.mapped().subspan(ringSlot_ * ringSlotSize_, ringSlotSize_);
 }
 

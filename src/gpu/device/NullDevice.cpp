@@ -148,7 +148,7 @@ Result<void> NullDevice::reserveRing(std::size_t bytes) {
     return {};
 }
 
-std::span<std::byte> NullDevice::beginFrame(TargetHandle) {
+std::span<std::byte> NullDevice::beginFrame(TargetHandle, const Viewport&) {
     commands_.clear();
     frameCalls_ = 3; // wait for the slot's fence, delete it; viewport
     return ring_;

@@ -77,7 +77,7 @@ public:
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override;
 
-    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target) override;
+    [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures) override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;

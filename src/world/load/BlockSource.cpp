@@ -56,12 +56,19 @@ std::vector<std::shared_ptr<const BlockContent>> BlockSource::read(std::span<con
             missing.push_back(i);
     }
     LIMEN_ASSERT(!workers_.empty(), "this thread has a worker");
+    LoadProgress* const progress = help_.progress;
+    if (progress != nullptr)
+        progress->done += keys.size() - missing.size();
     std::atomic<std::size_t> next = 0;
     const auto work = [&](Worker& worker) {
         for (std::size_t i = next++; i < missing.size(); i = next++) {
+            if (progress != nullptr && progress->isCancelled)
+                return;
             const BlockKey& key = keys[missing[i]];
             if (std::optional<BlockContent> block = worker.read(key))
                 blocks[missing[i]] = keep(key, std::move(*block));
+            if (progress != nullptr)
+                ++progress->done;
         }
     };
     std::vector<std::thread> threads;

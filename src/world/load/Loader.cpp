@@ -71,6 +71,8 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
         keys.push_back(
             {block.x, block.y, away > radius ? Tier::Far : Tier::Near, options.mergeZones, options.detail});
     }
+    if (help.progress != nullptr)
+        help.progress->blocks = keys.size();
     BlockSource source(archive, region->get(), options.detail, help);
     BlockStream stream(source, std::move(keys));
     Records records(archive);
@@ -78,6 +80,8 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
     PictureCache* const pictures = help.cache != nullptr ? &help.cache->pictures : nullptr;
     World world = assembleWorld(
         {records, models, region->get(), pictures}, [&stream] { return stream.next(); }, moving);
+    if (help.progress != nullptr && help.progress->isCancelled)
+        return fail(ErrorCode::Unreadable, archive.directory().string(), "loading was cancelled");
     if (world.blocks.empty())
         return fail(ErrorCode::NotFound, archive.directory().string(),
                     "no landblock is near this place; choose another place with --at");

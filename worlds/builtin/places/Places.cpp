@@ -106,7 +106,7 @@ nlohmann::ordered_json buildWorldFile(const VillageMap& map, const DungeonMap& d
     for (const Places& places : {villagePlaces(map), eastPlaces(map), dungeonPlaces(dungeons)})
         for (const auto& [name, eye] : places)
             json["places"][name] = toJson(eye);
-    json["start"] = "cottage.shelf"; // the exit is visible from there
+    json["start"] = "cottage.front"; // outside, before a house with an open door
     json["tour"] = buildTour(map, dungeons);
     json["doors"] = map.doors;
     json["routes"] = map.routes;

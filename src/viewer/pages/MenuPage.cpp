@@ -1,0 +1,129 @@
+#include "viewer/Style.h"
+#include "viewer/pages/Pages.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace limen::viewer {
+namespace {
+
+void drawMenuEntry(Ui& ui, Page page, const PageState& state, PageChoice& choice) {
+    const PageFacts& facts = factsOf(page);
+    if (!facts.isInMainMenu)
+        return;
+    ImGui::BeginDisabled(facts.needsWorld && !state.hasWorld);
+    if (ui.button(facts.title.data(), -1.0f))
+        choice.go(page);
+    ImGui::EndDisabled();
+}
+
+} // namespace
+
+PageChoice drawMenu(Ui& ui, const PagesFacts& facts) {
+    PageChoice choice;
+    constexpr PageBox kBox{.width = 320.0f, .hasBack = false};
+    const bool isTight = ImGui::GetIO().DisplaySize.y < uiLength(430.0f); // all entries fit into 360 units
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {uiLength(8.0f), uiLength(isTight ? 3.0f : 8.0f)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {uiLength(10.0f), uiLength(isTight ? 3.0f : 6.0f)});
+    beginPage(factsOf(Page::Menu).title, kBox);
+    uiNote(facts.worldName.empty() ? std::string("no world is open") : facts.worldName);
+    ImGui::Spacing();
+    if (facts.state.hasWorld) {
+        if (ui.mainButton("Resume", -1.0f))
+            choice.go(Page::World);
+        ImGui::SetItemDefaultFocus();
+    }
+    for (std::size_t i = 0; i < kPages; ++i) {
+        drawMenuEntry(ui, static_cast<Page>(i), facts.state, choice);
+        if (static_cast<Page>(i) == Page::Open) {
+            if (ui.button("Built-in world", -1.0f))
+                choice.opens = std::string();
+            uiHint("Open the world that comes with the program. It needs no files of the game.");
+        }
+    }
+    ImGui::Spacing();
+    if (ui.button("Quit", -1.0f))
+        choice.event = PageEvent{PageEvent::Kind::Quit, Page::World, {}};
+    static_cast<void>(endPage(ui, kBox));
+    ImGui::PopStyleVar(2);
+    return choice;
+}
+
+PageChoice drawLoading(Ui& ui, const PagesFacts& facts) {
+    PageChoice choice;
+    constexpr PageBox kBox{.width = 520.0f, .hasBack = false};
+    const LoadingFacts& loading = facts.loading;
+    beginPage(factsOf(Page::Loading).title, kBox);
+    uiText(facts.state.opening);
+    ImGui::Spacing();
+    const float read = loading.blocks > 0
+                           ? static_cast<float>(loading.blocksRead) / static_cast<float>(loading.blocks)
+                           : 0.0f;
+    ImGui::ProgressBar(0.7f * read + 0.3f * static_cast<float>(loading.uploaded), {-1.0f, 0.0f}, "");
+    uiText(loading.step);
+    if (loading.blocks > 0)
+        uiNote(fmt::format("{} of {} landblocks read, {:.0f} % uploaded to the graphics card",
+                           loading.blocksRead, loading.blocks, 100.0 * loading.uploaded));
+    else
+        uiNote("counting landblocks");
+    ImGui::Spacing();
+    if (ui.button("Cancel", uiLength(120.0f)))
+        choice.event = PageEvent{PageEvent::Kind::Cancelled, Page::World, {}};
+    static_cast<void>(endPage(ui, kBox));
+    return choice;
+}
+
+PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter) {
+    PageChoice choice;
+    constexpr PageBox kBox{.width = 520.0f, .height = 560.0f};
+    beginPage(factsOf(Page::Places).title, kBox);
+    std::array<char, 256> text{};
+    filter.copy(text.data(), text.size() - 1);
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::IsWindowAppearing())
+        ImGui::SetKeyboardFocusHere();
+    if (ImGui::InputTextWithHint("##filter", "search by name", text.data(), text.size()))
+        filter = text.data();
+    ui.note("search");
+    ImGui::BeginChild("##list", {0.0f, -uiLength(60.0f)}, true);
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < facts.places.size(); ++i) {
+        const world::Place& place = facts.places[i];
+        if (!containsText(place.name, filter))
+            continue;
+        ++shown;
+        ImGui::PushID(static_cast<int>(i));
+        if (ui.selectable(place.name.c_str())) {
+            choice.place = i;
+            choice.go(Page::World);
+        }
+        ImGui::PopID();
+    }
+    if (shown == 0)
+        uiNote(facts.places.empty() ? "This world names no places." : "No place has this name.");
+    ImGui::EndChild();
+    if (endPage(ui, kBox))
+        choice.back();
+    return choice;
+}
+
+PageChoice drawAbout(Ui& ui, const PagesFacts& facts) {
+    PageChoice choice;
+    beginPage(factsOf(Page::About).title);
+    uiText(fmt::format("Limen {}", facts.version));
+    uiNote("Draws worlds of interiors and landscape joined by portals: the built-in world, or the files of "
+           "Asheron's Call that you own.");
+    uiHeading("Graphics driver");
+    uiText(facts.driver.empty() ? std::string("known when a world is open") : facts.driver);
+    uiHeading("Font");
+    uiText(facts.fontNote);
+    uiHeading("Rights");
+    uiNote("Limen contains no data of the game. Asheron's Call is a trademark of its owners, who have no "
+           "part in this program.");
+    if (endPage(ui))
+        choice.back();
+    return choice;
+}
+
+} // namespace limen::viewer

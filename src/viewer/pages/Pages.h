@@ -1,0 +1,59 @@
+#pragma once
+
+#include "viewer/pages/PageChoice.h"
+#include "viewer/pages/Ui.h"
+#include "world/Places.h"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace limen::viewer {
+
+/// Progress of a world that is loading.
+struct LoadingFacts {
+    std::string step; ///< e.g. "reading landblocks"
+    std::size_t blocksRead = 0, blocks = 0;
+    double uploaded = 0.0; ///< share of the upload, 0..1
+    double seconds = 0.0;  ///< since loading began
+};
+
+/// The input of all pages for one frame. Plain data; pages do not see the session.
+struct PagesFacts {
+    const PageState& state;
+    const Settings& settings;
+    const KeyBindings& bindings;
+    const std::optional<Rebinding>& rebinding;
+    const LoadingFacts& loading;
+    std::span<const std::filesystem::path> gameDirectories; ///< found on this computer
+    std::span<const world::Place> places;                   ///< of the shown world
+    std::string worldName;                                  ///< of the shown world; empty: none
+    std::string version, driver, fontNote;                  ///< for the About page
+    bool hasGamepad = false;
+};
+
+class OpenPage;
+
+/// Draws the current page. Holds the pages' own state: a half-typed path, a filter.
+class Pages {
+public:
+    Pages();
+    ~Pages();
+    [[nodiscard]] PageChoice draw(Ui& ui, const PagesFacts& facts);
+
+private:
+    std::unique_ptr<OpenPage> open_;
+    std::string placesFilter_;
+    Page last_ = Page::World;
+};
+
+// One function for each page without state, in a file of its own.
+[[nodiscard]] PageChoice drawMenu(Ui& ui, const PagesFacts& facts);
+[[nodiscard]] PageChoice drawLoading(Ui& ui, const PagesFacts& facts);
+[[nodiscard]] PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter);
+[[nodiscard]] PageChoice drawGraphics(Ui& ui, const PagesFacts& facts);
+[[nodiscard]] PageChoice drawControls(Ui& ui, const PagesFacts& facts);
+[[nodiscard]] PageChoice drawAbout(Ui& ui, const PagesFacts& facts);
+
+} // namespace limen::viewer

@@ -1,0 +1,106 @@
+"""The map and photo mode, driven by real keys and mouse.
+
+Usage: MapPhotoTest.py PROGRAM CACHE [unittest arguments]
+"""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import unittest
+
+from WindowDriver import Followed, WindowTest, png_pixels
+
+WindowTest.program = PROGRAM = sys.argv.pop(1)
+WindowTest.cache = sys.argv.pop(1)
+
+
+class MapPhoto(WindowTest):
+    def open(self, *arguments):
+        return Followed(self, "--radius", "1", "--far", "0", "--at", "cottage.front", *arguments, size="640x360")
+
+    def test_the_map_opens_zooms_and_a_click_travels_in_a_walk_that_comes_out_the_same_again(self):
+        with self.open("--fly", "--record", "walk") as view:
+            before = view.latest()["eye"]
+            view.press("m")
+            view.page("map")
+            view.until(lambda s: s["map"]["painted"] and "map" in s["items"], "a painted map")
+            middle = view.state["items"]["map"]
+            self.assertLess(math.dist(view.state["map"]["centre"], before[:2]), 600)
+            nearer = view.state["map"]["metres_per_unit"]
+            view.do("mousemove", str(round(middle[0]) + 60), str(round(middle[1]) - 40))
+            pointed = view.until(lambda s: s["map"]["pointed"], "coordinates")["map"]["pointed"]
+            self.assertRegex(pointed, r"^\d+\.\d[NS] \d+\.\d[EW]   block [0-9A-F]{4}$")
+            view.do("click", "4")
+            view.until(lambda s: s["map"]["metres_per_unit"] < nearer, "a nearer map")
+            self.assertEqual(view.latest()["map"]["pointed"], pointed, "the point under the cursor stays")
+            at = view.state["map"]
+            x, y = (round(middle[0]) + 60, round(middle[1]) - 40)
+            there = (at["centre"][0] + (x - middle[0]) * at["metres_per_unit"],
+                     at["centre"][1] - (y - middle[1]) * at["metres_per_unit"])
+            view.do("click", "1")
+            view.page("world")
+            gone = view.until(lambda s: math.dist(s["eye"][:2], there) < 2 * at["metres_per_unit"], "the clicked place")
+            self.assertEqual(gone["root"], "outside")
+            self.assertGreater(math.dist(gone["eye"], before), 20)
+            view.latest()
+            self.assertEqual(view.leave()[0], 0)
+        with open(self.path("walk")) as file:
+            acts = [act for line in file for act in json.loads(line).get("acts", [])]
+        self.assertEqual([act[0] for act in acts if act[0] == "go"], ["go"])
+        again = subprocess.run([PROGRAM, "probe", "--walk", "walk"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("differs", again.stderr)
+
+    def test_a_place_is_found_by_its_name_and_gone_to(self):
+        with self.open() as view:
+            view.press("m")
+            view.page("map")
+            view.choose("search")
+            view.do("type", "INN.HA")
+            view.until(lambda s: "inn.hall" in s["items"] and "hill" not in s["items"], "the place alone")
+            self.assertEqual(view.state["page"], "map", "letters in the field are no keys")
+            view.choose("inn.hall")
+            view.page("world")
+            view.until(lambda s: s["root"].startswith("0x"), "the hall")
+            self.assertEqual(view.leave()[0], 0)
+
+    def test_photo_mode_takes_a_picture_and_leaves_the_world_as_it_was(self):
+        with self.open("--screenshots", "pictures", "--fly") as view:
+            os.makedirs(self.path("pictures"), exist_ok=True)
+            view.press("p")
+            view.page("photo")
+            before = view.until(lambda s: s["photo"], "photo mode")
+            view.do("keydown", "w")
+            view.until(lambda s: math.dist(s["photo"]["eye"], before["photo"]["eye"]) > 0.3, "a camera that flies")
+            view.do("keyup", "w")
+            view.choose("Samples a pixel")
+            view.until(lambda s: "2 x 2" in s["items"], "the list")
+            view.choose("2 x 2")
+            view.until(lambda s: s["photo"]["supersample"] == 2, "supersampling")
+            view.choose("Time of day")  # the middle of the slider: noon
+            view.until(lambda s: abs(s["photo"]["time"] - 0.5) < 0.02, "noon")
+            view.press("Return")
+            saved = view.until(lambda s: s["photo"]["saved"], "a saved picture")["photo"]["saved"]
+            self.assertEqual(os.path.realpath(saved), os.path.realpath(self.path("pictures", "limen-0001.png")))
+            self.assertTrue(os.path.isabs(saved))
+            view.press("p")
+            after = view.page("world")
+            for name in ("eye", "yaw", "time", "seconds", "weather", "day", "root"):
+                if name != "seconds":
+                    self.assertEqual(after[name], before[name], name)
+            self.assertLess(after["seconds"] - before["seconds"], 0.2, "time stood still")
+            self.assertEqual(view.leave()[0], 0)
+        with open(self.path("pictures", "limen-0001.txt")) as file:
+            command = file.read().split()
+        self.assertIn("--supersample", command)
+        subprocess.run([PROGRAM, *command[1:]], env=self.env, cwd=self.path("pictures"), check=True, timeout=120)
+        kept, again = (png_pixels(self.path("pictures", name)) for name in ("limen-0001.png", "limen-0001-again.png"))
+        self.assertEqual(kept[:2], (640, 360))
+        differing = sum(a != b for a, b in zip(kept[2], again[2]))
+        self.assertLess(differing, len(kept[2]) // 1000)
+
+
+if __name__ == "__main__":
+    unittest.main()
