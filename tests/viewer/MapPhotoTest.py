@@ -75,12 +75,15 @@ class MapPhoto(WindowTest):
             view.do("keydown", "w")
             view.until(lambda s: math.dist(s["photo"]["eye"], before["photo"]["eye"]) > 0.3, "a camera that flies")
             view.do("keyup", "w")
+            view.choose("Time of day")  # the middle of the slider: noon
+            view.until(lambda s: abs(s["photo"]["time"] - 0.5) < 0.02, "noon")
+            view.do("mousemove", "520", "345")  # over the controls, beside all of them
+            while "Samples a pixel" not in view.latest()["items"]:
+                view.do("click", "5")
             view.choose("Samples a pixel")
             view.until(lambda s: "2 x 2" in s["items"], "the list")
             view.choose("2 x 2")
             view.until(lambda s: s["photo"]["supersample"] == 2, "supersampling")
-            view.choose("Time of day")  # the middle of the slider: noon
-            view.until(lambda s: abs(s["photo"]["time"] - 0.5) < 0.02, "noon")
             view.press("Return")
             saved = view.until(lambda s: s["photo"]["saved"], "a saved picture")["photo"]["saved"]
             self.assertEqual(os.path.realpath(saved), os.path.realpath(self.path("pictures", "limen-0001.png")))
