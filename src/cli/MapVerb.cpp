@@ -99,7 +99,7 @@ void addMapVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->footer(
         "North is up. The map shows the smallest rectangle around all landblocks of the data; blocks "
         "without ground are dark.\nNeeds no OpenGL.\n"
-        "Example: limen map --dat ~/ac --labels -o map.png");
+        "Examples:\n  limen map -o map.png\n  limen map --labels --scale 16 -o map.png");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runMap(*arguments, console); };
     });

@@ -13,15 +13,20 @@ struct TwoFloats {
     [[nodiscard]] Vec3 sum() const { return Vec3(nearest) + Vec3(rest); }
 };
 
-/// Equal positions have equal parts, to the bit. The sum is the position if that has at most 24 bits below
-/// the last bit of its float. Does not convert to float and back: GCC 12 optimises that away where it
-/// vectorises. Ref: Dekker, "A floating-point technique for extending the available precision" (1971),
-/// Veltkamp's splitting.
-[[nodiscard]] inline TwoFloats inTwoFloats(const Vec3& position) {
+/// The nearest vector whose components fit a float, still as doubles. Ref: Dekker, "A floating-point technique
+/// for extending the available precision" (1971), Veltkamp's splitting.
+[[nodiscard]] inline Vec3 roundedToFloats(const Vec3& v) {
     constexpr double kSplit = 536870913.0; // 2^29 + 1: leaves 24 of 53 bits
-    const Vec3 scaled = position * kSplit;
-    const Vec3 nearest = scaled - (scaled - position);
-    return {Vec3f(nearest), Vec3f(position - nearest)};
+    const Vec3 scaled = v * kSplit;
+    return scaled - (scaled - v);
+}
+
+/// Equal positions have equal parts, to the bit. The sum is the position if that has at most 24 bits below
+/// the last bit of its float. Does not round by converting to float and back: GCC 12 optimises that away where
+/// it vectorises.
+[[nodiscard]] inline TwoFloats inTwoFloats(const Vec3& position) {
+    const Vec3 nearest = roundedToFloats(position);
+    return {Vec3f(nearest), Vec3f(roundedToFloats(position - nearest))};
 }
 
 } // namespace limen

@@ -278,7 +278,7 @@ TEST(Program, refusesDirectoriesThatHoldNoWorld) {
     std::filesystem::create_directory(runner.work() / "empty");
     putText(runner.work() / "file", "hello");
     for (const char* dat : {"missing", "empty", "file", "/proc"})
-        expectRefusal(runner, {"shot", "--dat", dat, "--eye", "1,2,3"});
+        expectRefusal(runner, {"shot", "--dat", dat, "--eye", "1,2,3", "-o", "a.png"});
     expectRefusal(runner, {"dat", "ls", "missing"}, "missing");
     expectRefusal(runner, {"dat", "ls", "empty"});
     expectRefusal(runner, {"dat", "ls", "file"});
@@ -297,7 +297,7 @@ TEST(Program, refusesDamagedFilesByName) {
         std::filesystem::remove_all(runner.work() / "bad");
         std::filesystem::copy(runner.work() / "world", runner.work() / "bad");
         putText(runner.work() / ("bad/" + std::string(file)), bytes);
-        expectRefusal(runner, {"shot", "--dat", "bad", "--eye", "1,2,3"}, file);
+        expectRefusal(runner, {"shot", "--dat", "bad", "--eye", "1,2,3", "-o", "a.png"}, file);
     };
     for (const char* file : {"client_portal.dat", "client_cell_1.dat"}) {
         const std::string good = getText(runner.work() / ("world/" + std::string(file)));
@@ -313,7 +313,7 @@ TEST(Program, refusesDamagedFilesByName) {
     std::filesystem::create_directory(runner.work() / "bad");
     std::filesystem::copy(runner.work() / "world/client_cell_1.dat", runner.work() / "bad/client_portal.dat");
     std::filesystem::copy(runner.work() / "world/client_portal.dat", runner.work() / "bad/client_cell_1.dat");
-    expectRefusal(runner, {"shot", "--dat", "bad", "--eye", "1,2,3"});
+    expectRefusal(runner, {"shot", "--dat", "bad", "--eye", "1,2,3", "-o", "a.png"});
 }
 
 TEST(Program, refusesOutputsThatCannotBeWrittenBeforeItDraws) {
@@ -343,13 +343,13 @@ TEST(Program, refusesOutputsThatCannotBeWrittenBeforeItDraws) {
 
 TEST(Program, namesThePlacesItKnowsWhenOneIsUnknown) {
     const ProgramRunner runner;
-    expectRefusal(runner, {"shot", "--at", "castle.attic"}, "hill");
+    expectRefusal(runner, {"shot", "--at", "castle.attic", "-o", "a.png"}, "hill");
 }
 
 TEST(Program, namesTheKindsOfDayItKnowsWhenOneIsUnknown) {
     const ProgramRunner runner;
-    expectRefusal(runner, {"shot", "--at", "hill", "--day", "dreary"}, "Fair, Snow");
-    expectRefusal(runner, {"shot", "--at", "hill", "--day", "2"}, "Fair, Snow");
+    expectRefusal(runner, {"shot", "--at", "hill", "--day", "dreary", "-o", "a.png"}, "Fair, Snow");
+    expectRefusal(runner, {"shot", "--at", "hill", "--day", "2", "-o", "a.png"}, "Fair, Snow");
     expectRefusal(runner, {"check", "--views", "1", "--day", "dreary"}, "Fair, Snow");
 }
 

@@ -54,7 +54,7 @@ TEST(ContainerRules, theWritersSmallestFileHasThatLayout) {
 }
 
 TEST(ContainerRules, foreignFilesAreNamedForWhatTheyAre) {
-    EXPECT_EQ(openError({}).message(), "bad.dat: the file is empty, not a dat file");
+    EXPECT_EQ(openError({}).message(), "bad.dat: the file is empty, not a dat file; copy it again");
     EXPECT_THAT(openError(Bytes(4096)).what, HasSubstr("nothing but zeros"));
     const std::string prose = "You can't go home again, but you can read your mail there.\n";
     std::string text;
