@@ -153,7 +153,8 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
             return tl::unexpected(id.error());
         ids.push_back(*id);
     }
-    const Result<engine::WorldSource> source = engine::openWorldSource(arguments.dat, engine::PlaceSearch::Skip);
+    const Result<engine::WorldSource> source =
+        engine::openWorldSource(arguments.dat, engine::PlaceSearch::Skip);
     if (!source)
         return tl::unexpected(source.error());
     if (Result<void> made = output::makeDirectory(arguments.directory); !made)

@@ -29,9 +29,9 @@ Result<void> resize(const std::string& text, play::WalkRecord& walk) {
 
 void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t frames) {
     command
-        .add_option(
-            "--path", arguments.path,
-            "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour, else one made from its records)")
+        .add_option("--path", arguments.path,
+                    "follow these way points, one line of shot's options each, e.g. --at hill (the world's "
+                    "tour, else one made from its records)")
         ->type_name("FILE");
     CLI::Option* walk =
         command

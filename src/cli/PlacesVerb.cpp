@@ -77,9 +77,10 @@ void addPlacesVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--dat", options->dat, "read the world in this directory (the built-in world)")
         ->type_name("DIR");
     verb->add_flag("--json", options->json, "print the places as one JSON object");
-    verb->footer("Lists the places of world.json. A world without that file gets the towns, well-known places\n"
-                 "and dungeons that its records show. Letter case, spaces and hyphens do not matter in --at.\n"
-                 "Example: limen places --dat \"$HOME/ac\"");
+    verb->footer(
+        "Lists the places of world.json. A world without that file gets the towns, well-known places\n"
+        "and dungeons that its records show. Letter case, spaces and hyphens do not matter in --at.\n"
+        "Example: limen places --dat \"$HOME/ac\"");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runPlaces(*options, console); };
     });

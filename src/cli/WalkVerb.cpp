@@ -68,9 +68,9 @@ void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "write the walk to this file, for --walk of tour, probe and check")
         ->required()
         ->type_name("FILE");
-    verb->add_option(
-            "--path", options->path.path,
-            "follow these way points, one line of shot's options each, e.g. --at hill (the world's tour, else one made from its records)")
+    verb->add_option("--path", options->path.path,
+                     "follow these way points, one line of shot's options each, e.g. --at hill (the world's "
+                     "tour, else one made from its records)")
         ->type_name("FILE");
     verb->add_option("--size", options->path.size, "set the picture size in pixels (960x540)")
         ->type_name("WxH");

@@ -80,9 +80,7 @@ Folder readFolder(const fs::path& path) {
 
 DatDirectory found(Folder folder) {
     DatDirectory result{
-        folder.path,
-        {folder.path, folder.files[0], folder.files[1], folder.files[2], folder.files[3]},
-        {}};
+        folder.path, {folder.path, folder.files[0], folder.files[1], folder.files[2], folder.files[3]}, {}};
     for (std::size_t i = 0; i < kFacts.size(); ++i)
         if (folder.files[i].empty())
             result.absent.emplace_back(kFacts[i].name);
@@ -154,7 +152,8 @@ tl::unexpected<Error> nothingFound(const fs::path& given, const std::vector<Fold
         paths.push_back(tried[i].path.string());
     if (tried.size() > paths.size())
         paths.push_back(fmt::format("{} more", tried.size() - paths.size()));
-    const auto older = std::find_if(tried.begin(), tried.end(), [](const Folder& f) { return f.hasOlderGame; });
+    const auto older =
+        std::find_if(tried.begin(), tried.end(), [](const Folder& f) { return f.hasOlderGame; });
     if (older != tried.end() && older->files[0].empty())
         return fail(ErrorCode::Unsupported, given.string(),
                     fmt::format("portal.dat and cell.dat in {} are game files older than the end of retail; "
@@ -184,8 +183,8 @@ Result<DatDirectory> findDatDirectory(const fs::path& path) {
                           inLowerCase(real.rest.extension().string()) == ".dat";
     if (!isThere || (!real.rest.empty() && !namesDat))
         return noSuchPath(path, real);
-    const fs::path first = isFile ? (real.there.has_parent_path() ? real.there.parent_path() : fs::path("."))
-                                  : real.there;
+    const fs::path first =
+        isFile ? (real.there.has_parent_path() ? real.there.parent_path() : fs::path(".")) : real.there;
     std::vector<Folder> tried;
     std::vector<fs::path> level{first};
     for (int depth = 0; depth <= kDepth && !level.empty(); ++depth) {

@@ -24,7 +24,7 @@ Paths onDrive(const fs::path& drive) {
     for (const char* folder : kProgramFolders)
         for (const char* install : kInstallPaths)
             paths.push_back((*folder == '\0' ? drive : drive / folder) / install);
-    for (const char* shortName : {"Turbine", "AC", "Games/AC"})
+    for (const char* shortName : {"AC", "Games/AC"})
         paths.push_back(drive / shortName);
     return paths;
 }
@@ -78,7 +78,8 @@ Paths knownGameDirectories(const SystemView& system) {
                 for (const fs::path& path : onDrive(prefix / drive))
                     consider(path);
     if (!system.home.empty())
-        for (const char* folder : {"Asheron's Call", "asheronscall", "ac", "Games/Asheron's Call", "games/ac"})
+        for (const char* folder :
+             {"Asheron's Call", "asheronscall", "ac", "Games/Asheron's Call", "games/ac"})
             consider(system.home / folder);
     return found;
 }

@@ -37,10 +37,11 @@ Result<const world::Place*> findPlace(const world::WorldFile& file, const std::s
     const std::size_t count = names.size();
     names.resize(std::min(count, kListed));
     return fail(ErrorCode::NotFound, "--at",
-                similar.empty() ? fmt::format("unknown place '{}'; this world has {}{}. limen places lists all",
-                                              name, fmt::join(names, ", "), count > kListed ? ", ..." : "")
-                                : fmt::format("unknown place '{}'.{} limen places lists all {}", name,
-                                              didYouMean(similar), count));
+                similar.empty()
+                    ? fmt::format("unknown place '{}'; this world has {}{}. limen places lists all", name,
+                                  fmt::join(names, ", "), count > kListed ? ", ..." : "")
+                    : fmt::format("unknown place '{}'.{} limen places lists all {}", name,
+                                  didYouMean(similar), count));
 }
 
 RootChoice rootOf(const world::Place& place) {
@@ -93,8 +94,7 @@ const world::Place* firstPlace(const world::WorldFile& file) {
 std::optional<ViewRequest> firstView(const WorldSource& source,
                                      const std::optional<RememberedPlace>& remembered) {
     if (remembered && isFinite(remembered->eye)) {
-        const world::Place place{
-            {}, remembered->eye, remembered->yaw, remembered->pitch, remembered->cell};
+        const world::Place place{{}, remembered->eye, remembered->yaw, remembered->pitch, remembered->cell};
         const bool isThere =
             place.cell != 0
                 ? source.archive.contains<dat::EnvCell>(place.cell)

@@ -75,8 +75,7 @@ const engine::FrameRequest& PathWalk::moveTo(double time) {
         if (corner.isJump)
             jumpTo(corner);
         else
-            frame_.root =
-                tracker_.move(session_.part().world, frame_.camera.eye, corner.eye, seconds);
+            frame_.root = tracker_.move(session_.part().world, frame_.camera.eye, corner.eye, seconds);
         frame_.camera.eye = corner.eye;
     }
     frame_.camera.heading = camera.heading;

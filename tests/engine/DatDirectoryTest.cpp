@@ -78,7 +78,8 @@ TEST_F(DatDirectoryTest, explainsAWrongDirectory) {
     const std::string error = errorFor(root_ / "Games/Turbin");
     EXPECT_TRUE(contains(error, "Did you mean 'Turbine'?")) << error;
     fs::create_directories(root_ / "empty");
-    EXPECT_TRUE(contains(errorFor(root_ / "empty"), "client_portal.dat is missing; client_cell_1.dat is missing"));
+    EXPECT_TRUE(
+        contains(errorFor(root_ / "empty"), "client_portal.dat is missing; client_cell_1.dat is missing"));
     EXPECT_TRUE(contains(errorFor(""), "is empty"));
 }
 

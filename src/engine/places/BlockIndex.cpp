@@ -46,7 +46,8 @@ Town gather(const std::vector<BlockFacts>& blocks, std::size_t seed, BlockMap& f
         for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, 255); ++x) {
             for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, 255); ++y) {
                 std::size_t& other = free[slotOf({x, y})];
-                if (other == kNoBlock || std::abs(x - main.x) > kTownReach || std::abs(y - main.y) > kTownReach)
+                if (other == kNoBlock || std::abs(x - main.x) > kTownReach ||
+                    std::abs(y - main.y) > kTownReach)
                     continue;
                 town.blocks.push_back(other);
                 other = kNoBlock;
@@ -100,9 +101,8 @@ std::vector<Town> findTowns(const std::vector<BlockFacts>& blocks) {
         built.push_back(i);
         free[slotOf(blocks[i].coord)] = i;
     }
-    std::stable_sort(built.begin(), built.end(), [&](std::size_t a, std::size_t b) {
-        return blocks[a].buildings > blocks[b].buildings;
-    });
+    std::stable_sort(built.begin(), built.end(),
+                     [&](std::size_t a, std::size_t b) { return blocks[a].buildings > blocks[b].buildings; });
     std::vector<Town> towns;
     for (const std::size_t seed : built)
         if (free[slotOf(blocks[seed].coord)] != kNoBlock)

@@ -17,8 +17,9 @@ namespace {
 
 constexpr double kUnit = 240.0, kOrigin = 24468.0; // map coordinates (docs/formats/landscape.md)
 constexpr std::size_t kMostPlaces = 5000;
-constexpr std::uint32_t kCellsLookedAt = 24; // per dungeon: enough for a hall near its first cell
-constexpr double kNearMiddle = 40.0 * 192.0; // metres over which a town's rank falls by e
+constexpr std::uint32_t kCellsLookedAt = 24;          // per dungeon: enough for a hall near its first cell
+constexpr double kGoodView = 8.0;                     // a CellViewpoint's score that ends the search
+constexpr double kNearMiddle = 40.0 * 192.0;          // metres over which a town's rank falls by e
 constexpr double kSpotBelow = 3.0, kSpotAbove = 15.0; // metres from the ground to a known spot's feet
 
 /// Finds the places of one archive.
@@ -40,9 +41,8 @@ public:
         for (const BlockFacts& block : blocks_)
             if (block.cells > 0 && block.buildings == 0)
                 dungeons.push_back(&block);
-        std::stable_sort(dungeons.begin(), dungeons.end(), [](const BlockFacts* a, const BlockFacts* b) {
-            return a->cells > b->cells;
-        });
+        std::stable_sort(dungeons.begin(), dungeons.end(),
+                         [](const BlockFacts* a, const BlockFacts* b) { return a->cells > b->cells; });
         for (const BlockFacts* dungeon : dungeons)
             addDungeon(*dungeon);
         if (file_.places.empty())
@@ -134,7 +134,7 @@ private:
         std::optional<CellViewpoint> best;
         const dat::RecordId end =
             block.firstCell + std::min(block.cells, kCellsLookedAt); // cells are normally without gaps
-        for (dat::RecordId id = block.firstCell; id < end; ++id) {
+        for (dat::RecordId id = block.firstCell; id < end && !(best && best->score > kGoodView); ++id) {
             const CellShape* cell = shapes_.cell(id);
             std::optional<CellViewpoint> inside = cell == nullptr ? std::nullopt : insideCell(*cell);
             if (inside && (!best || inside->score > best->score))
@@ -144,7 +144,8 @@ private:
             if (!dungeon_)
                 dungeon_ = best->place;
             if (!knownDungeons_.contains(dat::blockWord(block.coord) >> 16))
-                add(std::move(best->place), fmt::format("dungeon {:02X}{:02X}", block.coord.x, block.coord.y));
+                add(std::move(best->place),
+                    fmt::format("dungeon {:02X}{:02X}", block.coord.x, block.coord.y));
         }
         shapes_.forget();
     }
@@ -201,11 +202,11 @@ private:
     std::vector<Town> towns_;
     std::map<dat::RecordId, std::size_t> townOf_; ///< by block word
     world::WorldFile file_;
-    std::set<std::string> names_;    ///< plain
+    std::set<std::string> names_;              ///< plain
     std::map<std::size_t, std::string> named_; ///< towns with a known name
-    std::string firstTown_;          ///< the name of the highest in the ranking
-    std::set<std::uint32_t> knownDungeons_; ///< block words >> 16
-    std::optional<world::Place> dungeon_;   ///< in the largest dungeon
+    std::string firstTown_;                    ///< the name of the highest in the ranking
+    std::set<std::uint32_t> knownDungeons_;    ///< block words >> 16
+    std::optional<world::Place> dungeon_;      ///< in the largest dungeon
 };
 
 } // namespace

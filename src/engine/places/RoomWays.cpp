@@ -8,12 +8,12 @@
 namespace limen::engine {
 namespace {
 
-constexpr double kKnee = 0.5;          // metres above the floor; lower obstacles are steps
-constexpr double kHalfBody = 0.3;      // metres, as of a body's capsule
-constexpr double kStepHeight = 0.6;    // metres, as of a body
-constexpr double kSampled = 0.4;       // metres between tests of the floor
-constexpr double kBeyond = 0.15;       // metres behind a door's plane: the point is in the next cell
-constexpr double kFarthestLook = 8.0;  // metres walked into a room
+constexpr double kKnee = 0.5;         // metres above the floor; lower obstacles are steps
+constexpr double kHalfBody = 0.3;     // metres, as of a body's capsule
+constexpr double kStepHeight = 0.6;   // metres, as of a body
+constexpr double kSampled = 0.4;      // metres between tests of the floor
+constexpr double kBeyond = 0.15;      // metres behind a door's plane: the point is in the next cell
+constexpr double kFarthestLook = 8.0; // metres walked into a room
 constexpr double kNoWay = 1e300;
 
 /// The eye just beyond an opening.
@@ -142,43 +142,6 @@ void roundThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& entry, std:
     }
     if (here != entry)
         append(wayInside(*cell, here, entry, stops), id, out);
-}
-
-void wayThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& from, std::size_t rooms,
-                     std::vector<WayPoint>& out) {
-    std::set<dat::RecordId> visited;
-    Vec3 here = from;
-    while (visited.size() < rooms) {
-        const CellShape* cell = shapes.cell(id);
-        if (cell == nullptr)
-            return;
-        visited.insert(id);
-        const std::vector<Vec3> stops = standingEyes(*cell);
-        std::vector<const Opening*> doors;
-        for (const Opening& opening : cell->openings)
-            if (opening.isDoor() && opening.otherCell != 0 && !visited.contains(opening.otherCell) &&
-                shapes.cell(opening.otherCell) != nullptr)
-                doors.push_back(&opening);
-        std::stable_sort(doors.begin(), doors.end(), [&](const Opening* a, const Opening* b) {
-            return glm::length(a->middle - here) > glm::length(b->middle - here);
-        });
-        const Opening* taken = nullptr;
-        for (const Opening* door : doors) {
-            const std::vector<Vec3> way = wayInside(*cell, here, door->eye(), stops);
-            if (way.empty())
-                continue;
-            append(way, id, out);
-            out.back() = {beyond(*door), door->otherCell};
-            taken = door;
-            break;
-        }
-        if (taken == nullptr) {
-            append(wayIntoRoom(*cell, here, stops), id, out); // the end: into the last room
-            return;
-        }
-        here = out.back().eye;
-        id = taken->otherCell;
-    }
 }
 
 } // namespace limen::engine

@@ -18,10 +18,10 @@ namespace limen::engine {
 struct Opening {
     std::vector<Vec3> outline;
     Vec3 middle{0.0};
-    Vec3 inward{0.0};           ///< unit normal into the cell
-    double sill = 0.0;          ///< lowest corner
-    double height = 0.0;        ///< metres
-    double width = 0.0;         ///< largest horizontal extent, metres
+    Vec3 inward{0.0};            ///< unit normal into the cell
+    double sill = 0.0;           ///< lowest corner
+    double height = 0.0;         ///< metres
+    double width = 0.0;          ///< largest horizontal extent, metres
     dat::RecordId otherCell = 0; ///< 0: the outside
     std::uint16_t otherPortal = 0;
 

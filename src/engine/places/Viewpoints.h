@@ -14,7 +14,8 @@ struct FrontDoor {
     double step = 0.0;        ///< height of the sill above the ground in front, metres
 };
 /// The doors of a block's building that lead in from the ground, the lowest sill first, then the largest.
-[[nodiscard]] std::vector<FrontDoor> frontDoors(Shapes& shapes, const BlockShape& block, std::size_t building);
+[[nodiscard]] std::vector<FrontDoor> frontDoors(Shapes& shapes, const BlockShape& block,
+                                                std::size_t building);
 
 /// An eye that sees a door from the ground outside: on the ground, with a free line to the door, no obstacle
 /// within a metre and the sky above. No value if there is no such point.

@@ -10,13 +10,13 @@
 namespace limen::engine {
 namespace {
 
-constexpr double kLow = 0.35, kHigh = 2.0;    // metres above the ground between which a surface blocks
-constexpr double kMargin = 0.75;              // metres from a surface to the middle of an open square
-constexpr double kSteepest = 0.9;             // rise per metre between neighbouring squares
-constexpr double kPiece = 0.7;                // metres, sides of the pieces that triangles are cut into
-constexpr int kMostCuts = 14;                 // halvings of a triangle
-constexpr double kUnderFloor = 1.0;           // metres below the ground at which a room's floor still counts
-constexpr double kReach = 3.0;                // metres that ends of a way are moved
+constexpr double kLow = 0.35, kHigh = 2.0; // metres above the ground between which a surface blocks
+constexpr double kMargin = 0.75;           // metres from a surface to the middle of an open square
+constexpr double kSteepest = 0.9;          // rise per metre between neighbouring squares
+constexpr double kPiece = 0.7;             // metres, sides of the pieces that triangles are cut into
+constexpr int kMostCuts = 14;              // halvings of a triangle
+constexpr double kUnderFloor = 1.0;        // metres below the ground at which a room's floor still counts
+constexpr double kReach = 3.0;             // metres that ends of a way are moved
 
 /// Squares in eight directions.
 constexpr int kSteps[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
@@ -28,8 +28,7 @@ WalkGrid::WalkGrid(Shapes& shapes, const BlockShape& block, const std::vector<Fr
       open_(std::size_t{kSide} * kSide, 1) {
     for (int x = 0; x < kSide; ++x)
         for (int y = 0; y < kSide; ++y)
-            ground_[slot(x, y)] =
-                static_cast<float>(shapes.ground(origin_.x + x + 0.5, origin_.y + y + 0.5));
+            ground_[slot(x, y)] = static_cast<float>(shapes.ground(origin_.x + x + 0.5, origin_.y + y + 0.5));
     for (int x = 0; x < kSide; ++x) {
         for (int y = 0; y < kSide; ++y) {
             const float here = ground_[slot(x, y)];
@@ -56,8 +55,8 @@ WalkGrid::WalkGrid(Shapes& shapes, const BlockShape& block, const std::vector<Fr
 void WalkGrid::close(const Triangle& t, int depth) {
     const Vec3 low = glm::min(glm::min(t.a, t.b), t.c) - origin_;
     const Vec3 high = glm::max(glm::max(t.a, t.b), t.c) - origin_;
-    if (!isFinite(low) || !isFinite(high) || high.x < -kMargin || high.y < -kMargin || low.x > kSide + kMargin ||
-        low.y > kSide + kMargin)
+    if (!isFinite(low) || !isFinite(high) || high.x < -kMargin || high.y < -kMargin ||
+        low.x > kSide + kMargin || low.y > kSide + kMargin)
         return;
     const Vec3 edges[3] = {t.b - t.a, t.c - t.b, t.a - t.c};
     int longest = 0;
@@ -91,7 +90,8 @@ Vec3 WalkGrid::eyeAt(Square square) const {
 
 std::optional<WalkGrid::Square> WalkGrid::squareNear(const Vec3& at, double metres) const {
     const Vec3 local = at - origin_;
-    const int middleX = static_cast<int>(std::floor(local.x)), middleY = static_cast<int>(std::floor(local.y));
+    const int middleX = static_cast<int>(std::floor(local.x)),
+              middleY = static_cast<int>(std::floor(local.y));
     const int reach = static_cast<int>(std::ceil(metres));
     std::optional<Square> best;
     double nearest = metres;
@@ -152,7 +152,8 @@ std::vector<Vec3> WalkGrid::way(const Vec3& from, const Vec3& to) const {
     push(start->x, start->y, 0.0f);
     const std::size_t goal = slot(end->x, end->y);
     while (!queue.empty() && queue.top().slot != goal) {
-        const int x = static_cast<int>(queue.top().slot / kSide), y = static_cast<int>(queue.top().slot % kSide);
+        const int x = static_cast<int>(queue.top().slot / kSide),
+                  y = static_cast<int>(queue.top().slot % kSide);
         queue.pop();
         for (std::uint8_t i = 0; i < 8; ++i) {
             const int nextX = x + kSteps[i][0], nextY = y + kSteps[i][1];
