@@ -24,7 +24,7 @@ Paths onDrive(const fs::path& drive) {
     for (const char* folder : kProgramFolders)
         for (const char* install : kInstallPaths)
             paths.push_back((*folder == '\0' ? drive : drive / folder) / install);
-    for (const char* shortName : {"Turbine", "AC", "Games/AC"})
+    for (const char* shortName : {"AC", "Games/AC"})
         paths.push_back(drive / shortName);
     return paths;
 }

@@ -40,8 +40,7 @@ Result<const world::Place*> findPlace(const world::WorldFile& file, const std::s
                 similar.empty()
                     ? fmt::format("unknown place '{}'; this world has {}{}. limen places lists all", name,
                                   fmt::join(names, ", "), count > kListed ? ", ..." : "")
-                    : fmt::format("unknown place '{}'.{} limen places lists all {}", name,
-                                  didYouMean(similar), count));
+                    : fmt::format("unknown place '{}'.{} limen places lists all", name, didYouMean(similar)));
 }
 
 RootChoice rootOf(const world::Place& place) {

@@ -57,8 +57,13 @@ Result<WorldSource> openWorldSource(const std::string& path, PlaceSearch search)
     if (path.empty())
         return openBuiltIn();
     Result<WorldSource> source = openAt(path, search);
-    if (source)
-        source->datOption = " --dat '" + path + "'";
+    if (source) {
+        // A command that draws a frame again names the directory itself, and not one above it.
+        std::error_code error;
+        const std::filesystem::path& there = source->archive.directory();
+        const bool isGiven = std::filesystem::equivalent(path, there, error);
+        source->datOption = " --dat '" + (isGiven ? path : there.string()) + "'";
+    }
     return source;
 }
 

@@ -19,8 +19,8 @@ using worlds::GeneratedKind;
 
 /// A world without world.json, and the places found in it. Nullopt: the built-in world.
 struct Nameless {
-    explicit Nameless(std::optional<GeneratedKind> kind, std::uint32_t size = 12) {
-        const Result<void> written = kind ? worlds::writeGeneratedWorld({*kind, size, 3}, directory.path())
+    explicit Nameless(std::optional<GeneratedKind> kind, std::uint32_t size = 12, std::uint32_t seed = 3) {
+        const Result<void> written = kind ? worlds::writeGeneratedWorld({*kind, size, seed}, directory.path())
                                           : worlds::writeBuiltInWorld(directory.path());
         EXPECT_TRUE(written);
         std::filesystem::remove(directory / "world.json");
@@ -120,7 +120,7 @@ TEST(FoundPlaces, theBuiltInWorldIsFoundWithoutItsFile) {
 
 TEST(FoundPlaces, aWorldOfCellsBeginsInsideOne) {
     for (const GeneratedKind kind : {GeneratedKind::Dungeon, GeneratedKind::Complex}) {
-        const Nameless dungeon(kind, 30);
+        const Nameless dungeon(kind, 30, 1);
         const world::Place& start = startOf(dungeon.file());
         EXPECT_NE(start.cell, 0u);
         expectSensible(Around(*dungeon.source, start), start);
@@ -140,13 +140,46 @@ TEST(FoundPlaces, terrainBeginsOnTheGround) {
     expectConnected(terrain);
 }
 
-TEST(FoundPlaces, equalFilesGiveEqualPlacesAndTheCacheKeepsThem) {
+TEST(FoundPlaces, landWithoutRoomsHasARoundOnTheGround) {
+    const Nameless land(GeneratedKind::Complex, 30, 3); // one building on land, without a door
+    EXPECT_EQ(startOf(land.file()).cell, 0u);
+    EXPECT_EQ(cellsOn(land.file().tour), 0u);
+    expectConnected(land);
+}
+
+TEST(FoundPlaces, equalFilesGiveEqualPlaces) {
     const Nameless town(GeneratedKind::Town, 4);
     const world::WorldFile again = findPlaces(town.source->archive).value();
     ASSERT_EQ(again.places.size(), town.file().places.size());
     for (std::size_t i = 0; i < again.places.size(); ++i)
         EXPECT_EQ(again.places[i].eye, town.file().places[i].eye);
     EXPECT_EQ(again.tour.size(), town.file().tour.size());
+}
+
+TEST(FoundPlaces, theCacheKeepsEveryBitAndADamagedOneIsReplaced) {
+    const Nameless town(GeneratedKind::Town, 4);
+    const test::TemporaryDirectory cache;
+    const auto search = [&] { return findPlacesCached(town.source->archive, cache.path(), 0).value(); };
+    const auto expectFound = [&](const world::WorldFile& file) {
+        ASSERT_EQ(file.tour.size(), town.file().tour.size());
+        for (std::size_t i = 0; i < file.tour.size(); ++i) {
+            EXPECT_EQ(file.tour[i].eye, town.file().tour[i].eye);
+            EXPECT_EQ(file.tour[i].yaw, town.file().tour[i].yaw);
+            EXPECT_EQ(file.tour[i].cell, town.file().tour[i].cell);
+        }
+        EXPECT_EQ(file.start, town.file().start);
+    };
+    expectFound(search());
+    ASSERT_EQ(std::distance(std::filesystem::directory_iterator(cache / "places"),
+                            std::filesystem::directory_iterator()),
+              1);
+    const std::filesystem::path kept = std::filesystem::directory_iterator(cache / "places")->path();
+    std::string text = test::getText(kept);
+    text.replace(text.rfind(town.file().start), 4, "camp"); // the cache is read, not searched again
+    test::putText(kept, text);
+    EXPECT_TRUE(search().start.starts_with("camp"));
+    test::putText(kept, text.substr(0, text.size() / 2));
+    expectFound(search());
 }
 
 TEST(FoundPlaces, aPositionSavesTheSearch) {

@@ -18,6 +18,7 @@ namespace {
 constexpr double kUnit = 240.0, kOrigin = 24468.0; // map coordinates (docs/formats/landscape.md)
 constexpr std::size_t kMostPlaces = 5000;
 constexpr std::uint32_t kCellsLookedAt = 24;          // per dungeon: enough for a hall near its first cell
+constexpr double kGoodView = 8.0;                     // a CellViewpoint's score that ends the search
 constexpr double kNearMiddle = 40.0 * 192.0;          // metres over which a town's rank falls by e
 constexpr double kSpotBelow = 3.0, kSpotAbove = 15.0; // metres from the ground to a known spot's feet
 
@@ -133,7 +134,7 @@ private:
         std::optional<CellViewpoint> best;
         const dat::RecordId end =
             block.firstCell + std::min(block.cells, kCellsLookedAt); // cells are normally without gaps
-        for (dat::RecordId id = block.firstCell; id < end; ++id) {
+        for (dat::RecordId id = block.firstCell; id < end && !(best && best->score > kGoodView); ++id) {
             const CellShape* cell = shapes_.cell(id);
             std::optional<CellViewpoint> inside = cell == nullptr ? std::nullopt : insideCell(*cell);
             if (inside && (!best || inside->score > best->score))

@@ -13,10 +13,14 @@ namespace limen::engine {
 /// Errors: a damaged index.
 [[nodiscard]] Result<world::WorldFile> findPlaces(const dat::Archive& archive);
 
-/// The same from the cache directory `root` (cacheRoot()), if the world is large and its files are those of
-/// an earlier search; otherwise searches and stores the result there. An empty root: no cache.
+inline constexpr std::uint32_t kWorthCaching = 8 << 20; ///< bytes; smaller cell files are searched in no time
+
+/// The same from the cache directory `root` (cacheRoot()), if the files are those of an earlier search;
+/// otherwise searches and stores the result there. An empty root, or a cell file of less than `leastBytes`:
+/// no cache.
 [[nodiscard]] Result<world::WorldFile> findPlacesCached(const dat::Archive& archive,
-                                                        const std::filesystem::path& root);
+                                                        const std::filesystem::path& root,
+                                                        std::uint32_t leastBytes = kWorthCaching);
 
 /// Map coordinates of a position, e.g. "42.1N 33.6E" (docs/formats/landscape.md#map-coordinates).
 [[nodiscard]] std::string mapCoordinates(const Vec3& position);

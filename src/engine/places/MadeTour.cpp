@@ -86,21 +86,23 @@ public:
             points_.push_back({eye, 0});
     }
 
-    /// A round on the ground.
+    /// A round on the ground, around obstacles. Requires a first point.
     void land(const Vec3& start) {
         for (const double radius : {20.0, 45.0}) {
             for (int i = 0; i <= 8; ++i) {
                 const Vec3 at = start + turnedTo(i * 45.0) * Vec3(0.0, radius, 0.0);
                 const double ground = shapes_.ground(at.x, at.y);
-                if (std::isfinite(ground))
-                    points_.push_back({{at.x, at.y, ground + kEyeHeight}, 0});
+                const Vec3 eye(at.x, at.y, ground + kEyeHeight);
+                if (std::isfinite(ground) && isFreeOutdoors(points_.back().eye, eye))
+                    points_.push_back({eye, 0});
             }
         }
     }
 
     void dungeon(const world::Place& place, std::size_t rooms) {
         points_.push_back({place.eye, place.cell});
-        wayThroughRooms(shapes_, place.cell, place.eye, rooms, points_);
+        std::set<dat::RecordId> visited;
+        roundThroughRooms(shapes_, place.cell, place.eye, rooms, visited, points_);
     }
 
     /// The way points, each with the heading of the way after it.
@@ -131,6 +133,23 @@ public:
     }
 
 private:
+    /// True if a line between two points outdoors meets no object and no ground.
+    [[nodiscard]] bool isFreeOutdoors(const Vec3& from, const Vec3& to) {
+        constexpr int kSteps = 12;
+        for (int i = 0; i <= kSteps; ++i) {
+            const Vec3 at = from + (to - from) * (static_cast<double>(i) / kSteps);
+            if (!(at.z > shapes_.ground(at.x, at.y) + 0.3)) // false for NaN
+                return false;
+        }
+        const Vec3 knee(0.0, 0.0, 0.5 - kEyeHeight);
+        for (const Vec3& end : {from, to}) {
+            const Obstacles& solids = shapes_.block(world::blockAt(end)).solids;
+            if (solids.blocks(from, to) || solids.blocks(from + knee, to + knee))
+                return false;
+        }
+        return true;
+    }
+
     const Opening& openingOf(const FrontDoor& door) const {
         return shapes_.cell(door.cell)->openings[door.opening];
     }

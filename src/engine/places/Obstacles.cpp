@@ -23,6 +23,15 @@ double shareTo(const Triangle& t, const Vec3& from, const Vec3& way) {
     return x >= 0.0 && y >= 0.0 && x + y <= 1.0 && share >= 0.0 && share < 1.0 ? share : 1.0;
 }
 
+/// True if the way is on one side of the triangle along an axis. Cheaper than shareTo.
+bool isBeside(const Triangle& t, const Vec3& low, const Vec3& high) {
+    for (int axis = 0; axis < 3; ++axis)
+        if ((t.a[axis] < low[axis] && t.b[axis] < low[axis] && t.c[axis] < low[axis]) ||
+            (t.a[axis] > high[axis] && t.b[axis] > high[axis] && t.c[axis] > high[axis]))
+            return true;
+    return false;
+}
+
 bool mayMeet(const Aabb& box, const Vec3& from, const Vec3& to) {
     for (int axis = 0; axis < 3; ++axis)
         if (std::max(from[axis], to[axis]) < box.min[axis] || std::min(from[axis], to[axis]) > box.max[axis])
@@ -55,10 +64,12 @@ void Obstacles::add(std::vector<Triangle> group) {
 
 double Obstacles::freeShare(const Vec3& from, const Vec3& to) const {
     double share = 1.0;
+    const Vec3 low = glm::min(from, to), high = glm::max(from, to);
     for (const Group& group : groups_)
         if (mayMeet(group.bounds, from, to))
             for (const Triangle& triangle : group.triangles)
-                share = std::min(share, shareTo(triangle, from, to - from));
+                if (!isBeside(triangle, low, high))
+                    share = std::min(share, shareTo(triangle, from, to - from));
     return share;
 }
 

@@ -15,9 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kSearchVersion = 1;             // raise it when the search finds other places
-constexpr std::uint32_t kLargeFile = 8 << 20; // bytes; a smaller cell file is searched in a few milliseconds
-constexpr std::size_t kMostKept = 8;          // results in the cache
+constexpr int kSearchVersion = 1;    // raise it when the search finds other places
+constexpr std::size_t kMostKept = 8; // results in the cache
 
 /// Header fields, length and time of the files: other files, or the same files changed, have another key.
 std::string keyOf(const dat::Archive& archive) {
@@ -122,8 +121,9 @@ void removeOldest(const fs::path& directory) {
 
 } // namespace
 
-Result<world::WorldFile> findPlacesCached(const dat::Archive& archive, const fs::path& root) {
-    if (root.empty() || archive.cell().header().fileSize < kLargeFile)
+Result<world::WorldFile> findPlacesCached(const dat::Archive& archive, const fs::path& root,
+                                          std::uint32_t leastBytes) {
+    if (root.empty() || archive.cell().header().fileSize < leastBytes)
         return findPlaces(archive);
     const fs::path directory = root / "places";
     const fs::path path = directory / (keyOf(archive) + ".json");

@@ -144,41 +144,4 @@ void roundThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& entry, std:
         append(wayInside(*cell, here, entry, stops), id, out);
 }
 
-void wayThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& from, std::size_t rooms,
-                     std::vector<WayPoint>& out) {
-    std::set<dat::RecordId> visited;
-    Vec3 here = from;
-    while (visited.size() < rooms) {
-        const CellShape* cell = shapes.cell(id);
-        if (cell == nullptr)
-            return;
-        visited.insert(id);
-        const std::vector<Vec3> stops = standingEyes(*cell);
-        std::vector<const Opening*> doors;
-        for (const Opening& opening : cell->openings)
-            if (opening.isDoor() && opening.otherCell != 0 && !visited.contains(opening.otherCell) &&
-                shapes.cell(opening.otherCell) != nullptr)
-                doors.push_back(&opening);
-        std::stable_sort(doors.begin(), doors.end(), [&](const Opening* a, const Opening* b) {
-            return glm::length(a->middle - here) > glm::length(b->middle - here);
-        });
-        const Opening* taken = nullptr;
-        for (const Opening* door : doors) {
-            const std::vector<Vec3> way = wayInside(*cell, here, door->eye(), stops);
-            if (way.empty())
-                continue;
-            append(way, id, out);
-            out.back() = {beyond(*door), door->otherCell};
-            taken = door;
-            break;
-        }
-        if (taken == nullptr) {
-            append(wayIntoRoom(*cell, here, stops), id, out); // the end: into the last room
-            return;
-        }
-        here = out.back().eye;
-        id = taken->otherCell;
-    }
-}
-
 } // namespace limen::engine

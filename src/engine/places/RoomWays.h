@@ -27,8 +27,4 @@ struct WayPoint {
 void roundThroughRooms(Shapes& shapes, dat::RecordId cell, const Vec3& entry, std::size_t& rooms,
                        std::set<dat::RecordId>& visited, std::vector<WayPoint>& out);
 
-/// Appends a way from cell to cell that never comes back, through at most `rooms` cells.
-void wayThroughRooms(Shapes& shapes, dat::RecordId cell, const Vec3& from, std::size_t rooms,
-                     std::vector<WayPoint>& out);
-
 } // namespace limen::engine

@@ -14,13 +14,13 @@
 namespace limen::engine {
 namespace {
 
-constexpr double kBodyHeight = 1.6;     // metres, of the lowest door
-constexpr double kBodyWidth = 0.6;      // metres, of the narrowest door
-constexpr double kStandingEye = 1.7;    // metres above the feet
-constexpr double kHeadroom = 0.15;      // metres between an eye and the top of a door
-constexpr double kUpright = 0.5;        // largest vertical part of a door's normal
-constexpr double kOneSide = 0.01;       // metres, as world/block/CellPortals.cpp
-constexpr std::size_t kMostShapes = 64; // environments kept
+constexpr double kBodyHeight = 1.6;      // metres, of the lowest door
+constexpr double kBodyWidth = 0.6;       // metres, of the narrowest door
+constexpr double kStandingEye = 1.7;     // metres above the feet
+constexpr double kHeadroom = 0.15;       // metres between an eye and the top of a door
+constexpr double kUpright = 0.5;         // largest vertical part of a door's normal
+constexpr double kOneSide = 0.01;        // metres, as world/block/CellPortals.cpp
+constexpr std::size_t kMostShapes = 800; // environments kept; the game's files have 772
 
 std::vector<Vec3> cornersIn(const world::SourcePolygon& polygon, const Mat3& linear, const Vec3& origin) {
     std::vector<Vec3> corners;

@@ -4,6 +4,7 @@
 #include "engine/ViewRequest.h"
 #include "geometry/Compass.h"
 #include "geometry/ConvexPolygon.h"
+#include "world/Lookup.h"
 
 #include <algorithm>
 #include <array>
@@ -48,11 +49,17 @@ std::optional<world::Place> eyeOutdoors(Shapes& shapes, const BlockShape& block,
     world::Place place;
     place.eye = {at.x, at.y, ground + kEyeHeight};
     const Vec3 end = place.eye + (target - place.eye) * reach;
-    const Obstacles& solids = block.solids;
-    if (!isOverGround(shapes, place.eye, end) || solids.blocks(place.eye, end) ||
-        solids.blocks({at.x, at.y, ground + 0.05}, place.eye) ||
-        solids.blocks(place.eye, place.eye + Vec3(0.0, 0.0, kSky)) || solids.crowds(place.eye, kFree))
+    if (!isOverGround(shapes, place.eye, end))
         return {};
+    const dat::BlockCoord own = world::blockAt(place.eye);
+    for (const BlockShape* around : {&block, own == block.coord ? nullptr : &shapes.block(own)}) {
+        if (around == nullptr)
+            continue;
+        const Obstacles& solids = around->solids;
+        if (solids.blocks(place.eye, end) || solids.blocks({at.x, at.y, ground + 0.05}, place.eye) ||
+            solids.blocks(place.eye, place.eye + Vec3(0.0, 0.0, kSky)) || solids.crowds(place.eye, kFree))
+            return {};
+    }
     lookAt(place, target);
     return place;
 }
@@ -208,6 +215,35 @@ std::vector<Vec3> standingEyes(const CellShape& cell) {
     return eyes;
 }
 
+namespace {
+
+/// For cells without room to stand, such as shafts: the middle, if a free line leads there from an opening.
+std::optional<CellViewpoint> afloat(const CellShape& cell) {
+    Vec3 middle(0.0);
+    double count = 0.0;
+    for (const std::vector<Vec3>& wall : cell.walls) {
+        for (const Vec3& corner : wall) {
+            middle += corner;
+            count += 1.0;
+        }
+    }
+    if (count == 0.0)
+        return {};
+    middle /= count;
+    for (const Opening& opening : cell.openings) {
+        const Vec3 target = opening.middle + opening.inward * kNearDoor;
+        if (opening.inward == Vec3(0.0) || glm::dot(middle - opening.middle, opening.inward) <= kNearDoor ||
+            cell.solids.blocks(middle, target) || cell.solids.crowds(middle, 0.15))
+            continue;
+        CellViewpoint viewpoint{{{}, middle, 0.0, 0.0, cell.id}, 0.0};
+        lookAt(viewpoint.place, target);
+        return viewpoint;
+    }
+    return {};
+}
+
+} // namespace
+
 std::optional<CellViewpoint> insideCell(const CellShape& cell) {
     std::optional<CellViewpoint> best;
     const std::vector<Vec3> eyes = standingEyes(cell);
@@ -233,7 +269,7 @@ std::optional<CellViewpoint> insideCell(const CellShape& cell) {
                 best = {{{}, eye, i * 45.0, 0.0, cell.id}, score};
         }
     }
-    return best;
+    return best ? best : afloat(cell);
 }
 
 } // namespace limen::engine
