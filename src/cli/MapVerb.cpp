@@ -20,18 +20,16 @@ struct MapArguments {
 };
 
 /// The line that reports the written map: size, extent in landblocks and in map coordinates.
-std::string mapLine(const engine::LandscapeMap& map, const output::Picture& picture,
-                    const std::string& file) {
+std::string contentOf(const engine::LandscapeMap& map, const output::Picture& picture) {
     std::size_t grounds = 0;
     for (const engine::LandscapeMap::Block& block : map.blocks)
         grounds += block.hasGround ? 1 : 0;
     const std::string damaged =
         map.damaged > 0 ? fmt::format("; {} records could not be read: see limen dat verify", map.damaged)
                         : "";
-    return fmt::format(
-        "{} was written: {}x{} pixels, {} landblocks with ground of {:02X}{:02X} to {:02X}{:02X}{}", file,
-        picture.width, picture.height, grounds, map.left, map.bottom, map.left + map.columns - 1,
-        map.bottom + map.rows - 1, damaged);
+    return fmt::format("{}x{} pixels, {} landblocks with ground of {:02X}{:02X} to {:02X}{:02X}{}",
+                       picture.width, picture.height, grounds, map.left, map.bottom,
+                       map.left + map.columns - 1, map.bottom + map.rows - 1, damaged);
 }
 
 Result<output::Picture> drawMap(const MapArguments& arguments, const engine::WorldSource& source,
@@ -56,7 +54,7 @@ Result<Exit> runMap(const MapArguments& arguments, const Console& console) {
     if (!arguments.size.empty())
         if (const Result<engine::PixelSize> box = parseSize("--size", arguments.size); !box)
             return tl::unexpected(box.error());
-    if (Result<void> writable = output::checkWritable(arguments.output); !writable)
+    if (Result<void> writable = output::checkPictureWritable(arguments.output); !writable)
         return tl::unexpected(writable.error());
     const Result<engine::WorldSource> source = engine::openWorldSource(arguments.dat);
     if (!source)
@@ -76,7 +74,7 @@ Result<Exit> runMap(const MapArguments& arguments, const Console& console) {
     if (Result<void> written = output::writePicture(arguments.output, *picture); !written)
         return tl::unexpected(written.error());
     progress.reset();
-    console.note(mapLine(*map, *picture, arguments.output));
+    console.wrote(arguments.output, contentOf(*map, *picture));
     return Exit::Done;
 }
 

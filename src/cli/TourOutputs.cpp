@@ -124,8 +124,8 @@ Result<void> TourOutputs::add(const engine::Session& session, const engine::Fram
 }
 
 Result<std::vector<WrittenOutput>> TourOutputs::finish(const engine::Session& session,
-                                                     const std::string& command,
-                                                     const std::vector<std::string>& findings) {
+                                                       const std::string& command,
+                                                       const std::vector<std::string>& findings) {
     std::vector<WrittenOutput> outputs;
     if (sheet_) {
         const std::filesystem::path sheet = contactSheetOf(options_, format_);
@@ -138,9 +138,8 @@ Result<std::vector<WrittenOutput>> TourOutputs::finish(const engine::Session& se
         if (Result<void> finished = film_->finish(); !finished)
             return tl::unexpected(finished.error());
         const double rate = filmRate_.value_or(framesPerSecond_);
-        outputs.push_back(
-            {options_.film, fmt::format("a film of {} frames ({:.1f} s at {:g} a second)", frames_,
-                                        static_cast<double>(frames_) / rate, rate)});
+        outputs.push_back({options_.film, fmt::format("a film of {} frames ({:.1f} s at {:g} a second)",
+                                                      frames_, static_cast<double>(frames_) / rate, rate)});
     }
     if (recorder_) {
         for (const std::string& finding : findings)

@@ -43,8 +43,8 @@ public:
     /// Completes all outputs. `findings`: faults that belong to no frame; empty ones are left out.
     /// Errors: those of the outputs.
     [[nodiscard]] Result<std::vector<WrittenOutput>> finish(const engine::Session& session,
-                                                          const std::string& command,
-                                                          const std::vector<std::string>& findings);
+                                                            const std::string& command,
+                                                            const std::vector<std::string>& findings);
 
 private:
     explicit TourOutputs(TourOutputOptions options) : options_(std::move(options)) {}

@@ -28,7 +28,7 @@ TEST(Map, writesTheLandscapeAndSaysWhatItWrote) {
     const ProgramRunner runner;
     const ProgramRun run = runner.run({"map"});
     EXPECT_EQ(run.exit, 0) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("map.png was written: "));
+    EXPECT_THAT(run.err, HasSubstr("map.png: "));
     const auto [width, height] = pngSize(runner.work() / "map.png");
     EXPECT_GE(width, 40u) << "five landblocks or more";
     EXPECT_GE(height, 40u);

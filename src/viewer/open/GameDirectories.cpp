@@ -4,6 +4,8 @@
 
 namespace limen::viewer {
 
-std::vector<std::filesystem::path> gameDirectories() { return engine::knownGameDirectories(); }
+std::vector<std::filesystem::path> gameDirectories() {
+    return engine::knownGameDirectories();
+}
 
 } // namespace limen::viewer

@@ -1,6 +1,6 @@
-#include "cli/RetailVerb.h"
+#include "cli/dat/RetailVerb.h"
 
-#include "cli/DatFiles.h"
+#include "cli/dat/DatFiles.h"
 #include "doctor/retail/Suite.h"
 #include "output/OutputFile.h"
 

@@ -1,6 +1,6 @@
 #include "cli/Choices.h"
-#include "cli/DatFiles.h"
 #include "cli/Parse.h"
+#include "cli/dat/DatFiles.h"
 #include "dat/Describe.h"
 #include "output/Encode.h"
 #include "output/Gltf.h"

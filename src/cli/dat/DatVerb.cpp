@@ -1,7 +1,7 @@
 #include "cli/Choices.h"
-#include "cli/DatFiles.h"
 #include "cli/Parse.h"
 #include "cli/Verbs.h"
+#include "cli/dat/DatFiles.h"
 #include "dat/Describe.h"
 
 #include <CLI/CLI.hpp>

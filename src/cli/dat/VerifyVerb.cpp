@@ -1,7 +1,7 @@
 #include "cli/Choices.h"
-#include "cli/DatFiles.h"
 #include "cli/Parse.h"
-#include "cli/RetailVerb.h"
+#include "cli/dat/DatFiles.h"
+#include "cli/dat/RetailVerb.h"
 #include "dat/Verify.h"
 
 #include <CLI/CLI.hpp>

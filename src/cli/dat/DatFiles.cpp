@@ -1,4 +1,4 @@
-#include "cli/DatFiles.h"
+#include "cli/dat/DatFiles.h"
 
 #include <array>
 #include <filesystem>
