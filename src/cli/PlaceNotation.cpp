@@ -1,6 +1,7 @@
 #include "cli/PlaceNotation.h"
 
 #include "engine/Camera.h"
+#include "engine/map/MapCoordinates.h"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -10,9 +11,6 @@ namespace {
 
 constexpr double kBlockSize = 192.0;
 constexpr int kLastBlock = 0xFE;
-// Map coordinates (docs/formats/landscape.md#map-coordinates): 240 m a unit around a point inside block
-// 0x7F7F.
-constexpr double kMapUnit = 240.0, kMapOrigin = 24468.0;
 constexpr double kMapEnd = (kLastBlock + 1) * kBlockSize;
 
 tl::unexpected<Error> bad(std::string_view option, std::string_view what) {
@@ -133,7 +131,7 @@ std::optional<Vec2> readMapCoordinates(std::string_view text) {
     const std::optional<double> east = readCoordinate(second, 'E', 'W');
     if (!north || !east)
         return {};
-    return Vec2(*east, *north) * kMapUnit + kMapOrigin;
+    return Vec2(*east, *north) * engine::kMapUnitMetres + engine::kMapOriginMetres;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "core/Nearest.h"
 #include "engine/ViewRequest.h"
+#include "engine/map/MapCoordinates.h"
 #include "engine/places/BlockIndex.h"
 #include "engine/places/KnownSpots.h"
 #include "engine/places/MadeTour.h"
@@ -15,7 +16,6 @@
 namespace limen::engine {
 namespace {
 
-constexpr double kUnit = 240.0, kOrigin = 24468.0; // map coordinates (docs/formats/landscape.md)
 constexpr std::size_t kMostPlaces = 5000;
 constexpr std::uint32_t kCellsLookedAt = 24;          // per dungeon: enough for a hall near its first cell
 constexpr double kGoodView = 8.0;                     // a CellViewpoint's score that ends the search
@@ -213,7 +213,7 @@ private:
 
 std::string mapCoordinates(const Vec3& position) {
     const auto part = [](double metres, char plus, char minus) {
-        const double units = std::round((metres - kOrigin) / kUnit * 10.0) / 10.0;
+        const double units = std::round((metres - kMapOriginMetres) / kMapUnitMetres * 10.0) / 10.0;
         return fmt::format("{:.1f}{}", std::abs(units), units < 0.0 ? minus : plus);
     };
     return part(position.y, 'N', 'S') + " " + part(position.x, 'E', 'W');
