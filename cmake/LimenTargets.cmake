@@ -33,7 +33,7 @@ endif()
 # names in unnamed namespaces must be unique within a folder. The presets `dev`, `clang`, `coverage` and
 # `tidy` compile each source alone, which checks that it includes all headers it uses.
 option(LIMEN_UNITE "Compile several sources as one" OFF)
-set(LIMEN_UNITED_SOURCES 8 CACHE STRING "Largest number of sources compiled as one")
+set(LIMEN_UNITED_SOURCES 24 CACHE STRING "Largest number of sources compiled as one")
 function(limen_unite target)
     if(NOT LIMEN_UNITE)
         return()
@@ -67,21 +67,22 @@ function(limen_room name)
     limen_unite(limen_${name})
 endfunction()
 
-# limen_test(name [TOGETHER] [BUSY] [LONG] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is
+# limen_test(name [TOGETHER] [BUSY] [LONG] [WHOLE] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is
 # a CTest test. The tests of a suite share a process, because many use the same world, which takes longer to
 # make than to test. TOGETHER: all suites share one process. LONG: starts first. The target `unlabelled_tests`
-# builds the programs without labels, which are those that run under sanitizers. Test code is not optimised,
-# which halves its compile time. BUSY: it is, because the test itself computes much.
+# builds the programs without labels, which are those that run under sanitizers; WHOLE: not this one, which
+# `./test --all` builds by name. Test code is not optimised, which halves its compile time. BUSY: it is,
+# because the test itself computes much.
 add_custom_target(unlabelled_tests)
 function(limen_test name)
-    cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG" "" "LABELS;SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG;WHOLE" "" "LABELS;SOURCES;LINK" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_link_libraries(${name} PRIVATE limen_flags ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
     # EXPECT_... and ASSERT_... are if-else statements; GCC warns where one is the only statement of an `if`.
     target_compile_options(${name} PRIVATE -Wno-dangling-else)
     limen_unite(${name})
-    if(NOT ARG_LABELS)
+    if(NOT ARG_LABELS AND NOT ARG_WHOLE)
         add_dependencies(unlabelled_tests ${name})
     endif()
     if(NOT ARG_BUSY)

@@ -10,17 +10,17 @@
 namespace limen::play {
 namespace {
 
-constexpr double kReached = 0.15; // horizontal metres from a way point at which it counts as reached
-constexpr double kPace = 2.5;     // metres a second, half the running speed: one step does not overshoot
-constexpr double kLevel = 1.0;    // largest vertical distance to a reached way point, metres
-constexpr double kTurn = 240.0;   // degrees a second, yaw
-constexpr double kNod = 60.0;     // degrees a second, pitch
-constexpr double kAhead = 40.0;   // degrees off the heading: beyond this the body turns before it walks
-constexpr double kPatience = 1.5; // seconds without progress before the walker gives up
-constexpr double kSwing = 1.5;    // seconds for a door to swing and for the body to return to it
-constexpr std::size_t kTries = 8; // consecutive way points missed before a jump
-constexpr double kNearer = 0.02;  // metres, the least progress
-constexpr double kAtPlace = 1.0;  // largest distance between a place and a way point at it, metres
+constexpr double kReached = 0.15;      // horizontal metres from a way point at which it counts as reached
+constexpr double kPace = 2.5;          // metres a second, half the running speed: one step does not overshoot
+constexpr double kLevel = 1.0;         // largest vertical distance to a reached way point, metres
+constexpr double kTurningPace = 240.0; // degrees a second, yaw
+constexpr double kNod = 60.0;          // degrees a second, pitch
+constexpr double kAhead = 40.0;        // degrees off the heading: beyond this the body turns before it walks
+constexpr double kPatience = 1.5;      // seconds without progress before the walker gives up
+constexpr double kSwing = 1.5;         // seconds for a door to swing and for the body to return to it
+constexpr std::size_t kTries = 8;      // consecutive way points missed before a jump
+constexpr double kNearer = 0.02;       // metres, the least progress
+constexpr double kAtPlace = 1.0;       // largest distance between a place and a way point at it, metres
 constexpr double kWayPointHeight = 1.7; // metres: way points are eye positions
 
 double levelDistance(const Vec3& a, const Vec3& b) {
@@ -101,7 +101,7 @@ private:
         const Vec3 way = target - feet();
         const double turn = std::remainder(glm::degrees(std::atan2(way.x, way.y)) - heading.yaw, 360.0);
         PlayInput input;
-        input.turnRight = std::clamp(turn, -kTurn / options_.fps, kTurn / options_.fps);
+        input.turnRight = std::clamp(turn, -kTurningPace / options_.fps, kTurningPace / options_.fps);
         input.turnUp = std::clamp(pitch - heading.pitch, -kNod / options_.fps, kNod / options_.fps);
         input.forward = std::abs(turn) < kAhead ? 1.0 : 0.0;
         input.fast = options_.run;

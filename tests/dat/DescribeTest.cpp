@@ -1,6 +1,7 @@
 #include "dat/Describe.h"
 #include "dat/Hex.h"
 #include "dat/RandomRecords.h"
+#include "dat/RecordTypes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -52,9 +53,7 @@ TEST(Describe, mapRowsLookLikeTheMap) {
 
 template <class Record>
 class DescribeEvery : public testing::Test {};
-using AllRecords = testing::Types<Palette, SurfaceTexture, RenderSurface, Surface, GfxObj, dat::Setup,
-                                  Environment, EnvCell, LandBlock, LandBlockInfo, Region, Scene>;
-TYPED_TEST_SUITE(DescribeEvery, AllRecords);
+TYPED_TEST_SUITE(DescribeEvery, RecordTypes::As<testing::Types>);
 
 TYPED_TEST(DescribeEvery, isJsonWhateverTheRecordHolds) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -59,8 +59,7 @@ constexpr std::size_t kMultiple = 16;
 
 template <class Record>
 class MemoryBound : public testing::Test {};
-using AllRecords = RecordTypes::As<testing::Types>;
-TYPED_TEST_SUITE(MemoryBound, AllRecords);
+TYPED_TEST_SUITE(MemoryBound, RecordTypes::As<testing::Types>);
 
 // Replaces every word of a record by a count far above the bytes of the file, and by one slightly above them.
 TYPED_TEST(MemoryBound, malformedCountsNeverAllocateMuchMoreThanTheInput) {

@@ -20,8 +20,7 @@ RecordId idIn(const Record& record) {
 template <class Record>
 class RoundTrip : public testing::Test {};
 
-using AllRecords = RecordTypes::As<testing::Types>;
-TYPED_TEST_SUITE(RoundTrip, AllRecords);
+TYPED_TEST_SUITE(RoundTrip, RecordTypes::As<testing::Types>);
 
 TYPED_TEST(RoundTrip, randomRecordsEncodeToTheSameBytesAgain) {
     const bool holds = rc::check("encode(decode(encode(r))) == encode(r)", [](std::uint64_t seed) {

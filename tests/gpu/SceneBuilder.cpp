@@ -3,7 +3,7 @@
 namespace limen::gpu::test {
 namespace {
 
-constexpr float kNear = 0.02f;
+constexpr float kNearPlane = 0.02f;
 constexpr std::uint32_t kNormalSouth = (0x3FFu & static_cast<std::uint32_t>(-511)) << 10;
 
 layout::ClipSet keepAll() {
@@ -17,8 +17,8 @@ layout::ClipSet keepAll() {
 
 SceneBuilder::SceneBuilder() {
     layout::ViewConstants& c = plan.constants;
-    c.clipFromEye = glm::mat4(1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, kNear, 0);
-    c.nearPlane = kNear;
+    c.clipFromEye = glm::mat4(1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, kNearPlane, 0);
+    c.nearPlane = kNearPlane;
     c.sunDirection = {0, -1, 0, 0};
     c.fogRange = {1e9f, 2e9f, 0, 0};
     c.voidColour = {1, 0, 1, 1};

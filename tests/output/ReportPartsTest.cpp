@@ -22,10 +22,10 @@ TEST(Escape, textCannotLeaveAnElementOrAnAttribute) {
 }
 
 TEST(Escape, jsonCannotEndItsScript) {
-    const std::string json = nlohmann::json("</script><!--").dump();
-    const std::string escaped = escapeScriptJson(json);
+    const std::string text = nlohmann::json("</script><!--").dump();
+    const std::string escaped = escapeScriptJson(text);
     EXPECT_EQ(escaped.find('<'), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(escaped), nlohmann::json::parse(json)) << "the same value";
+    EXPECT_EQ(nlohmann::json::parse(escaped), nlohmann::json::parse(text)) << "the same value";
 }
 
 // The vectors of RFC 4648, section 10.

@@ -15,7 +15,7 @@ namespace limen::test {
 namespace {
 
 /// Equal colours: at most 1 of 255 apart in each channel.
-constexpr int kNear = 12;
+constexpr int kMostDifference = 12;
 
 struct Counts {
     std::size_t pixels = 0, unlike = 0;
@@ -44,7 +44,7 @@ Counts compare(const Picture& a, const Picture& b) {
                 const std::size_t at = (std::size_t{y} * a.frame.width + x) * 4 + c;
                 most = std::max(most, std::abs(int{a.colour[at]} - int{b.colour[at]}));
             }
-            counts.unlike += most > kNear ? 1 : 0;
+            counts.unlike += most > kMostDifference ? 1 : 0;
         }
     }
     return counts;

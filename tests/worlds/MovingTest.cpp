@@ -190,7 +190,7 @@ struct RoutePoint {
     Vec3 at{0.0};
     world::SpaceIndex space = world::kOutside;
 };
-std::vector<RoutePoint> pointsOf(const Json& route) {
+std::vector<RoutePoint> routePoints(const Json& route) {
     std::vector<RoutePoint> out;
     for (const Json& point : route.at("points")) {
         RoutePoint p;
@@ -207,7 +207,7 @@ std::vector<RoutePoint> pointsOf(const Json& route) {
 TEST(Routes, pointsLieInTheSpaceTheyName) {
     ASSERT_GT(loaded().spaces.size(), 30u);
     for (const Json& route : listOf("routes")) {
-        for (const RoutePoint& p : pointsOf(route)) {
+        for (const RoutePoint& p : routePoints(route)) {
             const motion::Located found = motion::locate(loaded(), p.at);
             EXPECT_EQ(found.space, p.space)
                 << route.at("name") << " at " << p.at.x << " " << p.at.y << " " << p.at.z;
@@ -221,7 +221,7 @@ TEST(Routes, pointsLieInTheSpaceTheyName) {
 TEST(Routes, straightWaysLeadThroughOpeningsBothWays) {
     int crossings = 0;
     for (const Json& route : listOf("routes")) {
-        const std::vector<RoutePoint> points = pointsOf(route);
+        const std::vector<RoutePoint> points = routePoints(route);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const RoutePoint& a = points[i];
             const RoutePoint& b = points[i + 1];
@@ -247,7 +247,7 @@ TEST(Routes, straightWaysLeadThroughOpeningsBothWays) {
 TEST(Routes, feetAreNearTheGroundOutdoors) {
     const double site = siteLevel();
     for (const Json& route : listOf("routes")) {
-        const std::vector<RoutePoint> points = pointsOf(route);
+        const std::vector<RoutePoint> points = routePoints(route);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             // Steps and balcony are on the level site.
             const bool onBoards = std::max(points[i].at.z, points[i + 1].at.z) > site + 0.1;
@@ -289,7 +289,7 @@ TEST(Villagers, haveBodiesAndRoutes) {
 TEST(Villagers, fourOrMoreWalkThroughDoors) {
     std::set<std::string> throughDoors;
     for (const Json& route : listOf("routes")) {
-        const std::vector<RoutePoint> points = pointsOf(route);
+        const std::vector<RoutePoint> points = routePoints(route);
         for (const Json& door : listOf("doors")) {
             const DoorOpening opening = openingOf(door);
             for (std::size_t i = 0; i + 1 < points.size(); ++i) {

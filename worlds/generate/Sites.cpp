@@ -135,7 +135,7 @@ BuildingPlan planTunnel(const Props& props, Random& random) {
 BuildingPlan planTower(const Props& props, Random& random) {
     SitePlanner site;
     constexpr int kSides = 8, kStoreys = 5, kBelow = 2;
-    constexpr double kRadius = 3.5, kStorey = 3.0;
+    constexpr double kRadius = 3.5, kTowerStorey = 3.0;
     const auto ring = [](double radius, double z) {
         Polygon out;
         for (int k = 0; k < kSides; ++k) {
@@ -145,13 +145,13 @@ BuildingPlan planTower(const Props& props, Random& random) {
         return out;
     };
     const Polygon footprint = ring(kRadius, 0.0);
-    const double foot = -kBelow * kStorey, top = (kStoreys - kBelow) * kStorey;
+    const double foot = -kBelow * kTowerStorey, top = (kStoreys - kBelow) * kTowerStorey;
     const bool openTop = random.chance(0.5);
     Shell exterior = withoutFloor(prismShell(footprint, foot - 0.5, top, Material::StoneWall));
     for (int s = 0; s < kStoreys; ++s) {
-        const double floor = foot + s * kStorey;
+        const double floor = foot + s * kTowerStorey;
         const Shell shell =
-            prismShell(footprint, floor, floor + kStorey, s < kBelow ? Material::Rock : Material::Brick);
+            prismShell(footprint, floor, floor + kTowerStorey, s < kBelow ? Material::Rock : Material::Brick);
         const auto cell = site.addCell(shell, {2.0, 0.5, floor + 1.6});
         if (s > 0) {
             const bool whole = random.chance(0.2);
