@@ -6,6 +6,7 @@
 #include "engine/Session.h"
 #include "engine/picture/LargePicture.h"
 #include "output/FrameJson.h"
+#include "output/Npy.h"
 #include "output/OutputFile.h"
 #include "output/TracedFrame.h"
 

@@ -1,4 +1,5 @@
 #include "worlds/records/LandblockWriter.h"
+#include "geometry/Plane.h"
 #include "worlds/shapes/RoomPlan.h"
 
 #include <gtest/gtest.h>
