@@ -70,10 +70,11 @@ endfunction()
 # limen_test(name [TOGETHER] [BUSY] [LONG] [WHOLE] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is
 # a CTest test. The tests of a suite share a process, because many use the same world, which takes longer to
 # make than to test. TOGETHER: all suites share one process. LONG: starts first. The target `unlabelled_tests`
-# builds the programs without labels, which are those that run under sanitizers; WHOLE: not this one, which
-# `./test --all` builds by name. Test code is not optimised, which halves its compile time. BUSY: it is,
-# because the test itself computes much.
+# builds the programs without labels, which are those that run under sanitizers. WHOLE: the program tests
+# whole worlds; the target `whole_world_tests` builds it, for `./test --all`. Test code is not optimised, which
+# halves its compile time. BUSY: it is, because the test itself computes much.
 add_custom_target(unlabelled_tests)
+add_custom_target(whole_world_tests)
 function(limen_test name)
     cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG;WHOLE" "" "LABELS;SOURCES;LINK" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
@@ -82,7 +83,9 @@ function(limen_test name)
     # EXPECT_... and ASSERT_... are if-else statements; GCC warns where one is the only statement of an `if`.
     target_compile_options(${name} PRIVATE -Wno-dangling-else)
     limen_unite(${name})
-    if(NOT ARG_LABELS AND NOT ARG_WHOLE)
+    if(ARG_WHOLE)
+        add_dependencies(whole_world_tests ${name})
+    elseif(NOT ARG_LABELS)
         add_dependencies(unlabelled_tests ${name})
     endif()
     if(NOT ARG_BUSY)

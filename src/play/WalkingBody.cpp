@@ -156,7 +156,7 @@ void WalkingBody::smooth(double fellOrRose, double seconds) {
 
 /// First person: the body faces the view direction. Third person: it turns towards its direction of movement.
 void WalkingBody::face(const WalkInput& input, double seconds, double yaw) {
-    constexpr double kMoveTurn = 540.0; // degrees a second
+    constexpr double kBodyTurn = 540.0; // degrees a second
     if (!isChased_) {
         yaw_ = yaw;
         return;
@@ -165,7 +165,7 @@ void WalkingBody::face(const WalkInput& input, double seconds, double yaw) {
         return;
     const double towards = yaw + glm::degrees(std::atan2(input.right, input.forward));
     const double turn = std::remainder(towards - yaw_, 360.0);
-    yaw_ = std::remainder(yaw_ + std::clamp(turn, -kMoveTurn * seconds, kMoveTurn * seconds), 360.0);
+    yaw_ = std::remainder(yaw_ + std::clamp(turn, -kBodyTurn * seconds, kBodyTurn * seconds), 360.0);
 }
 
 /// Sets the speed and distance of the walk animation: the gait's full speed if the body advances, else 0.

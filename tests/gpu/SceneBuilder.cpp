@@ -3,7 +3,6 @@
 namespace limen::gpu::test {
 namespace {
 
-constexpr float kNearPlane = 0.02f;
 constexpr std::uint32_t kNormalSouth = (0x3FFu & static_cast<std::uint32_t>(-511)) << 10;
 
 layout::ClipSet keepAll() {

@@ -14,6 +14,8 @@ namespace limen::gpu::test {
 
 namespace layout = frame::gpu;
 
+inline constexpr float kNearPlane = 0.02f; ///< of every test camera, metres
+
 /// Options of a quad.
 struct QuadOptions {
     std::vector<layout::Member> members{{0, 0}};

@@ -10,7 +10,6 @@ namespace limen::gpu::test {
 namespace {
 
 constexpr std::uint32_t kSize = 48;
-constexpr float kNearest = 0.02f;
 constexpr std::uint32_t kRoom = 1, kNext = 2;
 
 struct Camera {
@@ -75,7 +74,7 @@ SceneBuilder closedRooms() {
 }
 
 void look(frame::FramePlan& plan, const Camera& camera) {
-    const glm::mat4 clipFromView(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0, kNearest, 0);
+    const glm::mat4 clipFromView(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0, kNearPlane, 0);
     plan.constants.clipFromEye = clipFromView * glm::mat4(glm::transpose(camera.worldFromView));
     plan.constants.eyeHigh = {camera.eye, 0};
     plan.visits[1].entryPlane = {0, 1, 0, camera.eye.y - 2.0f};
