@@ -57,13 +57,13 @@ Result<File> File::open(const std::filesystem::path& path) {
     auto mapping = Mapping::open(path);
     if (!mapping)
         return tl::unexpected(mapping.error());
-    return Impl::make(std::move(*mapping), path.string()).map([](auto&& impl) {
+    return Impl::make(std::move(*mapping), path.string()).map([](auto impl) {
         return File(std::move(impl));
     });
 }
 
 Result<File> File::fromBytes(ByteView bytes, std::string name) {
-    return Impl::make(Mapping::copyOf(bytes), std::move(name)).map([](auto&& impl) {
+    return Impl::make(Mapping::copyOf(bytes), std::move(name)).map([](auto impl) {
         return File(std::move(impl));
     });
 }

@@ -14,7 +14,6 @@ namespace limen::doctor {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 constexpr std::size_t kFileSizeAt = 0x148, kFirstFreeAt = 0x154, kFreeCountAt = 0x15C;
 

@@ -8,7 +8,6 @@
 namespace limen::doctor {
 namespace {
 
-using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;

@@ -10,9 +10,7 @@
 namespace limen::motion {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
-using testing::Not;
 using testing::UnorderedElementsAre;
 using world::kOutside;
 using world::SpaceIndex;

@@ -14,7 +14,6 @@ namespace {
 
 using test::EffectsHut;
 using test::frameAt;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::SizeIs;
 using world::kOutside;

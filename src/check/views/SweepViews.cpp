@@ -86,7 +86,7 @@ Course courseOf(const world::World& world, const world::Portal& portal, Line lin
     const Vec3 middle = middleOf(world, portal);
     const std::span<const Vec3> corners = cornersOf(world, portal);
     const std::size_t i = random.below(corners.size());
-    const Vec3 corner = corners[i];
+    const Vec3& corner = corners[i];
     const Vec3 edge = corner + (corners[(i + 1) % corners.size()] - corner) * random.between(0.2, 0.8);
     const double beside = random.betweenLog(kBesideLeast, kBesideMost);
     Course course{middle, middle, portal.plane.n};

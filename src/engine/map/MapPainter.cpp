@@ -152,7 +152,7 @@ Result<MapPainter> MapPainter::begin(const dat::Archive& archive, int scale) {
     for (auto& [key, at] : listed) {
         map.blocks.push_back(at.block);
         hasGround = hasGround || at.entries.ground.has_value();
-        entries.push_back(std::move(at.entries));
+        entries.push_back(at.entries);
     }
     // A small world may have dungeons far away from its landscape, at the edge of the map.
     std::map<std::pair<int, int>, bool> lands;

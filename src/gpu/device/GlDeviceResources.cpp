@@ -18,7 +18,7 @@ constexpr GLuint kArenaSlot = 0; // the vertex array reads one buffer
 
 // Puts an object into the first free entry of a table and yields its index.
 template <class Object, class IsFree>
-std::uint32_t place(std::vector<Object>& table, Object&& object, IsFree isFree) {
+std::uint32_t place(std::vector<Object>& table, Object object, IsFree isFree) {
     const auto free = std::find_if(table.begin(), table.end(), isFree);
     if (free != table.end()) {
         *free = std::move(object);
@@ -29,7 +29,7 @@ std::uint32_t place(std::vector<Object>& table, Object&& object, IsFree isFree) 
 }
 
 template <class Object>
-std::uint32_t placeNamed(std::vector<Object>& table, Object&& object) {
+std::uint32_t placeNamed(std::vector<Object>& table, Object object) {
     return place(table, std::move(object), [](const Object& other) { return other.empty(); });
 }
 

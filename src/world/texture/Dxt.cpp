@@ -82,7 +82,7 @@ void decodeDxt(DxtKind kind, std::uint32_t width, std::uint32_t height, std::spa
                 for (std::uint32_t x = blockX; x < blockX + 4 && x < width; ++x) {
                     const Texel& t = texels[(y - blockY) * 4 + x - blockX];
                     std::copy(t.begin(), t.end(),
-                              rgba.begin() + static_cast<std::ptrdiff_t>((y * width + x) * 4));
+                              rgba.begin() + static_cast<std::ptrdiff_t>((std::size_t{y} * width + x) * 4));
                 }
             }
         }
