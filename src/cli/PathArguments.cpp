@@ -98,10 +98,13 @@ Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t 
 }
 
 Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
-                                                     const world::WorldFile& file) {
+                                                     const engine::WorldSource& source) {
     std::vector<engine::ViewRequest> points;
     if (arguments.path.empty()) {
-        for (const world::Place& place : file.tour)
+        const Result<std::vector<world::Place>> tour = engine::tourOf(source);
+        if (!tour)
+            return tl::unexpected(tour.error());
+        for (const world::Place& place : *tour)
             points.push_back(engine::requestAt(place));
         if (points.empty())
             return fail(ErrorCode::NotFound, "tour",
@@ -113,7 +116,7 @@ Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& argume
     if (!views)
         return tl::unexpected(views.error());
     for (const ListedView& listed : *views) {
-        Result<engine::ViewRequest> stand = engine::resolvePlace(listed.view, file);
+        Result<engine::ViewRequest> stand = engine::resolvePlace(listed.view, source.file);
         if (!stand)
             return tl::unexpected(stand.error());
         points.push_back(*stand);
@@ -126,7 +129,7 @@ Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk) {
 }
 
 Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
-                                        const world::WorldFile& file) {
+                                        const engine::WorldSource& source) {
     play::FramesRequest request;
     if (!arguments.walk.empty()) {
         Result<play::WalkRecord> walk = play::readWalk(arguments.walk);
@@ -145,7 +148,7 @@ Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::siz
     if (!path)
         return tl::unexpected(path.error());
     request.path = *path;
-    Result<std::vector<engine::ViewRequest>> points = wayPointsOf(arguments, file);
+    Result<std::vector<engine::ViewRequest>> points = wayPointsOf(arguments, source);
     if (!points)
         return tl::unexpected(points.error());
     request.points = std::move(*points);

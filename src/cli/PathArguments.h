@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/WorldSource.h"
 #include "play/FrameSource.h"
 
 #include <memory>
@@ -26,13 +27,13 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
 /// The way points, with places resolved: from a file in the format of `shot`'s views files, or from the
 /// world's tour. Errors: the file's; a world without a tour.
 [[nodiscard]] Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
-                                                                   const world::WorldFile& file);
+                                                                   const engine::WorldSource& source);
 
 /// The first view of a recorded walk. Errors: a malformed start line.
 [[nodiscard]] Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk);
 
 /// Checks the options as far as possible without a session. Errors: as checkPath, wayPointsOf and readWalk.
 [[nodiscard]] Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
-                                                      const world::WorldFile& file);
+                                                      const engine::WorldSource& source);
 
 } // namespace limen::cli

@@ -24,7 +24,7 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, source->file);
+    Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, *source);
     if (!request)
         return tl::unexpected(request.error());
     gpu::NullDevice device; // the decisions do not depend on a driver

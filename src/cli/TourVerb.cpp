@@ -75,12 +75,12 @@ double rateOf(const play::WalkRecord& walk) {
                          : kFilmRate;
 }
 
-Result<TourFrames> checkPathFrames(const TourOptions& options, const world::WorldFile& file) {
+Result<TourFrames> checkPathFrames(const TourOptions& options, const engine::WorldSource& source) {
     PathArguments arguments = options.path;
     const bool isSpaced = !arguments.frames.empty() || !arguments.fps.empty() || !arguments.walk.empty();
     if (!options.outputs.film.empty() && !isSpaced)
         arguments.fps = fmt::format("{:g}", kFilmRate); // a film shows the path at its own pace
-    Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, file);
+    Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, source);
     if (!request)
         return tl::unexpected(request.error());
     TourFrames frames;
@@ -192,7 +192,7 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     if (!source)
         return tl::unexpected(source.error());
     Result<TourFrames> request =
-        options.turnTable ? checkTurnTable(options, source->file) : checkPathFrames(options, source->file);
+        options.turnTable ? checkTurnTable(options, source->file) : checkPathFrames(options, *source);
     if (!request)
         return tl::unexpected(request.error());
     Result<engine::HeadlessSession> headless = engine::openHeadless(

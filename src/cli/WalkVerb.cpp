@@ -37,7 +37,7 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, source->file);
+    const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, *source);
     if (!points)
         return tl::unexpected(points.error());
     gpu::NullDevice device; // the walk needs no pictures

@@ -53,6 +53,14 @@ Result<WorldSource> openBuiltIn() {
 
 } // namespace
 
+Result<std::vector<world::Place>> tourOf(const WorldSource& source) {
+    if (!source.file.tour.empty())
+        return source.file.tour;
+    return findPlacesCached(source.archive, cacheRoot()).map([](world::WorldFile&& found) {
+        return std::move(found.tour);
+    });
+}
+
 Result<WorldSource> openWorldSource(const std::string& path, PlaceSearch search) {
     if (path.empty())
         return openBuiltIn();

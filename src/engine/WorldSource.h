@@ -5,6 +5,7 @@
 #include "world/Places.h"
 
 #include <optional>
+#include <vector>
 
 namespace limen::engine {
 
@@ -25,5 +26,9 @@ enum class PlaceSearch { Find, Skip };
 /// cannot be written.
 [[nodiscard]] Result<WorldSource> openWorldSource(const std::string& path,
                                                   PlaceSearch search = PlaceSearch::Find);
+
+/// The world's tour; without one, the tour that its records suggest, also beside a world.json that has places
+/// only. May be empty. Errors: a damaged index.
+[[nodiscard]] Result<std::vector<world::Place>> tourOf(const WorldSource& source);
 
 } // namespace limen::engine

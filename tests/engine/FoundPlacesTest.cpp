@@ -182,6 +182,19 @@ TEST(FoundPlaces, theCacheKeepsEveryBitAndADamagedOneIsReplaced) {
     expectFound(search());
 }
 
+TEST(FoundPlaces, aWorldFileWithPlacesAloneGetsATour) {
+    const Nameless town(GeneratedKind::Town, 4);
+    ASSERT_TRUE(worlds::writeGeneratedWorld({GeneratedKind::Town, 4, 3}, town.directory.path()));
+    const WorldSource named = openWorldSource(town.directory.path().string()).value();
+    ASSERT_FALSE(named.file.places.empty());
+    ASSERT_TRUE(named.file.tour.empty());
+    const std::vector<world::Place> tour = tourOf(named).value();
+    ASSERT_EQ(tour.size(), town.file().tour.size());
+    for (std::size_t i = 0; i < tour.size(); ++i)
+        EXPECT_EQ(tour[i].eye, town.file().tour[i].eye);
+    EXPECT_GE(tour.size(), 2u);
+}
+
 TEST(FoundPlaces, aPositionSavesTheSearch) {
     const Nameless town(GeneratedKind::Town, 2);
     const WorldSource source = openWorldSource(town.directory.path().string(), PlaceSearch::Skip).value();
