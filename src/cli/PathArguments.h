@@ -25,7 +25,7 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
 [[nodiscard]] Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t frames);
 
 /// The way points, with places resolved: from a file in the format of `shot`'s views files, or from the
-/// world's tour. Errors: the file's; a world without a tour.
+/// world's tour (engine::tourOf). Errors: the file's; tourOf's; NotFound without a tour.
 [[nodiscard]] Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
                                                                    const engine::WorldSource& source);
 
