@@ -1,4 +1,4 @@
-// The engine library: opens a world, draws one frame without a window, and prints what the frame shows.
+// The engine library: opens a world, draws one frame without a window, and prints its content.
 //
 //     frame [PLACE [DIR]]        a place of world.json (cottage.cellar), a directory of dat files (the built-in world)
 

@@ -34,7 +34,7 @@ struct FrameView {
     std::uint32_t width = 640, height = 360; ///< pixels
     double nearPlane = kDefaultNearPlane;    ///< metres; portals are met at any distance, surfaces beyond it
     double timeOfDay = 0.5;                  ///< fraction of the day
-    double seconds = 0.0;                    ///< for what moves by itself
+    double seconds = 0.0;                    ///< for content that moves by itself
     std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole

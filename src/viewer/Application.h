@@ -58,7 +58,7 @@ public:
     void rest();
     [[nodiscard]] bool isLeaving() const { return pages_.quits || window_.wantsToClose(); }
 
-    /// Saves what is open: the recorded walk and the settings. Needs no display. Errors: a file that cannot be
+    /// Saves the recorded walk and the settings. Needs no display. Errors: a file that cannot be
     /// written; the others are saved all the same.
     [[nodiscard]] Result<void> save();
 

@@ -43,7 +43,7 @@ std::map<std::string, Names> allowedRooms() {
         allowed.emplace(room, std::move(names));
         below = room;
     }
-    // The doctor stands beside the layers: it knows the engine and what the engine knows, and cli alone knows it.
+    // The doctor stands beside the layers: it knows the engine and all that the engine knows, and cli alone knows it.
     Names doctor = allowed.at("engine");
     doctor.insert("engine");
     allowed.emplace("doctor", std::move(doctor));

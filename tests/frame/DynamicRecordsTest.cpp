@@ -69,7 +69,7 @@ TEST_F(DynamicRecordsTest, areTheSameAsStaticOnes) {
     expectSame(records[1], planned.scene.records()[original]);
 }
 
-// So many that they are written with stores that bypass the cache.
+// A number so large that they are written with stores that bypass the cache.
 TEST_F(DynamicRecordsTest, areTheSameInLargeNumbers) {
     constexpr std::uint32_t kMany = (2u << 20) / sizeof(frame::gpu::Instance);
     for (std::uint32_t i = 0; i < kMany; ++i) {

@@ -42,7 +42,7 @@ struct PictureOptions {
     std::vector<std::string> shaderDefines{};    ///< gpu::RendererOptions
     bool exactOutlines = true;                   ///< gpu::RendererOptions
     gpu::Culling culling = gpu::Culling::Hidden; ///< gpu::RendererOptions
-    Omissions omissions{};                       ///< in what is drawn; what it is held against stays whole
+    Omissions omissions{};                       ///< of the drawn world; the traced one stays whole
 };
 
 /// A world loaded from dats and drawn through the path that every command uses: load, flood, plan, render.
@@ -70,14 +70,14 @@ public:
     /// Flat colours, with several samples a pixel: no ids and no depth.
     [[nodiscard]] Picture shootSampled(const frame::FrameView& frame,
                                        gpu::Shading shading = gpu::Shading::FlatIds);
-    /// Lets what moves be where it is then; before, nothing moves and nothing is shut.
+    /// Sets the dynamic state. Before, nothing moves and nothing is shut.
     void setDynamics(const motion::DynamicStateInput& input);
     /// Only up to the plan: no driver.
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
     /// Holds a picture against the reference: the same judgement as `limen check`, of one by shootSampled that with --msaa.
     [[nodiscard]] check::Comparison judge(const Picture& picture);
-    /// What the driver calls its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
+    /// The driver's own text for its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string driverVersion() const;
     /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test. Not that
     /// behind a wall which the near plane cuts.

@@ -44,7 +44,7 @@ public:
         EXPECT_TRUE(pipeline_.show(std::make_unique<engine::PartPlanner>(*engine::partOf(std::move(world)))));
     }
 
-    /// Draws what is seen on the way while doors move, people walk, and it rains; each frame with ids and without.
+    /// Draws the views of the way while doors move, people walk, and it rains; each frame with ids and without.
     void go(std::span<const world::Place> way) {
         double seconds = 100.0;
         for (const world::Place& place : way) {

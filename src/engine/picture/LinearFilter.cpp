@@ -1,5 +1,7 @@
 #include "engine/picture/LinearFilter.h"
 
+#include "core/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,7 @@ LinearMean::LinearMean() {
 }
 
 std::uint8_t LinearMean::encoded(float light) const {
+    LIMEN_ASSERT(!std::isnan(light), "the mean of some bytes");
     const float step = std::clamp(light, 0.0f, 1.0f) * static_cast<float>(kSteps);
     return encoded_[static_cast<std::uint32_t>(step + 0.5f)];
 }

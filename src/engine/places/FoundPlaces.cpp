@@ -1,5 +1,6 @@
 #include "engine/places/FoundPlaces.h"
 
+#include "core/Assert.h"
 #include "core/Nearest.h"
 #include "engine/ViewRequest.h"
 #include "engine/map/MapCoordinates.h"
@@ -48,6 +49,7 @@ public:
         if (file_.places.empty())
             addLand();
         chooseStart();
+        LIMEN_ASSERT(file_.places.empty() || startPlace(), "the start is one of the places");
         file_.tour = makeTour(shapes_, startPlace(), dungeonPlace());
         return std::move(file_);
     }

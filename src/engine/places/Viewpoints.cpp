@@ -1,5 +1,6 @@
 #include "engine/places/Viewpoints.h"
 
+#include "core/Assert.h"
 #include "engine/Camera.h"
 #include "engine/ViewRequest.h"
 #include "geometry/Compass.h"
@@ -76,6 +77,7 @@ void lookAt(world::Place& place, const Vec3& target) {
 }
 
 std::vector<FrontDoor> frontDoors(Shapes& shapes, const BlockShape& block, std::size_t building) {
+    LIMEN_ASSERT(building < block.buildings.size(), "a building of the block");
     std::vector<FrontDoor> doors;
     for (const dat::BuildingPortal& portal : block.buildings[building].record.portals) {
         const dat::RecordId id = dat::blockWord(block.coord) | portal.otherCellId;
@@ -100,7 +102,9 @@ std::vector<FrontDoor> frontDoors(Shapes& shapes, const BlockShape& block, std::
 }
 
 std::optional<world::Place> beforeDoor(Shapes& shapes, const BlockShape& block, const FrontDoor& door) {
-    const Opening& opening = shapes.cell(door.cell)->openings[door.opening];
+    const CellShape* cell = shapes.cell(door.cell);
+    LIMEN_ASSERT(cell != nullptr && door.opening < cell->openings.size(), "a door that frontDoors found");
+    const Opening& opening = cell->openings[door.opening];
     const Vec3 outward = level(-opening.inward);
     const Vec3 target = opening.eye() + outward * kNearDoor;
     for (const double distance : kDistances) {
@@ -117,6 +121,7 @@ std::optional<world::Place> beforeDoor(Shapes& shapes, const BlockShape& block, 
 }
 
 std::optional<world::Place> beforeBuilding(Shapes& shapes, const BlockShape& block, std::size_t building) {
+    LIMEN_ASSERT(building < block.buildings.size(), "a building of the block");
     const BuildingShape& shape = block.buildings[building];
     if (shape.bounds.empty())
         return {};

@@ -13,15 +13,18 @@ struct FrontDoor {
     std::size_t opening = 0;  ///< index of the cell's opening
     double step = 0.0;        ///< height of the sill above the ground in front, metres
 };
-/// The doors of a block's building that lead in from the ground, the lowest sill first, then the largest.
+/// The doors of a block's building that lead in from the ground, the lowest sill first, then the largest. Requires
+/// a building of the block.
 [[nodiscard]] std::vector<FrontDoor> frontDoors(Shapes& shapes, const BlockShape& block,
                                                 std::size_t building);
 
 /// An eye that sees a door from the ground outside: on the ground, with a free line to the door, no obstacle
-/// within a metre and the sky above. No value if there is no such point.
+/// within a metre and the sky above. No value if there is no such point. Requires a door that
+/// frontDoors found.
 [[nodiscard]] std::optional<world::Place> beforeDoor(Shapes& shapes, const BlockShape& block,
                                                      const FrontDoor& door);
-/// The same for a building without doors; the eye looks at the middle of its exterior.
+/// The same for a building without doors; the eye looks at the middle of its exterior. Requires a building of the
+/// block.
 [[nodiscard]] std::optional<world::Place> beforeBuilding(Shapes& shapes, const BlockShape& block,
                                                          std::size_t building);
 /// The viewpoint at the building of a block that is nearest to `near`, of up to eight buildings; one with a

@@ -44,7 +44,7 @@ struct EdgeHash {
 /// are flat. Records store corners as floats, with errors of 0.001 mm within 16 m of a cell's origin and
 /// 0.004 mm within 64 m. Subtracting the eye adds the same again.
 constexpr double kFlatReach = 1e-5;
-/// The same at most, however uneven walls are: what is rightly seen beside such an edge may lie as near to it.
+/// The same at most, however uneven walls are. A surface that is rightly seen beside such an edge may be as near to it.
 constexpr double kMostReach = kOverlapTolerance;
 
 /// The facet of each polygon's largest triangle. Facets of slivers are dominated by rounding.
