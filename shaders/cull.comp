@@ -10,6 +10,7 @@
 // Modes (cullMode): the draws of walls and ground, or all draws; the depth tiles, when walls and ground are drawn; the other
 // draws, without triangles that are behind the depth tiles.
 #include "frommodel.glsl"
+#include "levels.glsl"
 
 layout(local_size_x = kCullThreads) in;
 layout(location = kUniformCullMode) uniform uint cullMode;
@@ -141,25 +142,6 @@ bool mayShow(uint vertex, Instance instance, uint rects) {
     }
     Pixels pixels = pixelsOf(a, b, c);
     return pixels.any && !isOccluded(pixels, nearest);
-}
-
-uint squareOf(int steps) {
-    uint away = uint(min(abs(steps), int(kMostRangeSteps)));
-    return away * away;
-}
-
-// Whether the eye is within the instance's range; world/LevelRange.cpp computes the same in the same integers.
-bool isInLevelRange(Instance instance) {
-    if (instance.levelRange == kFromAnywhere) {
-        return true;
-    }
-    vec3 origin = originOf(instance);
-    vec3 local = clamp(floor(origin * float(kRangeSteps)), -float(kMostLocalSteps), float(kMostLocalSteps));
-    ivec3 offset = ivec3(local) + ivec3(blockOrigin(instance.block) * float(kRangeSteps)) - ivec3(frame.eyeSteps.xyz);
-    uint away = squareOf(offset.x) + squareOf(offset.y) + squareOf(offset.z);
-    uint beyond = instance.levelRange & 0xFFFFu;
-    uint upTo = instance.levelRange >> 16;
-    return (beyond == 0u || away > beyond * beyond) && away <= upTo * upTo;
 }
 
 shared uint keptBy[kCullThreads];

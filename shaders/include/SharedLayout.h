@@ -38,7 +38,8 @@ LIMEN_CONST kBindCommands = 10;    // DrawCommand as words (GPU)
 LIMEN_CONST kBindIndices = 11;     // uint (static)
 LIMEN_CONST kBindKeptIndices = 12; // uint, the indices of the triangles that culling kept (GPU)
 LIMEN_CONST kBindTiles = 13;       // float, the farthest depth of each tile after walls and ground (GPU)
-LIMEN_CONST kStorageBindings = 14;
+LIMEN_CONST kBindLevels = 14;      // Level (static)
+LIMEN_CONST kStorageBindings = 15;
 
 // Texture units. Several are buffers read as texels of four words: software drivers read a storage buffer lane by lane,
 // and texels several times faster. Array pages are last (none in bindless mode).
@@ -96,6 +97,8 @@ LIMEN_CONST kSkyExponent = 39u;
 LIMEN_CONST kRangeSteps = 16u;
 LIMEN_CONST kMostRangeSteps = 37000u;
 LIMEN_CONST kMostLocalSteps = 1048576u;
+LIMEN_CONST kLandcellSteps = 384u;  // per side
+LIMEN_CONST kLandcellBeyond = 800u; // steps: world::kLandcellBeyond
 
 LIMEN_CONST kSamples = 4u; // per pixel of a multisampled frame
 
@@ -196,15 +199,25 @@ LIMEN_STRUCT(Instance) {
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
     uint membersAndKind LIMEN_ZERO; // member count; the high half is the instance's kind
-    // level-of-detail range in steps: drawn if distance > low half (or that is 0) and distance <= high half; or
-    // kFromAnywhere
-    uint levelRange LIMEN_ZERO;
-    uint highlight LIMEN_ZERO; // RGBA8, alpha = strength; 0 none
-    float opacity LIMEN_ZERO;  // factor for the opacity of its blended surfaces
+    uint level LIMEN_ZERO;          // index into levels, or kFromAnywhere
+    uint highlight LIMEN_ZERO;      // RGBA8, alpha = strength; 0 none
+    float opacity LIMEN_ZERO;       // factor for the opacity of its blended surfaces
 };
 
+// Distances at which a static instance is drawn: one level of detail of several. Instances of a frame are all within
+// range: the CPU has left out the others.
+LIMEN_STRUCT(Level) {
+    int originX LIMEN_ZERO; // of the object, block-local steps
+    int originY LIMEN_ZERO;
+    int originZ LIMEN_ZERO; // times kMeasures, plus the measure: one of kMeasure...
+    uint range
+        LIMEN_ZERO; // drawn if distance >= low half and (distance < high half or that is kEndlessRange)
+};
 LIMEN_CONST kEndlessRange = 0xFFFFu;
-LIMEN_CONST kFromAnywhere = 0xFFFF0000u;
+LIMEN_CONST kFromAnywhere = 0xFFFFFFFFu;
+LIMEN_CONST kMeasureObject = 0u; // world::LevelMeasure
+LIMEN_CONST kMeasureLandcell = 1u;
+LIMEN_CONST kMeasures = 4u; // a power of two
 LIMEN_CONST kMostMembers = 0xFFFFu;
 
 // A zone that an instance belongs to, and its light set there.

@@ -17,6 +17,7 @@ DeviceConstants device = constantsInBuffer.device;
 // Drivers count declared blocks. Some allow 16 per stage, and 8 in compute.
 #ifdef COMPUTE_STAGE
 layout(std430, binding = kBindCommands) writeonly buffer CommandBuffer { uint commands[]; };
+layout(std430, binding = kBindLevels) readonly buffer LevelBuffer { Level levels[]; };
 layout(std430, binding = kBindIndices) readonly buffer IndexBuffer { uint indices[]; };
 layout(std430, binding = kBindKeptIndices) writeonly buffer KeptIndexBuffer { uint keptIndices[]; };
 layout(std430, binding = kBindTiles) buffer TileBuffer { float tileDepths[]; };

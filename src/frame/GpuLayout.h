@@ -49,8 +49,8 @@ static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) ==
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
-static_assert(sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 && sizeof(DrawRun) == 16 &&
-              sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8);
+static_assert(sizeof(Level) == 16 && sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 &&
+              sizeof(DrawRun) == 16 && sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
               kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
 

@@ -19,7 +19,7 @@ static_assert(offsetof(Instance, pose0) == 0 && offsetof(Instance, pose1) == 16 
               offsetof(Instance, pose2) == 32 && offsetof(Instance, block) == 48 &&
               offsetof(Instance, idBase) == 52 && offsetof(Instance, firstMaterial) == 56 &&
               offsetof(Instance, firstMember) == 60 && offsetof(Instance, membersAndKind) == 64 &&
-              offsetof(Instance, levelRange) == 68 && offsetof(Instance, highlight) == 72 &&
+              offsetof(Instance, level) == 68 && offsetof(Instance, highlight) == 72 &&
               offsetof(Instance, opacity) == 76);
 static_assert(offsetof(Member, zone) == 0 && offsetof(Member, lightSet) == 4);
 static_assert(offsetof(DrawPiece, firstIndex) == 0 && offsetof(DrawPiece, triangles) == 4 &&
@@ -37,6 +37,8 @@ static_assert(sizeof(DrawPiece) == kTexel && sizeof(DrawRun) == kTexel && sizeof
               2 * sizeof(Member) == kTexel && 2 * sizeof(Replacement) == kTexel);
 
 // Read from storage buffers (std430).
+static_assert(offsetof(Level, originX) == 0 && offsetof(Level, originY) == 4 &&
+              offsetof(Level, originZ) == 8 && offsetof(Level, range) == 12);
 static_assert(offsetof(Material, colour) == 0 && offsetof(Material, texture) == 16 &&
               offsetof(Material, flags) == 20 && offsetof(Material, luminosity) == 24 &&
               offsetof(Material, diffuse) == 28);

@@ -15,7 +15,10 @@ static_assert(static_cast<std::uint32_t>(world::InstanceKind::Shell) == gpu::kKi
 static_assert(world::kRangeSteps == static_cast<std::int32_t>(gpu::kRangeSteps) &&
               world::kMostRangeSteps == static_cast<std::int32_t>(gpu::kMostRangeSteps) &&
               world::kMostLocalSteps == static_cast<std::int32_t>(gpu::kMostLocalSteps) &&
-              std::uint32_t{world::LevelRange::kEndless} == gpu::kEndlessRange);
+              std::uint32_t{world::LevelRange::kEndless} == gpu::kEndlessRange &&
+              world::kNone == gpu::kFromAnywhere &&
+              static_cast<std::uint32_t>(world::LevelMeasure::Landcell) == gpu::kMeasureLandcell &&
+              world::kLandcellBeyond * world::kRangeSteps == static_cast<std::int32_t>(gpu::kLandcellBeyond));
 
 namespace {
 
@@ -32,10 +35,6 @@ constexpr std::size_t kBypassCache = std::size_t{1} << 20;
 constexpr std::uint32_t kOneMember = 1;
 constexpr std::uint32_t kNoHighlight = 0;
 
-std::uint32_t packRange(const world::LevelRange& range) {
-    return range.beyond | std::uint32_t{range.upTo} << 16;
-}
-
 #ifdef __SSE2__
 /// packInstance, four words at a time. A record that is assembled word by word and then copied in vectors
 /// would stall.
@@ -49,8 +48,8 @@ void packByVectors(const world::Instance& in, gpu::Instance& out, const Store& s
     store(to + 1, _mm_loadu_si128(reinterpret_cast<const __m128i*>(&m[1].y)));
     store(to + 2, _mm_castps_si128(_mm_set_ps(in.origin.z, in.origin.y, in.origin.x, m[2].z)));
     store(to + 3, _mm_set_epi32(word(in.placedIn), word(in.firstMaterial), word(in.idBase), word(in.block)));
-    store(to + 4, _mm_set_epi32(std::bit_cast<int>(in.opacity), word(kNoHighlight),
-                                word(packRange(in.levelRange)), word(membersAndKind(kOneMember, in.kind))));
+    store(to + 4, _mm_set_epi32(std::bit_cast<int>(in.opacity), word(kNoHighlight), word(in.level),
+                                word(membersAndKind(kOneMember, in.kind))));
 }
 #endif
 
@@ -94,6 +93,13 @@ void writeRecords(const void* first, std::span<const std::uint32_t> numbers,
 
 } // namespace
 
+gpu::Level packLevel(const world::Level& level) {
+    const auto measure = static_cast<std::int32_t>(level.measure);
+    return {level.origin[0], level.origin[1],
+            level.origin[2] * static_cast<std::int32_t>(gpu::kMeasures) + measure,
+            level.range.from | std::uint32_t{level.range.upTo} << 16};
+}
+
 gpu::Instance packInstance(const world::Instance& in, const MemberRun& members) {
     const glm::mat3& m = in.linear;
     return {{m[0].x, m[0].y, m[0].z, m[1].x},
@@ -104,7 +110,7 @@ gpu::Instance packInstance(const world::Instance& in, const MemberRun& members) 
             in.firstMaterial,
             members.first,
             membersAndKind(members.count, in.kind),
-            packRange(in.levelRange),
+            in.level,
             kNoHighlight,
             in.opacity};
 }

@@ -34,6 +34,8 @@ struct MemberRun {
     return members | static_cast<std::uint32_t>(kind) << 16;
 }
 
+[[nodiscard]] gpu::Level packLevel(const world::Level& level);
+
 /// The device record of an instance, without a highlight.
 [[nodiscard]] gpu::Instance packInstance(const world::Instance& in, const MemberRun& members);
 

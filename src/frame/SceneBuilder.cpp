@@ -1,5 +1,7 @@
 #include "frame/SceneBuilder.h"
 
+#include "frame/PackInstance.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -112,6 +114,8 @@ SceneUpload buildScene(const StaticScene& scene) {
     upload.indices = indicesOfArena(world);
     upload.members.assign(scene.members().begin(), scene.members().end());
     upload.instances.assign(scene.records().begin(), scene.records().end());
+    for (const world::Level& level : world.levels)
+        upload.levels.push_back(packLevel(level));
     upload.pieces = scene.pieces().pieces;
     addMaterials(world, upload);
     addTextures(world, upload);

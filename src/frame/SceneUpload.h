@@ -21,6 +21,7 @@ struct SceneUpload {
     std::vector<gpu::Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< into `vertices`, of every mesh
     std::vector<gpu::Instance> instances;
+    std::vector<gpu::Level> levels;     ///< that instances refer to
     std::vector<gpu::Member> members;   ///< those of the spaces first (frame/PackInstance.h)
     std::vector<gpu::DrawPiece> pieces; ///< of the instances (frame/ResidentPieces.h)
     std::vector<gpu::Material> materials;

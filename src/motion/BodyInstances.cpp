@@ -63,7 +63,7 @@ void addLooseObjects(DynamicInstances& instances) {
     for (const world::LooseObject& object : world.looseObjects) {
         LIMEN_ASSERT(object.instanceCount > 0, "a loose object has instances");
         const auto statics = std::span(world.instances).subspan(object.firstInstance, object.instanceCount);
-        const std::size_t first = instances.addCopies(statics);
+        const std::size_t first = instances.addCopies(statics, object.origin);
         instances.setSpaces(first, instances.reachedFrom(statics.front().placedIn, object.bounds));
     }
 }

@@ -1,6 +1,7 @@
 #include "motion/DynamicInstances.h"
 
 #include "core/Assert.h"
+#include "motion/Billboards.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +13,12 @@ using world::kNone;
 
 DynamicInstances::DynamicInstances(const world::World& world) : world_(world), membership_(world) {}
 
-void DynamicInstances::begin(world::DynamicState& out) {
+void DynamicInstances::begin(const Vec3& eye, world::DynamicState& out) {
     LIMEN_ASSERT(out.closed.empty() || out.closed.size() == world_.portals.size(),
                  "portals are shut by portal, or none is");
     out.instances.clear();
     out.members.clear();
+    eye_ = eye;
     out_ = &out;
     spriteIds_ = 0;
 }
@@ -42,8 +44,12 @@ std::size_t DynamicInstances::addBody(const world::MovingBody& body, const BodyP
     LIMEN_ASSERT(placedIn < world_.spaces.size(), "a body is placed in a space of the world");
     const std::size_t first = count();
     const PartPoses poses(world_, body, point);
+    const ObjectView view(eye_, pose.origin, placedIn == world::kOutside);
     for (std::uint32_t p = 0; p < body.partCount; ++p) {
         world::Instance part = world_.movingParts[body.firstPart + p];
+        if (part.level != kNone && !view.isIn(world_.levels[part.level].range))
+            continue;
+        part.level = kNone;
         const PartPose within = poses.of(p);
         const Mat3 linear = pose.linear * within.linear;
         const Vec3 origin = pose.origin + pose.linear * within.origin;
@@ -54,6 +60,7 @@ std::size_t DynamicInstances::addBody(const world::MovingBody& body, const BodyP
         part.bounds.radius *=
             std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
         part.placedIn = placedIn;
+        turnToEye(view, world_, part);
         out_->instances.push_back(part);
     }
     return first;
@@ -71,9 +78,19 @@ std::size_t DynamicInstances::addInPlace(const world::MovingBody& body) {
     return first;
 }
 
-std::size_t DynamicInstances::addCopies(std::span<const world::Instance> instances) {
+std::size_t DynamicInstances::addCopies(std::span<const world::Instance> instances,
+                                        const Vec3& objectOrigin) {
     const std::size_t first = count();
-    out_->instances.insert(out_->instances.end(), instances.begin(), instances.end());
+    const world::RangeSteps eye = world::rangeStepsOf(eye_);
+    for (const world::Instance& instance : instances) {
+        if (!world::isInLevelRange(world_, instance, eye))
+            continue;
+        world::Instance copy = instance;
+        copy.level = kNone;
+        if (copy.facing != world::Facing::Fixed)
+            turnToEye({eye_, objectOrigin, copy.placedIn == world::kOutside}, world_, copy);
+        out_->instances.push_back(copy);
+    }
     return first;
 }
 

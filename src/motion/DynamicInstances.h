@@ -28,21 +28,22 @@ public:
     explicit DynamicInstances(const world::World& world);
 
     /// Begins a state: empties its instances and members. Every later call writes to `out`, whose `closed`
-    /// must already be as it will be.
-    void begin(world::DynamicState& out);
+    /// must already be as it will be. `eye`: global; it selects levels of detail, and billboards turn to it.
+    void begin(const Vec3& eye, world::DynamicState& out);
 
     [[nodiscard]] const world::World& world() const { return world_; }
     [[nodiscard]] world::DynamicState& state() const { return *out_; }
     [[nodiscard]] std::size_t count() const { return out_->instances.size(); }
 
-    /// Appends a body's parts at a point of one of its cycles; a default CyclePoint is the resting pose. All
-    /// of them get `placedIn`. Returns the first part's index.
+    /// Appends the parts of a body that are in range of the eye, at a point of one of its cycles; a default
+    /// CyclePoint is the resting pose. All of them get `placedIn`. Returns the first part's index.
     std::size_t addBody(const world::MovingBody& body, const BodyPose& pose, const CyclePoint& point,
                         world::SpaceIndex placedIn);
     /// Appends parts that are block-local and stay where they are. Returns the first one's index.
     std::size_t addInPlace(const world::MovingBody& body);
-    /// Appends copies of the world's own instances. Returns the first one's index.
-    std::size_t addCopies(std::span<const world::Instance> instances);
+    /// Appends copies of those of the world's own instances, parts of an object with this origin, that are in
+    /// range of the eye. Returns the first one's index.
+    std::size_t addCopies(std::span<const world::Instance> instances, const Vec3& objectOrigin);
     /// Appends one instance. Returns its index.
     std::size_t add(const world::Instance& instance) {
         out_->instances.push_back(instance);
@@ -79,6 +80,7 @@ private:
     const world::World& world_;
     world::Membership membership_;
     std::vector<world::SpaceIndex> spaces_;
+    Vec3 eye_{0.0};
     world::DynamicState* out_ = nullptr;
     std::uint32_t spriteIds_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "geometry/Compass.h"
+#include "motion/Billboards.h"
 #include "motion/Locate.h"
 #include "motion/Sprites.h"
 #include "motion/Villagers.h"
@@ -98,9 +99,12 @@ void addParticle(const DynamicStateInput& input, const ParticleOrigin& from, con
     const bool isVisible = state.opacity > 0.0 && glm::length(state.offset) < kFarthest;
     if (!isVisible || !instances.hasSpriteIds(mesh.polygonCount))
         return;
-    const Mat3 turn =
-        style.facesEye ? Mat3(input.right, input.forward, input.up) : glm::mat3_cast(state.orientation);
-    const Mat3 linear = turn * state.scale;
+    const ObjectView view(input.eye, at, false);
+    if (particle.level != kNone && !view.isIn(world.levels[particle.level].range))
+        return;
+    particle.level = kNone;
+    const Mat3 linear =
+        turnedToEye(style.facing, glm::mat3_cast(state.orientation), view.headingTo(at)) * state.scale;
     particle.block = from.block;
     particle.linear = glm::mat3(linear);
     particle.origin = Vec3f(at - world.blocks[from.block].origin());

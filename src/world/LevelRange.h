@@ -2,11 +2,12 @@
 
 #include "geometry/Vec.h"
 
+#include <array>
 #include <cstdint>
 
-// Levels of detail by distance. The distance is that of the eye from an instance's origin, both rounded down
-// to 1/16 m and compared as integers. So the device and the reference always decide alike. With floats, an
-// eye within a rounding error of the limit would see another mesh.
+// Levels of detail by distance (docs/ray-rule.md#levels-of-detail). Positions of the eye and of objects are
+// rounded down to 1/16 m, and their distance is compared in integers. So the device and the reference always
+// decide alike. With floats, an eye within a rounding error of the limit would see another mesh.
 namespace limen::world {
 
 inline constexpr std::int32_t kRangeSteps = 16; ///< per metre
@@ -14,12 +15,21 @@ inline constexpr std::int32_t kRangeSteps = 16; ///< per metre
 inline constexpr std::int32_t kMostRangeSteps = 37000;
 inline constexpr std::int32_t kMostLocalSteps = 1 << 20; ///< block-local origins are clamped to this
 
-/// An instance is drawn if the eye is farther than `beyond` and not farther than `upTo`.
+inline constexpr double kDegradeDistance = 50.0; ///< metres that are subtracted from every distance
+/// Metres, horizontally, beyond which everything in a landcell has the distance of the landcell's middle.
+inline constexpr std::int32_t kLandcellBeyond = 50;
+
+/// Distances from `from` up to, but not including, `upTo`.
 struct LevelRange {
     static constexpr std::uint16_t kEndless = 0xFFFF;
-    std::uint16_t beyond = 0;      ///< steps, at most kMostRangeSteps; 0: the range includes the origin
+    std::uint16_t from = 0;        ///< steps, at most kMostRangeSteps
     std::uint16_t upTo = kEndless; ///< steps, at most kMostRangeSteps; kEndless: every distance
-    [[nodiscard]] bool isEndless() const { return beyond == 0 && upTo == kEndless; }
+    [[nodiscard]] bool isEndless() const { return from == 0 && upTo == kEndless; }
+    /// `squared`: a squared distance in steps.
+    [[nodiscard]] bool contains(std::uint32_t squared) const {
+        const std::uint32_t least = from, limit = upTo;
+        return squared >= least * least && (upTo == kEndless || squared < limit * limit);
+    }
     friend bool operator==(const LevelRange&, const LevelRange&) = default;
 };
 
@@ -31,11 +41,39 @@ struct RangeSteps {
     std::int64_t x = 0, y = 0, z = 0;
 };
 [[nodiscard]] RangeSteps rangeStepsOf(const Vec3& global);
+/// A block-local position in steps, each clamped to kMostLocalSteps.
+[[nodiscard]] std::array<std::int32_t, 3> localRangeSteps(const Vec3& local);
+
+/// The distance by which a level is chosen.
+enum class LevelMeasure : std::uint8_t {
+    Object,   ///< from the eye to the object's origin
+    Landcell, ///< horizontally to the middle of the object's landcell; within kLandcellBeyond as Object
+};
+
+/// The distances at which an instance is drawn: one level of detail of several.
+struct Level {
+    LevelRange range;
+    LevelMeasure measure = LevelMeasure::Object;
+    std::array<std::int32_t, 3> origin{}; ///< of the object, block-local steps
+    friend bool operator==(const Level&, const Level&) = default;
+};
+
+/// Steps from the south-west corner of its landblock to the middle of the landcell at x or y.
+[[nodiscard]] std::int32_t landcellMiddle(std::int32_t localSteps);
+
+/// The eye relative to an object's origin or, where that counts, to the middle of its landcell: steps, z 0 for
+/// the latter. `eye`: relative to the south-west corner of the block that `origin` is local to.
+struct LevelDistance {
+    std::uint32_t squared = 0; ///< steps
+    bool isOfLandcell = false;
+};
+[[nodiscard]] LevelDistance levelDistance(LevelMeasure measure, const std::array<std::int32_t, 3>& origin,
+                                          const RangeSteps& eye);
 
 struct World;
 struct Instance;
 
-/// True if the eye's distance is in the instance's range. Requires: the instance has a block.
+/// True if a static instance is drawn for this eye. Requires: the instance has a block.
 [[nodiscard]] bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye);
 
 } // namespace limen::world

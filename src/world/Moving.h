@@ -115,8 +115,17 @@ struct IdleObject {
 /// A static object whose membership depends on the state of doors.
 struct LooseObject {
     InstanceIndex firstInstance = 0, instanceCount = 0;
-    Sphere bounds; ///< global, of all its instances
+    Sphere bounds;    ///< global, of all its instances
+    Vec3 origin{0.0}; ///< global, of the object
     friend bool operator==(const LooseObject&, const LooseObject&) = default;
+};
+
+/// A static instance that turns to the eye. No space lists it: DynamicState has it turned for one eye. Those of
+/// loose objects are not listed here.
+struct Billboard {
+    InstanceIndex instance = kNone;
+    Vec3 object{0.0}; ///< global: the origin of its object
+    friend bool operator==(const Billboard&, const Billboard&) = default;
 };
 
 } // namespace limen::world

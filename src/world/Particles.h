@@ -3,6 +3,7 @@
 #include "dat/Ids.h"
 #include "dat/records/Effects.h"
 #include "world/Cycle.h"
+#include "world/Facing.h"
 #include "world/Index.h"
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct ParticleStyle {
     dat::RecordId record = 0;
     dat::ParticleType type = dat::ParticleType::Still;
     std::uint32_t part = kNone;       ///< World::movingParts: the part drawn for each particle; kNone: none
-    bool facesEye = false;            ///< the part's x, y and z axes are the eye's right, forward and up
+    Facing facing = Facing::Fixed;    ///< how each particle turns to the eye
     bool isParentLocal = false;       ///< particles move with the carrier of the emitter
     bool isPerMetre = false;          ///< true: births by the carrier's distance; false: by time
     double interval = kNeverEnds;     ///< seconds or metres from birth to birth

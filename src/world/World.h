@@ -4,6 +4,7 @@
 #include "geometry/Bounds.h"
 #include "geometry/Plane.h"
 #include "geometry/TwoFloats.h"
+#include "world/Facing.h"
 #include "world/Image.h"
 #include "world/Index.h"
 #include "world/LevelRange.h"
@@ -157,6 +158,7 @@ struct Mesh {
 struct Instance {
     static constexpr std::size_t kMostMembers = 0xFFFF;
     InstanceKind kind = InstanceKind::Static;
+    Facing facing = Facing::Fixed; ///< `linear` is that of the part; DynamicState has the turned one
     std::uint16_t memberCount = 0;
     std::uint32_t firstMember = 0; ///< World::members: the memberCount spaces it belongs to, placedIn first
     SpaceIndex placedIn = kNone;
@@ -165,9 +167,9 @@ struct Instance {
     std::uint32_t idBase = 0; ///< its polygons have ids idBase .. idBase + polygonCount - 1; never 0 or 1
     std::uint32_t mesh = kNone;
     std::uint32_t firstMaterial =
-        0;                 ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
-    float opacity = 1.0f;  ///< multiplies that of its blended surfaces
-    LevelRange levelRange; ///< distances at which it is drawn: one level of detail of several
+        0;                ///< run of World::materialRefs by surface slot; for terrain: run of terrainCells
+    float opacity = 1.0f; ///< multiplies that of its blended surfaces
+    std::uint32_t level = kNone; ///< index into levels: one level of detail of several; kNone: it is alone
     std::uint32_t block = kNone; ///< the block that its placement is relative to
     glm::mat3 linear{1.0f};      ///< block-local from model: rotation and scale
     Vec3f origin{0.0f};          ///< block-local
@@ -254,6 +256,8 @@ struct World {
     std::vector<Mesh> meshes;
 
     std::vector<Instance> instances;
+    std::vector<Level> levels; ///< of moving parts: without `origin` and `measure`
+    std::vector<Billboard> billboards;
     std::vector<SpaceIndex> members;
     std::vector<InstanceIndex> spaceInstances; ///< by space; shells first
     std::vector<Material> materials;

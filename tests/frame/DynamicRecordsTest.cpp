@@ -59,7 +59,7 @@ TEST_F(DynamicRecordsTest, areTheSameAsStaticOnes) {
     const world::InstanceIndex original = table();
     addTable({second});
     state.instances[0].linear = {1, 2, 3, 4, 5, 6, 7, 8, 9};
-    state.instances[0].levelRange = {160, 3200};
+    state.instances[0].level = 7;
     state.instances[0].opacity = 0.25f;
     addTable({second});
     state.instances[1].placedIn = planned.world.instances[original].placedIn;

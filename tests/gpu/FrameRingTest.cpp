@@ -20,7 +20,7 @@ layout::Instance recordOf(std::uint32_t number) {
     record.firstMaterial = number + 3;
     record.firstMember = number + 4;
     record.membersAndKind = number + 5;
-    record.levelRange = number + 6;
+    record.level = number + 6;
     record.opacity = 0.5f * n;
     return record;
 }

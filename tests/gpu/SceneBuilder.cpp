@@ -60,7 +60,7 @@ std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::arra
     instance.block = options.block;
     instance.idBase = id;
     instance.highlight = options.highlight;
-    instance.levelRange = layout::kFromAnywhere;
+    instance.level = layout::kFromAnywhere;
     instance.opacity = 1.0f;
     instance.firstMember = static_cast<std::uint32_t>(upload.members.size());
     instance.membersAndKind = static_cast<std::uint32_t>(options.members.size());

@@ -27,10 +27,13 @@ struct Loaded {
     explicit Loaded(test::MovingHut& hut) : world(hut.load()), home(hut.at(Vec3(0.0))) {
         EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
     }
-    void at(double seconds, std::optional<double> doors = 1.0) {
+    /// The eye is 3 m east of the middle of the hut's meadow, and looks west.
+    void at(double seconds, std::optional<double> doors = 1.0) { at(seconds, doors, home + Vec3(8, 5, 2)); }
+    void at(double seconds, std::optional<double> doors, const Vec3& eye) {
         DynamicStateInput input;
         input.seconds = seconds;
         input.allDoors = doors;
+        input.eye = eye;
         input.right = {0, 1, 0};
         input.forward = {-1, 0, 0};
         dynamicsBuilder.build(input, dynamics);
@@ -134,7 +137,10 @@ TEST(Effects, spritesOfTheNearestLevelFaceTheEyeAndFadingOnesAreBlended) {
     expectAt(Vec3(flakes[0].linear[2]), {0, 0, 2});
     const Sphere& bounds = loaded.mesh(flakes[0]).bounds;
     EXPECT_NEAR(bounds.radius, std::hypot(0.1, 0.2), 1e-5) << "as wide and high as the mesh";
-    EXPECT_EQ(flakes[0].levelRange.upTo, 500 * world::kRangeSteps) << "of its levels of detail";
+    for (const double metres : {499.0, 501.0}) { // the greatest distance of its level, without another 50 m
+        loaded.at(100.0, 1.0, loaded.home + Vec3(5, 5 - metres, 2));
+        EXPECT_THAT(loaded.of(effects.flake), SizeIs(metres < 500.0 ? 4 : 0)) << metres;
+    }
 }
 
 TEST(Effects, particlesStayBehindOrComeAlong) {

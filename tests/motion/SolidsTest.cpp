@@ -58,6 +58,28 @@ TEST(Solids, cellsGroundAndExteriorsAreMetInTheirSpaces) {
     EXPECT_NEAR(boundsOf(solids, exteriors[0]).max.z, 5.2, 1e-6);
 }
 
+// Bodies walk on full meshes, at every distance: levels of detail are of the picture alone.
+TEST(Solids, areThoseOfTheNearestLevelOfDetail) {
+    TestWorld source;
+    source.setFlatTerrain(source.home(), 1);
+    constexpr float kEndless = std::numeric_limits<float>::max();
+    const std::uint32_t card = source.addModel({{test::rectangle({-9, 0, 0}, {9, 0, 9}), "leaf", true}});
+    const std::uint32_t box = source.addModel(
+        boxExterior({-1, -1, 0}, {1, 1, 3}),
+        {{TestWorld::kItself, 1, 0, 0, 10}, {card, 5, 0, 0, 20}, {0, 1, kEndless, kEndless, kEndless}});
+    dat::Setup setup;
+    setup.parts = {box};
+    setup.flags |= dat::Setup::kPhysicsBsp;
+    source.addObject(source.addSetup(setup), frameAt({50, 50, 2}));
+    source.addObject(box, frameAt({60, 50, 2}));
+    World world;
+    const Solids solids = read(source, world);
+    const auto objects = ofKind(solids, InstanceKind::Static);
+    ASSERT_EQ(objects.size(), 2u);
+    for (const Solid& solid : objects)
+        EXPECT_EQ(boundsOf(solids, solid).max - boundsOf(solids, solid).min, Vec3(2, 2, 3));
+}
+
 TEST(Solids, groundLiesOnTheTrianglesThatAreDrawn) {
     TestWorld source;
     dat::LandBlock& land = source.terrain(source.home());

@@ -57,12 +57,21 @@ void NaiveTracer::addClusters(world::SpaceIndex index) {
     }
 }
 
-bool NaiveTracer::isInLevelRange(const Body& body, const Vec3& eye) {
-    const Vec3 steps = glm::floor(body.origin * 16.0) - glm::floor(eye * 16.0);
-    const double away = glm::dot(steps, steps); // complete and exact
-    const double beyond = body.levelRange.beyond, upTo = body.levelRange.upTo;
-    return (beyond == 0.0 || away > beyond * beyond) &&
-           (body.levelRange.upTo == world::LevelRange::kEndless || away <= upTo * upTo);
+// The distance rule in whole sixteenths of a metre, as docs/ray-rule.md states it.
+bool NaiveTracer::isInLevelRange(const Body& body, const Vec3& eye) const {
+    if (body.level == world::kNone)
+        return true;
+    const world::Level& level = world_.levels[body.level];
+    const Vec3 at = glm::floor(eye * 16.0);
+    const Vec3 origin = body.block * 16.0 + Vec3(level.origin[0], level.origin[1], level.origin[2]);
+    const Vec3 offset = origin - at;
+    double away = glm::dot(offset, offset);
+    const Vec3 middle = (glm::floor(origin / 384.0) + 0.5) * 384.0 - at;
+    const double across = middle.x * middle.x + middle.y * middle.y;
+    if (level.measure == world::LevelMeasure::Landcell && across > 800.0 * 800.0)
+        away = across;
+    const double from = level.range.from, upTo = level.range.upTo;
+    return away >= from * from && (level.range.upTo == world::LevelRange::kEndless || away < upTo * upTo);
 }
 
 bool NaiveTracer::mayMeet(const Sphere& bounds, const Ray& ray) {
@@ -78,9 +87,9 @@ void NaiveTracer::addTriangles(const world::Instance& instance) {
               triangles_.size(),
               0,
               instance.kind == world::InstanceKind::Filling,
-              world_.blocks[instance.block].origin() + Vec3(instance.origin),
-              instance.levelRange};
-    const Vec3 origin = body.origin;
+              world_.blocks[instance.block].origin(),
+              instance.level};
+    const Vec3 origin = body.block + Vec3(instance.origin);
     const auto place = [&](const world::MeshVertex& v) {
         return origin + Mat3(instance.linear) * v.corner();
     };

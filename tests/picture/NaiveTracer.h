@@ -43,8 +43,8 @@ private:
         Sphere bounds;
         std::size_t firstTriangle = 0, triangleCount = 0;
         bool filling = false;
-        Vec3 origin{0.0}; ///< of its instance, global
-        world::LevelRange levelRange;
+        Vec3 block{0.0}; ///< the origin of its block, global
+        std::uint32_t level = world::kNone;
     };
     /// Adjacent bodies of one space, so that a ray does not test thousands one by one.
     struct Cluster {
@@ -54,7 +54,7 @@ private:
     void addTriangles(const world::Instance& instance);
     void addClusters(world::SpaceIndex index);
     /// Whether it is drawn for this eye; both in sixteenths of a metre, rounded down.
-    [[nodiscard]] static bool isInLevelRange(const Body& body, const Vec3& eye);
+    [[nodiscard]] bool isInLevelRange(const Body& body, const Vec3& eye) const;
     [[nodiscard]] static bool mayMeet(const Sphere& bounds, const Ray& ray);
     /// Distance to the triangle's front; infinite without an intersection.
     [[nodiscard]] static double meets(const Triangle& triangle, const Ray& ray, double& v, double& w);

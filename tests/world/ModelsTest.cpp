@@ -35,7 +35,7 @@ struct Levels {
 
 using Ids = std::vector<dat::RecordId>;
 constexpr std::uint32_t kSecond = 0x01000001, kThird = 0x01000002, kItself = test::TestWorld::kItself;
-constexpr std::uint32_t kMesh = dat::DegradeLevel::kMesh, kSprite = 2;
+constexpr std::uint32_t kMesh = dat::DegradeLevel::kMesh;
 
 Ids idsOf(const std::vector<ModelPart>& parts) {
     Ids ids;
@@ -44,22 +44,45 @@ Ids idsOf(const std::vector<ModelPart>& parts) {
     return ids;
 }
 
-std::vector<LevelRange> levelRangesOf(const std::vector<ModelPart>& parts) {
-    std::vector<LevelRange> ranges;
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+std::vector<LevelBand> bandsOf(const std::vector<ModelPart>& parts) {
+    std::vector<LevelBand> bands;
     for (const ModelPart& part : parts)
-        ranges.push_back(part.levelRange);
-    return ranges;
+        bands.push_back(part.band);
+    return bands;
+}
+using Bands = std::vector<LevelBand>;
+
+std::vector<Facing> facingsOf(const std::vector<ModelPart>& parts) {
+    std::vector<Facing> facings;
+    for (const ModelPart& part : parts)
+        facings.push_back(part.facing);
+    return facings;
 }
 
-TEST(Models, takeEachLevelOfDetailUpToItsGreatestDistance) {
-    Levels levels({{kSecond, kMesh, 0, 10, 20}, {kThird, kMesh, 20, 30, 40.03f}, {0, kMesh, 40, 50, 60}});
+// A typical tree of the original game: docs/formats/geometry.md, 50 m are subtracted from the distance.
+TEST(Models, changeLevels50MetresBeyondTheirGreatestDistance) {
+    constexpr float kMost = std::numeric_limits<float>::max();
+    Levels levels({{kItself, kMesh, 10, 25, 50},
+                   {kThird, kMesh, 25, 50, 100},
+                   {kSecond, kMesh, 50, 100, 200},
+                   {0, kMesh, kMost, kMost, kMost}});
+    const Model model = levels.model(levels.first);
+    EXPECT_EQ(idsOf(model.parts), Ids{levels.first});
+    EXPECT_EQ(bandsOf(model.parts), (Bands{{0, 100}}));
+    EXPECT_EQ(idsOf(model.farther), (Ids{kThird, kSecond}));
+    EXPECT_EQ(bandsOf(model.farther), (Bands{{100, 150}, {150, 250}})) << "then nothing";
+}
+
+TEST(Models, drawTheLastLevelAtEveryDistanceThatIsLeft) {
+    Levels levels({{kSecond, kMesh, 0, 10, 20}, {kThird, kMesh, 20, 30, 40}});
     const Model model = levels.model(levels.setup);
     EXPECT_EQ(idsOf(model.parts), (Ids{kSecond, kSecond}))
         << "the nearest level of the first part, and the second part";
-    EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 20 * 16}, {}}));
+    EXPECT_EQ(bandsOf(model.parts), (Bands{{0, 70}, {}}));
     EXPECT_EQ(idsOf(model.farther), Ids{kThird});
-    EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{20 * 16, 40 * 16}}))
-        << "to the nearest sixteenth";
+    EXPECT_EQ(bandsOf(model.farther), (Bands{{70, kEndless}}));
 }
 
 TEST(Models, boundsContainFartherLevelsOfDetail) {
@@ -67,28 +90,57 @@ TEST(Models, boundsContainFartherLevelsOfDetail) {
     EXPECT_NEAR(levels.model(levels.first).bounds.radius, 3 * std::sqrt(3.0) / 2, 0.1);
 }
 
-TEST(Models, changeLevelsSoMuchFartherAwayAsDetailSays) {
+TEST(Models, boundsContainEveryTurnOfABillboard) {
+    Levels fixed({{kThird, kMesh, 0, 0, 5}});
+    const Sphere still = fixed.model(fixed.first).bounds;
+    for (const std::uint32_t mode : {2u, 3u, 4u, 5u}) {
+        Levels levels({{kThird, mode, 0, 0, 5}});
+        const Sphere bounds = levels.model(levels.first).bounds;
+        EXPECT_NEAR(glm::length(bounds.centre), 0.0, 1e-9) << "it turns about its origin";
+        EXPECT_NEAR(bounds.radius, glm::length(still.centre) + still.radius, 1e-6);
+    }
+}
+
+TEST(Models, scaleTheGreatestDistancesByDetail) {
     Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kMesh, 0, 0, 9}});
     const Model finer = levels.model(levels.first, 2.5);
-    EXPECT_EQ(levelRangesOf(finer.parts), (std::vector<LevelRange>{{0, 200}}));
-    EXPECT_EQ(levelRangesOf(finer.farther), (std::vector<LevelRange>{{200, 360}}));
-    const Model finest = levels.model(levels.first, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(levelRangesOf(finest.parts), std::vector<LevelRange>(1));
+    EXPECT_EQ(bandsOf(finer.parts), (Bands{{0, 62.5}}));
+    EXPECT_EQ(bandsOf(finer.farther), (Bands{{62.5, kEndless}}));
+    const Model finest = levels.model(levels.first, kEndless);
+    EXPECT_EQ(bandsOf(finest.parts), Bands(1));
     EXPECT_EQ(idsOf(finest.farther), Ids{});
 }
 
-TEST(Models, keepAMeshWhereASpriteWouldTakeItsPlace) {
-    Levels levels({{kItself, kMesh, 0, 0, 5}, {kThird, kSprite, 0, 0, 9}, {kSecond, kMesh, 0, 0, 11}});
+TEST(Models, turnLevelsByTheirMode) {
+    Levels levels({{kItself, 1, 0, 0, 5},
+                   {kThird, 2, 0, 0, 9},
+                   {kSecond, 3, 0, 0, 11},
+                   {kSecond, 4, 0, 0, 12},
+                   {kSecond, 5, 0, 0, 13},
+                   {kThird, 6, 0, 0, 14}});
     const Model model = levels.model(levels.first);
-    EXPECT_EQ(idsOf(model.parts), Ids{levels.first});
-    EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 9 * 16}}));
-    EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{9 * 16, 11 * 16}}));
+    EXPECT_EQ(facingsOf(model.parts), std::vector{Facing::Fixed});
+    EXPECT_EQ(facingsOf(model.farther),
+              (std::vector{Facing::Eye, Facing::AroundX, Facing::AroundY, Facing::AroundZ, Facing::Fixed}));
 }
 
-TEST(Models, leaveOutPartsThatShowNothingFromNearby) {
-    Levels levels({{0, kMesh, 0, 0, 1000}});
-    EXPECT_EQ(idsOf(levels.model(levels.first).parts), Ids{});
-    EXPECT_EQ(idsOf(levels.model(levels.setup).parts), Ids{kSecond});
+TEST(Models, leaveOutMarkers) {
+    constexpr float kMost = std::numeric_limits<float>::max();
+    for (const double detail : {1.0, kEndless}) {
+        Levels ended({{kItself, kMesh, 0, 0, 0}, {0, kMesh, kMost, kMost, kMost}});
+        EXPECT_EQ(idsOf(ended.model(ended.first, detail).parts), Ids{});
+        EXPECT_EQ(idsOf(ended.model(ended.first, detail).farther), Ids{});
+        EXPECT_EQ(idsOf(ended.model(ended.setup, detail).parts), Ids{kSecond});
+        Levels alone({{kItself, kMesh, 0, 0, 0}});
+        EXPECT_EQ(idsOf(alone.model(alone.first, detail).parts), Ids{});
+    }
+}
+
+TEST(Models, drawNothingWhereALevelHasNoMesh) {
+    Levels levels({{0, kMesh, 0, 0, 10}, {kThird, kMesh, 0, 0, 90}});
+    const Model model = levels.model(levels.first);
+    EXPECT_EQ(idsOf(model.parts), Ids{});
+    EXPECT_EQ(bandsOf(model.farther), (Bands{{60, kEndless}}));
 }
 
 TEST(Models, drawThePartItselfWhereItsLevelsAreNotThere) {
@@ -101,12 +153,21 @@ TEST(Models, copeWithDistancesThatAreNone) {
     const float none = std::numeric_limits<float>::quiet_NaN();
     Levels levels({{kItself, kMesh, 0, 0, 10},
                    {kSecond, kMesh, 0, 0, -4},
-                   {kThird, kMesh, 0, 0, none},
-                   {kSecond, kMesh, 0, 0, 90}});
+                   {kSecond, kMesh, 0, 0, none},
+                   {kThird, kMesh, 0, 0, none}});
     const Model model = levels.model(levels.first);
-    EXPECT_EQ(levelRangesOf(model.parts), (std::vector<LevelRange>{{0, 160}}));
-    EXPECT_EQ(idsOf(model.farther), Ids{kThird});
-    EXPECT_EQ(levelRangesOf(model.farther), (std::vector<LevelRange>{{160, LevelRange::kEndless}}));
+    EXPECT_EQ(bandsOf(model.parts), (Bands{{0, 60}}));
+    EXPECT_EQ(idsOf(model.farther), Ids{kThird}) << "no distance is less than none; the last level is left";
+    EXPECT_EQ(bandsOf(model.farther), (Bands{{60, kEndless}}));
+}
+
+TEST(LevelBands, areDividedByTheScalesZ) {
+    EXPECT_EQ(levelRangeOf({0, 100}, 1.0), (LevelRange{0, 1600}));
+    EXPECT_EQ(levelRangeOf({100, 150}, 0.5), (LevelRange{800, 1200}));
+    EXPECT_EQ(levelRangeOf({100, 150}, -2.0), (LevelRange{3200, 4800}));
+    EXPECT_EQ(levelRangeOf({100, kEndless}, 2.0), (LevelRange{3200, LevelRange::kEndless}));
+    EXPECT_EQ(levelRangeOf({100, 150}, 0.0), levelRangeOf({100, 150}, 1.0));
+    EXPECT_EQ(levelRangeOf({100, 150}, std::nan("")), levelRangeOf({100, 150}, 1.0));
 }
 
 } // namespace

@@ -88,8 +88,10 @@ struct Environment {
 
 /// A mesh for a range of distances.
 struct DegradeLevel {
-    static constexpr std::uint32_t kMesh = 1; ///< any other mode: a sprite that faces the camera
-    std::uint32_t gfxObj = 0;                 ///< 0: nothing is drawn
+    static constexpr std::uint32_t kMesh = 1; ///< does not turn
+    /// Turn to the viewer: freely, and about one axis of the mesh.
+    static constexpr std::uint32_t kFacesEye = 2, kTurnsX = 3, kTurnsY = 4, kTurnsZ = 5;
+    std::uint32_t gfxObj = 0; ///< 0: nothing is drawn
     std::uint32_t mode = kMesh;
     float minDistance = 0.0f, idealDistance = 0.0f, maxDistance = 0.0f; ///< metres
 };
@@ -97,7 +99,7 @@ struct DegradeLevel {
 /// GfxObjDegradeInfo (0x11).
 struct DegradeInfo {
     std::uint32_t id = 0;
-    std::vector<DegradeLevel> levels; ///< the first with maxDistance >= distance is drawn; else nothing
+    std::vector<DegradeLevel> levels; ///< the first within whose maxDistance the viewer is, else the last
 };
 
 } // namespace limen::dat

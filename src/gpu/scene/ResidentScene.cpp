@@ -54,6 +54,7 @@ void ResidentScene::listArrays() {
     storage(layout::kBindLightSets, "light sets", bytesOf(scene_->lightSets));
     storage(layout::kBindLights, "lights", bytesOf(scene_->lights));
     storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
+    storage(layout::kBindLevels, "levels of detail", bytesOf(scene_->levels));
     storage(layout::kBindIndices, "indices", bytesOf(scene_->indices));
     texels(layout::kUnitVertices, "vertices", bytesOf(scene_->vertices));
     texels(layout::kUnitInstances, "instances", bytesOf(scene_->instances));

@@ -23,6 +23,12 @@ Result<void> checkInstances(const SceneUpload& scene) {
                                       instance.firstMember, end, scene.members.size()));
         }
     }
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const std::uint32_t level = scene.instances[i].level;
+        if (level != layout::kFromAnywhere && level >= scene.levels.size())
+            return broken("instance", i,
+                          fmt::format("has level of detail {} of {}", level, scene.levels.size()));
+    }
     for (std::size_t i = 0; i < scene.members.size(); ++i) {
         if (scene.members[i].lightSet >= scene.lightSets.size()) {
             return broken(

@@ -61,9 +61,9 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     if (region != nullptr)
         emitters.addRainDrop();
     if (moving.player != 0) {
-        world.player.solid =
-            bodies.add(moving.player, InstanceKind::Dynamic, dynamicObject(DynamicObject::Player, 0),
-                       dressOf(moving.player, moving.playerClothing, records));
+        world.player.solid = bodies.add(
+            moving.player, InstanceKind::Dynamic, dynamicObject(DynamicObject::Player, 0),
+            {.isAlwaysNear = true, .dress = dressOf(moving.player, moving.playerClothing, records)});
         world.player.ghost = bodies.addBlended(world.player.solid);
     }
     const dat::Region* const sky = regionWithSky(region);

@@ -1,22 +1,23 @@
 #include "world/assemble/BodyAssembler.h"
 
 #include "core/Assert.h"
+#include "world/assemble/LevelEntries.h"
 
 #include <algorithm>
 
 namespace limen::world {
 
 MovingBody BodyAssembler::add(dat::RecordId modelId, InstanceKind kind, std::uint64_t object,
-                              const Dress& dress) {
+                              const BodyOptions& options) {
+    const Dress& dress = options.dress;
     const Model model = dress.parts.empty() ? models_.model(modelId) : models_.dressed(modelId, dress);
+    const bool isFilling = kind == InstanceKind::Filling;
+    const bool nearestOnly = isFilling || options.isAlwaysNear;
     MovingBody body;
     body.firstPart = static_cast<std::uint32_t>(world_.movingParts.size());
     body.bounds = model.bounds;
-    std::vector<ModelPart> parts = model.parts;
-    if (kind != InstanceKind::Filling)
-        parts.insert(parts.end(), model.farther.begin(), model.farther.end());
     std::vector<PosedPart> posed;
-    for (const ModelPart& part : parts) {
+    for (const ModelPart& part : partsOf(model, nearestOnly)) {
         const PartMesh* mesh = models_.part(part.gfxObj);
         if (mesh == nullptr || mesh->mesh.empty())
             continue;
@@ -29,15 +30,24 @@ MovingBody BodyAssembler::add(dat::RecordId modelId, InstanceKind kind, std::uin
         instance.object = object;
         instance.record = part.gfxObj;
         instance.firstMaterial = materials_.ofDressedPart(*mesh, part.part, dress);
-        if (kind != InstanceKind::Filling)
-            instance.levelRange = part.levelRange;
+        instance.facing = isFilling ? Facing::Fixed : part.facing;
+        if (!nearestOnly)
+            instance.level =
+                addLevel({levelRangeOf(part.band, part.scale.z * options.scale), {}, {}}, world_);
         world_.movingParts.push_back(instance);
         posed.push_back({part.part, part.scale});
     }
     body.partCount = static_cast<std::uint32_t>(world_.movingParts.size()) - body.firstPart;
-    if (kind != InstanceKind::Filling)
+    if (!isFilling)
         addCycles(modelId, posed, body);
     return body;
+}
+
+std::vector<ModelPart> BodyAssembler::partsOf(const Model& model, bool nearestOnly) {
+    std::vector<ModelPart> parts = model.parts;
+    if (!nearestOnly)
+        parts.insert(parts.end(), model.farther.begin(), model.farther.end());
+    return parts;
 }
 
 void BodyAssembler::addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body) {

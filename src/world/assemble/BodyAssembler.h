@@ -18,6 +18,13 @@ enum class DynamicObject : std::uint64_t {
     return static_cast<std::uint64_t>(kind) << 56 | static_cast<std::uint64_t>(index);
 }
 
+/// What a body has beside its model.
+struct BodyOptions {
+    double scale = 1.0;        ///< of the placed object: levels of detail change so much farther away
+    bool isAlwaysNear = false; ///< only the nearest level of detail
+    Dress dress{};
+};
+
 /// Adds bodies to World::movingParts: the posed parts of one model, with the cycles that its Setup names.
 class BodyAssembler {
 public:
@@ -27,11 +34,12 @@ public:
     /// A filling (a door leaf) gets neither cycles nor levels of detail: its hinge alone moves it, and it has
     /// the same shape at every distance.
     [[nodiscard]] MovingBody add(dat::RecordId model, InstanceKind kind, std::uint64_t object,
-                                 const Dress& dress = {});
+                                 const BodyOptions& options = {});
     /// A copy of a body whose surfaces are all blended, to fade it.
     [[nodiscard]] MovingBody addBlended(const MovingBody& solid);
 
 private:
+    [[nodiscard]] static std::vector<ModelPart> partsOf(const Model& model, bool nearestOnly);
     /// Requires: the body's parts are the last ones added.
     void addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body);
 

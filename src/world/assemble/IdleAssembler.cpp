@@ -9,7 +9,7 @@ std::uint32_t IdleAssembler::add(const PlacedModel& object, const JoiningBlock& 
         return kNone;
     const std::size_t parts = world_.movingParts.size(), posed = world_.posedParts.size();
     IdleObject idle;
-    idle.body = bodies_.add(object.model, object.kind, object.object);
+    idle.body = bodies_.add(object.model, object.kind, object.object, {.scale = object.scale});
     const bool rests = cycle == kNone || isAtRest(world_, idle.body, cycle);
     if (idle.body.partCount == 0 || (rests && spin == Vec3(0.0))) {
         world_.movingParts.resize(parts);

@@ -21,6 +21,12 @@ std::vector<std::uint8_t> allDoorsShut(const World& world) {
     return shut;
 }
 
+void addBillboards(const ObjectGroup& group, World& world) {
+    for (InstanceIndex i = group.firstInstance; i < group.firstInstance + group.instanceCount; ++i)
+        if (world.instances[i].facing != Facing::Fixed)
+            world.billboards.push_back({i, group.origin});
+}
+
 } // namespace
 
 void findMembers(std::span<const ObjectGroup> objects, World& world) {
@@ -40,13 +46,18 @@ void findMembers(std::span<const ObjectGroup> objects, World& world) {
                      "a group is a run of instances");
         const SpaceIndex placedIn = world.instances[group.firstInstance].placedIn;
         membership.reach(placedIn, group.bounds, {}, reached);
-        if (reached.size() == 1)
+        if (reached.size() == 1) {
+            addBillboards(group, world);
             continue;
+        }
         // Shutting doors only takes spaces away. An object with the same spaces when all are shut has them
         // always.
         membership.reach(placedIn, group.bounds, shut, reachedShut);
         if (reachedShut.size() != reached.size())
-            world.looseObjects.push_back({group.firstInstance, group.instanceCount, group.bounds});
+            world.looseObjects.push_back(
+                {group.firstInstance, group.instanceCount, group.bounds, group.origin});
+        else
+            addBillboards(group, world);
         const auto first = static_cast<std::uint32_t>(world.members.size());
         world.members.insert(world.members.end(), reached.begin(), reached.end());
         for (InstanceIndex i = group.firstInstance; i < group.firstInstance + group.instanceCount; ++i)
@@ -79,7 +90,7 @@ void listInstances(World& world) {
         std::fill_n(loose.begin() + object.firstInstance, object.instanceCount, std::uint8_t{1});
     for (InstanceIndex i = 0; i < world.instances.size(); ++i) {
         const Instance& instance = world.instances[i];
-        if (loose[i] != 0)
+        if (loose[i] != 0 || instance.facing != Facing::Fixed)
             continue;
         for (std::uint32_t m = 0; m < instance.memberCount; ++m) {
             std::vector<InstanceIndex>& list = bySpace[world.members[instance.firstMember + m]];

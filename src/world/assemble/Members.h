@@ -8,10 +8,11 @@ namespace limen::world {
 /// The instances of one static object: a run of World::instances.
 struct ObjectGroup {
     InstanceIndex firstInstance = 0, instanceCount = 0;
-    Sphere bounds; ///< global, of all its parts
+    Sphere bounds;    ///< global, of all its parts
+    Vec3 origin{0.0}; ///< global
 };
 
-/// Fills World::members. Objects get every space that their bounds reach through open portals; other
+/// Fills World::members and World::billboards. Objects get every space that their bounds reach through open portals; other
 /// instances get the space they are placed in. An object that reaches fewer spaces with all opaque doors shut
 /// is added to World::looseObjects.
 void findMembers(std::span<const ObjectGroup> objects, World& world);
@@ -20,8 +21,8 @@ void findMembers(std::span<const ObjectGroup> objects, World& world);
 /// with all doors open.
 void findAlone(World& world);
 
-/// Fills World::spaceInstances: the members of each space, its shell first. Loose objects are left out:
-/// DynamicState lists them.
+/// Fills World::spaceInstances: the members of each space, its shell first. Loose objects and billboards
+/// are left out: DynamicState lists them.
 void listInstances(World& world);
 
 /// Numbers the polygons of instances, then of moving parts, without gaps. Sprites get the last kMostSprites

@@ -1,5 +1,7 @@
 #include "world/assemble/ObjectAssembler.h"
 
+#include "world/assemble/LevelEntries.h"
+
 #include <algorithm>
 
 namespace limen::world {
@@ -38,7 +40,8 @@ void ObjectAssembler::addObject(const PlacedModel& object, const JoiningBlock& b
 
 void ObjectAssembler::addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,
                                 const JoiningBlock& block) {
-    ObjectGroup group{static_cast<InstanceIndex>(world_.instances.size()), 0, bounds};
+    ObjectGroup group{static_cast<InstanceIndex>(world_.instances.size()), 0, bounds,
+                      block.origin + object.origin};
     for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther})
         for (const ModelPart& part : *parts)
             addPart(object, part, block);
@@ -64,7 +67,16 @@ void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, 
     instance.object = object.object;
     instance.record = part.gfxObj;
     instance.firstMaterial = materials_.ofPart(*mesh);
-    instance.levelRange = part.levelRange;
+    instance.facing = part.facing;
+    if (part.facing != Facing::Fixed) // around its origin, for every turn
+        instance.bounds = {block.origin + origin,
+                           glm::length(instance.bounds.centre - block.origin - origin) +
+                               instance.bounds.radius};
+    const bool isOutdoors = instance.placedIn == kOutside;
+    instance.level =
+        addLevel({levelRangeOf(part.band, part.scale.z * object.scale),
+                  isOutdoors ? LevelMeasure::Landcell : LevelMeasure::Object, localRangeSteps(object.origin)},
+                 world_);
     world_.instances.push_back(instance);
 }
 

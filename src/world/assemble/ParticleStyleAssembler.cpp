@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "world/assemble/BodyAssembler.h"
+#include "world/assemble/LevelEntries.h"
 #include "world/records/ParticleStyles.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ std::uint32_t ParticleStyleAssembler::addPart(const dat::ParticleEmitter& record
     const PartMesh* mesh = model.parts.empty() ? nullptr : models_.part(model.parts.front().gfxObj);
     if (mesh == nullptr || mesh->mesh.empty() || mesh->surfaces.empty())
         return kNone;
-    style.facesEye = isSprite(record.gfxObj, records_);
+    style.facing = facingOf(record.gfxObj, records_);
     const auto key = static_cast<std::uint32_t>(world_.particleStyles.size());
     const bool blends = fades(style.translucency);
     Instance part;
@@ -54,7 +55,7 @@ std::uint32_t ParticleStyleAssembler::addPart(const dat::ParticleEmitter& record
     part.firstMaterial = materials_.ofPart(*mesh);
     if (blends)
         part.firstMaterial = materials_.addBlended(part.firstMaterial, mesh->surfaces.size());
-    if (style.facesEye) {
+    if (style.facing != Facing::Fixed) {
         part.firstMaterial += mesh->mesh.vertices.front().surface;
         LIMEN_ASSERT(part.firstMaterial < world_.materialRefs.size(), "a vertex has a slot of its mesh");
         part.mesh = addSprite(*mesh, world_.materials[world_.materialRefs[part.firstMaterial]]);
@@ -65,7 +66,7 @@ std::uint32_t ParticleStyleAssembler::addPart(const dat::ParticleEmitter& record
     part.bounds = world_.meshes[part.mesh].bounds;
     part.object = dynamicObject(DynamicObject::Particle, key);
     part.record = mesh->gfxObj;
-    part.levelRange = model.parts.front().levelRange;
+    part.level = addLevel({levelRangeOf(models_.particleBand(record.gfxObj), 1.0), {}, {}}, world_);
     world_.movingParts.push_back(part);
     return static_cast<std::uint32_t>(world_.movingParts.size() - 1);
 }

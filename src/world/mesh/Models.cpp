@@ -47,6 +47,33 @@ std::vector<ModelLight> lightsOf(const dat::Setup& setup) {
     return lights;
 }
 
+/// Null if the GfxObj has no levels of detail.
+const dat::DegradeInfo* levelsRecord(dat::RecordId gfxObj, Records& records) {
+    const dat::GfxObj* record = records.gfxObj(gfxObj);
+    return record != nullptr && record->degradeId != 0 ? records.degradeInfo(record->degradeId) : nullptr;
+}
+
+Facing facingOf(const dat::DegradeLevel& level) {
+    constexpr auto kFirst = static_cast<std::uint32_t>(Facing::Eye);
+    constexpr auto kLast = static_cast<std::uint32_t>(Facing::AroundZ);
+    return level.mode >= kFirst && level.mode <= kLast ? static_cast<Facing>(level.mode) : Facing::Fixed;
+}
+
+/// The distance up to which a level is drawn, metres at scale 1; 0: at none.
+double limitOf(const dat::DegradeLevel& level, double detail) {
+    if (!(level.maxDistance > 0.0f)) // also true for NaN
+        return 0.0;
+    return level.maxDistance * detail + kDegradeDistance;
+}
+
+/// The sphere of a mesh around its origin, for every turn about it.
+Sphere inEveryTurn(const ModelPart& part, const Sphere& mesh) {
+    if (mesh.radius < 0.0)
+        return mesh;
+    const Vec3 scale = glm::abs(part.scale);
+    return {part.origin, (glm::length(mesh.centre) + mesh.radius) * std::max({scale.x, scale.y, scale.z})};
+}
+
 bool staysWithinUnit(const MeshData& mesh, std::size_t slot) {
     constexpr float kSlack = 0.001f;
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const MeshVertex& v) {
@@ -57,11 +84,15 @@ bool staysWithinUnit(const MeshData& mesh, std::size_t slot) {
 
 } // namespace
 
-bool isSprite(dat::RecordId gfxObj, Records& records) {
-    const dat::GfxObj* record = records.gfxObj(gfxObj);
-    const dat::DegradeInfo* info =
-        record != nullptr && record->degradeId != 0 ? records.degradeInfo(record->degradeId) : nullptr;
-    return info != nullptr && !info->levels.empty() && info->levels.front().mode != dat::DegradeLevel::kMesh;
+LevelRange levelRangeOf(const LevelBand& band, double scaleZ) {
+    const double scale = std::isfinite(scaleZ) && scaleZ != 0.0 ? std::abs(scaleZ) : 1.0;
+    const std::uint16_t from = levelRangeLimit(band.from * scale);
+    return {std::min(from, static_cast<std::uint16_t>(kMostRangeSteps)), levelRangeLimit(band.upTo * scale)};
+}
+
+Facing facingOf(dat::RecordId gfxObj, Records& records) {
+    const dat::DegradeInfo* info = levelsRecord(gfxObj, records);
+    return info != nullptr && !info->levels.empty() ? facingOf(info->levels.front()) : Facing::Fixed;
 }
 
 std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records) {
@@ -80,48 +111,50 @@ const Model& Models::model(dat::RecordId id) {
 }
 
 std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
-    const dat::GfxObj* record = records_.gfxObj(gfxObj);
-    const dat::DegradeInfo* info =
-        record != nullptr && record->degradeId != 0 ? records_.degradeInfo(record->degradeId) : nullptr;
+    const dat::DegradeInfo* info = levelsRecord(gfxObj, records_);
     if (info == nullptr || info->levels.empty())
-        return {{gfxObj, {}}};
+        return {{gfxObj, {}, Facing::Fixed}};
     std::vector<Level> levels;
-    std::uint16_t beyond = 0;
+    double from = 0.0;
     for (const dat::DegradeLevel& level : info->levels) {
-        const std::uint16_t upTo = std::max(levelRangeLimit(level.maxDistance * detail_), beyond);
-        // Skip levels that turn to the eye, and extend the range of the mesh level before them.
-        const bool turns = level.mode != dat::DegradeLevel::kMesh && !levels.empty();
-        if (turns)
-            levels.back().levelRange.upTo = upTo;
-        else if (upTo > beyond || levels.empty())
-            levels.push_back({level.gfxObj, {beyond, upTo}});
-        beyond = upTo;
-        if (upTo == LevelRange::kEndless)
-            break;
+        const bool isLast = &level == &info->levels.back();
+        // The last level is drawn at every distance that is left. A marker that is its own only level, up to
+        // no distance, is never drawn.
+        const bool isMarker = info->levels.size() == 1 && !(level.maxDistance > 0.0f);
+        const double upTo =
+            isLast && !isMarker ? std::numeric_limits<double>::infinity() : limitOf(level, detail_);
+        if (upTo > from)
+            levels.push_back({level.gfxObj, {from, upTo}, facingOf(level)});
+        from = std::max(from, upTo);
     }
     return levels;
 }
 
+LevelBand Models::particleBand(dat::RecordId gfxObj) {
+    const dat::DegradeInfo* info = levelsRecord(gfxObj, records_);
+    if (info == nullptr || info->levels.empty())
+        return {};
+    const std::size_t count = info->levels.size();
+    const dat::DegradeLevel& level = info->levels[count > 2 ? count - 2 : 0]; // the last one ends the list
+    return {0.0, level.maxDistance * detail_};
+}
+
 void Models::addPart(Model& model, const ModelPart& posed) {
-    const std::vector<Level> levels = levelsOf(posed.gfxObj);
-    LIMEN_ASSERT(!levels.empty() && levels.front().levelRange.beyond == 0,
-                 "the nearest level starts at the eye");
-    if (levels.front().gfxObj == 0)
-        return;
-    for (const Level& level : levels) {
-        if (level.gfxObj == 0)
+    for (const Level& level : levelsOf(posed.gfxObj)) {
+        if (level.gfxObj == 0 || level.band.from * std::abs(posed.scale.z) >= kMostRangeSteps / kRangeSteps)
             continue;
-        auto& list = level.levelRange.beyond == 0 ? model.parts : model.farther;
+        auto& list = level.band.from == 0.0 ? model.parts : model.farther;
         list.push_back(posed);
         list.back().gfxObj = level.gfxObj;
-        list.back().levelRange = level.levelRange;
+        list.back().band = level.band;
+        list.back().facing = level.facing;
     }
 }
 
 Model Models::read(dat::RecordId id, const Dress* dress) {
     Model model;
     if (isGfxObj(id)) {
-        addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, 0, Vec3(1.0)});
+        addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, Facing::Fixed, 0, Vec3(1.0)});
     } else if (const dat::Setup* setup = records_.setup(id)) {
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
             const Pose pose = restOf(*setup, i);
@@ -133,20 +166,41 @@ Model Models::read(dat::RecordId id, const Dress* dress) {
             const DressedPart* worn = dress != nullptr ? dress->part(number) : nullptr;
             const dat::RecordId gfxObj =
                 worn != nullptr && worn->gfxObj != 0 ? worn->gfxObj : setup->parts[i];
-            addPart(model, {gfxObj, linear, pose.origin, {}, number, scale});
+            addPart(model, {gfxObj, linear, pose.origin, {}, Facing::Fixed, number, scale});
         }
         model.lights = lightsOf(*setup);
     }
+    model.bounds = boundsOf(model);
+    return model;
+}
+
+Sphere Models::boundsOf(const Model& model) {
     std::vector<Vec3> points;
+    std::vector<Sphere> turning;
     for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther}) {
         for (const ModelPart& posed : *parts) {
-            if (const PartMesh* mesh = part(posed.gfxObj))
-                for (const MeshVertex& vertex : mesh->mesh.vertices)
-                    points.push_back(posed.origin + posed.linear * vertex.corner());
+            const PartMesh* mesh = part(posed.gfxObj);
+            if (mesh == nullptr || mesh->mesh.empty())
+                continue;
+            std::vector<Vec3> corners;
+            for (const MeshVertex& vertex : mesh->mesh.vertices)
+                corners.push_back(vertex.corner());
+            if (posed.facing != Facing::Fixed) {
+                const Sphere sphere = inEveryTurn(posed, boundingSphere(corners));
+                for (int axis = 0; axis < 3; ++axis) // on its surface, for the common centre
+                    for (const double side : {-sphere.radius, sphere.radius})
+                        points.push_back(sphere.centre + side * Mat3(1.0)[axis]);
+                turning.push_back(sphere);
+            } else {
+                for (const Vec3& corner : corners)
+                    points.push_back(posed.origin + posed.linear * corner);
+            }
         }
     }
-    model.bounds = boundingSphere(points);
-    return model;
+    Sphere bounds = boundingSphere(points);
+    for (const Sphere& sphere : turning)
+        bounds.radius = std::max(bounds.radius, glm::length(sphere.centre - bounds.centre) + sphere.radius);
+    return bounds;
 }
 
 const PartMesh* Models::part(dat::RecordId gfxObj) {

@@ -4,6 +4,7 @@
 #include "world/records/Clothing.h"
 #include "world/records/Records.h"
 
+#include <limits>
 #include <optional>
 
 namespace limen::world {
@@ -16,12 +17,21 @@ struct PartMesh {
     std::vector<bool> clamp;             ///< by slot: true if texture coordinates stay within 0..1
 };
 
+/// Distances at which a level of detail is drawn, metres at scale 1.
+struct LevelBand {
+    double from = 0.0, upTo = std::numeric_limits<double>::infinity();
+    friend bool operator==(const LevelBand&, const LevelBand&) = default;
+};
+/// The band of a part whose scale has this z.
+[[nodiscard]] LevelRange levelRangeOf(const LevelBand& band, double scaleZ);
+
 /// One part of a model in its pose.
 struct ModelPart {
     dat::RecordId gfxObj = 0;
     Mat3 linear{1.0}; ///< object space from part space: rotation and scale
     Vec3 origin{0.0}; ///< object space, metres
-    LevelRange levelRange;
+    LevelBand band;
+    Facing facing = Facing::Fixed;
     std::uint32_t part = 0; ///< index in the Setup; levels of detail of one part share it
     Vec3 scale{1.0};        ///< the scale in `linear`
 };
@@ -37,7 +47,7 @@ struct Model {
     std::vector<ModelPart> parts;   ///< nearest levels of detail
     std::vector<ModelPart> farther; ///< levels of detail that replace some of them farther away
     std::vector<ModelLight> lights;
-    Sphere bounds; ///< object space at scale 1, of the vertices of all levels
+    Sphere bounds; ///< object space at scale 1, of the vertices of all levels, in every turn of billboards
 };
 
 struct ModelCache;
@@ -54,6 +64,8 @@ public:
     [[nodiscard]] const Model& model(dat::RecordId id);
     /// The model with the meshes of some of its parts replaced. Cost: reads the model anew in each call.
     [[nodiscard]] Model dressed(dat::RecordId id, const Dress& dress) { return read(id, &dress); }
+    /// The distances at which a particle with this mesh is drawn.
+    [[nodiscard]] LevelBand particleBand(dat::RecordId gfxObj);
     /// Null if the record is missing or damaged.
     [[nodiscard]] const PartMesh* part(dat::RecordId gfxObj);
 
@@ -61,13 +73,15 @@ private:
     [[nodiscard]] Model read(dat::RecordId id, const Dress* dress);
     struct Level {
         dat::RecordId gfxObj = 0;
-        LevelRange levelRange;
+        LevelBand band;
+        Facing facing = Facing::Fixed;
     };
-    /// The levels of detail of a GfxObj, the nearest first. GfxObj 0 is an empty level; markers for editors
-    /// have only that.
+    /// The levels of detail of a GfxObj, the nearest first, without gaps from 0 to infinity. GfxObj 0 is an
+    /// empty level; markers for editors have only that.
     [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);
     /// Adds all levels of detail of `posed`.
     void addPart(Model& model, const ModelPart& posed);
+    [[nodiscard]] Sphere boundsOf(const Model& model);
     [[nodiscard]] std::optional<PartMesh> build(dat::RecordId gfxObj);
 
     Records& records_;
@@ -77,8 +91,8 @@ private:
     std::unordered_map<dat::RecordId, std::shared_ptr<const Found<std::optional<PartMesh>>>> parts_;
 };
 
-/// True if the nearest level of detail of a GfxObj is a sprite that faces the eye.
-[[nodiscard]] bool isSprite(dat::RecordId gfxObj, Records& records);
+/// How the nearest level of detail of a GfxObj turns to the eye.
+[[nodiscard]] Facing facingOf(dat::RecordId gfxObj, Records& records);
 
 /// The index list of each surface slot; a missing Surface counts as opaque.
 [[nodiscard]] std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Records& records);
