@@ -28,6 +28,8 @@ struct Bench {
     const char* what;
     std::vector<BenchRow> (*run)(AllocationCounter);
     std::vector<BenchRow> (*runOver)(const std::string& dat) = nullptr; ///< null: only on its own data
+    /// Null: draws no pictures.
+    std::vector<BenchRow> (*runWithPictures)(AllocationCounter, const std::string& directory) = nullptr;
 };
 
 constexpr std::array kBenches{
@@ -35,8 +37,9 @@ constexpr std::array kBenches{
     Bench{"dispatch", "planning and submission of frames with many objects, compared with draws by group",
           &benchDispatch},
     Bench{"frame",
-          "whole frames along the tour, compared with frames without visibility and without ownership",
-          &benchFrame},
+          "whole frames along the tour, compared with frames without visibility, a plain renderer and a scene "
+          "graph",
+          &benchFrame, nullptr, &benchFrameWith},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
@@ -46,7 +49,8 @@ constexpr std::array kBenches{
 
 struct BenchOptions {
     std::vector<std::string> names;
-    std::string dat; ///< empty: each benchmark's own
+    std::string dat;      ///< empty: each benchmark's own
+    std::string pictures; ///< empty: none
     bool json = false, list = false;
 };
 
@@ -75,6 +79,14 @@ Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, 
     return benches;
 }
 
+std::vector<BenchRow> rowsOf(const Bench& bench, const BenchOptions& options) {
+    if (!options.dat.empty())
+        return bench.runOver(options.dat);
+    if (!options.pictures.empty() && bench.runWithPictures != nullptr)
+        return bench.runWithPictures(&allocationCount, options.pictures);
+    return bench.run(&allocationCount);
+}
+
 Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& console) {
     if (options.list) {
         for (const Bench& bench : kBenches)
@@ -94,8 +106,7 @@ Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& cons
         std::optional<cli::Waiting> waiting(
             std::in_place, console,
             fmt::format("bench {} ({} of {})", (*benches)[i]->name, i + 1, benches->size()));
-        const std::vector<BenchRow> rows =
-            options.dat.empty() ? (*benches)[i]->run(&allocationCount) : (*benches)[i]->runOver(options.dat);
+        const std::vector<BenchRow> rows = rowsOf(*(*benches)[i], options);
         waiting.reset();
         allMet = allMet && std::all_of(rows.begin(), rows.end(), isMet);
         if (!options.json)
@@ -117,6 +128,9 @@ int run(int argc, const char* const* argv) {
     program.add_option("NAME", options.names, "run these benchmarks (all)")->type_name("");
     program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")
         ->type_name("DIR");
+    program.add_option("--pictures", options.pictures, "write a picture of each place and renderer (frame only)")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory);
     program.add_flag("--json", options.json, "print one JSON object a row");
     program.add_flag("--list", options.list, "list the benchmarks");
     program.footer("ratio: how many times better than the best figure it is compared with.");

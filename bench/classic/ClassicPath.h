@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ClassicScene.h"
+#include "FrustumSides.h"
 #include "frame/Planner.h"
 #include "gpu/RenderTarget.h"
 
@@ -37,18 +38,11 @@ private:
     struct Places {
         std::size_t constants = 0, blocks = 0, visit = 0, members = 0, instances = 0, commands = 0, size = 0;
     };
-    /// The four side planes of a frustum. A sphere behind the eye is outside of at least one.
-    struct Sides {
-        Vec3 eye{0.0};
-        std::array<Vec3, 4> inwards{}; ///< normals, unit length
-        [[nodiscard]] bool sees(const Sphere& bounds) const;
-    };
     ClassicPath(gpu::Device& device, const world::World& world, std::unique_ptr<ClassicScene> scene);
     void layOut(const world::DynamicState& dynamics);
-    [[nodiscard]] static Sides sidesOf(const visibility::View& view);
     void begin(gpu::RenderTarget& target);
-    void drawGroups(const Sides& sides, const world::DynamicState& dynamics);
-    [[nodiscard]] std::uint32_t gather(const ClassicGroup& group, const Sides& sides,
+    void drawGroups(const FrustumSides& sides, const world::DynamicState& dynamics);
+    [[nodiscard]] std::uint32_t gather(const ClassicGroup& group, const FrustumSides& sides,
                                        const world::DynamicState& dynamics);
     void drawGroup(const ClassicGroup& group, std::uint32_t count);
     template <class T>
