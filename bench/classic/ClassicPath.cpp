@@ -87,6 +87,7 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Dyna
     begin(target);
     counts_ = {};
     zones_.clear();
+    eye_ = world::rangeStepsOf(view.view.eye);
     drawGroups(FrustumSides::of(view.view), dynamics);
     device_.setState({.program = scene_->program(frame::Program::SkyPlain)});
     device_.drawVertices(0, 3);
@@ -140,11 +141,11 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const FrustumSides&
         to += sizeof packed;
     };
     for (const ClassicObject& object : scene_->standing().subspan(group.firstStanding, group.standingCount))
-        if (sides.sees(object.bounds))
+        if (sides.sees(object.bounds) && (!object.hasLevels || isInRange(world_.instances[object.instance])))
             copy(object.packed);
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
         const world::Instance& instance = dynamics.instances[index];
-        if (sides.sees(instance.bounds)) {
+        if (sides.sees(instance.bounds) && isInRange(instance)) {
             const auto spaces =
                 std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
             copy(frame::packInstance(instance,

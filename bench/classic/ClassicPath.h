@@ -8,7 +8,7 @@
 namespace limen::bench {
 
 /// The classic path of drawing, a fair baseline for the renderer. For each group it tests the objects against
-/// the frustum, copies the visible ones into the frame's memory, binds the group's texture and buffers, and
+/// the frustum and their levels of detail, copies the visible ones into the frame's memory, binds the group's texture and buffers, and
 /// issues one instanced draw. Static objects are packed beforehand, dynamic ones when they are visible. All
 /// pixels have the same ids and colours as those of gpu/Renderer.h. Vertices and indices are in one arena
 /// without bindings of their own, so three calls a group are the minimum of the device's interface.
@@ -44,6 +44,10 @@ private:
     void drawGroups(const FrustumSides& sides, const world::DynamicState& dynamics);
     [[nodiscard]] std::uint32_t gather(const ClassicGroup& group, const FrustumSides& sides,
                                        const world::DynamicState& dynamics);
+    /// Whether the eye's distance is in an object's range.
+    [[nodiscard]] bool isInRange(const world::Instance& instance) const {
+        return world::isInLevelRange(world_, instance, eye_);
+    }
     void drawGroup(const ClassicGroup& group, std::uint32_t count);
     template <class T>
     void write(std::size_t offset, std::span<const T> values);
@@ -61,6 +65,7 @@ private:
     ClassicScene::Textures textures_{};
     std::span<std::byte> memory_; ///< of the frame being drawn
     Counts counts_;
+    world::RangeSteps eye_; ///< of the frame being drawn
 };
 
 } // namespace limen::bench

@@ -10,7 +10,8 @@ namespace limen::bench::test {
 /// The moving hut, with a post of two levels of detail beside it, as frames of a benchmark take it.
 struct ComparedWorld {
     /// The distance in metres at which the post changes to its second level.
-    static constexpr double kChange = 8.0;
+    static constexpr float kChange = 8.0f;
+    static constexpr Vec3 kPost{6, 14, 2}; ///< block-local
 
     limen::test::MovingHut hut;
     limen::test::TempDir directory;
@@ -29,14 +30,14 @@ struct ComparedWorld {
             hut.source.addModel(fine, {{limen::test::TestWorld::kItself, dat::DegradeLevel::kMesh, 0,
                                         kChange, kChange},
                                        {thin, dat::DegradeLevel::kMesh, 0, 60, 60}});
-        hut.source.addObject(post, frameAt({6, 16, 2}));
+        hut.source.addObject(post, frameAt(kPost));
         file.moving = hut.moving;
         EXPECT_TRUE(hut.source.write(directory.path()));
         Result<dat::Archive> opened = dat::Archive::open(directory.path());
         EXPECT_TRUE(opened);
         archive.emplace(std::move(*opened));
         inRoom = {"in the room", hut.at({12.5, 12.2, 3.6}), 250.0, -5.0, hut.source.id(hut.front)};
-        outside = {"outside", hut.at({3, 5, 3.7}), 35.0, -4.0, 0};
+        outside = {"outside", hut.at({17, 24, 3.7}), 165.0, -4.0, 0}; // no smoke in view, which has no depth
     }
     using Walls = limen::test::Walls;
 

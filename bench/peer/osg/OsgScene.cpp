@@ -54,7 +54,7 @@ public:
     explicit TriangleCounter(const osg::Vec3& eye)
         : osg::NodeVisitor(osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN), eye_(eye) {}
 
-    float getDistanceToEyePoint(const osg::Vec3& position, bool) const override {
+    float getDistanceToViewPoint(const osg::Vec3& position, bool) const override {
         return (position - eye_).length();
     }
     void apply(osg::Geometry& geometry) override {
