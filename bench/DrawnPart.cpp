@@ -7,12 +7,6 @@
 
 namespace limen::bench {
 
-namespace {
-
-constexpr double kFieldOfView = 75.0; // degrees
-
-} // namespace
-
 Result<std::shared_ptr<const engine::LoadedPart>> loadAround(const dat::Archive& archive,
                                                              const world::WorldFile& file,
                                                              const world::Place& place,

@@ -14,6 +14,7 @@ loadAround(const dat::Archive& archive, const world::WorldFile& file, const worl
            const world::LoadOptions& options = {});
 /// Whether a place's space is in a loaded part.
 [[nodiscard]] bool holds(const engine::LoadedPart& part, const world::Place& place);
+inline constexpr double kFieldOfView = 75.0; ///< of the views, degrees high
 /// A view from a place, turned by `turn` degrees. The position decides on the root if the place names no cell.
 [[nodiscard]] frame::FrameView viewFrom(const engine::LoadedPart& part, const world::Place& place,
                                         std::uint32_t width, std::uint32_t height, double turn = 0.0);

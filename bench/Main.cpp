@@ -36,10 +36,11 @@ constexpr std::array kBenches{
     Bench{"dat", "opening of a dat file, look-ups, decoding of geometry", &benchDat},
     Bench{"dispatch", "planning and submission of frames with many objects, compared with draws by group",
           &benchDispatch},
-    Bench{"frame",
-          "whole frames along the tour, compared with frames without visibility, a plain renderer and a scene "
-          "graph",
-          &benchFrame, nullptr, &benchFrameWith},
+    Bench{
+        "frame",
+        "whole frames along the tour, compared with frames without visibility, a plain renderer and a scene "
+        "graph",
+        &benchFrame, nullptr, &benchFrameWith},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
@@ -128,7 +129,8 @@ int run(int argc, const char* const* argv) {
     program.add_option("NAME", options.names, "run these benchmarks (all)")->type_name("");
     program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")
         ->type_name("DIR");
-    program.add_option("--pictures", options.pictures, "write a picture of each place and renderer (frame only)")
+    program
+        .add_option("--pictures", options.pictures, "write a picture of each place and renderer (frame only)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
     program.add_flag("--json", options.json, "print one JSON object a row");

@@ -77,8 +77,7 @@ void addKindRows(const FrameTimes& times, const std::string& renderer, bool isFi
     for (const Clock& clock : kClocks) {
         rows.push_back(rowOf(times, renderer, places, clock, isFirst ? std::optional(most) : std::nullopt));
         rows.back().bench = fmt::format("frame/{}/{}/{}", renderer, kind, clock.name);
-        rows.back().scene =
-            fmt::format("{} way points {}", places.size(), inCells ? "in cells" : "outside");
+        rows.back().scene = fmt::format("{} way points {}", places.size(), inCells ? "in cells" : "outside");
     }
 }
 
@@ -115,7 +114,7 @@ BenchRow ownershipRow(const FrameTimes& times, const std::string& renderer) {
         withoutSum += without ? place.ways[*without].processor : 0.0;
     }
     row.value = row.p95 = wholeSum > 0.0 && withoutSum > 0.0 ? 100.0 * (wholeSum - withoutSum) / wholeSum
-                                                            : std::numeric_limits<double>::quiet_NaN();
+                                                             : std::numeric_limits<double>::quiet_NaN();
     return row;
 }
 

@@ -8,9 +8,6 @@
 
 namespace limen::bench {
 
-inline constexpr const char* kPeerWay = "peer";   ///< name of the scene graph's way
-inline constexpr const char* kPlainWay = "plain"; ///< name of the plain renderer's way
-
 /// Largest share of the peer's time that a frame may take.
 inline constexpr double kMostOfPeerInCells = 0.5, kMostOfPeerOutside = 0.8, kMostOfPeerAtAPlace = 1.0;
 
@@ -20,8 +17,7 @@ inline constexpr double kMostOfPeerInCells = 0.5, kMostOfPeerOutside = 0.8, kMos
 /// over them; a row for each renderer. `frame/places/NUMBER/...`: the first renderer at one place.
 /// Against: every other way but those without ownership. Only rows of the first renderer have targets, and
 /// only if the peer was drawn.
-[[nodiscard]] std::vector<BenchRow> rowsOf(const FrameTimes& times,
-                                           std::span<const LimenRenderer> renderers);
+[[nodiscard]] std::vector<BenchRow> rowsOf(const FrameTimes& times, std::span<const LimenRenderer> renderers);
 
 /// The share of a frame's processor time, in percent, that ownership takes, over all places.
 [[nodiscard]] BenchRow ownershipRow(const FrameTimes& times, const std::string& renderer);

@@ -15,14 +15,11 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kFieldOfView = 75.0; // degrees, as viewFrom
-
 using Ways = std::vector<std::unique_ptr<FrameWay>>;
 
 FramePlace placeIn(std::shared_ptr<const engine::LoadedPart> part, const world::Place& place,
                    const FrameEffort& effort) {
     FramePlace out;
-    out.name = place.name;
     out.view = viewFrom(*part, place, effort.width, effort.height);
     motion::DynamicStateBuilder(part->world).build(dynamicsFor(out.view), out.dynamics);
     out.part = std::move(part);

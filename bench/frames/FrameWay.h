@@ -11,9 +11,11 @@
 
 namespace limen::bench {
 
+inline constexpr const char* kPlainWay = "plain"; ///< name of the plain renderer's way
+inline constexpr const char* kPeerWay = "peer";   ///< name of the scene graph's way
+
 /// A view to draw: its part of the world, and the dynamic state that all ways share.
 struct FramePlace {
-    std::string name;
     std::shared_ptr<const engine::LoadedPart> part;
     frame::FrameView view;
     world::DynamicState dynamics;

@@ -50,9 +50,9 @@ struct PlainSelection {
         std::uint32_t instance = 0;
         double distance = 0.0; ///< of the eye from the middle of the object's bounds
     };
-    std::vector<glm::mat4> placements; ///< by model
-    std::vector<PlainRun> ofModel;     ///< by model: runs of `placements`
-    std::vector<Blended> blended;      ///< back to front
+    std::vector<glm::mat4> placements;  ///< by model
+    std::vector<PlainRun> ofModel;      ///< by model: runs of `placements`
+    std::vector<Blended> blended;       ///< back to front
     std::vector<std::uint32_t> visible; ///< indices of PlainScene::objects
 };
 void selectPlain(const world::World& world, const PlainScene& scene, const visibility::View& view,

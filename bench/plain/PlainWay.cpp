@@ -76,7 +76,7 @@ glm::mat4 clipFromScene(const frame::FrameView& frame, const Vec3& origin) {
 class PlainWay final : public FrameWay {
 public:
     PlainWay(gpu::HeadlessContext context, std::uint32_t width, std::uint32_t height)
-        : FrameWay("plain"), context_(std::move(context)), target_(width, height) {}
+        : FrameWay(kPlainWay), context_(std::move(context)), target_(width, height) {}
     ~PlainWay() override {
         static_cast<void>(enter());
         releaseTextures();
@@ -114,7 +114,7 @@ private:
     std::array<GLuint, kBufferCount> buffers_{};
     std::array<GLuint, kVariantCount> programs_{};
     const FramePlace* place_ = nullptr;
-    const engine::LoadedPart* texturesOf_ = nullptr; ///< the part that the textures are of
+    const engine::LoadedPart* texturesOf_ = nullptr;            ///< the part that the textures are of
     std::map<std::pair<std::uint32_t, bool>, GLuint> textures_; ///< by index, and whether it is clamped
     PlainScene scene_;
     PlainSelection selection_;

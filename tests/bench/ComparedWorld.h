@@ -26,10 +26,9 @@ struct ComparedWorld {
         Walls fine = boxExterior({-0.3, -0.3, 0}, {0.3, 0.3, 1.5}, "oak");
         const Walls top = boxExterior({-0.2, -0.2, 1.5}, {0.2, 0.2, 3}, "red");
         fine.insert(fine.end(), top.begin(), top.end());
-        const std::uint32_t post =
-            hut.source.addModel(fine, {{limen::test::TestWorld::kItself, dat::DegradeLevel::kMesh, 0,
-                                        kChange, kChange},
-                                       {thin, dat::DegradeLevel::kMesh, 0, 60, 60}});
+        const std::uint32_t post = hut.source.addModel(
+            fine, {{limen::test::TestWorld::kItself, dat::DegradeLevel::kMesh, 0, kChange, kChange},
+                   {thin, dat::DegradeLevel::kMesh, 0, 60, 60}});
         hut.source.addObject(post, frameAt(kPost));
         file.moving = hut.moving;
         EXPECT_TRUE(hut.source.write(directory.path()));
@@ -45,7 +44,6 @@ struct ComparedWorld {
         Result<std::shared_ptr<const engine::LoadedPart>> part = loadAround(*archive, file, from);
         EXPECT_TRUE(part) << (part ? "" : part.error().message());
         FramePlace place;
-        place.name = from.name;
         place.view = viewFrom(**part, from, width, height);
         motion::DynamicStateBuilder((*part)->world).build(dynamicsFor(place.view), place.dynamics);
         place.part = *part;

@@ -1,5 +1,5 @@
-#include "BenchTable.h"
 #include "frames/FrameRows.h"
+#include "BenchTable.h"
 
 #include <gtest/gtest.h>
 

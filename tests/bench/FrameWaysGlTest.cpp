@@ -1,5 +1,5 @@
-#include "ComparedWorld.h"
 #include "BenchTable.h"
+#include "ComparedWorld.h"
 #include "FrameBench.h"
 #include "frames/FrameRows.h"
 #include "peer/Peer.h"

@@ -12,8 +12,7 @@ struct PlaceGraph {
     OsgScene scene;
     osg::ref_ptr<osg::Group> root = new osg::Group;
 
-    explicit PlaceGraph(const FramePlace& place)
-        : scene(place.part->world, originNear(place.view.view.eye)) {
+    explicit PlaceGraph(const FramePlace& place) : scene(place.part->world, originNear(place.view.view.eye)) {
         root->addChild(scene.graphOf(place.part->world.instances));
         root->addChild(scene.graphOf(place.dynamics.instances));
     }

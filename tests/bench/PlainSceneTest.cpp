@@ -1,5 +1,5 @@
-#include "ComparedWorld.h"
 #include "plain/PlainScene.h"
+#include "ComparedWorld.h"
 
 #include <algorithm>
 #include <array>
@@ -111,11 +111,11 @@ TEST(PlainScene, sortsDrawsBySurfaceAndBlendsBackToFront) {
     ComparedWorld source;
     const FramePlace place = source.placeAt(source.inRoom, 64, 36);
     const PlainScene scene = plainSceneOf(place);
-    EXPECT_TRUE(std::is_sorted(scene.solid.begin(), scene.solid.end(),
-                               [](const PlainDraw& a, const PlainDraw& b) {
-                                   return std::pair(a.surface.surfaceClass, a.surface.texture) <
-                                          std::pair(b.surface.surfaceClass, b.surface.texture);
-                               }));
+    EXPECT_TRUE(
+        std::is_sorted(scene.solid.begin(), scene.solid.end(), [](const PlainDraw& a, const PlainDraw& b) {
+            return std::pair(a.surface.surfaceClass, a.surface.texture) <
+                   std::pair(b.surface.surfaceClass, b.surface.texture);
+        }));
     PlainSelection selection;
     FramePlace wide = place;
     wide.view.view.tanHalfX = wide.view.view.tanHalfY = 1e4;

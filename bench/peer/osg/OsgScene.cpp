@@ -42,7 +42,8 @@ osg::ref_ptr<osg::Geometry> geometryOf(const MeshPart& part) {
     geometry->setVertexArray(positions);
     geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
     geometry->setTexCoordArray(0, uvs);
-    geometry->addPrimitiveSet(new osg::DrawElementsUInt(GL_TRIANGLES, part.indices.begin(), part.indices.end()));
+    geometry->addPrimitiveSet(
+        new osg::DrawElementsUInt(GL_TRIANGLES, part.indices.begin(), part.indices.end()));
     geometry->setUseDisplayList(false);
     geometry->setUseVertexBufferObjects(true);
     return geometry;
@@ -119,7 +120,8 @@ osg::ref_ptr<osg::StateSet> OsgScene::stateOf(const PlainSurface& surface) {
     if (surface.surfaceClass == world::SurfaceClass::Blended) {
         const GLenum source = surface.isInvAlpha ? GL_ONE_MINUS_SRC_ALPHA : GL_SRC_ALPHA;
         const GLenum beneath = surface.isInvAlpha ? GL_SRC_ALPHA : GL_ONE_MINUS_SRC_ALPHA;
-        state->setAttributeAndModes(new osg::BlendFunc(source, surface.isAdditive ? GLenum{GL_ONE} : beneath));
+        state->setAttributeAndModes(
+            new osg::BlendFunc(source, surface.isAdditive ? GLenum{GL_ONE} : beneath));
         state->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
     }
     states_.emplace_back(surface, state);

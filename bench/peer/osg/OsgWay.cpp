@@ -28,10 +28,11 @@ osg::Vec4 toOsg(const Vec3f& v) {
 class OsgWay final : public FrameWay {
 public:
     OsgWay(gpu::HeadlessContext context, std::uint32_t width, std::uint32_t height)
-        : FrameWay("peer"), context_(std::move(context)), target_(width, height) {
+        : FrameWay(kPeerWay), context_(std::move(context)), target_(width, height) {
         const int w = static_cast<int>(width), h = static_cast<int>(height);
         viewer_.setThreadingModel(osgViewer::Viewer::SingleThreaded);
-        const osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window = viewer_.setUpViewerAsEmbeddedInWindow(0, 0, w, h);
+        const osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window =
+            viewer_.setUpViewerAsEmbeddedInWindow(0, 0, w, h);
         window->setDefaultFboId(target_.framebuffer());
         osg::Camera& camera = *viewer_.getCamera();
         camera.setClearColor({0.5f, 0.7f, 0.9f, 1.0f});

@@ -45,9 +45,8 @@ EGLConfig configFor(EGLDisplay display) {
 }
 
 EGLContext createContext(EGLDisplay display, bool debug, ContextProfile profile, bool notifiesOfResets) {
-    const EGLint profileBit = profile == ContextProfile::Core
-                                  ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
-                                  : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
+    const EGLint profileBit = profile == ContextProfile::Core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                                              : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
     const std::array<EGLint, 11> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                             4,
                                             EGL_CONTEXT_MINOR_VERSION,
