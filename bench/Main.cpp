@@ -64,14 +64,24 @@ std::string unknownMessage(const std::string& name) {
                        similar.empty() ? "; limen bench --list prints the names" : "." + didYouMean(similar));
 }
 
-Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, bool overDat) {
+/// Empty: a benchmark can run with these options. Otherwise the reason.
+std::string misfitOf(const Bench& bench, const BenchOptions& options) {
+    if (!options.dat.empty() && bench.runOver == nullptr)
+        return fmt::format("'{}' uses its own data; leave --dat out", bench.name);
+    if (!options.pictures.empty() && bench.runWithPictures == nullptr)
+        return fmt::format("'{}' draws no pictures; leave --pictures out", bench.name);
+    return {};
+}
+
+Result<std::vector<const Bench*>> chosen(const BenchOptions& options) {
+    const std::vector<std::string>& names = options.names;
     std::vector<const Bench*> benches;
     for (const Bench& bench : kBenches) {
         const bool isNamed = std::find(names.begin(), names.end(), bench.name) != names.end();
-        if (isNamed && overDat && bench.runOver == nullptr)
-            return fail(ErrorCode::NotFound, "bench",
-                        fmt::format("'{}' uses its own data; leave --dat out", bench.name));
-        if (isNamed || (names.empty() && (!overDat || bench.runOver != nullptr)))
+        const std::string misfit = misfitOf(bench, options);
+        if (isNamed && !misfit.empty())
+            return fail(ErrorCode::NotFound, "bench", misfit);
+        if (isNamed || (names.empty() && misfit.empty()))
             benches.push_back(&bench);
     }
     for (const std::string& name : names)
@@ -83,7 +93,7 @@ Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, 
 std::vector<BenchRow> rowsOf(const Bench& bench, const BenchOptions& options) {
     if (!options.dat.empty())
         return bench.runOver(options.dat);
-    if (!options.pictures.empty() && bench.runWithPictures != nullptr)
+    if (!options.pictures.empty())
         return bench.runWithPictures(&allocationCount, options.pictures);
     return bench.run(&allocationCount);
 }
@@ -94,7 +104,7 @@ Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& cons
             console.data(fmt::format("{:<8} {}\n", bench.name, bench.what));
         return cli::Exit::Done;
     }
-    const Result<std::vector<const Bench*>> benches = chosen(options.names, !options.dat.empty());
+    const Result<std::vector<const Bench*>> benches = chosen(options);
     if (!benches)
         return tl::unexpected(benches.error());
     bool allMet = true;
@@ -130,7 +140,8 @@ int run(int argc, const char* const* argv) {
     program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")
         ->type_name("DIR");
     program
-        .add_option("--pictures", options.pictures, "write a picture of each place and renderer (frame only)")
+        .add_option("--pictures", options.pictures,
+                    "write a picture of each place and renderer into this directory (frame only)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
     program.add_flag("--json", options.json, "print one JSON object a row");

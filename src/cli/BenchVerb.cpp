@@ -68,7 +68,7 @@ void addBenchVerb(CLI::App& program, const Console&, Choice& choice) {
         ->type_name("DIR")
         ->check(notEmpty());
     verb->add_option("--pictures", arguments->pictures,
-                     "write a picture of each place and renderer into this directory; only frame does")
+                     "write a picture of each place and renderer into this directory (none); only frame can")
         ->type_name("DIR")
         ->check(notEmpty());
     verb->add_flag("--json", arguments->json, "print one JSON object per row");
