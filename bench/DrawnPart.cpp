@@ -7,53 +7,66 @@
 
 namespace limen::bench {
 
-namespace {
+Result<std::shared_ptr<const engine::LoadedPart>> loadAround(const dat::Archive& archive,
+                                                             const world::WorldFile& file,
+                                                             const world::Place& place,
+                                                             const world::LoadOptions& options) {
+    const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
+    Result<std::shared_ptr<const engine::LoadedPart>> loaded =
+        engine::loadPart(archive, {centre, options}, file.moving);
+    if (loaded && !holds(**loaded, place))
+        return fail(ErrorCode::NotFound, place.name, "the place's space is not loaded");
+    return loaded;
+}
 
-constexpr double kFieldOfView = 75.0; // degrees
+bool holds(const engine::LoadedPart& part, const world::Place& place) {
+    return place.cell != 0 ? world::findCell(part.world, place.cell) != world::kNone
+                           : world::findBlock(part.world, world::blockAt(place.eye)) != nullptr;
+}
 
-} // namespace
+frame::FrameView viewFrom(const engine::LoadedPart& part, const world::Place& place, std::uint32_t width,
+                          std::uint32_t height, double turn) {
+    const world::SpaceIndex root = place.cell != 0 ? world::findCell(part.world, place.cell)
+                                                   : motion::locate(part.world, place.eye).space;
+    return frame::makeView(place.eye, place.yaw + turn, place.pitch, kFieldOfView, width, height, root);
+}
+
+motion::DynamicStateInput dynamicsFor(const frame::FrameView& view) {
+    motion::DynamicStateInput input;
+    input.eye = view.view.eye;
+    input.right = view.view.right;
+    input.up = view.view.up;
+    input.forward = view.view.forward;
+    return input;
+}
 
 Result<std::unique_ptr<DrawnPart>> DrawnPart::around(const dat::Archive& archive,
                                                      const world::WorldFile& file, const world::Place& place,
                                                      gpu::Device& device, std::uint32_t width,
                                                      std::uint32_t height,
                                                      const world::LoadOptions& options) {
-    const dat::BlockCoord centre = place.cell != 0 ? dat::blockOf(place.cell) : world::blockAt(place.eye);
-    Result<std::shared_ptr<const engine::LoadedPart>> loaded =
-        engine::loadPart(archive, {centre, options}, file.moving);
-    if (!loaded)
-        return tl::unexpected(loaded.error());
+    return loadAround(archive, file, place, options)
+        .and_then([&](std::shared_ptr<const engine::LoadedPart> loaded) {
+            return of(std::move(loaded), device, width, height);
+        });
+}
+
+Result<std::unique_ptr<DrawnPart>> DrawnPart::of(std::shared_ptr<const engine::LoadedPart> loaded,
+                                                 gpu::Device& device, std::uint32_t width,
+                                                 std::uint32_t height, const gpu::RendererOptions& options) {
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
     if (!target)
         return tl::unexpected(target.error());
-    std::unique_ptr<DrawnPart> part(new DrawnPart(device, std::move(*target)));
-    if (Result<void> shown = part->pipeline_.show(std::make_unique<engine::PartPlanner>(std::move(*loaded)));
+    std::unique_ptr<DrawnPart> part(new DrawnPart(device, std::move(*target), options));
+    if (Result<void> shown = part->pipeline_.show(std::make_unique<engine::PartPlanner>(std::move(loaded)));
         !shown)
         return tl::unexpected(shown.error());
-    if (!part->holds(place))
-        return fail(ErrorCode::NotFound, place.name, "the place's space is not loaded");
     return part;
 }
 
-bool DrawnPart::holds(const world::Place& place) const {
-    return place.cell != 0 ? world::findCell(pipeline_.part().world, place.cell) != world::kNone
-                           : world::findBlock(pipeline_.part().world, world::blockAt(place.eye)) != nullptr;
-}
-
-frame::FrameView DrawnPart::viewFrom(const world::Place& place, double turn) const {
-    const world::SpaceIndex root = place.cell != 0 ? world::findCell(pipeline_.part().world, place.cell)
-                                                   : motion::locate(pipeline_.part().world, place.eye).space;
-    return frame::makeView(place.eye, place.yaw + turn, place.pitch, kFieldOfView, target_.width(),
-                           target_.height(), root);
-}
-
 void DrawnPart::move(const frame::FrameView& view, std::optional<double> doors) {
-    motion::DynamicStateInput input;
+    motion::DynamicStateInput input = dynamicsFor(view);
     input.allDoors = doors;
-    input.eye = view.view.eye;
-    input.right = view.view.right;
-    input.up = view.view.up;
-    input.forward = view.view.forward;
     pipeline_.updateDynamics(input);
 }
 

@@ -8,6 +8,19 @@
 
 namespace limen::bench {
 
+/// Loads the blocks around a place. Errors: the loader's; NotFound if the place's space is not among them.
+[[nodiscard]] Result<std::shared_ptr<const engine::LoadedPart>>
+loadAround(const dat::Archive& archive, const world::WorldFile& file, const world::Place& place,
+           const world::LoadOptions& options = {});
+/// Whether a place's space is in a loaded part.
+[[nodiscard]] bool holds(const engine::LoadedPart& part, const world::Place& place);
+inline constexpr double kFieldOfView = 75.0; ///< of the views, degrees high
+/// A view from a place, turned by `turn` degrees. The position decides on the root if the place names no cell.
+[[nodiscard]] frame::FrameView viewFrom(const engine::LoadedPart& part, const world::Place& place,
+                                        std::uint32_t width, std::uint32_t height, double turn = 0.0);
+/// The input of a dynamic state in which only the eye matters.
+[[nodiscard]] motion::DynamicStateInput dynamicsFor(const frame::FrameView& view);
+
 /// The blocks around a place on a device: the engine's pipeline with a target, its steps taken one by one.
 /// The device must outlive it.
 class DrawnPart {
@@ -18,11 +31,17 @@ public:
            gpu::Device& device, std::uint32_t width, std::uint32_t height,
            const world::LoadOptions& options = {});
 
+    /// A part that is loaded already. Errors: those of the target and the renderer.
+    [[nodiscard]] static Result<std::unique_ptr<DrawnPart>>
+    of(std::shared_ptr<const engine::LoadedPart> loaded, gpu::Device& device, std::uint32_t width,
+       std::uint32_t height, const gpu::RendererOptions& options = {});
+
     /// Whether a place's space is loaded.
-    [[nodiscard]] bool holds(const world::Place& place) const;
-    /// A view from a place, turned by `turn` degrees, with the target's size. The position decides on the
-    /// root if the place names no cell.
-    [[nodiscard]] frame::FrameView viewFrom(const world::Place& place, double turn = 0.0) const;
+    [[nodiscard]] bool holds(const world::Place& place) const { return bench::holds(part(), place); }
+    /// A view from a place with the target's size.
+    [[nodiscard]] frame::FrameView viewFrom(const world::Place& place, double turn = 0.0) const {
+        return bench::viewFrom(part(), place, target_.width(), target_.height(), turn);
+    }
 
     /// Updates the dynamic state. `doors`: openness of all of them; none: each keeps its resting openness.
     void move(const frame::FrameView& view, std::optional<double> doors = {});
@@ -37,13 +56,14 @@ public:
         return pipeline_.render(target_, options);
     }
 
+    [[nodiscard]] const engine::LoadedPart& part() const { return pipeline_.part(); }
     [[nodiscard]] const frame::FramePlan& plan() const { return pipeline_.state().plan; }
     [[nodiscard]] const gpu::Renderer& renderer() const { return pipeline_.renderer(); }
     [[nodiscard]] const gpu::RenderTarget& target() const { return target_; }
 
 private:
-    DrawnPart(gpu::Device& device, gpu::RenderTarget target)
-        : pipeline_(device), target_(std::move(target)) {}
+    DrawnPart(gpu::Device& device, gpu::RenderTarget target, const gpu::RendererOptions& options)
+        : pipeline_(device, options), target_(std::move(target)) {}
 
     engine::Pipeline pipeline_;
     gpu::RenderTarget target_;

@@ -5,11 +5,14 @@
 #include "HeadlessDriver.h"
 #include "Stopwatch.h"
 #include "ViewTimes.h"
+#include "frames/FrameRows.h"
+#include "peer/Peer.h"
+#include "plain/PlainWay.h"
 
 #include "core/Hash.h"
 #include "gpu/device/NullDevice.h"
 
-#include <epoxy/gl.h>
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 #include <span>
@@ -20,37 +23,10 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kWidth = 1280, kHeight = 720;
-constexpr int kCpuRepeats = 3, kDriverRepeats = 3;
+constexpr int kCpuRepeats = 3;
 constexpr std::size_t kDriverPlaces = 8; // of each kind
 
 constexpr double kMostCpu = 500.0; // microseconds
-constexpr double kFasterIndoors = 3.0, kFasterInTown = 1.3;
-constexpr double kMostForOwnership = 15.0; // percent
-
-/// The step that is left out of a frame.
-enum class Without { Nothing, Visibility, Ownership, Occlusion, VisibilityAndOcclusion };
-constexpr std::size_t kWithouts = 5;
-
-bool seesAll(Without without) {
-    return without == Without::Visibility || without == Without::VisibilityAndOcclusion;
-}
-
-bool hidesNothing(Without without) {
-    return without == Without::Occlusion || without == Without::VisibilityAndOcclusion;
-}
-
-/// One frame, from the dynamic state to the last GL call.
-Result<void> drawFrame(DrawnPart& part, const frame::FrameView& view, Without without) {
-    part.move(view);
-    if (seesAll(without))
-        part.takeAll(view);
-    else
-        part.flood(view);
-    part.plan(view);
-    if (without == Without::Ownership)
-        part.leaveOutOwnership();
-    return part.submit({.wantIds = false, .occlusion = !hidesNothing(without)});
-}
 
 /// Microseconds of processor time by way point, medians over the repeats.
 struct CpuTimes {
@@ -134,119 +110,51 @@ std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::
     return some;
 }
 
-/// Milliseconds until the GPU has finished, by place, medians over the repeats.
-struct DriverTimes {
-    std::array<std::vector<double>, kWithouts> byWithout;
-    Hash hash; ///< of the complete pictures
-
-    [[nodiscard]] std::vector<double>& of(Without without) {
-        return byWithout[static_cast<std::size_t>(without)];
-    }
-    [[nodiscard]] const std::vector<double>& of(Without without) const {
-        return byWithout[static_cast<std::size_t>(without)];
-    }
-};
-
-Result<double> finishedMilliseconds(DrawnPart& part, const frame::FrameView& view, Without without) {
-    Result<void> drawn;
-    glFinish();
-    const double seconds = secondsOf([&] {
-        drawn = drawFrame(part, view, without);
-        glFinish();
-    });
-    return drawn.map([&] { return seconds * 1e3; });
-}
-
-Result<void> timePlace(DrawnPart& part, const world::Place& place, DriverTimes& times) {
-    constexpr Without kKinds[kWithouts] = {Without::VisibilityAndOcclusion, Without::Visibility,
-                                           Without::Occlusion, Without::Ownership, Without::Nothing};
-    const frame::FrameView view = part.viewFrom(place);
-    std::array<std::vector<double>, kWithouts> repeats;
-    for (int i = 0; i < 1 + kDriverRepeats; ++i) { // one to warm up
-        for (const Without without : kKinds) {     // in turn
-            const Result<double> taken = finishedMilliseconds(part, view, without);
-            if (!taken)
-                return tl::unexpected(taken.error());
-            if (i > 0)
-                repeats[static_cast<std::size_t>(without)].push_back(*taken);
-        }
-    }
-    for (const Without without : kKinds)
-        times.of(without).push_back(medianOf(repeats[static_cast<std::size_t>(without)]));
-    for (const std::uint8_t value : part.target().readColour())
-        times.hash.add(value);
-    return {};
-}
-
-Result<DriverTimes> timeOnDriver(const BuiltInFiles& files, gpu::Device& device,
-                                 std::span<const world::Place> places) {
-    DriverTimes times;
-    PartOfTour tour(*files.archive, files.world, device, kWidth, kHeight);
-    for (const world::Place& place : places) {
-        Result<void> timed =
-            tour.at(place).and_then([&](DrawnPart* part) { return timePlace(*part, place, times); });
-        if (!timed)
-            return tl::unexpected(timed.error());
-    }
-    return times;
-}
-
-BenchRow driverRow(const char* bench, const std::string& scene, const Result<DriverTimes>& times,
-                   double faster) {
-    BenchRow row{bench, scene, kNone, kNone, "ms"};
+/// Rows of a comparison that could not be made.
+BenchRow failedRow(const Error& error) {
+    BenchRow row{"frame/places", error.message(), kNone, kNone, "ms"};
     row.hasTarget = true;
     row.target = kNone;
-    if (!times || times->of(Without::Nothing).empty()) {
-        row.scene += times ? ": there are none" : ": " + times.error().message();
-        return row;
-    }
-    const double all = meanOf(times->of(Without::Visibility));
-    row.value = meanOf(times->of(Without::Nothing));
-    row.p95 = quantileOf(times->of(Without::Nothing), 0.95);
-    row.against = {{"without visibility", all},
-                   {"without occlusion", meanOf(times->of(Without::Occlusion))},
-                   {"without either", meanOf(times->of(Without::VisibilityAndOcclusion))}};
-    row.target = all / faster;
-    row.hash = times->hash.value();
     return row;
 }
 
-BenchRow ownershipRow(const std::string& scene, std::span<const Result<DriverTimes>* const> kinds) {
-    BenchRow row{"frame/ownership", scene, kNone, kNone, "%"};
-    row.hasTarget = true;
-    row.target = kMostForOwnership;
-    double whole = 0.0, without = 0.0;
-    for (const Result<DriverTimes>* times : kinds) {
-        if (!*times || (*times)->of(Without::Nothing).empty())
-            return row;
-        whole += meanOf((*times)->of(Without::Nothing));
-        without += meanOf((*times)->of(Without::Ownership));
+/// Every way of drawing, Limen's first.
+Result<std::vector<std::unique_ptr<FrameWay>>> makeWays(const std::vector<LimenRenderer>& renderers,
+                                                        const FrameEffort& effort) {
+    Result<std::vector<std::unique_ptr<FrameWay>>> ways =
+        makeLimenWays(renderers, effort.width, effort.height);
+    for (const auto make : {&makePlainWay, &makePeerWay}) {
+        if (!ways)
+            return ways;
+        Result<std::unique_ptr<FrameWay>> way = make(effort.width, effort.height);
+        if (!way)
+            return tl::unexpected(way.error());
+        if (*way != nullptr)
+            ways->push_back(std::move(*way));
     }
-    row.value = row.p95 = 100.0 * (whole - without) / whole;
-    return row;
-}
-
-void addDriverRows(const BuiltInFiles& files, const std::vector<bool>& isIndoors,
-                   std::vector<BenchRow>& rows) {
-    const std::optional<HeadlessDriver> driver = openDriver();
-    if (!driver)
-        return;
-    const std::string name = driver->device->capabilities().renderer;
-    const std::vector<world::Place> rooms = someOf(files.world.tour, isIndoors, true),
-                                    streets = someOf(files.world.tour, isIndoors, false);
-    const Result<DriverTimes> indoors = timeOnDriver(files, *driver->device, rooms),
-                              town = timeOnDriver(files, *driver->device, streets);
-    rows.push_back(driverRow("frame/indoors", fmt::format("{} way points in cells, {}", rooms.size(), name),
-                             indoors, kFasterIndoors));
-    rows.push_back(driverRow("frame/town", fmt::format("{} way points outside, {}", streets.size(), name),
-                             town, kFasterInTown));
-    const Result<DriverTimes>* const both[] = {&indoors, &town};
-    rows.push_back(ownershipRow(fmt::format("these frames, {}", name), both));
+    return ways;
 }
 
 } // namespace
 
-std::vector<BenchRow> benchFrame(AllocationCounter counter) {
+std::vector<BenchRow> compareFrames(const dat::Archive& archive, const world::WorldFile& file,
+                                    const std::vector<world::Place>& places, const FrameEffort& effort) {
+    const std::vector<LimenRenderer> renderers = limenRenderers();
+    const Result<std::vector<std::unique_ptr<FrameWay>>> ways = makeWays(renderers, effort);
+    if (!ways)
+        return {failedRow(ways.error())};
+    const Result<FrameTimes> times = timeFrames(archive, file, places, *ways, effort);
+    if (!times)
+        return {failedRow(times.error())};
+    std::vector<BenchRow> rows = rowsOf(*times, renderers);
+    for (const LimenRenderer& renderer : renderers)
+        if (std::find(renderer.without.begin(), renderer.without.end(), Without::Ownership) !=
+            renderer.without.end())
+            rows.push_back(ownershipRow(*times, renderer.name));
+    return rows;
+}
+
+std::vector<BenchRow> benchFrameWith(AllocationCounter counter, const std::string& pictures) {
     BuiltInFiles files;
     if (Result<void> opened = files.open(); !opened) {
         BenchRow row{"frame/cpu", opened.error().message(), kNone, kNone, "us"};
@@ -256,9 +164,20 @@ std::vector<BenchRow> benchFrame(AllocationCounter counter) {
     }
     const Result<CpuTimes> cpu = timeOnNullDevice(files, counter);
     std::vector<BenchRow> rows{cpuRow(files, cpu)};
-    if (cpu)
-        addDriverRows(files, cpu->indoors, rows);
+    if (!cpu || !openDriver())
+        return rows;
+    std::vector<world::Place> places = someOf(files.world.tour, cpu->indoors, true);
+    const std::vector<world::Place> outside = someOf(files.world.tour, cpu->indoors, false);
+    places.insert(places.end(), outside.begin(), outside.end());
+    FrameEffort effort;
+    effort.pictures = pictures;
+    const std::vector<BenchRow> compared = compareFrames(*files.archive, files.world, places, effort);
+    rows.insert(rows.end(), compared.begin(), compared.end());
     return rows;
+}
+
+std::vector<BenchRow> benchFrame(AllocationCounter counter) {
+    return benchFrameWith(counter, {});
 }
 
 } // namespace limen::bench

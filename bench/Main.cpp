@@ -28,15 +28,19 @@ struct Bench {
     const char* what;
     std::vector<BenchRow> (*run)(AllocationCounter);
     std::vector<BenchRow> (*runOver)(const std::string& dat) = nullptr; ///< null: only on its own data
+    /// Null: draws no pictures.
+    std::vector<BenchRow> (*runWithPictures)(AllocationCounter, const std::string& directory) = nullptr;
 };
 
 constexpr std::array kBenches{
     Bench{"dat", "opening of a dat file, look-ups, decoding of geometry", &benchDat},
     Bench{"dispatch", "planning and submission of frames with many objects, compared with draws by group",
           &benchDispatch},
-    Bench{"frame",
-          "whole frames along the tour, compared with frames without visibility and without ownership",
-          &benchFrame},
+    Bench{
+        "frame",
+        "whole frames along the tour, compared with frames without visibility, a plain renderer and a scene "
+        "graph",
+        &benchFrame, nullptr, &benchFrameWith},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
@@ -46,7 +50,8 @@ constexpr std::array kBenches{
 
 struct BenchOptions {
     std::vector<std::string> names;
-    std::string dat; ///< empty: each benchmark's own
+    std::string dat;      ///< empty: each benchmark's own
+    std::string pictures; ///< empty: none
     bool json = false, list = false;
 };
 
@@ -59,14 +64,24 @@ std::string unknownMessage(const std::string& name) {
                        similar.empty() ? "; limen bench --list prints the names" : "." + didYouMean(similar));
 }
 
-Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, bool overDat) {
+/// Empty: a benchmark can run with these options. Otherwise the reason.
+std::string misfitOf(const Bench& bench, const BenchOptions& options) {
+    if (!options.dat.empty() && bench.runOver == nullptr)
+        return fmt::format("'{}' uses its own data; leave --dat out", bench.name);
+    if (!options.pictures.empty() && bench.runWithPictures == nullptr)
+        return fmt::format("'{}' draws no pictures; leave --pictures out", bench.name);
+    return {};
+}
+
+Result<std::vector<const Bench*>> chosen(const BenchOptions& options) {
+    const std::vector<std::string>& names = options.names;
     std::vector<const Bench*> benches;
     for (const Bench& bench : kBenches) {
         const bool isNamed = std::find(names.begin(), names.end(), bench.name) != names.end();
-        if (isNamed && overDat && bench.runOver == nullptr)
-            return fail(ErrorCode::NotFound, "bench",
-                        fmt::format("'{}' uses its own data; leave --dat out", bench.name));
-        if (isNamed || (names.empty() && (!overDat || bench.runOver != nullptr)))
+        const std::string misfit = misfitOf(bench, options);
+        if (isNamed && !misfit.empty())
+            return fail(ErrorCode::NotFound, "bench", misfit);
+        if (isNamed || (names.empty() && misfit.empty()))
             benches.push_back(&bench);
     }
     for (const std::string& name : names)
@@ -75,13 +90,21 @@ Result<std::vector<const Bench*>> chosen(const std::vector<std::string>& names, 
     return benches;
 }
 
+std::vector<BenchRow> rowsOf(const Bench& bench, const BenchOptions& options) {
+    if (!options.dat.empty())
+        return bench.runOver(options.dat);
+    if (!options.pictures.empty())
+        return bench.runWithPictures(&allocationCount, options.pictures);
+    return bench.run(&allocationCount);
+}
+
 Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& console) {
     if (options.list) {
         for (const Bench& bench : kBenches)
             console.data(fmt::format("{:<8} {}\n", bench.name, bench.what));
         return cli::Exit::Done;
     }
-    const Result<std::vector<const Bench*>> benches = chosen(options.names, !options.dat.empty());
+    const Result<std::vector<const Bench*>> benches = chosen(options);
     if (!benches)
         return tl::unexpected(benches.error());
     bool allMet = true;
@@ -94,8 +117,7 @@ Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& cons
         std::optional<cli::Waiting> waiting(
             std::in_place, console,
             fmt::format("bench {} ({} of {})", (*benches)[i]->name, i + 1, benches->size()));
-        const std::vector<BenchRow> rows =
-            options.dat.empty() ? (*benches)[i]->run(&allocationCount) : (*benches)[i]->runOver(options.dat);
+        const std::vector<BenchRow> rows = rowsOf(*(*benches)[i], options);
         waiting.reset();
         allMet = allMet && std::all_of(rows.begin(), rows.end(), isMet);
         if (!options.json)
@@ -117,6 +139,11 @@ int run(int argc, const char* const* argv) {
     program.add_option("NAME", options.names, "run these benchmarks (all)")->type_name("");
     program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")
         ->type_name("DIR");
+    program
+        .add_option("--pictures", options.pictures,
+                    "write a picture of each place and renderer into this directory (frame only)")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory);
     program.add_flag("--json", options.json, "print one JSON object a row");
     program.add_flag("--list", options.list, "list the benchmarks");
     program.footer("ratio: how many times better than the best figure it is compared with.");

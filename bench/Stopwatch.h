@@ -36,6 +36,13 @@ template <class Work>
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// Processor time of all threads of this program in seconds, those of a software rasteriser included.
+[[nodiscard]] inline double processSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /// Runs `work` twice to warm up, then times `repeats` runs.
 template <class Work>
 [[nodiscard]] Samples measure(int repeats, AllocationCounter counter, Work&& work) {

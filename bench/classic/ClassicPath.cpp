@@ -76,19 +76,6 @@ void ClassicPath::write(std::size_t offset, std::span<const T> values) {
         std::memcpy(memory_.data() + offset, values.data(), values.size_bytes());
 }
 
-bool ClassicPath::Sides::sees(const Sphere& bounds) const {
-    const Vec3 centre = bounds.centre - eye;
-    return glm::dot(inwards[0], centre) >= -bounds.radius && glm::dot(inwards[1], centre) >= -bounds.radius &&
-           glm::dot(inwards[2], centre) >= -bounds.radius && glm::dot(inwards[3], centre) >= -bounds.radius;
-}
-
-ClassicPath::Sides ClassicPath::sidesOf(const visibility::View& view) {
-    const Vec3 wide = view.forward * view.tanHalfX, high = view.forward * view.tanHalfY;
-    return {view.eye,
-            {glm::normalize(wide - view.right), glm::normalize(wide + view.right),
-             glm::normalize(high - view.up), glm::normalize(high + view.up)}};
-}
-
 Result<void> ClassicPath::render(const frame::FrameView& view, const world::DynamicState& dynamics,
                                  const visibility::VisibleSet& visible, gpu::RenderTarget& target) {
     LIMEN_ASSERT(visible.visits.size() == 1, "the only visit is the outside");
@@ -100,7 +87,8 @@ Result<void> ClassicPath::render(const frame::FrameView& view, const world::Dyna
     begin(target);
     counts_ = {};
     zones_.clear();
-    drawGroups(sidesOf(view.view), dynamics);
+    eye_ = world::rangeStepsOf(view.view.eye);
+    drawGroups(FrustumSides::of(view.view), dynamics);
     device_.setState({.program = scene_->program(frame::Program::SkyPlain)});
     device_.drawVertices(0, 3);
     return device_.endFrame();
@@ -131,7 +119,7 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
     device_.beginPass(gpu::Pass::Solid);
 }
 
-void ClassicPath::drawGroups(const Sides& sides, const world::DynamicState& dynamics) {
+void ClassicPath::drawGroups(const FrustumSides& sides, const world::DynamicState& dynamics) {
     for (const ClassicGroup& group : scene_->groups()) {
         const std::size_t known = zones_.size();
         if (const std::uint32_t count = gather(group, sides, dynamics); count > 0) {
@@ -143,7 +131,7 @@ void ClassicPath::drawGroups(const Sides& sides, const world::DynamicState& dyna
     }
 }
 
-std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
+std::uint32_t ClassicPath::gather(const ClassicGroup& group, const FrustumSides& sides,
                                   const world::DynamicState& dynamics) {
     std::byte* const begin =
         memory_.data() + places_.instances + std::size_t{counts_.objects} * sizeof(layout::Instance);
@@ -153,11 +141,11 @@ std::uint32_t ClassicPath::gather(const ClassicGroup& group, const Sides& sides,
         to += sizeof packed;
     };
     for (const ClassicObject& object : scene_->standing().subspan(group.firstStanding, group.standingCount))
-        if (sides.sees(object.bounds))
+        if (sides.sees(object.bounds) && (!object.hasLevels || isInRange(world_.instances[object.instance])))
             copy(object.packed);
     for (const std::uint32_t index : scene_->moving().subspan(group.firstMoving, group.movingCount)) {
         const world::Instance& instance = dynamics.instances[index];
-        if (sides.sees(instance.bounds)) {
+        if (sides.sees(instance.bounds) && isInRange(instance)) {
             const auto spaces =
                 std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
             copy(frame::packInstance(instance,

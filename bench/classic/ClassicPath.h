@@ -1,13 +1,14 @@
 #pragma once
 
 #include "ClassicScene.h"
+#include "FrustumSides.h"
 #include "frame/Planner.h"
 #include "gpu/RenderTarget.h"
 
 namespace limen::bench {
 
 /// The classic path of drawing, a fair baseline for the renderer. For each group it tests the objects against
-/// the frustum, copies the visible ones into the frame's memory, binds the group's texture and buffers, and
+/// the frustum and their levels of detail, copies the visible ones into the frame's memory, binds the group's texture and buffers, and
 /// issues one instanced draw. Static objects are packed beforehand, dynamic ones when they are visible. All
 /// pixels have the same ids and colours as those of gpu/Renderer.h. Vertices and indices are in one arena
 /// without bindings of their own, so three calls a group are the minimum of the device's interface.
@@ -37,19 +38,16 @@ private:
     struct Places {
         std::size_t constants = 0, blocks = 0, visit = 0, members = 0, instances = 0, commands = 0, size = 0;
     };
-    /// The four side planes of a frustum. A sphere behind the eye is outside of at least one.
-    struct Sides {
-        Vec3 eye{0.0};
-        std::array<Vec3, 4> inwards{}; ///< normals, unit length
-        [[nodiscard]] bool sees(const Sphere& bounds) const;
-    };
     ClassicPath(gpu::Device& device, const world::World& world, std::unique_ptr<ClassicScene> scene);
     void layOut(const world::DynamicState& dynamics);
-    [[nodiscard]] static Sides sidesOf(const visibility::View& view);
     void begin(gpu::RenderTarget& target);
-    void drawGroups(const Sides& sides, const world::DynamicState& dynamics);
-    [[nodiscard]] std::uint32_t gather(const ClassicGroup& group, const Sides& sides,
+    void drawGroups(const FrustumSides& sides, const world::DynamicState& dynamics);
+    [[nodiscard]] std::uint32_t gather(const ClassicGroup& group, const FrustumSides& sides,
                                        const world::DynamicState& dynamics);
+    /// Whether the eye's distance is in an object's range.
+    [[nodiscard]] bool isInRange(const world::Instance& instance) const {
+        return instance.levelRange.isEndless() || world::isInLevelRange(world_, instance, eye_);
+    }
     void drawGroup(const ClassicGroup& group, std::uint32_t count);
     template <class T>
     void write(std::size_t offset, std::span<const T> values);
@@ -67,6 +65,7 @@ private:
     ClassicScene::Textures textures_{};
     std::span<std::byte> memory_; ///< of the frame being drawn
     Counts counts_;
+    world::RangeSteps eye_; ///< of the frame being drawn
 };
 
 } // namespace limen::bench

@@ -161,7 +161,8 @@ void ClassicScene::addGroups(const world::World& world, const world::DynamicStat
         group.firstStanding = static_cast<std::uint32_t>(standing_.size());
         group.standingCount = static_cast<std::uint32_t>(sorted.standing[i].size());
         for (const std::uint32_t instance : sorted.standing[i])
-            standing_.push_back({world.instances[instance].bounds, packed_[instance]});
+            standing_.push_back({world.instances[instance].bounds, instance,
+                                 !world.instances[instance].levelRange.isEndless(), packed_[instance]});
         group.firstMoving = static_cast<std::uint32_t>(moving_.size());
         group.movingCount = static_cast<std::uint32_t>(sorted.moving[i].size());
         moving_.insert(moving_.end(), sorted.moving[i].begin(), sorted.moving[i].end());

@@ -24,7 +24,9 @@ struct ClassicGroup {
 
 /// A static object, ready to be copied into a frame.
 struct ClassicObject {
-    Sphere bounds; ///< global
+    Sphere bounds;              ///< global
+    std::uint32_t instance = 0; ///< index into World::instances
+    bool hasLevels = false;     ///< it is not drawn at every distance
     frame::gpu::Instance packed;
 };
 

@@ -38,7 +38,7 @@ Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
 
 struct BenchArguments {
     std::vector<std::string> names;
-    std::string dat;
+    std::string dat, pictures;
     bool json = false, list = false;
 };
 
@@ -46,6 +46,8 @@ std::vector<std::string> wordsOf(const BenchArguments& arguments) {
     std::vector<std::string> words = arguments.names;
     if (!arguments.dat.empty())
         words.insert(words.end(), {"--dat", arguments.dat});
+    if (!arguments.pictures.empty())
+        words.insert(words.end(), {"--pictures", arguments.pictures});
     if (arguments.json)
         words.emplace_back("--json");
     if (arguments.list)
@@ -63,6 +65,10 @@ void addBenchVerb(CLI::App& program, const Console&, Choice& choice) {
     verb->add_option("NAME", arguments->names, "run these benchmarks, e.g. flood (all)")->type_name("");
     verb->add_option("--dat", arguments->dat,
                      "use this directory of dat files in place of the benchmark's own world; only stream can")
+        ->type_name("DIR")
+        ->check(notEmpty());
+    verb->add_option("--pictures", arguments->pictures,
+                     "write a picture of each place and renderer into this directory (none); only frame can")
         ->type_name("DIR")
         ->check(notEmpty());
     verb->add_flag("--json", arguments->json, "print one JSON object per row");

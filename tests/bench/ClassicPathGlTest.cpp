@@ -56,6 +56,37 @@ TEST_F(ClassicPathGlTest, showsTheSameAsTheRenderer) {
     }
 }
 
+/// Gives every second instance a level of detail that ends 20 m from the eye, every third one that begins
+/// there.
+void addLevels(std::vector<world::Instance>& instances) {
+    const std::uint16_t change = world::levelRangeLimit(20.0);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (instances[i].kind == world::InstanceKind::Terrain)
+            continue;
+        if (i % 2 == 0)
+            instances[i].levelRange.upTo = change;
+        else if (i % 3 == 0)
+            instances[i].levelRange.beyond = change;
+    }
+}
+
+TEST_F(ClassicPathGlTest, showsTheSameLevelsOfDetail) {
+    for (const double share : {0.0, 1.0}) {
+        ObjectField field = makeField(smallField(share));
+        const auto whole = TwoWays::create(*device_, field, 320, 180);
+        ASSERT_TRUE(whole) << whole.error().message();
+        const FieldView view = fieldViews(field, 1, 320, 180).front();
+        const std::size_t all = boxesIn(field, expectSame(**whole, view));
+        addLevels(field.world.instances);
+        addLevels(field.dynamics.instances);
+        const auto ways = TwoWays::create(*device_, field, 320, 180);
+        ASSERT_TRUE(ways) << ways.error().message();
+        const std::size_t inRange = boxesIn(field, expectSame(**ways, view));
+        EXPECT_LT(inRange, all);
+        EXPECT_GT(inRange, 5u);
+    }
+}
+
 TEST_F(ClassicPathGlTest, showsTheSameWhereADriverBeginsToDrawBeforeTheFrameIsWhole) {
     const ObjectField field = makeField({.objects = 10'000, .movingShare = 1.0});
     const auto ways = TwoWays::create(*device_, field, 320, 180);

@@ -489,6 +489,12 @@ TEST(Program, benchListsItsNames) {
     EXPECT_THAT(run.out, testing::AllOf(HasSubstr("dat"), HasSubstr("flood")));
 }
 
+TEST(Program, benchRefusesPicturesThatItCannotWrite) {
+    const ProgramRunner runner;
+    expectRefusal(runner, {"bench", "flood", "--pictures", "."}, "'flood' draws no pictures");
+    expectRefusal(runner, {"bench", "frame", "--pictures", "missing"}, "missing");
+}
+
 TEST(Program, saysWhenStandardOutputIsFull) {
     const std::string command = std::string("XDG_CACHE_HOME='") + ProgramRunner::cache().string() + "' " +
                                 LIMEN_PROGRAM + " dat ls >/dev/full 2>/dev/null";

@@ -44,13 +44,15 @@ EGLConfig configFor(EGLDisplay display) {
     return config;
 }
 
-EGLContext createContext(EGLDisplay display, bool debug, bool notifiesOfResets) {
+EGLContext createContext(EGLDisplay display, bool debug, ContextProfile profile, bool notifiesOfResets) {
+    const EGLint profileBit = profile == ContextProfile::Core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                                              : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
     const std::array<EGLint, 11> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                             4,
                                             EGL_CONTEXT_MINOR_VERSION,
                                             5,
                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                            profileBit,
                                             EGL_CONTEXT_OPENGL_DEBUG,
                                             debug ? EGL_TRUE : EGL_FALSE,
                                             notifiesOfResets ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
@@ -61,12 +63,12 @@ EGLContext createContext(EGLDisplay display, bool debug, bool notifiesOfResets) 
 }
 
 // A context of this display, made current; null on failure.
-EGLContext contextOn(EGLDisplay display, bool debug) {
+EGLContext contextOn(EGLDisplay display, bool debug, ContextProfile profile) {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
         return EGL_NO_CONTEXT;
-    EGLContext context = createContext(display, debug, true);
+    EGLContext context = createContext(display, debug, profile, true);
     if (context == EGL_NO_CONTEXT) // the driver may not support reset notification
-        context = createContext(display, debug, false);
+        context = createContext(display, debug, profile, false);
     if (context == EGL_NO_CONTEXT)
         return EGL_NO_CONTEXT;
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
@@ -78,10 +80,10 @@ EGLContext contextOn(EGLDisplay display, bool debug) {
 
 } // namespace
 
-Result<HeadlessContext> HeadlessContext::create(bool debug) {
+Result<HeadlessContext> HeadlessContext::create(bool debug, ContextProfile profile) {
     const std::vector<EGLDisplay> displays = candidateDisplays();
     for (EGLDisplay display : displays)
-        if (EGLContext context = contextOn(display, debug); context != EGL_NO_CONTEXT)
+        if (EGLContext context = contextOn(display, debug, profile); context != EGL_NO_CONTEXT)
             return HeadlessContext(display, context);
     return fail(ErrorCode::Driver, "EGL",
                 fmt::format("no headless OpenGL 4.5 core context: {} displays tried, last error 0x{:04X}; "
@@ -98,11 +100,20 @@ HeadlessContext& HeadlessContext::operator=(HeadlessContext&& other) noexcept {
     return *this;
 }
 
+Result<void> HeadlessContext::makeCurrent() {
+    if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+        return fail(ErrorCode::Driver, "EGL",
+                    fmt::format("the context cannot be made current, error 0x{:04X}",
+                                static_cast<unsigned>(eglGetError())));
+    return {};
+}
+
 HeadlessContext::~HeadlessContext() {
-    if (context_ != nullptr) {
+    if (context_ == nullptr)
+        return;
+    if (eglGetCurrentContext() == context_)
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroyContext(display_, context_);
-    }
+    eglDestroyContext(display_, context_);
 }
 
 } // namespace limen::gpu
