@@ -12,6 +12,7 @@ namespace limen::visibility {
 
 /// Buffers, kept between floods for their capacity.
 struct FloodScratch::Data {
+    ScreenOpenings openings;
     CellFlood cells;
     SiblingOrder order;
     CandidateList pending;  ///< a stack: the top is the next visit in drawing order
@@ -101,9 +102,7 @@ private:
         const Visit visit = out_.visits[index];
         const std::size_t firstSeen = out_.seen.size();
         const Rect entryRect = boundsOf(out_.region(visit));
-        s_.cells.run({&in_.graph, in_.closed, in_.view.eye, in_.screen, index, visit.space, visit.portal,
-                      entryRect, in_.trace},
-                     out_.seen, out_.counts);
+        s_.cells.run({index, visit.space, entryRect, in_.trace}, in_.graph, s_.openings, out_.seen, out_.counts);
         s_.children.clear();
         for (std::size_t i = firstSeen; i < out_.seen.size(); ++i)
             openingsOf(index, out_.seen[i]);
@@ -141,7 +140,14 @@ private:
 
     void openingsOf(std::uint32_t visit, const SeenSpace& seen) {
         const Graph::Space& space = in_.graph.spaces()[seen.space];
-        if (space.root == kNone) {
+        if constexpr (!kTraced) {
+            const ScreenOpenings::Space& known = s_.openings.of(seen.space);
+            if (space.root == kNone || known.exitCount == 0) {
+                for (const std::uint32_t portal : s_.openings.exits(known))
+                    admission_.template admit<kTraced>(visit, portal, s_.children);
+                return;
+            }
+        } else if (space.root == kNone) {
             for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
                 admission_.template admit<kTraced>(visit, p, s_.children);
             return;
@@ -240,6 +246,7 @@ Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, con
     const Mat3 screen = view.screenFromEye();
     const FloodInput input{graph, closed, view, limits.rules, screen, glm::inverse(glm::transpose(screen)),
                            trace};
+    scratch.data().openings.begin({&graph, closed, view.eye, screen, trace != nullptr});
     const std::uint32_t most = std::max(limits.maxVisits, 1u);
     const auto isWhole = [&](double smallest) {
         out.clear();

@@ -71,9 +71,4 @@ Rect boundsOf(std::span<const Vec3> region) {
     return rect;
 }
 
-Rect intersection(const Rect& a, const Rect& b) {
-    return {std::max(a.minX, b.minX), std::max(a.minY, b.minY), std::min(a.maxX, b.maxX),
-            std::min(a.maxY, b.maxY)};
-}
-
 } // namespace limen::visibility

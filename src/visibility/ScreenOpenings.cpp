@@ -1,0 +1,95 @@
+#include "visibility/ScreenOpenings.h"
+
+#include "geometry/ConvexPolygon.h"
+#include "geometry/Tolerances.h"
+
+#include <algorithm>
+
+namespace limen::visibility {
+
+namespace {
+
+/// Metres. An eye this near to a portal between two cells of a zone can be in either cell, and sees through
+/// all of the portal.
+constexpr double kNear = 0.01;
+
+/// Metres. A point nearer to the eye plane is not projected: it is within kNear of the eye or off the screen.
+constexpr double kMinW = 1e-6;
+
+constexpr Rect kWholePlane{-1e300, -1e300, 1e300, 1e300};
+
+} // namespace
+
+void ScreenOpenings::begin(const Input& input) {
+    in_ = input;
+    inner_.clear();
+    exits_.clear();
+    spaces_.resize(input.graph->spaces().size());
+    ++stamp_;
+    if (stamp_ == 0) { // wrapped around: forget all
+        std::fill(spaces_.begin(), spaces_.end(), Space{});
+        stamp_ = 1;
+    }
+}
+
+void ScreenOpenings::project(std::uint32_t index, Space& space) {
+    const Graph::Space& desc = in_.graph->spaces()[index];
+    space = {stamp_, static_cast<std::uint32_t>(inner_.size()), 0, 0, static_cast<std::uint32_t>(exits_.size()), 0};
+    for (std::uint32_t p = desc.firstPortal; p < desc.firstPortal + desc.portalCount; ++p) {
+        const Graph::Portal& portal = in_.graph->portals()[p];
+        const double side = portal.plane.signedDistance(in_.eye);
+        if (!portal.withinZone || (!in_.closed.empty() && in_.closed[p] != 0)) {
+            if (side >= -kInPlaneTolerance)
+                exits_.push_back(p);
+            continue;
+        }
+        if (side >= -kNear)
+            ++space.tested;
+        if (side >= -kNear || in_.isTraced)
+            addInner(p, portal, side);
+    }
+    space.exitCount = static_cast<std::uint32_t>(exits_.size()) - space.firstExit;
+    space.innerCount = static_cast<std::uint32_t>(inner_.size()) - space.firstInner;
+}
+
+void ScreenOpenings::addInner(std::uint32_t index, const Graph::Portal& portal, double side) {
+    Inner inner{{}, index, portal.destination, PortalFate::OutsideRegion};
+    if (side < -kNear)
+        inner.refusal = PortalFate::WrongSide;
+    else if (side <= kNear &&
+             containsProjection(in_.graph->polygon(portal), portal.plane.n, in_.eye, kNear))
+        inner.rect = kWholePlane;
+    else if (side <= 0.0)
+        inner.refusal = PortalFate::EdgeOn;
+    else if (!screenRect(in_.graph->polygon(portal), inner.rect))
+        inner.refusal = PortalFate::BehindEye;
+    if (in_.isTraced || !inner.rect.empty())
+        inner_.push_back(inner);
+}
+
+bool ScreenOpenings::screenRect(std::span<const Vec3> polygon, Rect& rect) {
+    Rect found;
+    bool cut = false;
+    for (const Vec3& vertex : polygon) {
+        const Vec3 p = in_.screenFromEye * (vertex - in_.eye);
+        if (p.z < kMinW) {
+            cut = true;
+            break;
+        }
+        const double inverse = 1.0 / p.z;
+        found.include(p.x * inverse, p.y * inverse);
+    }
+    if (cut) {
+        found = {};
+        swap_.clear();
+        for (const Vec3& vertex : polygon)
+            swap_.push_back(in_.screenFromEye * (vertex - in_.eye));
+        clipPolygon(swap_, Plane{Vec3(0, 0, 1), -kMinW}, 0.0, clipped_);
+        for (const Vec3& p : clipped_)
+            found.include(p.x / p.z, p.y / p.z);
+    }
+    rect = {found.minX - kRectMargin, found.minY - kRectMargin, found.maxX + kRectMargin, found.maxY + kRectMargin};
+    return !rect.empty();
+}
+
+} // namespace limen::visibility
