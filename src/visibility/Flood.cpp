@@ -33,7 +33,7 @@ template <bool kTraced>
 class VisitTraversal {
 public:
     VisitTraversal(const FloodInput& input, double smallest, FloodScratch::Data& scratch, VisibleSet& out)
-        : in_(input), admission_(input, smallest, scratch.admission, out), s_(scratch), out_(out) {}
+        : in_(input), admission_(input, smallest, scratch.openings, scratch.admission, out), s_(scratch), out_(out) {}
 
     /// False if more than `maxVisits` visits are needed; `out` is then incomplete.
     bool run(std::uint32_t maxVisits) {
@@ -60,6 +60,7 @@ private:
         out_.visits.push_back(root);
         out_.regionVertices.insert(out_.regionVertices.end(),
                                    {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
+        admission_.summarise(0, boundsOf(out_.region(root)));
     }
 
     std::uint32_t popPending() {
@@ -84,6 +85,7 @@ private:
         s_.pending.vertices.resize(c.firstVertex);
         s_.pending.items.pop_back();
         out_.visits.push_back(visit);
+        admission_.summarise(static_cast<std::uint32_t>(out_.visits.size() - 1), c.rect);
         note<kTraced>(in_.trace, c.parent, c.portal, fateOf(c, portal));
         return static_cast<std::uint32_t>(out_.visits.size() - 1);
     }
@@ -101,8 +103,7 @@ private:
     void visitSpaces(std::uint32_t index) {
         const Visit visit = out_.visits[index];
         const std::size_t firstSeen = out_.seen.size();
-        const Rect entryRect = boundsOf(out_.region(visit));
-        s_.cells.run({index, visit.space, entryRect, in_.trace}, in_.graph, s_.openings, out_.seen, out_.counts);
+        s_.cells.run({index, visit.space, s_.admission.summaries[index].rect, in_.trace}, in_.graph, s_.openings, out_.seen, out_.counts);
         s_.children.clear();
         for (std::size_t i = firstSeen; i < out_.seen.size(); ++i)
             openingsOf(index, out_.seen[i]);
@@ -143,13 +144,13 @@ private:
         if constexpr (!kTraced) {
             const ScreenOpenings::Space& known = s_.openings.of(seen.space);
             if (space.root == kNone || known.exitCount == 0) {
-                for (const std::uint32_t portal : s_.openings.exits(known))
-                    admission_.template admit<kTraced>(visit, portal, s_.children);
+                for (const ScreenOpenings::Exit& exit : s_.openings.exits(known))
+                    admission_.template admit<kTraced>(visit, exit.portal, &exit, s_.children);
                 return;
             }
         } else if (space.root == kNone) {
             for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
-                admission_.template admit<kTraced>(visit, p, s_.children);
+                admission_.template admit<kTraced>(visit, p, nullptr, s_.children);
             return;
         }
         s_.nodes.assign(1, space.root);
@@ -162,7 +163,7 @@ private:
                 continue;
             }
             if (node.child == kNone) {
-                admission_.template admit<kTraced>(visit, node.portal, s_.children);
+                admission_.template admit<kTraced>(visit, node.portal, nullptr, s_.children);
             } else {
                 s_.nodes.push_back(node.child);
                 s_.nodes.push_back(node.child + 1);

@@ -2,6 +2,7 @@
 
 #include "geometry/ConvexPolygon.h"
 #include "geometry/Tolerances.h"
+#include "visibility/Outline.h"
 
 #include <algorithm>
 
@@ -18,12 +19,19 @@ constexpr double kMinW = 1e-6;
 
 constexpr Rect kWholePlane{-1e300, -1e300, 1e300, 1e300};
 
+Rect widened(const Rect& rect) {
+    return {rect.minX - kRectMargin, rect.minY - kRectMargin, rect.maxX + kRectMargin,
+            rect.maxY + kRectMargin};
+}
+
 } // namespace
 
 void ScreenOpenings::begin(const Input& input) {
     in_ = input;
     inner_.clear();
     exits_.clear();
+    relative_.clear();
+    onScreen_.clear();
     spaces_.resize(input.graph->spaces().size());
     ++stamp_;
     if (stamp_ == 0) { // wrapped around: forget all
@@ -39,8 +47,8 @@ void ScreenOpenings::project(std::uint32_t index, Space& space) {
         const Graph::Portal& portal = in_.graph->portals()[p];
         const double side = portal.plane.signedDistance(in_.eye);
         if (!portal.withinZone || (!in_.closed.empty() && in_.closed[p] != 0)) {
-            if (side >= -kInPlaneTolerance)
-                exits_.push_back(p);
+            if (side >= -kInPlaneTolerance && portal.plane.n != Vec3(0.0))
+                addExit(p, portal);
             continue;
         }
         if (side >= -kNear)
@@ -67,6 +75,30 @@ void ScreenOpenings::addInner(std::uint32_t index, const Graph::Portal& portal, 
         inner_.push_back(inner);
 }
 
+void ScreenOpenings::addExit(std::uint32_t index, const Graph::Portal& portal) {
+    const auto first = static_cast<std::uint32_t>(relative_.size());
+    if (portal.outlineCount > 0) {
+        hullSeenFrom(in_.eye, in_.graph->outline(portal), portal.plane.n, hull_, swap_);
+        relative_.insert(relative_.end(), hull_.begin(), hull_.end());
+    } else {
+        for (const Vec3& v : in_.graph->polygon(portal))
+            relative_.push_back(v - in_.eye);
+    }
+    Exit exit{{}, index, first, static_cast<std::uint32_t>(relative_.size()) - first};
+    bool ahead = false, behind = false;
+    for (std::size_t i = first; i < relative_.size(); ++i) {
+        const Vec3 p = in_.screenFromEye * relative_[i];
+        onScreen_.push_back(p);
+        ahead |= p.z > -kMinW;
+        behind |= p.z < kMinW;
+        exit.rect.include(p.x / p.z, p.y / p.z);
+    }
+    if (behind)
+        exit.rect = ahead ? kWholePlane : Rect{};
+    exit.rect = widened(exit.rect);
+    exits_.push_back(exit);
+}
+
 bool ScreenOpenings::screenRect(std::span<const Vec3> polygon, Rect& rect) {
     Rect found;
     bool cut = false;
@@ -88,7 +120,7 @@ bool ScreenOpenings::screenRect(std::span<const Vec3> polygon, Rect& rect) {
         for (const Vec3& p : clipped_)
             found.include(p.x / p.z, p.y / p.z);
     }
-    rect = {found.minX - kRectMargin, found.minY - kRectMargin, found.maxX + kRectMargin, found.maxY + kRectMargin};
+    rect = widened(found);
     return !rect.empty();
 }
 

@@ -31,6 +31,13 @@ public:
         std::uint32_t portal = 0, destination = 0;
         PortalFate refusal = PortalFate::OutsideRegion; ///< of rays that are outside `rect`
     };
+    /// Another portal that faces the eye, or nearly: it leads out of the zone or nowhere, or is closed. A run
+    /// of the vertices of its outline.
+    struct Exit {
+        Rect rect; ///< contains the outline; the whole plane if a part of it is behind the eye
+        std::uint32_t portal = 0;
+        std::uint32_t firstVertex = 0, vertexCount = 0;
+    };
     /// Runs of the arrays below.
     struct Space {
         std::uint32_t stamp = 0;
@@ -51,22 +58,31 @@ public:
     [[nodiscard]] std::span<const Inner> inner(const Space& space) const {
         return std::span<const Inner>(inner_).subspan(space.firstInner, space.innerCount);
     }
-    /// The other portals that face the eye, or nearly: out of the zone, closed, or leading nowhere.
-    [[nodiscard]] std::span<const std::uint32_t> exits(const Space& space) const {
-        return std::span<const std::uint32_t>(exits_).subspan(space.firstExit, space.exitCount);
+    [[nodiscard]] std::span<const Exit> exits(const Space& space) const {
+        return std::span<const Exit>(exits_).subspan(space.firstExit, space.exitCount);
+    }
+    /// The vertices of an exit's outline, relative to the eye.
+    [[nodiscard]] std::span<const Vec3> relative(const Exit& exit) const {
+        return std::span<const Vec3>(relative_).subspan(exit.firstVertex, exit.vertexCount);
+    }
+    /// The vertices of an exit's outline in (x, y, w).
+    [[nodiscard]] std::span<const Vec3> onScreen(const Exit& exit) const {
+        return std::span<const Vec3>(onScreen_).subspan(exit.firstVertex, exit.vertexCount);
     }
 
 private:
     void project(std::uint32_t index, Space& space);
     void addInner(std::uint32_t index, const Graph::Portal& portal, double side);
+    void addExit(std::uint32_t index, const Graph::Portal& portal);
     [[nodiscard]] bool screenRect(std::span<const Vec3> polygon, Rect& rect);
 
     Input in_;
     std::vector<Space> spaces_; ///< by space
     std::vector<Inner> inner_;
-    std::vector<std::uint32_t> exits_;
+    std::vector<Exit> exits_;
+    std::vector<Vec3> relative_, onScreen_;
     std::uint32_t stamp_ = 0;
-    std::vector<Vec3> clipped_, swap_;
+    std::vector<Vec3> clipped_, swap_, hull_;
 };
 
 } // namespace limen::visibility
