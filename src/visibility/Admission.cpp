@@ -98,8 +98,10 @@ PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) 
     return isBeyond ? PortalFate::OutsideRegion : PortalFate::BeforeEntry;
 }
 
-template void Admission::admit<false>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*, CandidateList&);
-template void Admission::admit<true>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*, CandidateList&);
+template void Admission::admit<false>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*,
+                                      CandidateList&);
+template void Admission::admit<true>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*,
+                                     CandidateList&);
 
 /// Adds the opening, and the hole that an inexact pair leaves around it.
 void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children) {

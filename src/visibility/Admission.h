@@ -36,15 +36,17 @@ public:
     };
 
     /// Openings narrower than `smallest` (coneSize) are left out and counted. Reads the visits of `set`.
-    Admission(const FloodInput& input, double smallest, const ScreenOpenings& openings, Scratch& scratch, VisibleSet& set)
+    Admission(const FloodInput& input, double smallest, const ScreenOpenings& openings, Scratch& scratch,
+              VisibleSet& set)
         : in_(input), smallest_(smallest), openings_(openings), s_(scratch), set_(set) {}
 
     /// Appends the candidates for the rays that leave visit `index` through a portal of one of its spaces:
     /// none, one, or for an inexact pair also the hole around it. A portal that is refused gets an entry in
-    /// the trace.
+    /// the trace. `known`: the portal's outline on the screen; null: not known.
     template <bool kTraced>
-    void admit(std::uint32_t index, std::uint32_t portal, const ScreenOpenings::Exit* known, CandidateList& children);
-    /// Notes a new visit. Call it in the order of visits
+    void admit(std::uint32_t index, std::uint32_t portal, const ScreenOpenings::Exit* known,
+               CandidateList& children);
+    /// Makes the summary of a visit that has been added to the set. `rect`: bounds of its region.
     void summarise(std::uint32_t index, const Rect& rect);
 
     /// The reason why no ray of the visit passes a portal of one of its spaces, as far as its position shows

@@ -23,8 +23,7 @@ void CellFlood::run(const Input& input, const Graph& graph, ScreenOpenings& open
     }
     visit_ = input.visit;
     firstSeen_ = seen.size();
-    queue_.clear();
-    head_ = 0;
+    head_ = tail_ = 0;
     enterFirst(input.entrySpace, input.entryRect, seen);
     if (input.trace != nullptr)
         follow<true>(input, openings, seen, counts);
@@ -35,23 +34,29 @@ void CellFlood::run(const Input& input, const Graph& graph, ScreenOpenings& open
 template <bool kTraced>
 void CellFlood::follow(const Input& input, ScreenOpenings& openings, std::vector<SeenSpace>& seen,
                        FloodCounts& counts) {
-    while (head_ < queue_.size()) {
+    while (head_ < tail_) {
         const Arrival from = queue_[head_++]; // by value: the queue grows
-        const RectLanes fromRect(from.rect);
         const ScreenOpenings::Space& space = openings.of(from.space);
         ++counts.spaceVisits;
         counts.portalsTested += space.tested;
+        const RectLanes rect(from.rect);
         for (const ScreenOpenings::Inner& opening : openings.inner(space)) {
-            const RectLanes through = fromRect.intersection(opening.rect);
-            if (through.empty()) {
-                note<kTraced>(input.trace, visit_, opening.portal, opening.refusal);
+            const RectLanes through = rect.intersection(opening.rect);
+            const bool isOutside = through.empty();
+            note<kTraced>(input.trace, visit_, opening.portal,
+                          isOutside ? opening.refusal : PortalFate::WithinZone);
+            if (isOutside)
                 continue;
-            }
             ++counts.portalsAdmitted;
-            note<kTraced>(input.trace, visit_, opening.portal, PortalFate::WithinZone);
             enter(opening.destination, through, seen, counts);
         }
     }
+}
+
+void CellFlood::push(std::uint32_t space, const Rect& rect) {
+    if (tail_ == queue_.size())
+        queue_.resize(2 * tail_ + 16);
+    queue_[tail_++] = {space, rect};
 }
 
 void CellFlood::enterFirst(std::uint32_t space, const RectLanes& rect, std::vector<SeenSpace>& seen) {
@@ -62,9 +67,9 @@ void CellFlood::enterFirst(std::uint32_t space, const RectLanes& rect, std::vect
     Cell& cell = cells_[index];
     cell.count = 1;
     cell.rects[0] = rect.rect();
-    cell.arrivals[0] = static_cast<std::uint32_t>(queue_.size());
+    cell.arrivals[0] = static_cast<std::uint32_t>(tail_);
     seen.push_back({space, visit_, rect.rect()});
-    queue_.push_back({space, rect.rect()});
+    push(space, rect.rect());
 }
 
 void CellFlood::enter(std::uint32_t space, const RectLanes& rect, std::vector<SeenSpace>& seen,
@@ -86,8 +91,8 @@ void CellFlood::enter(std::uint32_t space, const RectLanes& rect, std::vector<Se
     const Rect entered = cell.count < kRects ? rect.rect() : whole;
     cell.count = std::min(cell.count + 1, kRects);
     cell.rects[cell.count - 1] = entered;
-    cell.arrivals[cell.count - 1] = static_cast<std::uint32_t>(queue_.size());
-    queue_.push_back({space, entered});
+    cell.arrivals[cell.count - 1] = static_cast<std::uint32_t>(tail_);
+    push(space, entered);
 }
 
 bool CellFlood::mergeWaiting(Cell& cell, const RectLanes& rect) {

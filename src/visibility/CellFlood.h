@@ -49,15 +49,16 @@ private:
     template <bool kTraced>
     void follow(const Input& input, ScreenOpenings& openings, std::vector<SeenSpace>& seen,
                 FloodCounts& counts);
+    void push(std::uint32_t space, const Rect& rect);
     void enter(std::uint32_t space, const RectLanes& rect, std::vector<SeenSpace>& seen, FloodCounts& counts);
     void enterFirst(std::uint32_t space, const RectLanes& rect, std::vector<SeenSpace>& seen);
     /// Merges the rectangle with one that has not been followed yet; returns whether there was one.
     [[nodiscard]] bool mergeWaiting(Cell& cell, const RectLanes& rect);
 
-    std::vector<Mark> marks_; ///< by space
-    std::vector<Cell> cells_; ///< by SeenSpace of the run; never shrinks
-    std::vector<Arrival> queue_;
-    std::size_t head_ = 0;
+    std::vector<Mark> marks_;    ///< by space
+    std::vector<Cell> cells_;    ///< by SeenSpace of the run; never shrinks
+    std::vector<Arrival> queue_; ///< never shrinks
+    std::size_t head_ = 0, tail_ = 0;
     std::size_t firstSeen_ = 0;
     std::uint32_t stamp_ = 0;
     std::uint32_t visit_ = 0;

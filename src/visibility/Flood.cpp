@@ -33,14 +33,15 @@ template <bool kTraced>
 class VisitTraversal {
 public:
     VisitTraversal(const FloodInput& input, double smallest, FloodScratch::Data& scratch, VisibleSet& out)
-        : in_(input), admission_(input, smallest, scratch.openings, scratch.admission, out), s_(scratch), out_(out) {}
+        : in_(input), admission_(input, smallest, scratch.openings, scratch.admission, out), s_(scratch),
+          out_(out) {}
 
     /// False if more than `maxVisits` visits are needed; `out` is then incomplete.
     bool run(std::uint32_t maxVisits) {
         addRoot();
         visitSpaces(0);
         while (!s_.pending.items.empty()) {
-            if (out_.visits.size() >= maxVisits)
+            if (out_.visits.size() + s_.pending.items.size() > maxVisits) // each item becomes a visit
                 return false;
             const std::uint32_t next = popPending();
             if (!out_.visits[next].hole)
@@ -103,7 +104,8 @@ private:
     void visitSpaces(std::uint32_t index) {
         const Visit visit = out_.visits[index];
         const std::size_t firstSeen = out_.seen.size();
-        s_.cells.run({index, visit.space, s_.admission.summaries[index].rect, in_.trace}, in_.graph, s_.openings, out_.seen, out_.counts);
+        s_.cells.run({index, visit.space, s_.admission.summaries[index].rect, in_.trace}, in_.graph,
+                     s_.openings, out_.seen, out_.counts);
         s_.children.clear();
         for (std::size_t i = firstSeen; i < out_.seen.size(); ++i)
             openingsOf(index, out_.seen[i]);

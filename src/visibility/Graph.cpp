@@ -106,8 +106,9 @@ void Graph::addPortal(const PortalDesc& desc, std::span<const SpaceDesc> spaces,
                               desc.destination != desc.space &&
                               spaces[desc.destination].zone == spaces[desc.space].zone;
     portals_.push_back(
-        {plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex, desc.vertexCount, desc.exact, isWithinZone,
-         static_cast<std::uint32_t>(outlines_.size()), static_cast<std::uint32_t>(outline.size()),
+        {plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex, desc.vertexCount, desc.exact,
+         isWithinZone, static_cast<std::uint32_t>(outlines_.size()),
+         static_cast<std::uint32_t>(outline.size()),
          std::min(kInPlaneTolerance, kBeforePlaneTolerance + unevenness(plane, polygon, outline))});
     outlines_.insert(outlines_.end(), outline.begin(), outline.end());
 }

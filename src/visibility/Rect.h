@@ -20,8 +20,13 @@ struct Rect {
     }
 };
 
+[[nodiscard]] inline Rect intersection(const Rect& a, const Rect& b) {
+    return {std::max(a.minX, b.minX), std::max(a.minY, b.minY), std::min(a.maxX, b.maxX),
+            std::min(a.maxY, b.maxY)};
+}
+
 #ifdef __SSE2__
-/// A rectangle in vector registers. No operation has a branch, because most outcomes are unpredictable.
+/// A rectangle in vector registers. No operation branches, because most outcomes are unpredictable.
 class RectLanes {
 public:
     RectLanes(const Rect& rect) : min_(_mm_loadu_pd(&rect.minX)), max_(_mm_loadu_pd(&rect.maxX)) {}
@@ -52,12 +57,29 @@ private:
     __m128d min_, max_; ///< (x, y)
 };
 #else
-#error later
-#endif
+class RectLanes {
+public:
+    RectLanes(const Rect& rect) : rect_(rect) {}
+    [[nodiscard]] Rect rect() const { return rect_; }
+    [[nodiscard]] bool empty() const { return rect_.empty(); }
+    [[nodiscard]] bool contains(const RectLanes& inner) const {
+        return inner.rect_.minX >= rect_.minX && inner.rect_.maxX <= rect_.maxX &&
+               inner.rect_.minY >= rect_.minY && inner.rect_.maxY <= rect_.maxY;
+    }
+    [[nodiscard]] double area() const { return (rect_.maxX - rect_.minX) * (rect_.maxY - rect_.minY); }
+    [[nodiscard]] RectLanes intersection(const RectLanes& other) const {
+        return visibility::intersection(rect_, other.rect_);
+    }
+    [[nodiscard]] RectLanes unionWith(const RectLanes& other) const {
+        Rect both = rect_;
+        both.include(other.rect_.minX, other.rect_.minY);
+        both.include(other.rect_.maxX, other.rect_.maxY);
+        return both;
+    }
 
-[[nodiscard]] inline Rect intersection(const Rect& a, const Rect& b) {
-    return {std::max(a.minX, b.minX), std::max(a.minY, b.minY), std::min(a.maxX, b.maxX),
-            std::min(a.maxY, b.maxY)};
-}
+private:
+    Rect rect_;
+};
+#endif
 
 } // namespace limen::visibility

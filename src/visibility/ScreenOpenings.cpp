@@ -42,7 +42,8 @@ void ScreenOpenings::begin(const Input& input) {
 
 void ScreenOpenings::project(std::uint32_t index, Space& space) {
     const Graph::Space& desc = in_.graph->spaces()[index];
-    space = {stamp_, static_cast<std::uint32_t>(inner_.size()), 0, 0, static_cast<std::uint32_t>(exits_.size()), 0};
+    space = {stamp_, static_cast<std::uint32_t>(inner_.size()), 0,
+             0,      static_cast<std::uint32_t>(exits_.size()), 0};
     for (std::uint32_t p = desc.firstPortal; p < desc.firstPortal + desc.portalCount; ++p) {
         const Graph::Portal& portal = in_.graph->portals()[p];
         const double side = portal.plane.signedDistance(in_.eye);
@@ -64,8 +65,7 @@ void ScreenOpenings::addInner(std::uint32_t index, const Graph::Portal& portal, 
     Inner inner{{}, index, portal.destination, PortalFate::OutsideRegion};
     if (side < -kNear)
         inner.refusal = PortalFate::WrongSide;
-    else if (side <= kNear &&
-             containsProjection(in_.graph->polygon(portal), portal.plane.n, in_.eye, kNear))
+    else if (side <= kNear && containsProjection(in_.graph->polygon(portal), portal.plane.n, in_.eye, kNear))
         inner.rect = kWholePlane;
     else if (side <= 0.0)
         inner.refusal = PortalFate::EdgeOn;

@@ -38,7 +38,7 @@ public:
         std::uint32_t portal = 0;
         std::uint32_t firstVertex = 0, vertexCount = 0;
     };
-    /// Runs of the arrays below.
+    /// The openings of one space, as runs of the arrays below.
     struct Space {
         std::uint32_t stamp = 0;
         std::uint32_t firstInner = 0, innerCount = 0;
