@@ -145,11 +145,10 @@ private:
         const Graph::Space& space = in_.graph.spaces()[seen.space];
         if constexpr (!kTraced) {
             const ScreenOpenings::Space& known = s_.openings.of(seen.space);
-            if (space.root == kNone || known.exitCount == 0) {
-                for (const ScreenOpenings::Exit& exit : s_.openings.exits(known))
-                    admission_.template admit<kTraced>(visit, exit.portal, &exit, s_.children);
+            for (const ScreenOpenings::Exit& exit : s_.openings.exits(known))
+                admission_.template admit<kTraced>(visit, exit.portal, &exit, s_.children);
+            if (space.root == kNone || !known.hasExits)
                 return;
-            }
         } else if (space.root == kNone) {
             for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
                 admission_.template admit<kTraced>(visit, p, nullptr, s_.children);

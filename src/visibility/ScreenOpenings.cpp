@@ -43,12 +43,15 @@ void ScreenOpenings::begin(const Input& input) {
 void ScreenOpenings::project(std::uint32_t index, Space& space) {
     const Graph::Space& desc = in_.graph->spaces()[index];
     space = {stamp_, static_cast<std::uint32_t>(inner_.size()), 0,
-             0,      static_cast<std::uint32_t>(exits_.size()), 0};
+             0,      static_cast<std::uint32_t>(exits_.size()), 0,
+             false};
     for (std::uint32_t p = desc.firstPortal; p < desc.firstPortal + desc.portalCount; ++p) {
         const Graph::Portal& portal = in_.graph->portals()[p];
         const double side = portal.plane.signedDistance(in_.eye);
         if (!portal.withinZone || (!in_.closed.empty() && in_.closed[p] != 0)) {
-            if (side >= -kInPlaneTolerance && portal.plane.n != Vec3(0.0))
+            const bool isExit = side >= -kInPlaneTolerance && portal.plane.n != Vec3(0.0);
+            space.hasExits |= isExit;
+            if (isExit && desc.root == kNone)
                 addExit(p, portal);
             continue;
         }

@@ -42,8 +42,9 @@ public:
     struct Space {
         std::uint32_t stamp = 0;
         std::uint32_t firstInner = 0, innerCount = 0;
-        std::uint32_t tested = 0; ///< inner portals that face the eye, or nearly
-        std::uint32_t firstExit = 0, exitCount = 0;
+        std::uint32_t tested = 0;                   ///< inner portals that face the eye, or nearly
+        std::uint32_t firstExit = 0, exitCount = 0; ///< of a space without a tree of bounds
+        bool hasExits = false;
     };
 
     /// Forgets the projections of the flood before.
