@@ -15,6 +15,11 @@ namespace {
 /// does not leave through the same plane (two openings in one wall).
 constexpr double kBeyondEntry = 1e-6;
 
+/// A bit of 64 by hash.
+std::uint64_t bitOf(std::uint32_t portal) {
+    return std::uint64_t{1} << (portal * 0x9E3779B1u >> 26);
+}
+
 /// True if the regions differ by rounding only.
 bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
     constexpr double kRounding = 1e-12; // radians
@@ -26,7 +31,8 @@ bool isSameRegion(std::span<const Vec3> before, std::span<const Vec3> after) {
 } // namespace
 
 template <bool kTraced>
-void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateList& children) {
+void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, const ScreenOpenings::Exit* known,
+                      CandidateList& children) {
     const Visit& visit = set_.visits[index];
     const Graph::Portal& portal = in_.graph.portals()[portalIndex];
     const auto refuse = [&](PortalFate why) { note<kTraced>(in_.trace, index, portalIndex, why); };
@@ -48,12 +54,12 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, CandidateL
     const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
     if (inPlane ? isShut : side <= 0.0)
         return refuse(PortalFate::EdgeOn); // or seen from behind: no ray of this visit passes
-    if (inPlane ? !halfRegion(visit, portal) : !openingRegion(visit, portal)) {
+    if (inPlane ? !halfRegion(visit, portal) : !openingRegion(index, portal, known)) {
         if constexpr (kTraced)
             refuse(whyUnseen(index, portalIndex));
         return;
     }
-    if (coneSize(s_.region) < smallest_) {
+    if (smallest_ > 0.0 && coneSize(s_.region) < smallest_) {
         ++set_.counts.visitsCut;
         return refuse(PortalFate::Budget);
     }
@@ -92,8 +98,10 @@ PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) 
     return isBeyond ? PortalFate::OutsideRegion : PortalFate::BeforeEntry;
 }
 
-template void Admission::admit<false>(std::uint32_t, std::uint32_t, CandidateList&);
-template void Admission::admit<true>(std::uint32_t, std::uint32_t, CandidateList&);
+template void Admission::admit<false>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*,
+                                      CandidateList&);
+template void Admission::admit<true>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*,
+                                     CandidateList&);
 
 /// Adds the opening, and the hole that an inexact pair leaves around it.
 void Admission::addPair(const Visit& visit, Candidate c, CandidateList& children) {
@@ -138,9 +146,18 @@ bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {
     return visit.portal != kNone && in_.graph.portals()[visit.portal].reciprocal == portal;
 }
 
+void Admission::summarise(std::uint32_t index, const Rect& rect) {
+    const Visit& visit = set_.visits[index];
+    const bool isRoot = visit.parent == kNone;
+    s_.summaries.resize(index);
+    s_.summaries.push_back({rect, isRoot ? 0 : s_.summaries[visit.parent].chain | bitOf(visit.portal)});
+}
+
 /// A straight ray crosses a plane once. But a polygon that is not flat extends beyond its plane, and without
 /// this test rays could follow a ring of such openings for ever.
 bool Admission::isInChain(std::uint32_t visit, std::uint32_t portal) const {
+    if ((s_.summaries[visit].chain & bitOf(portal)) == 0)
+        return false;
     for (; visit != kNone; visit = set_.visits[visit].parent)
         if (set_.visits[visit].portal == portal)
             return true;
@@ -155,22 +172,39 @@ bool Admission::halfRegion(const Visit& visit, const Graph::Portal& portal) {
 }
 
 /// The part of the opening that the visit's rays reach, into s_.region.
-bool Admission::openingRegion(const Visit& visit, const Graph::Portal& portal) {
-    if (portal.outlineCount > 0) {
+bool Admission::openingRegion(std::uint32_t index, const Graph::Portal& portal,
+                              const ScreenOpenings::Exit* known) {
+    const Visit& visit = set_.visits[index];
+    if (known != nullptr && intersection(known->rect, s_.summaries[index].rect).empty())
+        return false;
+    std::span<const Vec3> relative;
+    if (known != nullptr) {
+        relative = openings_.relative(*known);
+    } else if (portal.outlineCount > 0) {
         hullSeenFrom(in_.view.eye, in_.graph.outline(portal), portal.plane.n, s_.relative, s_.swap);
+        relative = s_.relative;
     } else {
         s_.relative.clear();
         for (const Vec3& v : in_.graph.polygon(portal))
             s_.relative.push_back(v - in_.view.eye);
+        relative = s_.relative;
     }
     double farthest = visit.parent == kNone ? 1.0 : 0.0;
-    for (const Vec3& v : s_.relative)
-        farthest = std::max(farthest, visit.entryPlane.signedDistance(v));
+    double nearest = farthest;
+    for (const Vec3& v : relative) {
+        const double distance = visit.entryPlane.signedDistance(v);
+        farthest = std::max(farthest, distance);
+        nearest = std::min(nearest, distance + kInPlaneTolerance);
+    }
     if (farthest <= kBeyondEntry)
         return false;
+    if (known != nullptr && nearest >= 0.0 && in_.rules.eyePlaneClip) {
+        clipByRegion(openings_.onScreen(*known), set_.region(visit), s_.region, s_.swap);
+        return !s_.region.empty();
+    }
     // The part within the tolerance of the entry plane is kept: corners that two openings share are not
     // exactly in the planes of both.
-    clipPolygon(s_.relative, visit.entryPlane, kInPlaneTolerance, s_.beyond);
+    clipPolygon(relative, visit.entryPlane, kInPlaneTolerance, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
         clipPolygon(s_.beyond, {in_.view.forward, -kDefaultNearPlane}, 0.0, s_.swap);
         s_.beyond.swap(s_.swap);

@@ -3,6 +3,7 @@
 #include "visibility/Candidate.h"
 #include "visibility/FloodTrace.h"
 #include "visibility/Graph.h"
+#include "visibility/ScreenOpenings.h"
 
 #include <span>
 #include <vector>
@@ -23,20 +24,30 @@ struct FloodInput {
 /// Decides through which openings the rays of a visit leave, and which of its rays.
 class Admission {
 public:
+    /// Of a visit, for the tests of its openings.
+    struct Summary {
+        Rect rect;               ///< bounds of its region
+        std::uint64_t chain = 0; ///< the bits (bitOf) of the portals of its chain
+    };
     /// Buffers for clipping, kept for their capacity.
     struct Scratch {
         std::vector<Vec3> relative, beyond, region, whole, swap;
+        std::vector<Summary> summaries; ///< by visit
     };
 
     /// Openings narrower than `smallest` (coneSize) are left out and counted. Reads the visits of `set`.
-    Admission(const FloodInput& input, double smallest, Scratch& scratch, VisibleSet& set)
-        : in_(input), smallest_(smallest), s_(scratch), set_(set) {}
+    Admission(const FloodInput& input, double smallest, const ScreenOpenings& openings, Scratch& scratch,
+              VisibleSet& set)
+        : in_(input), smallest_(smallest), openings_(openings), s_(scratch), set_(set) {}
 
     /// Appends the candidates for the rays that leave visit `index` through a portal of one of its spaces:
     /// none, one, or for an inexact pair also the hole around it. A portal that is refused gets an entry in
-    /// the trace.
+    /// the trace. `known`: the portal's outline on the screen; null: not known.
     template <bool kTraced>
-    void admit(std::uint32_t index, std::uint32_t portal, CandidateList& children);
+    void admit(std::uint32_t index, std::uint32_t portal, const ScreenOpenings::Exit* known,
+               CandidateList& children);
+    /// Makes the summary of a visit that has been added to the set. `rect`: bounds of its region.
+    void summarise(std::uint32_t index, const Rect& rect);
 
     /// The reason why no ray of the visit passes a portal of one of its spaces, as far as its position shows
     /// it.
@@ -48,13 +59,15 @@ private:
     [[nodiscard]] bool holdsEye(const Graph::Portal& portal, double way) const;
     [[nodiscard]] bool isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const;
     [[nodiscard]] bool halfRegion(const Visit& visit, const Graph::Portal& portal);
-    [[nodiscard]] bool openingRegion(const Visit& visit, const Graph::Portal& portal);
+    [[nodiscard]] bool openingRegion(std::uint32_t index, const Graph::Portal& portal,
+                                     const ScreenOpenings::Exit* known);
     void clipByReciprocal(const Graph::Portal& reciprocal);
     void addPair(const Visit& visit, Candidate candidate, CandidateList& children);
     void add(Candidate candidate, bool hole, CandidateList& children) const;
 
     const FloodInput& in_;
     double smallest_;
+    const ScreenOpenings& openings_;
     Scratch& s_; ///< `region`: of the current opening
     VisibleSet& set_;
 };

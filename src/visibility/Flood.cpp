@@ -12,6 +12,7 @@ namespace limen::visibility {
 
 /// Buffers, kept between floods for their capacity.
 struct FloodScratch::Data {
+    ScreenOpenings openings;
     CellFlood cells;
     SiblingOrder order;
     CandidateList pending;  ///< a stack: the top is the next visit in drawing order
@@ -32,14 +33,15 @@ template <bool kTraced>
 class VisitTraversal {
 public:
     VisitTraversal(const FloodInput& input, double smallest, FloodScratch::Data& scratch, VisibleSet& out)
-        : in_(input), admission_(input, smallest, scratch.admission, out), s_(scratch), out_(out) {}
+        : in_(input), admission_(input, smallest, scratch.openings, scratch.admission, out), s_(scratch),
+          out_(out) {}
 
     /// False if more than `maxVisits` visits are needed; `out` is then incomplete.
     bool run(std::uint32_t maxVisits) {
         addRoot();
         visitSpaces(0);
         while (!s_.pending.items.empty()) {
-            if (out_.visits.size() >= maxVisits)
+            if (out_.visits.size() + s_.pending.items.size() > maxVisits) // each item becomes a visit
                 return false;
             const std::uint32_t next = popPending();
             if (!out_.visits[next].hole)
@@ -59,6 +61,7 @@ private:
         out_.visits.push_back(root);
         out_.regionVertices.insert(out_.regionVertices.end(),
                                    {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}});
+        admission_.summarise(0, boundsOf(out_.region(root)));
     }
 
     std::uint32_t popPending() {
@@ -83,6 +86,7 @@ private:
         s_.pending.vertices.resize(c.firstVertex);
         s_.pending.items.pop_back();
         out_.visits.push_back(visit);
+        admission_.summarise(static_cast<std::uint32_t>(out_.visits.size() - 1), c.rect);
         note<kTraced>(in_.trace, c.parent, c.portal, fateOf(c, portal));
         return static_cast<std::uint32_t>(out_.visits.size() - 1);
     }
@@ -100,10 +104,8 @@ private:
     void visitSpaces(std::uint32_t index) {
         const Visit visit = out_.visits[index];
         const std::size_t firstSeen = out_.seen.size();
-        const Rect entryRect = boundsOf(out_.region(visit));
-        s_.cells.run({&in_.graph, in_.closed, in_.view.eye, in_.screen, index, visit.space, visit.portal,
-                      entryRect, in_.trace},
-                     out_.seen, out_.counts);
+        s_.cells.run({index, visit.space, s_.admission.summaries[index].rect, in_.trace}, in_.graph,
+                     s_.openings, out_.seen, out_.counts);
         s_.children.clear();
         for (std::size_t i = firstSeen; i < out_.seen.size(); ++i)
             openingsOf(index, out_.seen[i]);
@@ -141,9 +143,15 @@ private:
 
     void openingsOf(std::uint32_t visit, const SeenSpace& seen) {
         const Graph::Space& space = in_.graph.spaces()[seen.space];
-        if (space.root == kNone) {
+        if constexpr (!kTraced) {
+            const ScreenOpenings::Space& known = s_.openings.of(seen.space);
+            for (const ScreenOpenings::Exit& exit : s_.openings.exits(known))
+                admission_.template admit<kTraced>(visit, exit.portal, &exit, s_.children);
+            if (space.root == kNone || !known.hasExits)
+                return;
+        } else if (space.root == kNone) {
             for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p)
-                admission_.template admit<kTraced>(visit, p, s_.children);
+                admission_.template admit<kTraced>(visit, p, nullptr, s_.children);
             return;
         }
         s_.nodes.assign(1, space.root);
@@ -156,7 +164,7 @@ private:
                 continue;
             }
             if (node.child == kNone) {
-                admission_.template admit<kTraced>(visit, node.portal, s_.children);
+                admission_.template admit<kTraced>(visit, node.portal, nullptr, s_.children);
             } else {
                 s_.nodes.push_back(node.child);
                 s_.nodes.push_back(node.child + 1);
@@ -240,6 +248,7 @@ Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, con
     const Mat3 screen = view.screenFromEye();
     const FloodInput input{graph, closed, view, limits.rules, screen, glm::inverse(glm::transpose(screen)),
                            trace};
+    scratch.data().openings.begin({&graph, closed, view.eye, screen, trace != nullptr});
     const std::uint32_t most = std::max(limits.maxVisits, 1u);
     const auto isWhole = [&](double smallest) {
         out.clear();

@@ -93,7 +93,8 @@ double unevenness(const Plane& plane, std::span<const Vec3> polygon, std::span<c
 
 } // namespace
 
-void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
+void Graph::addPortal(const PortalDesc& desc, std::span<const SpaceDesc> spaces,
+                      std::span<const Vec3> vertices) {
     const auto polygon = vertices.subspan(desc.firstVertex, desc.vertexCount);
     const Plane plane = planeOf(polygon);
     const bool isFlat = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& v) {
@@ -101,9 +102,13 @@ void Graph::addPortal(const PortalDesc& desc, std::span<const Vec3> vertices) {
     });
     const auto outline = desc.outlineCount > 0 ? vertices.subspan(desc.firstOutline, desc.outlineCount)
                                                : polygon.first(isFlat ? 0 : polygon.size());
+    const bool isWithinZone = plane.n != Vec3(0.0) && desc.destination != kNone &&
+                              desc.destination != desc.space &&
+                              spaces[desc.destination].zone == spaces[desc.space].zone;
     portals_.push_back(
         {plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex, desc.vertexCount, desc.exact,
-         static_cast<std::uint32_t>(outlines_.size()), static_cast<std::uint32_t>(outline.size()),
+         isWithinZone, static_cast<std::uint32_t>(outlines_.size()),
+         static_cast<std::uint32_t>(outline.size()),
          std::min(kInPlaneTolerance, kBeforePlaneTolerance + unevenness(plane, polygon, outline))});
     outlines_.insert(outlines_.end(), outline.begin(), outline.end());
 }
@@ -117,7 +122,7 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
         const PortalDesc& p = portals[i];
         if (auto checked = checkPortal(p, i, spaces, portals.size(), vertices); !checked)
             return tl::unexpected(checked.error());
-        graph.addPortal(p, vertices);
+        graph.addPortal(p, spaces, vertices);
         for (const Vec3& v : graph.polygon(graph.portals_.back()))
             boxes[i].include(v);
         for (const Vec3& v : graph.outline(graph.portals_.back()))

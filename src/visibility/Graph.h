@@ -59,6 +59,7 @@ public:
         std::uint32_t space = 0, destination = kNone, reciprocal = kNone;
         std::uint32_t firstVertex = 0, vertexCount = 0;
         bool exact = true;
+        bool withinZone = false; ///< it has an area and leads to another space of the same zone
         std::uint32_t firstOutline = 0, outlineCount = 0; ///< count 0: the polygon is flat and has no outline
         double inPlane = 0.0; ///< metres before its plane up to which an eye is in it
     };
@@ -74,7 +75,7 @@ public:
     }
 
 private:
-    void addPortal(const PortalDesc& desc, std::span<const Vec3> vertices);
+    void addPortal(const PortalDesc& desc, std::span<const SpaceDesc> spaces, std::span<const Vec3> vertices);
 
     std::vector<Vec3> outlines_;
     std::vector<Space> spaces_;

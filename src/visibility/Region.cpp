@@ -1,6 +1,8 @@
 #include "visibility/Region.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace limen::visibility {
 
@@ -43,15 +45,83 @@ void tidyRegion(std::vector<Vec3>& region) {
         region.clear();
 }
 
+namespace {
+
+/// Clips a polygon by one plane after the other, on the stack. Writes nothing for planes that do not cut it.
+class StackClipper {
+public:
+    static constexpr std::size_t kMost = 32; ///< vertices before a clip
+
+    explicit StackClipper(std::span<const Vec3> polygon) : from_(polygon.data()), count_(polygon.size()) {}
+
+    /// As clipByEyePlane. False, without a change, for more than kMost vertices.
+    [[nodiscard]] bool clip(const Vec3& normal) {
+        if (count_ > kMost)
+            return false;
+        std::array<double, kMost> sides;
+        Bits inside = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            sides[i] = glm::dot(normal, from_[i]);
+            inside |= static_cast<Bits>(sides[i] >= 0.0) << i;
+        }
+        if (inside == 0)
+            count_ = 0;
+        else if (inside != allBits())
+            cut(sides, inside);
+        return true;
+    }
+    [[nodiscard]] std::span<const Vec3> result() const { return {from_, count_}; }
+
+private:
+    using Bits = std::uint32_t; ///< by vertex
+
+    [[nodiscard]] Bits allBits() const { return ~Bits{0} >> (kMost - count_); }
+
+    void cut(const std::array<double, kMost>& sides, Bits inside) {
+        const Bits changes = inside ^ (inside << 1 | inside >> (count_ - 1));
+        Vec3* const to = from_ == first_.data() ? second_.data() : first_.data();
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if ((changes >> i & 1) != 0) {
+                const std::size_t p = i == 0 ? count_ - 1 : i - 1;
+                to[found++] = from_[p] + (from_[i] - from_[p]) * (sides[p] / (sides[p] - sides[i]));
+            }
+            to[found] = from_[i]; // overwritten if it is outside
+            found += inside >> i & 1;
+        }
+        from_ = to;
+        count_ = found;
+    }
+
+    /// Without a constructor, which would clear all elements.
+    union Buffer {
+        Buffer() {} // NOLINT(modernize-use-equals-default): that would be deleted
+        Vec3* data() { return vertices.data(); }
+        std::array<Vec3, 2 * kMost + 1> vertices; ///< a cut adds at most one vertex to each
+    };
+    const Vec3* from_;
+    std::size_t count_;
+    Buffer first_, second_;
+};
+
+} // namespace
+
 void clipByRegion(std::span<const Vec3> polygon, std::span<const Vec3> region, std::vector<Vec3>& out,
                   std::vector<Vec3>& swap) {
     // Each edge adds at most one vertex. The swaps may leave the result in either vector, so both get the
     // full capacity: then the next equal frame allocates nothing.
     out.reserve(polygon.size() + region.size());
     swap.reserve(polygon.size() + region.size());
-    out.assign(polygon.begin(), polygon.end());
-    for (std::size_t i = 0; i < region.size() && !out.empty(); ++i) {
-        clipByEyePlane(out, glm::cross(region[i], region[i + 1 == region.size() ? 0 : i + 1]), swap);
+    const auto edge = [&](std::size_t i) {
+        return glm::cross(region[i], region[i + 1 == region.size() ? 0 : i + 1]);
+    };
+    StackClipper clipper(polygon);
+    std::size_t i = 0;
+    while (i < region.size() && !clipper.result().empty() && clipper.clip(edge(i)))
+        ++i;
+    out.assign(clipper.result().begin(), clipper.result().end());
+    for (; i < region.size() && !out.empty(); ++i) { // too many vertices for the stack
+        clipByEyePlane(out, edge(i), swap);
         out.swap(swap);
     }
     tidyRegion(out);
@@ -69,11 +139,6 @@ Rect boundsOf(std::span<const Vec3> region) {
         rect.maxY = std::max(rect.maxY, y);
     }
     return rect;
-}
-
-Rect intersection(const Rect& a, const Rect& b) {
-    return {std::max(a.minX, b.minX), std::max(a.minY, b.minY), std::min(a.maxX, b.maxX),
-            std::min(a.maxY, b.maxY)};
 }
 
 } // namespace limen::visibility

@@ -34,6 +34,4 @@ void tidyRegion(std::vector<Vec3>& region);
 /// The smallest rectangle, NDC, that contains the region, clamped to the screen.
 [[nodiscard]] Rect boundsOf(std::span<const Vec3> region);
 
-[[nodiscard]] Rect intersection(const Rect& a, const Rect& b);
-
 } // namespace limen::visibility

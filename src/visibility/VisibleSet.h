@@ -2,6 +2,7 @@
 
 #include "geometry/Bounds.h"
 #include "geometry/Plane.h"
+#include "visibility/Rect.h"
 #include "visibility/View.h"
 
 #include <cstdint>
@@ -32,12 +33,6 @@ struct Visit {
     bool shut = false;     ///< a hole that the opening's filling closes
     bool narrowed = false; ///< of an inexact pair: the other polygon bounds its region, too
     bool split = false; ///< its region is a part of the opening, cut to break a cycle of overlapping siblings
-};
-
-/// A screen-aligned rectangle in NDC.
-struct Rect {
-    double minX = 1e300, minY = 1e300, maxX = -1e300, maxY = -1e300; ///< empty until it includes a point
-    [[nodiscard]] bool empty() const { return minX > maxX || minY > maxY; }
 };
 
 /// A space that may be visible in a visit, within `rect`, which may be too large. For culling.
