@@ -92,7 +92,7 @@ PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter) {
     if (ImGui::InputTextWithHint("##filter", "search by name", text.data(), text.size()))
         filter = text.data();
     ui.note("search");
-    ImGui::BeginChild("##list", {0.0f, -uiLength(60.0f)}, true);
+    ImGui::BeginChild("##list", {0.0f, uiListHeight()}, true);
     std::size_t shown = 0;
     for (std::size_t i = 0; i < facts.places.size(); ++i) {
         const world::Place& place = facts.places[i];

@@ -121,7 +121,11 @@ PhotoChoice drawPhotoPage(Ui& ui, const PhotoFacts& facts) {
     PhotoChoice choice{.settings = facts.settings};
     drawFrame(facts);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float width = std::min(uiLength(240.0f), size.x * 0.42f), gap = uiLength(8.0f);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float least = ImGui::CalcTextSize("Leave photo mode").x +
+                        2.0f * (style.FramePadding.x + style.WindowPadding.x) + style.ScrollbarSize;
+    const float width = std::max(std::min(uiLength(240.0f), size.x * 0.42f), std::min(least, size.x));
+    const float gap = uiLength(8.0f);
     ImGui::SetNextWindowPos({size.x - gap, gap}, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, size.y - 2.0f * gap});
     ImGui::SetNextWindowBgAlpha(0.75f);
