@@ -132,15 +132,15 @@ PhotoChoice drawPhotoPage(Ui& ui, const PhotoFacts& facts) {
     ImGui::Begin("Photo mode", nullptr,
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    drawTake(ui, facts, choice); // first: visible without scrolling in a small window
-    if (!facts.isBusy) {
-        chooseWorld(ui, facts, choice.settings);
-        choosePicture(ui, choice.settings);
-    }
+    drawTake(ui, facts, choice); // first, with its result: visible without scrolling in a small window
     if (!facts.fault.empty())
         uiNote(facts.fault);
     if (!facts.saved.empty())
         uiNote("Saved: " + facts.saved);
+    if (!facts.isBusy) {
+        chooseWorld(ui, facts, choice.settings);
+        choosePicture(ui, choice.settings);
+    }
     choice.isBack = ui.button("Leave photo mode", -1.0f);
     ImGui::End();
     return choice;
